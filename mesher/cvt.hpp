@@ -1,0 +1,46 @@
+#pragma once
+
+#include "mesher/objective.hpp"
+#include "mesher/periodic_delaunay.hpp"
+#include "mesher/periodic_mesh.hpp"
+
+namespace pcvt {
+
+enum class Solver { kLbfgs, kLloyd };
+
+struct CvtOptions {
+    Solver solver = Solver::kLbfgs;
+    /// Largest |x_i - g_i| / h at which the run has converged, h = sqrt(area / n).
+    double tolerance = 1e-6;
+    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
+    int max_iterations = -1;
+    ProgressCallback progress;
+};
+
+/// A periodic tessellation and how it was reached.
+struct CvtResult {
+    PeriodicDelaunay delaunay;
+    Stop stop;
+    int iterations;
+    int evaluations;
+    /// F of Eq. 3 for rho = 1, length^4.
+    double energy;
+    /// 5 A^2 / (18 sqrt(3) n), the hexagonal lower bound, length^4.
+    double energy_bound;
+    /// max and root mean square of |x_i - g_i| / h.
+    double residual;
+    double rms_residual;
+};
+
+/// Optimises the sites; points are 2 x n, length units, and need not be wrapped.
+/// @throws InvalidInput, DuplicateSites as Sites does.
+CvtResult compute_cvt(const Lattice& lattice, const Points& points, const CvtOptions& options);
+
+/// The Voronoi cells (`kCells`) or Delaunay triangles (`kTriangles`) of a result on the torus,
+/// offsets in the user's basis.
+PeriodicMesh periodic_mesh(const CvtResult& result, TileKind kind);
+
+/// 5 area^2 / (18 sqrt(3) n) (paper, Table I, for any area).
+double hexagonal_bound(double area, int n_sites);
+
+}  // namespace pcvt

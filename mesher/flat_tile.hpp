@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/sites.hpp"
+
+namespace pcvt {
+
+enum class TileKind { kCells, kTriangles };
+
+/// position(w) = position(v) + translation(offset).
+struct VertexPair {
+    int v;
+    int w;
+    Offset offset;
+    friend constexpr auto operator<=>(const VertexPair&, const VertexPair&) = default;
+};
+
+/// The boundary edge v0 -> v1 (its face on the left) is glued to w0 -> w1, whose face lies on the
+/// right: position(w_k) = position(v_k) + translation(offset) for k = 0 and 1.
+struct EdgePair {
+    int v0;
+    int v1;
+    int w0;
+    int w1;
+    Offset offset;
+    friend constexpr auto operator<=>(const EdgePair&, const EdgePair&) = default;
+};
+
+/// A tile as plain arrays: what writers take and readers give back.
+///
+/// Offsets are in the basis of `lattice`, the one that the user typed (times the repetition).
+struct FlatTile {
+    Lattice lattice;
+    TileKind kind;
+    /// One position a vertex, length units.
+    std::vector<Vec2> points;
+    /// Face f has the corners corners[face_begin[f]] ... corners[face_begin[f + 1] - 1],
+    /// vertex indices, counter-clockwise.
+    std::vector<int> face_begin;
+    std::vector<int> corners;
+    /// Cells: one site a face. Triangles: empty.
+    std::vector<SiteId> face_site;
+    /// Triangles: one site a vertex. Cells: empty.
+    std::vector<SiteId> vertex_site;
+    /// One pair for each vertex w that is not the representative v of its orbit, by rising w.
+    /// The representative is the vertex of the orbit with the smallest index, so v < w.
+    std::vector<VertexPair> vertex_pairs;
+    /// Each identified pair of boundary edges once: n_boundary_edges / 2 entries.
+    std::vector<EdgePair> edge_pairs;
+
+    int n_vertices() const { return static_cast<int>(points.size()); }
+    int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }
+    int face_size(int f) const { return face_begin[f + 1] - face_begin[f]; }
+};
+
+}  // namespace pcvt

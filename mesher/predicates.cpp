@@ -1,0 +1,175 @@
+#include "mesher/predicates.hpp"
+
+#include <CGAL/MP_Float.h>
+
+#include <cmath>
+
+namespace pcvt {
+namespace {
+
+/// Half an ulp of 1. Each bound below counts the roundings of the longest chain of its expression
+/// and rounds that up generously: the filter then fails a little more often and never errs.
+constexpr double kUnit = 0x1p-53;
+constexpr double kOrientationError = 4 * kUnit;
+constexpr double kInCircleError = 16 * kUnit;
+constexpr double kCircumcentreError = 32 * kUnit;
+/// Differences from here on may be rounded (predicates.hpp), so the filter is not asked.
+constexpr double kExactDifference = 4;
+
+thread_local PredicateCounts counts;
+
+int sign(double x) { return (x > 0) - (x < 0); }
+int sign(const CGAL::MP_Float& x) { return CGAL::sign(x); }
+
+/// The predicates' polynomials, in double for the filter and in MP_Float for the exact value.
+/// `Bound` is the same polynomial with absolute values and only sums: the scale of its rounding.
+template <class Number>
+struct Vector {
+    Number u;
+    Number v;
+};
+
+template <class Number>
+Vector<Number> vector(const Image& p, const Image& q) {
+    return {(Number(q.u) - Number(p.u)) + Number(q.offset.i - p.offset.i),
+            (Number(q.v) - Number(p.v)) + Number(q.offset.j - p.offset.j)};
+}
+
+Vector<double> absolute(const Vector<double>& d) { return {std::abs(d.u), std::abs(d.v)}; }
+Gram absolute(const Gram& g) { return {g.aa, std::abs(g.ab), g.bb}; }
+
+template <class Number>
+Number cross(const Vector<Number>& d, const Vector<Number>& e) {
+    return d.u * e.v - d.v * e.u;
+}
+
+double cross_bound(const Vector<double>& d, const Vector<double>& e) {
+    return d.u * e.v + d.v * e.u;
+}
+
+template <class Number>
+Number norm(const Gram& g, const Vector<Number>& d) {
+    const Number twice_ab = Number(2) * Number(g.ab);
+    return Number(g.aa) * d.u * d.u + twice_ab * d.u * d.v + Number(g.bb) * d.v * d.v;
+}
+
+template <class Number>
+Number in_circle_value(const Gram& g, const Vector<Number>& p, const Vector<Number>& q,
+                       const Vector<Number>& r) {
+    return norm(g, p) * cross(q, r) + norm(g, q) * cross(r, p) + norm(g, r) * cross(p, q);
+}
+
+double in_circle_bound(const Gram& g, const Vector<double>& p, const Vector<double>& q,
+                       const Vector<double>& r) {
+    return norm(g, p) * cross_bound(q, r) + norm(g, q) * cross_bound(r, p) +
+           norm(g, r) * cross_bound(p, q);
+}
+
+/// The circumcentre c of the triangle with corners at `corner`, corner + d, corner + e solves
+/// 2 G(d, c - corner) = G(d, d) and the same for e. These are det(G) (d x e) 2 (c - line) for its
+/// two coordinates, where `line` is 0 or 1.
+template <class Number>
+Number centre_u(const Gram& g, const Vector<Number>& d, const Vector<Number>& e, Number corner) {
+    const Number det = Number(g.aa) * Number(g.bb) - Number(g.ab) * Number(g.ab);
+    const Number gd = Number(g.ab) * d.u + Number(g.bb) * d.v;
+    const Number ge = Number(g.ab) * e.u + Number(g.bb) * e.v;
+    return norm(g, d) * ge - norm(g, e) * gd + Number(2) * det * cross(d, e) * corner;
+}
+
+double centre_u_bound(const Gram& g, const Vector<double>& d, const Vector<double>& e,
+                      double corner) {
+    return norm(g, d) * (g.ab * e.u + g.bb * e.v) + norm(g, e) * (g.ab * d.u + g.bb * d.v) +
+           2 * (g.aa * g.bb + g.ab * g.ab) * cross_bound(d, e) * corner;
+}
+
+bool differences_exact(const Vector<double>& d) {
+    return std::abs(d.u) < kExactDifference && std::abs(d.v) < kExactDifference;
+}
+
+/// The sign of the circumcentre's first coordinate minus `line`.
+int centre_side(const Gram& g, const Image& p, const Image& q, const Image& r, int line) {
+    ++counts.asked;
+    const auto d = vector<double>(p, q);
+    const auto e = vector<double>(p, r);
+    const double corner = p.u + (p.offset.i - line);
+    if (differences_exact(d) && differences_exact(e) && std::abs(corner) < kExactDifference) {
+        const double value = centre_u(g, d, e, corner);
+        const double bound =
+            centre_u_bound(absolute(g), absolute(d), absolute(e), std::abs(corner));
+        if (std::abs(value) > kCircumcentreError * bound) return sign(value);
+    }
+    ++counts.exact;
+    using Exact = CGAL::MP_Float;
+    return sign(centre_u<Exact>(g, vector<Exact>(p, q), vector<Exact>(p, r),
+                                Exact(p.u) + Exact(p.offset.i - line)));
+}
+
+/// The same triangle with its two coordinates exchanged: clockwise becomes counter-clockwise when
+/// two corners are exchanged as well.
+Image transposed(const Image& p) { return {p.v, p.u, p.site, {p.offset.j, p.offset.i}}; }
+
+}  // namespace
+
+Image image(const Sites& sites, SiteId site, Offset offset) {
+    return {sites.coordinates()(0, site), sites.coordinates()(1, site), site, offset};
+}
+
+Gram gram_of(const Lattice& reduced) {
+    int exponent = 0;
+    std::frexp(reduced.a().norm(), &exponent);
+    const Vec2 a(std::ldexp(reduced.a().x(), -exponent), std::ldexp(reduced.a().y(), -exponent));
+    const Vec2 b(std::ldexp(reduced.b().x(), -exponent), std::ldexp(reduced.b().y(), -exponent));
+    return {a.squaredNorm(), a.dot(b), b.squaredNorm()};
+}
+
+int orientation(const Image& p, const Image& q, const Image& r) {
+    ++counts.asked;
+    const auto d = vector<double>(p, q);
+    const auto e = vector<double>(p, r);
+    if (differences_exact(d) && differences_exact(e)) {
+        const double value = cross(d, e);
+        if (std::abs(value) > kOrientationError * cross_bound(absolute(d), absolute(e))) {
+            return sign(value);
+        }
+    }
+    ++counts.exact;
+    using Exact = CGAL::MP_Float;
+    return sign(cross(vector<Exact>(p, q), vector<Exact>(p, r)));
+}
+
+int in_circle(const Gram& gram, const Image& p, const Image& q, const Image& r, const Image& s) {
+    ++counts.asked;
+    const auto d = vector<double>(s, p);
+    const auto e = vector<double>(s, q);
+    const auto f = vector<double>(s, r);
+    if (differences_exact(d) && differences_exact(e) && differences_exact(f)) {
+        const double value = in_circle_value(gram, d, e, f);
+        const double bound = in_circle_bound(absolute(gram), absolute(d), absolute(e), absolute(f));
+        if (std::abs(value) > kInCircleError * bound) return sign(value);
+    }
+    ++counts.exact;
+    using Exact = CGAL::MP_Float;
+    return sign(
+        in_circle_value(gram, vector<Exact>(s, p), vector<Exact>(s, q), vector<Exact>(s, r)));
+}
+
+bool circumcentre_in_domain(const Gram& gram, const Image& p, const Image& q, const Image& r) {
+    if (centre_side(gram, p, q, r, 0) < 0 || centre_side(gram, p, q, r, 1) >= 0) return false;
+    const Gram exchanged{gram.bb, gram.ab, gram.aa};
+    const Image pt = transposed(p);
+    const Image qt = transposed(q);
+    const Image rt = transposed(r);
+    return centre_side(exchanged, pt, rt, qt, 0) >= 0 && centre_side(exchanged, pt, rt, qt, 1) < 0;
+}
+
+int compare_u(const Image& p, const Image& q) {
+    return -sign((q.u - p.u) + (q.offset.i - p.offset.i));
+}
+
+int compare_v(const Image& p, const Image& q) {
+    return -sign((q.v - p.v) + (q.offset.j - p.offset.j));
+}
+
+PredicateCounts predicate_counts() { return counts; }
+
+}  // namespace pcvt

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <variant>
+
+#include "mesher/flat_tile.hpp"
+#include "mesher/identification.hpp"
+#include "mesher/periodic_mesh.hpp"
+
+namespace pcvt {
+
+/// An open disc: one OpenMesh mesh of one fundamental domain whose boundary halfedges are matched.
+///
+/// Laws, tested by number:
+///   (1) The partner of a partner is the halfedge itself, and no halfedge is its own partner.
+///   (2) A partner runs the other way: its from-vertex is the translate of the to-vertex.
+///   (3) Positions are representative + translation, so the two sides of the seam agree to the
+///       rounding of one addition.
+///   (4) V - E + F = 1 as it stands and 0 after gluing.
+///   (5) The face areas sum to lattice.area().
+template <class Mesh>
+struct Tile {
+    /// An empty mesh with the properties attached and the lattice noted.
+    explicit Tile(const Lattice& period) : lattice(period) {
+        identification.attach(mesh);
+        mesh.property(identification.lattice) = {period.a().x(), period.a().y(), period.b().x(),
+                                                 period.b().y()};
+    }
+
+    Lattice lattice;
+    Mesh mesh;
+    Identification identification;
+};
+
+using CellTile = Tile<CellMesh>;
+using TriangleTile = Tile<TriangleMesh>;
+using AnyTile = std::variant<CellTile, TriangleTile>;
+
+/// The tile of the faces of `periodic`, face f in the image placement[f].
+///
+/// Each site of a triangle tile is a vertex, each site of a cell tile a face.
+/// @throws InternalError if the placed faces do not form a disc.
+AnyTile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& placement);
+
+/// The tile as plain arrays, for writers and for the proof.
+FlatTile flatten(const AnyTile& tile);
+
+}  // namespace pcvt

@@ -1,0 +1,211 @@
+#include "mesher/voronoi.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "mesher/edge_matching.hpp"
+#include "mesher/error.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Triangle corners' positions in a frame: reduced coordinates of one corner, and two edge vectors
+/// in length units, which stay accurate however small the triangle is.
+Vec2 circumcentre(const PeriodicDelaunay& delaunay, int triangle) {
+    const Sites& sites = delaunay.sites();
+    const TorusTriangulation& t = delaunay.triangulation();
+    const Lattice& reduced = sites.reduction().reduced;
+    std::array<Image, 3> corner;
+    for (int k = 0; k < 3; ++k) {
+        const Corner& c = t.corner(3 * triangle + k);
+        corner[k] = image(sites, c.site, c.offset);
+    }
+    const Vec2 d = reduced.to_plane(difference(corner[0], corner[1]));
+    const Vec2 e = reduced.to_plane(difference(corner[0], corner[2]));
+    const double doubled_area = d.x() * e.y() - d.y() * e.x();
+    const Vec2 along = d.squaredNorm() * e - e.squaredNorm() * d;
+    const Vec2 centre(along.y() / (2 * doubled_area), -along.x() / (2 * doubled_area));
+    return sites.position(corner[0].site) + reduced.translation(corner[0].offset) + centre;
+}
+
+/// Orbits joined into larger ones: each knows its root and its offset to it.
+class OffsetUnion {
+   public:
+    explicit OffsetUnion(int n) : parent_(n), offset_(n) {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
+
+    struct Root {
+        int orbit;
+        Offset offset;
+    };
+    /// The point t stands where root.orbit + offset stands.
+    Root root(int t) const {
+        Offset offset;
+        while (parent_[t] != t) {
+            offset = offset + offset_[t];
+            t = parent_[t];
+        }
+        return {t, offset};
+    }
+    /// Says that t + offset stands where s stands. Returns false where they were joined before.
+    bool join(int s, int t, Offset offset) {
+        const Root rs = root(s);
+        const Root rt = root(t);
+        if (rs.orbit == rt.orbit) return false;
+        // The smaller index becomes the root, so that the result does not depend on the order.
+        const Offset t_to_s = rs.offset - (rt.offset + offset);
+        if (rs.orbit < rt.orbit) {
+            parent_[rt.orbit] = rs.orbit;
+            offset_[rt.orbit] = t_to_s;
+        } else {
+            parent_[rs.orbit] = rt.orbit;
+            offset_[rs.orbit] = -t_to_s;
+        }
+        return true;
+    }
+
+   private:
+    std::vector<int> parent_;
+    std::vector<Offset> offset_;
+};
+
+/// Voronoi vertices before and after merging.
+struct DualVertices {
+    std::vector<Vec2> position;  ///< of each triangle's circumcentre, in the triangle's frame
+    OffsetUnion merged;
+};
+
+DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const Lattice& reduced = delaunay.sites().reduction().reduced;
+    DualVertices dual{{}, OffsetUnion(t.n_triangles())};
+    for (int k = 0; k < t.n_triangles(); ++k) dual.position.push_back(circumcentre(delaunay, k));
+
+    const double shortest = kSameVertex * delaunay.sites().spacing();
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        const int o = t.opposite(h);
+        if (o < h) continue;
+        const Offset frame = t.frame_across(h);
+        const Vec2 across = dual.position[o / 3] + reduced.translation(frame);
+        if ((across - dual.position[h / 3]).norm() < shortest)
+            dual.merged.join(h / 3, o / 3, frame);
+    }
+    return dual;
+}
+
+struct MeshCorner {
+    int vertex;
+    Offset offset;
+    friend auto operator<=>(const MeshCorner&, const MeshCorner&) = default;
+};
+
+/// The corners of the cell of the site that h leaves, round the image of the site at offset (0, 0).
+std::vector<MeshCorner> cell_corners(const TorusTriangulation& t, const OffsetUnion& merged,
+                                     int h) {
+    std::vector<MeshCorner> corners;
+    const int first = h;
+    do {
+        const auto root = merged.root(h / 3);
+        const MeshCorner corner{root.orbit, root.offset - t.corner(h).offset};
+        if (corners.empty() || corners.back() != corner) corners.push_back(corner);
+        h = t.opposite(TorusTriangulation::previous(h));
+    } while (h != first);
+    while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+    return corners;
+}
+
+void require_polygon(const std::vector<MeshCorner>& corners, SiteId site) {
+    std::vector<MeshCorner> sorted = corners;
+    std::sort(sorted.begin(), sorted.end());
+    const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    if (corners.size() < 3 || !distinct) {
+        throw InvalidInput("the cell of site " + std::to_string(site) +
+                           " is smaller than 1e-9 of the spacing: its neighbours are too close; "
+                           "remove or move one of them");
+    }
+}
+
+/// Moves each representative into the fundamental domain of the reduced basis.
+void wrap_vertices(PeriodicMesh& mesh, const Lattice& reduced) {
+    std::vector<Offset> moved(mesh.vertices.size());
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const Vec2 u = reduced.to_lattice(mesh.vertices[v]);
+        moved[v] = {wrap(u.x()).whole, wrap(u.y()).whole};
+        mesh.vertices[v] -= reduced.translation(moved[v]);
+    }
+    for (std::size_t c = 0; c < mesh.corner_vertex.size(); ++c) {
+        mesh.corner_offset[c] = mesh.corner_offset[c] + moved[mesh.corner_vertex[c]];
+    }
+}
+
+/// Offsets into the user's basis, and the halfedges across.
+void finish(PeriodicMesh& mesh, const Reduction& reduction) {
+    for (Offset& offset : mesh.corner_offset) offset = reduction.to_original(offset);
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        mesh.corner_face.resize(static_cast<std::size_t>(mesh.face_begin[f + 1]), f);
+    }
+    std::vector<DirectedEdge> halfedges;
+    halfedges.reserve(mesh.corner_vertex.size());
+    for (int c = 0; c < mesh.n_corners(); ++c) {
+        const int next = mesh.next(c);
+        halfedges.push_back({mesh.corner_vertex[c], mesh.corner_vertex[next],
+                             mesh.corner_offset[next] - mesh.corner_offset[c]});
+    }
+    mesh.opposite = match_edges(halfedges);
+}
+
+std::vector<int> outgoing_halfedges(const TorusTriangulation& t) {
+    std::vector<int> outgoing(static_cast<std::size_t>(t.n_sites()), -1);
+    for (int h = t.n_halfedges(); h-- > 0;) outgoing[t.corner(h).site] = h;
+    return outgoing;
+}
+
+}  // namespace
+
+PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const DualVertices dual = dual_vertices(delaunay);
+    PeriodicMesh mesh{delaunay.sites().lattice(), TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}};
+    std::vector<int> vertex_of(dual.position.size(), -1);
+    for (int k = 0; k < t.n_triangles(); ++k) {
+        if (dual.merged.root(k).orbit != k) continue;
+        vertex_of[k] = mesh.n_vertices();
+        mesh.vertices.push_back(dual.position[k]);
+    }
+    const auto outgoing = outgoing_halfedges(t);
+    for (SiteId s = 0; s < t.n_sites(); ++s) {
+        const auto corners = cell_corners(t, dual.merged, outgoing[s]);
+        require_polygon(corners, s);
+        for (const MeshCorner& corner : corners) {
+            mesh.corner_vertex.push_back(vertex_of[corner.vertex]);
+            mesh.corner_offset.push_back(corner.offset);
+        }
+        mesh.face_begin.push_back(static_cast<int>(mesh.corner_vertex.size()));
+        mesh.site.push_back(s);
+    }
+    wrap_vertices(mesh, delaunay.sites().reduction().reduced);
+    finish(mesh, delaunay.sites().reduction());
+    return mesh;
+}
+
+PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    PeriodicMesh mesh{
+        delaunay.sites().lattice(), TileKind::kTriangles, {}, {0}, {}, {}, {}, {}, {}};
+    for (SiteId s = 0; s < t.n_sites(); ++s) {
+        mesh.vertices.push_back(delaunay.sites().position(s));
+        mesh.site.push_back(s);
+    }
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        mesh.corner_vertex.push_back(t.corner(h).site);
+        mesh.corner_offset.push_back(t.corner(h).offset);
+        if (h % 3 == 2) mesh.face_begin.push_back(h + 1);
+    }
+    finish(mesh, delaunay.sites().reduction());
+    return mesh;
+}
+
+}  // namespace pcvt

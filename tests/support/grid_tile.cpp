@@ -1,0 +1,75 @@
+#include "tests/support/grid_tile.hpp"
+
+namespace pcvt::testing {
+namespace {
+
+/// Vertices of the (columns + 1) x (rows + 1) grid and their identification; no faces yet.
+FlatTile grid_vertices(const Lattice& lattice, TileKind kind, int columns, int rows) {
+    FlatTile tile{lattice, kind, {}, {0}, {}, {}, {}, {}, {}};
+    const auto id = [columns](int i, int j) { return j * (columns + 1) + i; };
+    for (int j = 0; j <= rows; ++j) {
+        for (int i = 0; i <= columns; ++i) {
+            const Offset offset{i / columns, j / rows};
+            const Vec2 u(double(i % columns) / columns, double(j % rows) / rows);
+            tile.points.push_back(lattice.to_plane(u) + lattice.translation(offset));
+            if (offset != Offset{}) {
+                tile.vertex_pairs.push_back({id(i % columns, j % rows), id(i, j), offset});
+            }
+        }
+    }
+    const bool right_handed = lattice.right_handed();
+    const auto glue = [&](int v0, int v1, int w0, int w1, Offset offset) {
+        // The face of v0 -> v1 lies on its left in a right-handed basis only.
+        if (right_handed) {
+            tile.edge_pairs.push_back({v0, v1, w0, w1, offset});
+        } else {
+            tile.edge_pairs.push_back({v1, v0, w1, w0, offset});
+        }
+    };
+    for (int i = 0; i < columns; ++i) {
+        glue(id(i, 0), id(i + 1, 0), id(i, rows), id(i + 1, rows), {0, 1});
+    }
+    for (int j = 0; j < rows; ++j) {
+        glue(id(0, j + 1), id(0, j), id(columns, j + 1), id(columns, j), {1, 0});
+    }
+    return tile;
+}
+
+void add_face(FlatTile& tile, std::vector<int> corners) {
+    if (!tile.lattice.right_handed()) corners = {corners.rbegin(), corners.rend()};
+    tile.corners.insert(tile.corners.end(), corners.begin(), corners.end());
+    tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
+}
+
+}  // namespace
+
+FlatTile grid_tile(const Lattice& lattice, int columns, int rows) {
+    FlatTile tile = grid_vertices(lattice, TileKind::kCells, columns, rows);
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const int v = j * (columns + 1) + i;
+            add_face(tile, {v, v + 1, v + columns + 2, v + columns + 1});
+            tile.face_site.push_back(j * columns + i);
+        }
+    }
+    return tile;
+}
+
+FlatTile triangle_grid_tile(const Lattice& lattice, int columns, int rows) {
+    FlatTile tile = grid_vertices(lattice, TileKind::kTriangles, columns, rows);
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const int v = j * (columns + 1) + i;
+            add_face(tile, {v, v + 1, v + columns + 2});
+            add_face(tile, {v, v + columns + 2, v + columns + 1});
+        }
+    }
+    for (int j = 0; j <= rows; ++j) {
+        for (int i = 0; i <= columns; ++i) {
+            tile.vertex_site.push_back((j % rows) * columns + i % columns);
+        }
+    }
+    return tile;
+}
+
+}  // namespace pcvt::testing

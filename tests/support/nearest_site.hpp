@@ -1,0 +1,33 @@
+#pragma once
+
+#include <limits>
+
+#include "mesher/sites.hpp"
+
+namespace pcvt::testing {
+
+/// The squared torus distance of a point to the nearest image of one site, by trying 7 x 7 of them.
+inline double squared_distance(const Sites& sites, SiteId site, const Vec2& p) {
+    const Lattice& reduced = sites.reduction().reduced;
+    const Vec2 u = reduced.to_lattice(p);
+    const Offset near{wrap(u.x()).whole, wrap(u.y()).whole};
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = -3; i <= 3; ++i) {
+        for (int j = -3; j <= 3; ++j) {
+            const Vec2 image = sites.position(site) + reduced.translation(near + Offset{i, j});
+            least = std::min(least, (image - p).squaredNorm());
+        }
+    }
+    return least;
+}
+
+/// The same to the nearest of all sites.
+inline double squared_distance(const Sites& sites, const Vec2& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        least = std::min(least, squared_distance(sites, s, p));
+    }
+    return least;
+}
+
+}  // namespace pcvt::testing
