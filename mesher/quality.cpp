@@ -4,19 +4,37 @@
 
 namespace pcvt {
 
-std::vector<int> cell_sides(const FlatTile& cells) {
-    const double shortest = kShortEdge * std::sqrt(cells.lattice.area() / cells.n_faces());
-    std::vector<int> sides(cells.n_faces(), 0);
-    for (int f = 0; f < cells.n_faces(); ++f) {
-        const int end = cells.face_begin[f + 1];
-        Vec2 from = cells.points[cells.corners[end - 1]];
-        for (int c = cells.face_begin[f]; c < end; ++c) {
-            const Vec2 to = cells.points[cells.corners[c]];
+namespace {
+
+/// The sides of each face, where corner(c) is the position of corner c in the frame of its face.
+template <class Corner>
+std::vector<int> count_sides(const std::vector<int>& face_begin, double area, Corner corner) {
+    const std::size_t n_faces = face_begin.size() - 1;
+    const double shortest = kShortEdge * std::sqrt(area / static_cast<double>(n_faces));
+    std::vector<int> sides(n_faces, 0);
+    for (std::size_t f = 0; f < n_faces; ++f) {
+        Vec2 from = corner(face_begin[f + 1] - 1);
+        for (int c = face_begin[f]; c < face_begin[f + 1]; ++c) {
+            const Vec2 to = corner(c);
             if ((to - from).stableNorm() > shortest) ++sides[f];
             from = to;
         }
     }
     return sides;
+}
+
+}  // namespace
+
+std::vector<int> cell_sides(const PeriodicMesh& cells) {
+    return count_sides(cells.face_begin, cells.lattice.area(), [&](int c) {
+        return Vec2(cells.vertices[cells.corner_vertex[c]] +
+                    cells.lattice.translation(cells.corner_offset[c]));
+    });
+}
+
+std::vector<int> cell_sides(const FlatTile& cells) {
+    return count_sides(cells.face_begin, cells.lattice.area(),
+                       [&](int c) { return cells.points[cells.corners[c]]; });
 }
 
 std::vector<int> vertex_valences(const FlatTile& triangles) {

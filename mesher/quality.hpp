@@ -2,14 +2,15 @@
 
 #include <map>
 
-#include "mesher/flat_tile.hpp"
+#include "mesher/periodic_mesh.hpp"
 
 namespace pcvt {
 
 /// Edges shorter than this, in units of h = sqrt(area / n_faces), do not count as sides of a cell.
 inline constexpr double kShortEdge = 1e-5;
 
-/// For each face of a cell tile the number of its edges longer than kShortEdge h.
+/// For each cell the number of its edges longer than kShortEdge h.
+std::vector<int> cell_sides(const PeriodicMesh& cells);
 std::vector<int> cell_sides(const FlatTile& cells);
 
 /// For each vertex of a triangle tile the number of triangles at its orbit: the valence of the

@@ -9,13 +9,6 @@
 #include "mesher/error.hpp"
 
 namespace pcvt {
-namespace {
-
-constexpr Eigen::Index kMostSites = Eigen::Index{1} << 28;
-constexpr double kFarthestPeriod = 0x1p30;
-
-}  // namespace
-
 Sites::Sites(const Lattice& lattice, const Points& points)
     : lattice_(lattice), reduction_(reduce(lattice)) {
     if (points.cols() == 0) throw InvalidInput("there is no site; give at least one");

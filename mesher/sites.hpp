@@ -10,6 +10,10 @@ namespace pcvt {
 /// Sites are numbered from 0 in the order of the input, everywhere.
 using SiteId = std::int32_t;
 
+inline constexpr int kMostSites = 1 << 28;
+/// A point further than this many periods from the origin is refused instead of wrapped.
+inline constexpr double kFarthestPeriod = 0x1p30;
+
 /// The sites of a torus, in coordinates of the reduced basis.
 ///
 /// Each coordinate is a multiple of 2^-51 in [0, 1), so that every image of a site and every

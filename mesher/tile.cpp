@@ -110,7 +110,10 @@ void match_boundary(Tile<Mesh>& tile, const PeriodicMesh& periodic,
                     const std::vector<HalfedgeHandle>& halfedge, const PlacedVertices& placed) {
     Mesh& mesh = tile.mesh;
     const Identification& id = tile.identification;
-    for (const auto h : mesh.halfedges()) mesh.property(id.partner, h) = -1;
+    for (const auto h : mesh.halfedges()) {
+        mesh.property(id.partner, h) = -1;
+        mesh.property(id.partner_offset, h) = Vec2i(0, 0);
+    }
     for (std::size_t c = 0; c < halfedge.size(); ++c) {
         const HalfedgeHandle boundary = mesh.opposite_halfedge_handle(halfedge[c]);
         if (!mesh.is_boundary(boundary)) continue;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "mesher/outline.hpp"
+#include "mesher/quality.hpp"
 #include "mesher/validate.hpp"
 #include "mesher/voronoi.hpp"
 #include "tests/support/lattices.hpp"
@@ -134,6 +135,14 @@ TEST(Outline, StaysCompact) {
     for (const Vec2& p : flat.points) {
         EXPECT_GT((p - Vec2(-0.5, 0.25)).minCoeff(), -0.15);
         EXPECT_LT((p - Vec2(-0.5, 0.25)).maxCoeff(), 1.15);
+    }
+}
+
+TEST(Tile, CellsHaveTheirSidesOnTheTorus) {
+    for (const auto& [name, lattice] : lattices()) {
+        const PeriodicMesh cells =
+            cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, 25, 11))));
+        EXPECT_EQ(cell_sides(flatten(tile_of(cells))), cell_sides(cells)) << name;
     }
 }
 

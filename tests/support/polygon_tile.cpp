@@ -1,0 +1,85 @@
+#include "tests/support/polygon_tile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcvt::testing {
+namespace {
+
+int index_of(const std::vector<int>& permutation, int value) {
+    return static_cast<int>(std::find(permutation.begin(), permutation.end(), value) -
+                            permutation.begin());
+}
+
+Vec2 rounded(const Vec2& p) { return p.cast<float>().cast<double>(); }
+
+}  // namespace
+
+FlatTile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons) {
+    FlatTile tile{lattice, TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}};
+    for (const Polygon& polygon : polygons) {
+        for (const Vec2& corner : polygon) {
+            int v = 0;
+            while (v < tile.n_vertices() && (tile.points[v] - corner).norm() > 1e-9) ++v;
+            if (v == tile.n_vertices()) tile.points.push_back(corner);
+            tile.corners.push_back(v);
+        }
+        tile.face_site.push_back(tile.n_faces());
+        tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
+    }
+    return tile;
+}
+
+FlatTile honeycomb_tile(int columns, int rows) {
+    const double half_width = std::sqrt(3.0) / 2;
+    const Vec2 across(2 * half_width, 0);
+    const Vec2 up(half_width, 1.5);
+    std::vector<Polygon> hexagons;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const Vec2 centre = i * across + j * up;
+            hexagons.push_back({centre + Vec2(half_width, -0.5), centre + Vec2(half_width, 0.5),
+                                centre + Vec2(0, 1), centre + Vec2(-half_width, 0.5),
+                                centre + Vec2(-half_width, -0.5), centre + Vec2(0, -1)});
+        }
+    }
+    return polygon_tile(Lattice(columns * across, rows * up), hexagons);
+}
+
+FlatTile square_tiled(const SquareTiled& surface) {
+    const auto bulge = [](int s) { return 0.02 * (s + 1); };
+    std::vector<Polygon> squares;
+    for (int s = 0; s < static_cast<int>(surface.at.size()); ++s) {
+        const int left = index_of(surface.right, s);
+        const int below = index_of(surface.above, s);
+        const Polygon corners = {{0, 0}, {0.5, bulge(below)}, {1, 0}, {1 + bulge(s), 0.5},
+                                 {1, 1}, {0.5, 1 + bulge(s)}, {0, 1}, {bulge(left), 0.5}};
+        squares.emplace_back();
+        for (const Vec2& corner : corners) squares.back().push_back(surface.at[s] + corner);
+    }
+    return polygon_tile(Lattice::rectangle(1, 1), squares);
+}
+
+FlatTile float_fans(const FlatTile& tile) {
+    FlatTile fans{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}, {}};
+    std::vector<int> first_copy(tile.points.size(), -1);
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        const int base = fans.n_vertices();
+        for (int k = 0; k < tile.face_size(f); ++k) {
+            const int v = tile.corners[tile.face_begin[f] + k];
+            if (first_copy[v] < 0) first_copy[v] = fans.n_vertices();
+            fans.points.push_back(rounded(tile.points[v]));
+        }
+        for (int k = 1; k + 1 < tile.face_size(f); ++k) {
+            for (const int corner : {0, k, k + 1}) fans.corners.push_back(base + corner);
+            fans.face_begin.push_back(static_cast<int>(fans.corners.size()));
+            if (!tile.face_site.empty()) fans.face_site.push_back(tile.face_site[f]);
+        }
+    }
+    for (const VertexPair& pair : tile.vertex_pairs) {
+        fans.vertex_pairs.push_back({first_copy[pair.v], first_copy[pair.w], pair.offset});
+    }
+    return fans;
+}
+
+}  // namespace pcvt::testing

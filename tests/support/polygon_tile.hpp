@@ -1,0 +1,34 @@
+#pragma once
+
+#include "mesher/flat_tile.hpp"
+#include "mesher/polygon.hpp"
+
+namespace pcvt::testing {
+
+/// A tile whose faces are the polygons, with one vertex for corners nearer than 1e-9. Stored pairs
+/// are left out.
+FlatTile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons);
+
+/// columns x rows regular hexagons with edges of length 1, on the lattice that they fill: a
+/// centroidal Voronoi tessellation.
+FlatTile honeycomb_tile(int columns, int rows);
+
+/// Unit squares whose sides bulge, each by an amount of its own, so that two sides fit each other
+/// only where they are meant to. The unit square lattice need not be theirs.
+struct SquareTiled {
+    /// Lower left corners, integers.
+    std::vector<Vec2> at;
+    /// The right side of square s is glued to the left side of square right[s].
+    std::vector<int> right;
+    /// The upper side of square s is glued to the lower side of square above[s].
+    std::vector<int> above;
+};
+
+/// The faces of such a surface as a tile of the unit square lattice.
+FlatTile square_tiled(const SquareTiled& surface);
+
+/// Each face of `tile` as a fan of triangles on vertices of its own, rounded to float32. Stored
+/// vertex pairs name the first copy; sites are kept.
+FlatTile float_fans(const FlatTile& tile);
+
+}  // namespace pcvt::testing

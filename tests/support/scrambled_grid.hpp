@@ -1,0 +1,16 @@
+#pragma once
+
+#include <random>
+
+#include "mesher/flat_tile.hpp"
+
+namespace pcvt::testing {
+
+/// Rectangular, thin, oblique, left-handed, skewed, tiny and huge ones.
+std::vector<Lattice> many_lattices();
+
+/// A grid of up to 5 x 5 parallelograms or twice as many triangles with jittered vertices; vertex
+/// names, first corners of faces and the sides from which pairs are told are random.
+FlatTile scrambled_grid(const Lattice& lattice, std::mt19937& random);
+
+}  // namespace pcvt::testing
