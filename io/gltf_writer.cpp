@@ -1,0 +1,295 @@
+#include "io/gltf_writer.hpp"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+
+#include "io/finite.hpp"
+#include "io/gltf_surface.hpp"
+#include "io/palette.hpp"
+#include "mesher/quality.hpp"
+
+namespace pcvt {
+namespace {
+
+/// tinygltf writes offsets through int.
+constexpr std::size_t kMaxBytes = std::numeric_limits<int>::max();
+/// float32, which attributes are stored in, counts without gaps up to here.
+constexpr SiteId kMaxSite = 1 << 24;
+constexpr double kLift = 0.002;
+constexpr Colour kLineColour{0.16, 0.17, 0.20};
+constexpr Colour kWhite{1, 1, 1};
+
+/// A glTF model that grows; every number that is returned is an index into one of its tables.
+class ModelBuilder {
+   public:
+    ModelBuilder() {
+        model_.asset.generator = "pcvt";
+        model_.asset.version = "2.0";
+        model_.buffers.emplace_back();
+        model_.scenes.emplace_back().nodes = {0};
+        model_.defaultScene = 0;
+        model_.nodes.emplace_back().name = "tile";
+    }
+
+    /// An accessor of a buffer view of its own: one Element a vertex, made of floats.
+    template <class Element>
+    int add_vertex_data(const std::vector<Element>& elements, int type) {
+        const int view = add_view(elements.data(), elements.size() * sizeof(Element),
+                                  TINYGLTF_TARGET_ARRAY_BUFFER);
+        return add_accessor(view, 0, TINYGLTF_COMPONENT_TYPE_FLOAT, elements.size(), type);
+    }
+
+    int add_positions(const std::vector<Point3>& points) {
+        const int id = add_vertex_data(points, TINYGLTF_TYPE_VEC3);
+        tinygltf::Accessor& accessor = model_.accessors.back();
+        accessor.minValues.assign(points[0].begin(), points[0].end());
+        accessor.maxValues = accessor.minValues;
+        for (const Point3& p : points) {
+            for (std::size_t k = 0; k < p.size(); ++k) {
+                accessor.minValues[k] = std::min(accessor.minValues[k], double(p[k]));
+                accessor.maxValues[k] = std::max(accessor.maxValues[k], double(p[k]));
+            }
+        }
+        return id;
+    }
+
+    /// Accessors of ranges of `indices`, range k from begin[k] to begin[k + 1] - 1; in 16 bits
+    /// where n_vertices allows. Returns the first; the others follow it.
+    int add_indices(const std::vector<int>& indices, const std::vector<int>& begin,
+                    std::size_t n_vertices) {
+        // The largest index of each width means a restart and may not occur.
+        const bool is_short = n_vertices <= std::numeric_limits<std::uint16_t>::max();
+        const int view = is_short ? add_index_view<std::uint16_t>(indices)
+                                  : add_index_view<std::uint32_t>(indices);
+        const int type = is_short ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
+                                  : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+        const std::size_t width = is_short ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+        for (std::size_t k = 0; k + 1 < begin.size(); ++k) {
+            add_accessor(view, static_cast<std::size_t>(begin[k]) * width, type,
+                         static_cast<std::size_t>(begin[k + 1] - begin[k]), TINYGLTF_TYPE_SCALAR);
+        }
+        return static_cast<int>(model_.accessors.size() - begin.size()) + 1;
+    }
+
+    tinygltf::Material& add_material(const std::string& name, Colour colour) {
+        tinygltf::Material& material = model_.materials.emplace_back();
+        material.name = name;
+        material.doubleSided = true;
+        material.pbrMetallicRoughness.metallicFactor = 0;
+        material.pbrMetallicRoughness.roughnessFactor = 0.9;
+        material.pbrMetallicRoughness.baseColorFactor.clear();
+        const Colour light = linear(colour);
+        for (const double component : {light.r, light.g, light.b}) {
+            const double four_decimals = std::round(1e4 * component) / 1e4;
+            material.pbrMetallicRoughness.baseColorFactor.push_back(four_decimals);
+        }
+        material.pbrMetallicRoughness.baseColorFactor.push_back(1);
+        return material;
+    }
+
+    /// A child of `tile` with the material added last.
+    void add_node(const std::string& name, tinygltf::Primitive primitive) {
+        primitive.material = static_cast<int>(model_.materials.size()) - 1;
+        tinygltf::Mesh& mesh = model_.meshes.emplace_back();
+        mesh.name = name;
+        mesh.primitives.push_back(std::move(primitive));
+        model_.nodes[0].children.push_back(static_cast<int>(model_.nodes.size()));
+        tinygltf::Node& node = model_.nodes.emplace_back();
+        node.name = name;
+        node.mesh = static_cast<int>(model_.meshes.size()) - 1;
+    }
+
+    tinygltf::Model& model() { return model_; }
+
+   private:
+    int add_view(const void* data, std::size_t size, int target) {
+        std::vector<unsigned char>& bytes = model_.buffers[0].data;
+        tinygltf::BufferView& view = model_.bufferViews.emplace_back();
+        view.buffer = 0;
+        view.byteOffset = bytes.size();
+        view.byteLength = size;
+        view.target = target;
+        bytes.resize(bytes.size() + (size + 3) / 4 * 4);
+        std::memcpy(bytes.data() + view.byteOffset, data, size);
+        return static_cast<int>(model_.bufferViews.size()) - 1;
+    }
+
+    template <class Index>
+    int add_index_view(const std::vector<int>& indices) {
+        std::vector<Index> narrow;
+        narrow.reserve(indices.size());
+        for (const int index : indices) narrow.push_back(static_cast<Index>(index));
+        return add_view(narrow.data(), narrow.size() * sizeof(Index),
+                        TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    }
+
+    int add_accessor(int view, std::size_t offset, int component_type, std::size_t count,
+                     int type) {
+        tinygltf::Accessor& accessor = model_.accessors.emplace_back();
+        accessor.bufferView = view;
+        accessor.byteOffset = offset;
+        accessor.componentType = component_type;
+        accessor.count = count;
+        accessor.type = type;
+        return static_cast<int>(model_.accessors.size()) - 1;
+    }
+
+    tinygltf::Model model_;
+};
+
+tinygltf::Value numbers(const std::vector<int>& integers) {
+    tinygltf::Value::Array array;
+    array.reserve(integers.size());
+    for (const int number : integers) array.emplace_back(number);
+    return tinygltf::Value(std::move(array));
+}
+
+tinygltf::Value numbers(const Vec2& vector) {
+    tinygltf::Value::Array array;
+    for (const double number : {vector.x(), vector.y()}) array.emplace_back(number);
+    return tinygltf::Value(std::move(array));
+}
+
+tinygltf::Value periodic_extras(const FlatTile& tile, const Surface& surface) {
+    tinygltf::Value::Array pairs;
+    for (const VertexPair& pair : tile.vertex_pairs) {
+        pairs.push_back(numbers(std::vector{pair.v, pair.w, pair.offset.i, pair.offset.j}));
+    }
+    tinygltf::Value::Object periodic;
+    periodic.emplace("lattice",
+                     tinygltf::Value::Array{numbers(tile.lattice.a()), numbers(tile.lattice.b())});
+    periodic.emplace("vertexPairs", std::move(pairs));
+    if (!surface.copies.empty()) periodic.emplace("vertexCopies", numbers(surface.copies));
+    tinygltf::Value::Object extras;
+    extras.emplace("periodic", std::move(periodic));
+    return tinygltf::Value(std::move(extras));
+}
+
+std::vector<Point3> lifted(const std::vector<Point32>& points, float z) {
+    std::vector<Point3> result;
+    result.reserve(points.size());
+    for (const Point32& p : points) result.push_back({p[0], p[1], z});
+    return result;
+}
+
+void add_surface(const FlatTile& tile, const Surface& surface, ModelBuilder& builder) {
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    primitive.attributes["POSITION"] = builder.add_positions(lifted(surface.points, 0));
+    primitive.attributes["NORMAL"] = builder.add_vertex_data(
+        std::vector<Point3>(surface.points.size(), {0, 0, 1}), TINYGLTF_TYPE_VEC3);
+    if (surface.vertex_site.empty()) {
+        const std::vector<int> sides = cell_sides(tile);
+        primitive.indices =
+            builder.add_indices(surface.indices, surface.face_begin, surface.points.size());
+        for (int f = 0; f < tile.n_faces(); ++f, ++primitive.indices) {
+            const std::string name = "cell_" + std::to_string(tile.face_site[f]);
+            builder.add_material(name, side_colour(sides[f]));
+            builder.add_node(name, primitive);
+        }
+        return;
+    }
+    const bool cells = tile.kind == TileKind::kCells;
+    primitive.attributes["COLOR_0"] =
+        builder.add_vertex_data(surface.vertex_colour, TINYGLTF_TYPE_VEC3);
+    primitive.attributes[cells ? "_CELL_ID" : "_SITE_ID"] =
+        builder.add_vertex_data(surface.vertex_site, TINYGLTF_TYPE_SCALAR);
+    primitive.indices =
+        builder.add_indices(surface.indices, {0, surface.face_begin.back()}, surface.points.size());
+    builder.add_material(cells ? "cells" : "triangles", kWhite);
+    builder.add_node(cells ? "cells" : "triangles", primitive);
+}
+
+/// Both ends of each edge of the tile, in rising order; edges without length in float32 left out.
+std::vector<int> edge_ends(const FlatTile& tile, const std::vector<Point32>& points) {
+    std::vector<std::array<int, 2>> edges;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        int previous = tile.corners[tile.face_begin[f + 1] - 1];
+        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
+            const int v = tile.corners[c];
+            if (points[v] != points[previous]) {
+                edges.push_back({std::min(v, previous), std::max(v, previous)});
+            }
+            previous = v;
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<int> ends;
+    for (const auto& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
+    return ends;
+}
+
+void add_outlines(const FlatTile& tile, const Surface& surface, ModelBuilder& builder) {
+    const std::vector<Point32> points(surface.points.begin(),
+                                      surface.points.end() - std::ssize(surface.copies));
+    float size = 0;
+    for (const std::size_t k : {0, 1}) {
+        const auto less = [k](const Point32& p, const Point32& q) { return p[k] < q[k]; };
+        const auto [least, most] = std::minmax_element(points.begin(), points.end(), less);
+        size = std::max(size, (*most)[k] - (*least)[k]);
+    }
+    const std::vector<int> ends = edge_ends(tile, points);
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_LINE;
+    primitive.attributes["POSITION"] =
+        builder.add_positions(lifted(points, static_cast<float>(kLift) * size));
+    primitive.indices =
+        builder.add_indices(ends, {0, static_cast<int>(ends.size())}, points.size());
+    builder.add_material("outlines", kLineColour).extensions["KHR_materials_unlit"] =
+        tinygltf::Value(tinygltf::Value::Object{});
+    builder.model().extensionsUsed.emplace_back("KHR_materials_unlit");
+    builder.add_node("outlines", primitive);
+}
+
+enum class Container { kText, kBinary };
+
+std::vector<EncodedFile> encode(const FlatTile& tile, const std::string& path,
+                                Container container) {
+    require_finite(tile);
+    const std::vector<SiteId>& sites =
+        tile.kind == TileKind::kCells ? tile.face_site : tile.vertex_site;
+    if (*std::max_element(sites.begin(), sites.end()) >= kMaxSite) {
+        throw InvalidInput(path + ": too many sites for glTF; write another format");
+    }
+    const Surface surface = make_surface(tile, kMaxCellNodes, path);
+    ModelBuilder builder;
+    add_surface(tile, surface, builder);
+    add_outlines(tile, surface, builder);
+    builder.model().nodes[0].extras = periodic_extras(tile, surface);
+    if (builder.model().buffers[0].data.size() > kMaxBytes) {
+        throw InvalidInput(path + ": more than 2 GiB, too large for glTF; write another format");
+    }
+    std::ostringstream stream;
+    tinygltf::TinyGLTF writer;
+    if (!writer.WriteGltfSceneToStream(&builder.model(), stream, false,
+                                       container == Container::kBinary)) {
+        throw InternalError(path + ": tinygltf refused the model");
+    }
+    return {{path, std::move(stream).str()}};
+}
+
+}  // namespace
+
+std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& path) {
+    return encode(tile, path, Container::kText);
+}
+
+std::vector<EncodedFile> encode_gltf(const AnyTile& tile, const std::string& path) {
+    return encode_gltf(flatten(tile), path);
+}
+
+std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& path) {
+    return encode(tile, path, Container::kBinary);
+}
+
+std::vector<EncodedFile> encode_glb(const AnyTile& tile, const std::string& path) {
+    return encode_glb(flatten(tile), path);
+}
+
+}  // namespace pcvt

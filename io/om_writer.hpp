@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/tile_formats.hpp"
+
+namespace pcvt {
+
+/// OpenMesh's own format, in doubles and with the connectivity as it is: mesh and identification
+/// come back with the same handles. Little-endian on every machine.
+/// @throws InternalError if a coordinate is not finite, or OpenMesh does not write.
+std::vector<EncodedFile> encode_om(const AnyTile& tile, const std::string& path);
+
+}  // namespace pcvt

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesher/error.hpp"
+
+namespace pcvt {
+
+/// A file could not be written; the message holds the path and the system's reason.
+class OutputError : public Error {
+   public:
+    using Error::Error;
+};
+
+/// Files that appear together and complete, or not at all.
+///
+/// stage() writes a hidden temporary file in the folder of its target and checks every byte down to
+/// the disk (fsync, close); commit() renames them all. Whatever is staged and not committed is
+/// removed by the destructor; a commit that fails half way takes back the files it had put there.
+class OutputSet {
+   public:
+    OutputSet() = default;
+    ~OutputSet();
+    OutputSet(const OutputSet&) = delete;
+    OutputSet& operator=(const OutputSet&) = delete;
+
+    /// @param force  whether an existing target may be replaced.
+    /// @throws OutputError if the target exists (without force) or is a folder, the folder is
+    /// missing
+    ///         or not writable: to be asked for every target before any computing.
+    static void require_writable(const std::string& path, bool force);
+
+    /// @throws OutputError with path and reason.
+    void stage(const std::string& path, const std::string& bytes);
+    /// The staged bytes of `path`, read back from the disk.
+    std::string read_back(const std::string& path) const;
+    /// @throws OutputError with path and reason; no target is left changed then.
+    void commit(bool force);
+
+   private:
+    struct Staged {
+        std::string target;
+        std::string temporary;
+        /// While commit() is under way: where the file that it replaces is kept.
+        std::string backup;
+    };
+    static void put(Staged& file, bool force);
+
+    std::vector<Staged> staged_;
+};
+
+}  // namespace pcvt

@@ -1,0 +1,107 @@
+#include "io/ply_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "io/finite.hpp"
+#include "io/palette.hpp"
+#include "io/raw_tile.hpp"
+#include "io/text.hpp"
+#include "mesher/quality.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr Colour kPlain{1, 1, 1};
+/// The most corners that a list counted by uchar can have.
+constexpr int kMostByUchar = 255;
+
+template <class Number>
+void append_word(std::string& text, Number number) {
+    append_number(text, number);
+    text += ' ';
+}
+
+void append_colour(std::string& text, Colour colour) {
+    for (const double part : {colour.r, colour.g, colour.b}) {
+        append_word(text, static_cast<int>(std::lround(255 * part)));
+    }
+}
+
+void end_line(std::string& text) { text.back() = '\n'; }
+
+std::string header(const FlatTile& tile) {
+    const bool cells = tile.kind == TileKind::kCells;
+    const Vec2& a = tile.lattice.a();
+    const Vec2& b = tile.lattice.b();
+    std::string text =
+        "ply\nformat ascii 1.0\ncomment A periodic tile, written by pcvt\n"
+        "comment position = position(orbit) + offset_i a + offset_j b, lattice ax ay bx by\n"
+        "comment pcvt kind " +
+        kind_word(tile.kind) + "\ncomment pcvt lattice ";
+    for (const double number : {a.x(), a.y(), b.x(), b.y()}) append_word(text, number);
+    end_line(text);
+    text += "element vertex " + std::to_string(tile.n_vertices()) +
+            "\nproperty double x\nproperty double y\nproperty double z\n"
+            "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+            "property int orbit\nproperty int offset_i\nproperty int offset_j\n";
+    if (!cells) text += "property int site\n";
+    int most_corners = 0;
+    for (int f = 0; f < tile.n_faces(); ++f)
+        most_corners = std::max(most_corners, tile.face_size(f));
+    text += "element face " + std::to_string(tile.n_faces()) + "\nproperty list ";
+    text += most_corners <= kMostByUchar ? "uchar" : "int";
+    text += " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
+    if (cells) text += "property int site\n";
+    return text + "end_header\n";
+}
+
+void append_vertices(std::string& text, const FlatTile& tile) {
+    const bool cells = tile.kind == TileKind::kCells;
+    const std::vector<int> valences = cells ? std::vector<int>() : vertex_valences(tile);
+    std::vector<VertexPair> orbits;
+    for (int v = 0; v < tile.n_vertices(); ++v) orbits.push_back({v, v, {}});
+    for (const VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        append_word(text, tile.points[v].x());
+        append_word(text, tile.points[v].y());
+        append_word(text, 0);
+        append_colour(text, cells ? kPlain : side_colour(valences[v]));
+        append_word(text, orbits[v].v);
+        append_word(text, orbits[v].offset.i);
+        append_word(text, orbits[v].offset.j);
+        if (!cells) append_word(text, tile.vertex_site[v]);
+        end_line(text);
+    }
+}
+
+void append_faces(std::string& text, const FlatTile& tile) {
+    const bool cells = tile.kind == TileKind::kCells;
+    const std::vector<int> sides = cells ? cell_sides(tile) : std::vector<int>();
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        append_word(text, tile.face_size(f));
+        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
+            append_word(text, tile.corners[c]);
+        }
+        append_colour(text, cells ? side_colour(sides[f]) : kPlain);
+        if (cells) append_word(text, tile.face_site[f]);
+        end_line(text);
+    }
+}
+
+}  // namespace
+
+std::vector<EncodedFile> encode_ply(const FlatTile& tile, const std::string& path) {
+    require_finite(tile);
+    std::string text = header(tile);
+    append_vertices(text, tile);
+    append_faces(text, tile);
+    return {{path, text}};
+}
+
+std::vector<EncodedFile> encode_ply(const AnyTile& tile, const std::string& path) {
+    return encode_ply(flatten(tile), path);
+}
+
+}  // namespace pcvt

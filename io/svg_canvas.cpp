@@ -1,0 +1,83 @@
+#include "io/svg_canvas.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace pcvt {
+namespace {
+
+constexpr double kMargin = 20;
+constexpr double kTypicalSide = 800;
+constexpr double kLongestSide = 1600;
+/// libxml2, behind librsvg and others, refuses attributes of about 10 MB.
+constexpr std::size_t kLongestAttribute = 1 << 20;
+
+}  // namespace
+
+SvgFrame::SvgFrame(const std::vector<Vec2>& points) {
+    low_ = points.at(0);
+    Vec2 high = low_;
+    for (const Vec2& p : points) {
+        low_ = low_.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const double longest = (high - low_).maxCoeff();
+    const double shortest = std::max((high - low_).minCoeff(), 1e-6 * longest);
+    const double typical = std::sqrt(shortest) * std::sqrt(longest);
+    scale_ = std::min(kTypicalSide / typical, kLongestSide / longest);
+    size_ = (high - low_) * scale_ + Vec2::Constant(2 * kMargin);
+}
+
+Vec2 SvgFrame::pixel(const Vec2& point) const {
+    const Vec2 from_low = (point - low_) * scale_;
+    return {kMargin + from_low.x(), size_.y() - kMargin - from_low.y()};
+}
+
+void append_pixels(std::string& text, double value) {
+    std::array<char, 40> digits{};
+    const double rounded = std::round(1000 * value) / 1000 + 0.0;
+    const auto result =
+        std::to_chars(digits.begin(), digits.end(), rounded, std::chars_format::fixed);
+    text.append(digits.begin(), result.ptr);
+}
+
+SvgPath& SvgPath::add(char command, const Vec2& point) {
+    const Vec2 pixel = frame_.pixel(point);
+    text_ += command;
+    append_pixels(text_, pixel.x());
+    text_ += ' ';
+    append_pixels(text_, pixel.y());
+    return *this;
+}
+
+SvgPath& SvgPath::close() {
+    text_ += 'Z';
+    return *this;
+}
+
+SvgPath& SvgPath::dot(const Vec2& point) {
+    move(point);
+    text_ += "h0";
+    return *this;
+}
+
+std::string SvgPath::element(const std::string& attributes) const {
+    std::string svg;
+    for (std::size_t begin = 0; begin < text_.size();) {
+        const std::size_t end = std::min(text_.find('M', begin + kLongestAttribute), text_.size());
+        svg.append("<path").append(attributes).append(" d=\"");
+        svg.append(text_, begin, end - begin).append("\"/>\n");
+        begin = end;
+    }
+    return svg;
+}
+
+std::string svg_attribute(const std::string& name, double pixels) {
+    std::string text = " " + name + "=\"";
+    append_pixels(text, pixels);
+    return text + '"';
+}
+
+}  // namespace pcvt

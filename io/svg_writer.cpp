@@ -1,0 +1,270 @@
+#include "io/svg_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "io/finite.hpp"
+#include "io/palette.hpp"
+#include "io/svg_canvas.hpp"
+#include "io/svg_legend.hpp"
+#include "mesher/polygon.hpp"
+#include "mesher/quality.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr const char* kEdgeColour = "#565c68";
+constexpr const char* kTriangleEdgeColour = "#8b919c";
+constexpr const char* kDotColour = "#30343c";
+constexpr const char* kDomainColour = "#1c1f26";
+/// Hues that no cell has; one a translation class, whole outlines have four at most.
+constexpr std::array kSeamColours{"#0a8f63", "#8a36b5", "#d9187f", "#6f7600", "#0099a8", "#5d4037"};
+/// Below this spacing in pixels dots would only grey the picture.
+constexpr double kLeastDottedSpacing = 9;
+/// The domain is drawn in the typed basis unless its diagonal is longer than the reduced one times
+/// this.
+constexpr double kOblique = 1.5;
+constexpr int kRegular = 6;
+
+/// One drawing: the tile, where it goes, and the spacing h of its sites in pixels.
+struct Drawing {
+    const FlatTile& tile;
+    SvgFrame frame;
+    double spacing;
+
+    /// A width of `fraction` of the spacing, kept where it can be seen and does not smother the
+    /// cells.
+    double width(double fraction, double least, double most) const {
+        return std::clamp(fraction * spacing, least, most);
+    }
+};
+
+int count_sites(const FlatTile& tile) {
+    return tile.kind == TileKind::kCells
+               ? tile.n_faces()
+               : tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());
+}
+
+double longest_diagonal(const Lattice& lattice) {
+    return std::max((lattice.a() + lattice.b()).norm(), (lattice.a() - lattice.b()).norm());
+}
+
+struct Domain {
+    std::vector<Vec2> corners;
+    std::string label;
+};
+
+/// The parallelogram at the lattice point where it covers the tile best.
+Domain choose_domain(const FlatTile& tile) {
+    const Lattice reduced = reduce(tile.lattice).reduced;
+    const bool oblique = longest_diagonal(tile.lattice) > kOblique * longest_diagonal(reduced);
+    const Lattice& basis = oblique ? reduced : tile.lattice;
+    Vec2 low = tile.points[0];
+    Vec2 high = low;
+    for (const Vec2& p : tile.points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const Vec2 middle = basis.to_lattice(low + (high - low) / 2);
+    const Vec2 corner = basis.to_plane((middle - Vec2(0.5, 0.5)).array().round().matrix());
+    return {{corner, corner + basis.a(), corner + basis.a() + basis.b(), corner + basis.b()},
+            oblique ? "reduced domain" : "domain"};
+}
+
+/// (i, j) and (-i, -j) name the same translation class.
+Offset translation_class(Offset offset) { return offset < Offset{} ? -offset : offset; }
+
+/// Classes with their colours; (1, 0) and (0, 1) come first and so look the same in every picture.
+std::vector<std::pair<Offset, std::string>> seam_colours(const FlatTile& tile) {
+    std::set<std::tuple<int, Offset>> classes;
+    for (const EdgePair& pair : tile.edge_pairs) {
+        const Offset offset = translation_class(pair.offset);
+        classes.emplace(std::abs(offset.i) + std::abs(offset.j), -offset);
+    }
+    std::vector<std::pair<Offset, std::string>> colours;
+    for (const auto& [length, negative] : classes) {
+        colours.emplace_back(-negative, kSeamColours[colours.size() % kSeamColours.size()]);
+    }
+    return colours;
+}
+
+std::string stroke(const std::string& colour, double width) {
+    return " stroke=\"" + colour + "\"" + svg_attribute("stroke-width", width);
+}
+
+std::string fill(const std::string& colour) { return " fill=\"" + colour + "\""; }
+
+void add_face(const FlatTile& tile, int face, SvgPath& path) {
+    for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
+        const Vec2& point = tile.points[tile.corners[c]];
+        c == tile.face_begin[face] ? path.move(point) : path.line(point);
+    }
+    path.close();
+}
+
+Vec2 centroid(const FlatTile& tile, int face) {
+    Polygon polygon;
+    for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
+        polygon.push_back(tile.points[tile.corners[c]]);
+    }
+    return polygon_centroid(polygon);
+}
+
+std::string draw_cells(const Drawing& drawing) {
+    const FlatTile& tile = drawing.tile;
+    std::map<std::string, SvgPath> by_colour;
+    SvgPath dots(drawing.frame);
+    const std::vector<int> sides = cell_sides(tile);
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        const auto entry = by_colour.try_emplace(hex(side_colour(sides[f])), drawing.frame).first;
+        add_face(tile, f, entry->second);
+        dots.dot(centroid(tile, f));
+    }
+    std::string svg;
+    const std::string edge = stroke(kEdgeColour, drawing.width(0.03, 0.06, 1.6));
+    for (const auto& [colour, path] : by_colour) {
+        svg += path.element(fill(colour).append(edge));
+    }
+    if (drawing.spacing >= kLeastDottedSpacing) {
+        svg += dots.element(stroke(kDotColour, drawing.width(0.09, 0.6, 6)));
+    }
+    return svg;
+}
+
+std::string draw_triangles(const Drawing& drawing) {
+    const FlatTile& tile = drawing.tile;
+    SvgPath faces(drawing.frame);
+    for (int f = 0; f < tile.n_faces(); ++f) add_face(tile, f, faces);
+    return faces.element(fill(hex(side_colour(kRegular))) +
+                         stroke(kTriangleEdgeColour, drawing.width(0.03, 0.05, 1.6)));
+}
+
+/// Over the seam, so that a mark on the boundary is seen whole.
+std::string draw_valences(const Drawing& drawing) {
+    const FlatTile& tile = drawing.tile;
+    const std::vector<int> valences = vertex_valences(tile);
+    std::map<int, SvgPath> by_valence;
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        by_valence.try_emplace(valences[v], drawing.frame).first->second.dot(tile.points[v]);
+    }
+    std::string svg;
+    const bool dense = drawing.spacing < kLeastDottedSpacing;
+    const double size = dense ? 0.7 * drawing.spacing : drawing.width(0.36, 3, 16);
+    for (const auto& [valence, path] : by_valence) {
+        const bool regular = valence == kRegular;
+        const double rim = drawing.width(0.06, 0.3, 2);
+        const double dot = drawing.width(0.09, 0.6, 6);
+        if (!dense) svg += path.element(stroke(kDotColour, regular ? dot : size + rim));
+        if (!regular) svg += path.element(stroke(hex(side_colour(valence)), size));
+    }
+    return svg;
+}
+
+std::string draw_domain(const std::vector<Vec2>& corners, const Drawing& drawing) {
+    SvgPath path(drawing.frame);
+    path.move(corners[0]).line(corners[1]).line(corners[2]).line(corners[3]).close();
+    return path.element(" stroke-dasharray=\"6 4\"" +
+                        stroke(kDomainColour, drawing.width(0.04, 0.8, 1.4)));
+}
+
+std::string draw_seam(const Drawing& drawing) {
+    const FlatTile& tile = drawing.tile;
+    std::string svg;
+    for (const auto& [offset, colour] : seam_colours(tile)) {
+        SvgPath path(drawing.frame);
+        for (const EdgePair& pair : tile.edge_pairs) {
+            if (translation_class(pair.offset) != offset) continue;
+            path.move(tile.points[pair.v0]).line(tile.points[pair.v1]);
+            path.move(tile.points[pair.w0]).line(tile.points[pair.w1]);
+        }
+        svg += path.element(stroke(colour, drawing.width(0.09, 1.1, 5)));
+    }
+    return svg;
+}
+
+/// Valences of the representatives only: one a site.
+std::vector<int> site_valences(const FlatTile& tile) {
+    std::vector<int> valences = vertex_valences(tile);
+    std::vector<bool> is_copy(valences.size());
+    for (const VertexPair& pair : tile.vertex_pairs) is_copy[pair.w] = true;
+    std::vector<int> result;
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        if (!is_copy[v]) result.push_back(valences[v]);
+    }
+    return result;
+}
+
+std::string counted(int n, const std::string& noun) {
+    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+std::string caption(const FlatTile& tile) {
+    const int n = count_sites(tile);
+    return tile.kind == TileKind::kCells ? "Periodic Voronoi tile, " + counted(n, "cell")
+                                         : "Periodic Delaunay tile, " + counted(n, "site") + ", " +
+                                               counted(tile.n_faces(), "triangle");
+}
+
+Legend make_legend(const FlatTile& tile, const Domain& domain) {
+    const bool cells = tile.kind == TileKind::kCells;
+    Legend legend{caption(tile), {}};
+    for (const auto& [sides, count] : histogram(cells ? cell_sides(tile) : site_valences(tile))) {
+        const std::string label =
+            (cells ? counted(sides, "side") : "valence " + std::to_string(sides)) + ": " +
+            std::to_string(count);
+        const bool plain = !cells && sides == kRegular;
+        legend.entries.push_back({cells ? LegendEntry::Mark::kPatch : LegendEntry::Mark::kDisc,
+                                  plain ? kDotColour : hex(side_colour(sides)), label});
+    }
+    for (const auto& [offset, colour] : seam_colours(tile)) {
+        const std::string pair = std::to_string(offset.i) + ", " + std::to_string(offset.j);
+        legend.entries.push_back({LegendEntry::Mark::kStroke, colour, "seam (" + pair + ")"});
+    }
+    legend.entries.push_back({LegendEntry::Mark::kDashes, kDomainColour, domain.label});
+    return legend;
+}
+
+std::string head(const std::string& title, double width, double height) {
+    const std::string size = svg_attribute("width", width) + svg_attribute("height", height);
+    std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg")" + size + " viewBox=\"0 0 ";
+    append_pixels(text, width);
+    text += ' ';
+    append_pixels(text, height);
+    return text + "\">\n<title>" + title + "</title>\n<rect" + size + " fill=\"#ffffff\"/>\n";
+}
+
+}  // namespace
+
+std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
+    require_finite(tile);
+    const Domain domain = choose_domain(tile);
+    std::vector<Vec2> drawn = tile.points;
+    drawn.insert(drawn.end(), domain.corners.begin(), domain.corners.end());
+    const SvgFrame frame(drawn);
+    const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_sites(tile));
+    const Drawing drawing{tile, frame, spacing};
+    const bool cells = tile.kind == TileKind::kCells;
+    const Legend legend = make_legend(tile, domain);
+    const PlacedLegend placed = place_legend(legend, frame);
+
+    std::string svg = head(legend.caption, placed.width, placed.height);
+    svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    svg += cells ? draw_cells(drawing) : draw_triangles(drawing);
+    svg += draw_domain(domain.corners, drawing);
+    svg += draw_seam(drawing);
+    if (!cells) svg += draw_valences(drawing);
+    svg += "</g>\n<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#1c1f26\">\n";
+    svg += placed.svg + "</g>\n</svg>\n";
+    return {{path, std::move(svg)}};
+}
+
+std::vector<EncodedFile> encode_svg(const AnyTile& tile, const std::string& path) {
+    return encode_svg(flatten(tile), path);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "io/tile_formats.hpp"
+
+namespace pcvt {
+
+/// A picture of a tile. Cells are filled by their number of sides and carry a dot at their
+/// centroid; triangles are pale, with a mark on each site whose valence is not six. The seam is
+/// drawn thick, in one hue for each offset up to its sign, the fundamental domain dashed; a legend
+/// names and counts.
+///
+/// Widths follow the size of the cells, so pictures of 1 and of 100,000 cells look alike. The
+/// domain is the parallelogram of the period vectors, or of the reduced ones where those are much
+/// shorter.
+std::vector<EncodedFile> encode_svg(const AnyTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path);
+
+}  // namespace pcvt

@@ -1,0 +1,175 @@
+#include "io/text.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+namespace pcvt {
+namespace {
+
+constexpr std::size_t kMostQuoted = 40;
+constexpr std::string_view kBlanks = " \t\v\f";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string_view without_plus(std::string_view word) {
+    const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
+    return plus ? word.substr(1) : word;
+}
+
+/// NaN and infinity, which std::from_chars would take for numbers.
+bool spells_no_finite_number(std::string_view word) {
+    const std::size_t at = word.find_first_not_of("+-");
+    if (at == std::string_view::npos) return false;
+    const char c = word[at];
+    const std::string_view head = word.substr(at, 3);
+    return (c == 'n' || c == 'N' || c == 'i' || c == 'I') && head.size() == 3 &&
+           (head == "nan" || head == "NaN" || head == "NAN" || head == "inf" || head == "Inf" ||
+            head == "INF");
+}
+
+[[noreturn]] void refuse_number(std::string_view word, std::errc fault) {
+    std::string complaint = in_quotes(word);
+    if (fault == std::errc::result_out_of_range) {
+        complaint += " is beyond the range of its type; scale the input";
+    } else if (spells_no_finite_number(word)) {
+        complaint += " is not a finite number; give finite numbers";
+    } else if (word.find(',') != std::string_view::npos) {
+        complaint += " is not a number; use a decimal point, and blanks between numbers";
+    } else {
+        complaint += " is not a number; write a decimal such as -1.5e3";
+    }
+    throw InvalidInput(complaint);
+}
+
+template <class Number>
+Number parse(std::string_view word) {
+    const std::string_view digits = without_plus(word);
+    const char* end = digits.data() + digits.size();
+    const std::size_t first = !digits.empty() && digits[0] == '-' ? 1 : 0;
+    const bool begins_well =
+        first < digits.size() && (is_digit(digits[first]) || digits[first] == '.');
+    Number value = 0;
+    const auto [stop, fault] = std::from_chars(digits.data(), end, value);
+    if (!begins_well || stop != end) refuse_number(word, std::errc::invalid_argument);
+    if (fault != std::errc()) refuse_number(word, fault);
+    return value;
+}
+
+/// Closes what it holds, so that no way out of a function leaks a descriptor.
+class Descriptor {
+   public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ > STDIN_FILENO) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+
+   private:
+    int number_;
+};
+
+[[noreturn]] void refuse_file(const std::string& path, int reason) {
+    throw BadFile(path + ": cannot read: " + std::generic_category().message(reason) +
+                  "; give a readable file");
+}
+
+}  // namespace
+
+void append_number(std::string& text, double value) {
+    if (!std::isfinite(value)) throw InternalError("a number to be written is not finite");
+    std::array<char, 32> digits{};
+    const double written = value == 0 ? 0.0 : value;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), written).ptr;
+    text.append(digits.data(), end);
+}
+
+void append_number(std::string& text, int value) { text += std::to_string(value); }
+
+double parse_number(std::string_view word) { return parse<double>(word); }
+
+int parse_integer(std::string_view word) { return parse<int>(word); }
+
+std::string in_quotes(std::string_view word) {
+    std::string text = "'";
+    for (const char c : word.substr(0, kMostQuoted)) text += c >= ' ' && c <= '~' ? c : '?';
+    if (word.size() > kMostQuoted) text += "...";
+    return text + "'";
+}
+
+LineScanner::LineScanner(std::string name, std::string_view text)
+    : name_(std::move(name)), rest_(text) {
+    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+}
+
+bool LineScanner::next() {
+    words_.clear();
+    if (rest_.empty()) return false;
+    ++line_;
+    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end);
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : rest_.empty() ? 0 : 1);
+    while (true) {
+        line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+        if (line.empty()) return true;
+        const std::size_t length = std::min(line.find_first_of(kBlanks), line.size());
+        words_.push_back(line.substr(0, length));
+        line.remove_prefix(length);
+    }
+}
+
+double LineScanner::number(std::string_view word) const {
+    try {
+        return parse_number(word);
+    } catch (const InvalidInput& fault) {
+        refuse(fault.what());
+    }
+}
+
+int LineScanner::integer(std::string_view word) const {
+    try {
+        return parse_integer(word);
+    } catch (const InvalidInput& fault) {
+        refuse(fault.what());
+    }
+}
+
+void LineScanner::refuse(const std::string& complaint) const {
+    throw BadFile(name_ + ":" + std::to_string(line_) + ": " + complaint);
+}
+
+void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy) {
+    if (text.find('\0') == std::string_view::npos) return;
+    throw BadFile(name + ": looks like a binary file; " + remedy);
+}
+
+std::string read_whole_file(const std::string& path, bool or_standard_input) {
+    const bool standard_input = or_standard_input && path == "-";
+    const std::string name = standard_input ? "standard input" : path;
+    const Descriptor file(standard_input ? STDIN_FILENO
+                                         : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.number() < 0) refuse_file(name, errno);
+    std::string bytes;
+    std::vector<char> block(1 << 16);
+    while (true) {
+        const ssize_t n = ::read(file.number(), block.data(), block.size());
+        if (n == 0) return bytes;
+        if (n > 0) {
+            bytes.append(block.data(), static_cast<std::size_t>(n));
+        } else if (errno != EINTR) {
+            refuse_file(name, errno);
+        }
+    }
+}
+
+}  // namespace pcvt

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/tile_file.hpp"
+#include "mesher/tile.hpp"
+
+namespace pcvt {
+
+/// One file of an output: a format may write companions beside the file that was asked for.
+struct EncodedFile {
+    std::string path;
+    std::string bytes;
+};
+
+/// One row of the table of formats, in the order of `tile_formats()`.
+struct TileFormat {
+    /// With the dot: ".obj".
+    std::string extension;
+    std::string description;
+    /// The paths that encode() will fill for `path`, the file itself first.
+    std::vector<std::string> (*paths)(const std::string& path);
+    /// Turns a tile into bytes; the first entry is `path` itself.
+    std::vector<EncodedFile> (*encode)(const AnyTile& tile, const std::string& path);
+    /// Reads `files` (the file itself first, companions where there are any) back. A lattice given
+    /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
+    TileFile (*decode)(const std::vector<EncodedFile>& files,
+                       const std::optional<Lattice>& lattice);
+};
+
+const std::vector<TileFormat>& tile_formats();
+
+/// The row for the extension of `path` (case does not matter), nullptr if there is none.
+const TileFormat* find_tile_format(const std::string& path);
+
+}  // namespace pcvt
