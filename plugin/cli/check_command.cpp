@@ -1,0 +1,193 @@
+#include "plugin/cli/check_command.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "io/text.hpp"
+#include "io/tile_formats.hpp"
+#include "mesher/validate.hpp"
+#include "plugin/cli/option_values.hpp"
+#include "plugin/cli/summary.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+/// Ten times the default of `pcvt mesh --tolerance`: the bisectors of the centroids lie within a
+/// few residuals of those of the sites.
+constexpr double kCvtTolerance = 1e-5;
+
+/// What is asked of every file.
+struct Question {
+    std::vector<std::string> files;
+    /// For files that state none; what a file states must be this.
+    std::optional<Lattice> lattice;
+    /// In units of h; nothing: the Voronoi property is not asked for.
+    std::optional<double> cvt_tolerance;
+};
+
+/// --cvt takes a tolerance or none; without one the command line parser hands it the next file.
+void read_cvt(const CLI::App& app, const CheckOptions& options, Question& question) {
+    if (app.count("--cvt") == 0) return;
+    question.cvt_tolerance = kCvtTolerance;
+    if (options.cvt.empty()) return;
+    try {
+        parse_number(options.cvt);
+    } catch (const InvalidInput&) {
+        question.files.insert(question.files.begin(), options.cvt);
+        return;
+    }
+    question.cvt_tolerance = positive_number("--cvt", options.cvt);
+}
+
+Question make_question(const CLI::App& app, const CheckOptions& options) {
+    Question question{options.files, std::nullopt, std::nullopt};
+    const bool period = app.count("--period") > 0;
+    const bool vectors = app.count("--lattice") > 0;
+    if (period && vectors) {
+        throw InvalidInput("--period and --lattice exclude each other; remove one");
+    }
+    if (period) question.lattice = rectangle_lattice("--period", options.period);
+    if (vectors) question.lattice = vector_lattice("--lattice", options.lattice);
+    read_cvt(app, options, question);
+    if (question.files.empty()) throw InvalidInput("no file to check; give one or more");
+    return question;
+}
+
+std::string readable_extensions() {
+    std::string all;
+    for (const TileFormat& format : tile_formats()) {
+        if (format.decode == nullptr) continue;
+        all += (all.empty() ? "" : " ") + format.extension;
+    }
+    return all;
+}
+
+const TileFormat& readable_format(const std::string& path) {
+    const TileFormat* format = find_tile_format(path);
+    if (format == nullptr || format->decode == nullptr) {
+        throw BadFile(path + ": not a format that is read back; give one of " +
+                      readable_extensions());
+    }
+    return *format;
+}
+
+/// The file and those of its companions that stand beside it.
+TileFile read_tile(const std::string& path, const std::optional<Lattice>& lattice) {
+    const TileFormat& format = readable_format(path);
+    std::vector<EncodedFile> files = {{path, read_whole_file(path)}};
+    const std::vector<std::string> paths = format.paths(path);
+    for (std::size_t p = 1; p < paths.size(); ++p) {
+        if (std::filesystem::exists(paths[p])) {
+            files.push_back({paths[p], read_whole_file(paths[p])});
+        }
+    }
+    return format.decode(files, lattice);
+}
+
+std::string figure(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+void compare_lattice(const Lattice& stated, const Lattice& asked) {
+    if (stated.a() == asked.a() && stated.b() == asked.b()) return;
+    throw NotATile("the file states the lattice " + figure(stated.a().x()) + "," +
+                   figure(stated.a().y()) + "," + figure(stated.b().x()) + "," +
+                   figure(stated.b().y()) + ", not the one that was given");
+}
+
+/// What is asked of a file in single precision is never less than its rounding.
+double resolved(const TileFile& file, const TileProof& proof, double tolerance) {
+    if (file.precision == Precision::kDouble) return tolerance;
+    // Three cells meet at a vertex, so there are two vertices a cell; files may hold cells in
+    // parts.
+    const double n = file.tile.kind == TileKind::kCells ? proof.n_orbits / 2.0 : proof.n_orbits;
+    return std::max(tolerance, 2 * proof.tolerance / std::sqrt(file.tile.lattice.area() / n));
+}
+
+std::string prove_cvt(const TileFile& file, const TileProof& proof, double asked) {
+    const bool cells = file.tile.kind == TileKind::kCells;
+    const double tolerance = resolved(file, proof, asked);
+    const double found = prove_voronoi(file.tile, proof, tolerance);
+    return std::string(cells ? ", centroidal Voronoi within " : ", Delaunay within ") +
+           figure(found) + " h (tolerance " + figure(tolerance) + " h)";
+}
+
+std::string pairs_text(const TileFile& file) {
+    if (file.has_edge_pairs) return ", stored pairs agree";
+    return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
+}
+
+/// The proof of one file as a line.
+std::string prove(const std::string& path, const Question& question) {
+    const TileFile file = read_tile(path, question.lattice);
+    if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
+    const TileProof proof = prove_tile(file.tile, file.precision);
+    if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
+    if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
+    std::string line = path + ": a periodic tile: " + std::to_string(proof.n_vertices) +
+                       " vertices, " + std::to_string(proof.n_faces) + " faces, " +
+                       std::to_string(proof.n_boundary_edges) + " boundary edges in " +
+                       std::to_string(proof.edge_pairs.size()) + " pairs, genus 1 after gluing, " +
+                       "area " + figure(proof.area) + " (tolerance " + figure(proof.tolerance) +
+                       "), " + std::to_string(proof.n_merged) + " merged" + pairs_text(file);
+    if (question.cvt_tolerance) line += prove_cvt(file, proof, *question.cvt_tolerance);
+    return line + "\n";
+}
+
+/// @returns false where the file is refuted.
+bool check(const std::string& path, const Question& question) {
+    try {
+        print(prove(path, question));
+        return true;
+    } catch (const NotATile& error) {
+        std::fprintf(stderr, "%s: not a periodic tile: %s\n", path.c_str(), error.what());
+    } catch (const InvalidInput&) {
+        std::fprintf(stderr, "%s\n", describe_failure(std::current_exception()).line.c_str());
+    }
+    return false;
+}
+
+}  // namespace
+
+void add_check_options(CLI::App& app, CheckOptions& options) {
+    app.add_option("FILE", options.files, "tiles to prove: " + readable_extensions())
+        ->option_text("...");
+    app.add_option("--period", options.period, "lattice of files that state none, a rectangle")
+        ->type_name("W,H");
+    app.add_option("--lattice", options.lattice, "the same, any two period vectors")
+        ->type_name("AX,AY,BX,BY");
+    app.add_option("--cvt", options.cvt,
+                   "prove as well that cells are centroidal Voronoi, triangles Delaunay,\n"
+                   "within TOL h, h = sqrt(area / n); in single precision at least\n"
+                   "within what that resolves [" +
+                       figure(kCvtTolerance) + "]")
+        ->option_text("[TOL]")
+        ->expected(0, 1);
+    app.footer(
+        "Rebuilds the seam from positions and lattice alone and compares it with the stored one:\n"
+        "each boundary edge has one reversed partner by one lattice vector, the tile is a disc,\n"
+        "its Euler characteristic is 0 after gluing, the areas sum to that of the domain.\n\n"
+        "Examples:\n"
+        "  pcvt check tile.obj tile.glb\n"
+        "  pcvt check tile.obj --cvt 1e-4\n"
+        "  pcvt check --period 2,1 from-elsewhere.obj\n");
+}
+
+ExitCode run_check(const CLI::App& app, const CheckOptions& options) {
+    const Question question = make_question(app, options);
+    bool all_proved = true;
+    for (const std::string& path : question.files) {
+        all_proved = check(path, question) && all_proved;
+    }
+    return all_proved ? ExitCode::kDone : ExitCode::kBadInput;
+}
+
+}  // namespace pcvt::cli

@@ -1,0 +1,106 @@
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+
+#include "mesher/error.hpp"
+#include "plugin/cli/cancel_signal.hpp"
+#include "plugin/cli/check_command.hpp"
+#include "plugin/cli/mesh_command.hpp"
+#include "plugin/cli/summary.hpp"
+#include "plugin/version.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  pcvt mesh --sites 300 -o tile.obj -o tile.svg\n"
+    "  pcvt mesh --input sites.txt --lattice 1,0,0.37,0.81 --mesh delaunay -o tile.glb\n"
+    "  pcvt check tile.obj tile.glb\n\n"
+    "Not available yet: pcvt pattern, pcvt study.\n\n";
+
+/// The parser of the whole command line and what it fills.
+struct CommandLine {
+    CLI::App app{"Periodic centroidal Voronoi tessellations of the flat torus, as seamless tiles",
+                 "pcvt"};
+    CLI::App* mesh = nullptr;
+    CLI::App* check = nullptr;
+    MeshOptions mesh_options;
+    CheckOptions check_options;
+};
+
+void describe(CommandLine& line) {
+    CLI::App& app = line.app;
+    app.get_formatter()->column_width(28);
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.set_help_flag("--help,-h", "this text; pcvt COMMAND --help for a command");
+    app.set_version_flag("--version", version(), "the version");
+    app.require_subcommand(0, 1);
+    line.mesh = app.add_subcommand("mesh", "sites -> optimised periodic CVT -> files");
+    line.check = app.add_subcommand("check", "proves or refutes that a file is a periodic tile");
+    for (CLI::App* command : {line.mesh, line.check})
+        command->set_help_flag("--help,-h", "this text");
+    add_mesh_options(*line.mesh, line.mesh_options);
+    add_check_options(*line.check, line.check_options);
+    for (const char* later : {"pattern", "study"}) {
+        app.add_subcommand(later)->group("")->prefix_command()->set_help_flag();
+    }
+    app.footer(std::string(kExamples) + exit_code_help());
+}
+
+/// The command that was given, with a blank behind it.
+std::string command_name(const CommandLine& line) {
+    return line.mesh->parsed() ? "mesh " : line.check->parsed() ? "check " : "";
+}
+
+ExitCode run_chosen(const CommandLine& line) {
+    if (line.mesh->parsed()) {
+        return run_mesh(make_job(*line.mesh, line.mesh_options), line.mesh_options);
+    }
+    if (line.check->parsed()) return run_check(*line.check, line.check_options);
+    for (const char* later : {"pattern", "study"}) {
+        if (line.app.got_subcommand(later)) {
+            throw InvalidInput(std::string(later) + " is not available yet; see pcvt --help");
+        }
+    }
+    throw InvalidInput("no command; see pcvt --help");
+}
+
+ExitCode run(int argc, const char* const* argv) {
+    CommandLine line;
+    describe(line);
+    try {
+        line.app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        const CLI::App& asked = line.mesh->parsed()    ? *line.mesh
+                                : line.check->parsed() ? *line.check
+                                                       : line.app;
+        print(asked.help(&asked == &line.app ? "" : "pcvt"));
+        return ExitCode::kDone;
+    } catch (const CLI::CallForVersion&) {
+        print(std::string("pcvt ") + version() + "\n");
+        return ExitCode::kDone;
+    } catch (const CLI::ExtrasError&) {
+        throw InvalidInput(line.app.remaining(true).front() + ": unknown; see pcvt " +
+                           command_name(line) + "--help");
+    } catch (const CLI::ParseError& error) {
+        throw InvalidInput(std::string(error.what()) + "; see pcvt " + command_name(line) +
+                           "--help");
+    }
+    return run_chosen(line);
+}
+
+}  // namespace
+}  // namespace pcvt::cli
+
+int main(int argc, char** argv) {
+    pcvt::cli::ignore_file_size_signal();
+    try {
+        return static_cast<int>(pcvt::cli::run(argc, argv));
+    } catch (...) {
+        const pcvt::cli::Failure failure = pcvt::cli::describe_failure(std::current_exception());
+        std::fprintf(stderr, "%s\n", failure.line.c_str());
+        return static_cast<int>(failure.code);
+    }
+}

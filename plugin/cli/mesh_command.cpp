@@ -1,0 +1,72 @@
+#include "plugin/cli/mesh_command.hpp"
+
+#include <csignal>
+#include <cstdio>
+
+#include "io/site_reader.hpp"
+#include "plugin/cli/cancel_signal.hpp"
+#include "plugin/cli/progress_display.hpp"
+#include "plugin/cli/summary.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+/// Runs the job under the signals and the progress display.
+JobOutcome run_watched(const Job& job, bool quiet) {
+    const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
+    ProgressDisplay display(hexagonal_bound(job.lattice.area(), n), job.tolerance, !quiet);
+    catch_cancel_signals();
+    return run_job(job, [&display](const Progress& progress) {
+        display.show(progress);
+        return cancel_signal() == 0;
+    });
+}
+
+/// Faults of single sites, told by their lines: too far away, coincident.
+JobOutcome run_file(const Job& job, const SiteFile& file, bool quiet) {
+    const Lattice reduced = reduce(job.lattice).reduced;
+    for (std::size_t s = 0; s < file.lines.size(); ++s) {
+        const Vec2 u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
+        if (u.cwiseAbs().maxCoeff() < kFarthestPeriod) continue;
+        throw BadFile(file.name + ":" + std::to_string(file.lines[s]) +
+                      ": the site lies more than 2^30 periods away; wrap it into the domain");
+    }
+    try {
+        return run_watched(job, quiet);
+    } catch (const DuplicateSites& duplicate) {
+        throw duplicate_lines(file, duplicate);
+    }
+}
+
+ExitCode cancelled() {
+    std::fputs("pcvt: cancelled; nothing was written\n", stderr);
+    return cancel_signal() == SIGTERM ? ExitCode::kTerminated : ExitCode::kInterrupted;
+}
+
+ExitCode not_converged(const JobOutcome& outcome, double tolerance) {
+    std::fprintf(stderr,
+                 "pcvt: not converged (%s, residual %.3g, tolerance %.3g); the files are written\n",
+                 stop_name(outcome.stop), outcome.residual, tolerance);
+    return ExitCode::kNotConverged;
+}
+
+}  // namespace
+
+ExitCode run_mesh(Job job, const MeshOptions& options) {
+    JobOutcome outcome;
+    if (options.input.empty()) {
+        outcome = run_watched(job, options.quiet);
+    } else {
+        const SiteFile file = read_sites(options.input);
+        job.points = file.points;
+        outcome = run_file(job, file, options.quiet);
+    }
+    if (outcome.stop == Stop::kCancelled) return cancelled();
+    if (!options.quiet) print(summary(job, outcome));
+    if (options.strict && outcome.stop != Stop::kConverged) {
+        return not_converged(outcome, job.tolerance);
+    }
+    return ExitCode::kDone;
+}
+
+}  // namespace pcvt::cli

@@ -1,0 +1,201 @@
+#include "plugin/cli/mesh_options.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <limits>
+
+#include "io/tile_formats.hpp"
+#include "plugin/cli/not_yet.hpp"
+#include "plugin/cli/option_values.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+constexpr int kMostIterations = std::numeric_limits<int>::max();
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  pcvt mesh --sites 300 -o tile.obj\n"
+    "      300 random sites on the unit square, optimised; tile.obj, tile.mtl, tile.seam.json\n"
+    "  pcvt mesh --sites 300 --seed 7 --lattice 1,0,0.37,0.81 -o tile.glb -o tile.svg\n"
+    "      an oblique lattice; a picture beside the mesh\n"
+    "  pcvt mesh --input sites.txt --period 2,1 --mesh voronoi --mesh delaunay -o tile.ply\n"
+    "      your own sites; writes tile-voronoi.ply and tile-delaunay.ply\n"
+    "  pcvt mesh --input sites.txt --max-iterations 0 -o tile.obj\n"
+    "      the periodic Voronoi diagram of the sites as given\n"
+    "  pcvt mesh --sites 30 --repeat 2x3 --strict --report run.json -o tile.om -o sites.txt\n"
+    "      a tile of 2 x 3 domains; exit code 5 if the tolerance was not reached\n";
+
+CLI::Option* add(CLI::App& app, const char* name, std::string& value, const char* form,
+                 const std::string& description) {
+    return app.add_option(name, value, description)->type_name(form);
+}
+
+std::string extensions() {
+    std::string all;
+    for (const TileFormat& format : tile_formats()) all += format.extension + " ";
+    return all + ".txt";
+}
+
+void add_site_options(CLI::App& app, MeshOptions& options) {
+    app.option_defaults()->group("Sites and lattice");
+    add(app, "--sites", options.sites, "N", "draw N sites at random, 1 to 268435456");
+    add(app, "--seed", options.seed, "S", "of the random numbers [0]");
+    add(app, "--input", options.input, "FILE",
+        "read the sites, \"x y\" a line, # comments; - is standard input");
+    add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
+    add(app, "--lattice", options.lattice, "AX,AY,BX,BY", "any two independent period vectors");
+    add(app, "--origin", options.origin, "X,Y", "corner of the domain [0,0]");
+}
+
+void add_solver_options(CLI::App& app, MeshOptions& options) {
+    app.option_defaults()->group("Optimisation");
+    add(app, "--start", options.start, "random", "where the sites of --sites begin [random]");
+    add(app, "--solver", options.solver, "lbfgs|lloyd", "[lbfgs]");
+    add(app, "--tolerance", options.tolerance, "T",
+        "converged once max |x_i - g_i| / h <= T, h = sqrt(area / n) [1e-6]");
+    add(app, "--max-iterations", options.max_iterations, "K",
+        "0: the Voronoi diagram of the sites as given [no limit]");
+    app.add_flag("--strict", options.strict,
+                 "write the files, but exit with 5 if the run did not converge");
+    add(app, "--threads", options.threads, "N", "only 1 so far [1]");
+}
+
+void add_output_options(CLI::App& app, MeshOptions& options) {
+    app.option_defaults()->group("Output");
+    app.add_option("--mesh", options.meshes,
+                   "repeatable [voronoi]; with both, -voronoi and -delaunay\n"
+                   "precede the extension")
+        ->type_name("KIND")
+        ->option_text("voronoi|delaunay")
+        ->allow_extra_args(false);
+    add(app, "--outline", options.outline, "whole", "no cell is cut [whole]");
+    add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
+    app.add_option("-o", options.outputs,
+                   "repeatable; none: only the summary; the extension decides:\n" + extensions() +
+                       " (the sites, in the order of the input)")
+        ->type_name("FILE")
+        ->option_text("FILE")
+        ->allow_extra_args(false);
+    add(app, "--report", options.report, "FILE.json", "figures of the run");
+    app.add_flag("--force", options.force, "replace existing files");
+    app.add_flag("--quiet", options.quiet, "no summary and no progress");
+}
+
+/// Where the lattice comes from: --period, --lattice or the unit square.
+Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
+    const bool period = app.count("--period") > 0;
+    const bool vectors = app.count("--lattice") > 0;
+    if (period && vectors) {
+        throw InvalidInput("--period and --lattice exclude each other; remove one");
+    }
+    if (period) return rectangle_lattice("--period", options.period);
+    if (vectors) return vector_lattice("--lattice", options.lattice);
+    return Lattice::rectangle(1, 1);
+}
+
+void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job) {
+    const bool drawn = app.count("--sites") > 0;
+    const bool from_file = app.count("--input") > 0;
+    if (drawn && from_file) {
+        throw InvalidInput("--sites and --input exclude each other; remove one");
+    }
+    if (!drawn && !from_file) {
+        throw InvalidInput("no sites; give --sites N or --input FILE");
+    }
+    if (drawn) job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
+    for (const char* name : {"--seed", "--start"}) {
+        if (from_file && app.count(name) > 0) {
+            throw InvalidInput(std::string(name) +
+                               " is for random sites, but --input gives them; remove one");
+        }
+    }
+    if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
+    if (from_file && options.input != "-") job.inputs.push_back(options.input);
+}
+
+TileKind mesh_kind(const std::string& name) {
+    refuse_later_value("--mesh", name, {"grains"});
+    if (name == "voronoi") return TileKind::kCells;
+    if (name == "delaunay") return TileKind::kTriangles;
+    throw InvalidInput("--mesh " + name + ": unknown; take voronoi or delaunay");
+}
+
+void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
+    if (app.count("--mesh") == 0) return;
+    job.meshes.clear();
+    for (const std::string& name : options.meshes) {
+        const TileKind kind = mesh_kind(name);
+        if (std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end()) {
+            throw InvalidInput("--mesh " + name + " is given twice; remove one");
+        }
+        job.meshes.push_back(kind);
+    }
+}
+
+/// Options with one choice so far, and the solver.
+void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
+    refuse_later_value("--start", options.start, {"coarse", "lattice", "best"});
+    refuse_later_value("--solver", options.solver, {"newton"});
+    refuse_later_value("--outline", options.outline, {"box"});
+    const auto choose = [&app](const char* name, const std::string& value,
+                               std::initializer_list<const char*> known, const char* choices) {
+        if (app.count(name) == 0) return;
+        if (std::find(known.begin(), known.end(), value) == known.end()) {
+            throw InvalidInput(std::string(name) + " " + value + ": unknown; take " + choices);
+        }
+    };
+    choose("--start", options.start, {"random"}, "random");
+    choose("--solver", options.solver, {"lbfgs", "lloyd"}, "lbfgs or lloyd");
+    choose("--outline", options.outline, {"whole"}, "whole");
+    if (options.solver == "lloyd") job.solver = Solver::kLloyd;
+    if (app.count("--threads") > 0 && whole_number("--threads", options.threads, 1, 65536) > 1) {
+        throw InvalidInput("--threads " + options.threads + " is not available yet; take 1");
+    }
+}
+
+void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
+    if (app.count("--tolerance") > 0) {
+        job.tolerance = positive_number("--tolerance", options.tolerance);
+    }
+    if (app.count("--max-iterations") > 0) {
+        job.max_iterations =
+            whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
+    }
+    if (app.count("--origin") > 0) job.origin = point("--origin", options.origin);
+    if (app.count("--repeat") > 0) {
+        const Repetition times = repetition("--repeat", options.repeat);
+        job.columns = times.columns;
+        job.rows = times.rows;
+    }
+}
+
+}  // namespace
+
+void add_mesh_options(CLI::App& app, MeshOptions& options) {
+    add_site_options(app, options);
+    add_solver_options(app, options);
+    add_output_options(app, options);
+    add_later_options(app);
+    app.footer(std::string(kExamples) +
+               "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
+               "--outline box, --density, --threads above 1, .msh .inp .vtu .nc .foam\n");
+}
+
+Job make_job(const CLI::App& app, const MeshOptions& options) {
+    refuse_later_options(app);
+    Job job;
+    job.lattice = chosen_lattice(app, options);
+    read_site_source(app, options, job);
+    read_choices(app, options, job);
+    read_meshes(app, options, job);
+    read_numbers(app, options, job);
+    job.outputs = options.outputs;
+    job.report = options.report;
+    job.force = options.force;
+    return job;
+}
+
+}  // namespace pcvt::cli

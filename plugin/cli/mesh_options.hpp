@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plugin/job.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace pcvt::cli {
+
+/// The options of `pcvt mesh` as they were typed; empty where they were not.
+struct MeshOptions {
+    std::string sites;
+    std::string seed;
+    std::string input;
+    std::string period;
+    std::string lattice;
+    std::string start;
+    std::string solver;
+    std::string tolerance;
+    std::string max_iterations;
+    std::vector<std::string> meshes;
+    std::string outline;
+    std::string repeat;
+    std::string origin;
+    std::vector<std::string> outputs;
+    std::string report;
+    std::string threads;
+    bool strict = false;
+    bool force = false;
+    bool quiet = false;
+};
+
+/// Gives `app` the options, its description and its examples; parsing fills `options`.
+void add_mesh_options(CLI::App& app, MeshOptions& options);
+
+/// The job that the options describe, without the sites of a file: those are still to be read from
+/// `options.input`.
+/// @param app  the one that add_mesh_options was given, after parsing.
+/// @throws InvalidInput, LimitExceeded naming the option.
+Job make_job(const CLI::App& app, const MeshOptions& options);
+
+}  // namespace pcvt::cli

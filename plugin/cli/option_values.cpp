@@ -1,0 +1,133 @@
+#include "plugin/cli/option_values.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "io/text.hpp"
+#include "mesher/error.hpp"
+#include "plugin/job.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, const std::string& text,
+                         const std::string& what) {
+    throw InvalidInput(option + " " + (text.empty() ? "''" : text) + ": " + what);
+}
+
+/// The value of a string of digits, at most 2^64 - 1; more digits count as that.
+/// @returns false where `text` is no string of digits.
+bool read_digits(std::string_view text, std::uint64_t& value) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+    if (text.empty() || !std::all_of(text.begin(), text.end(), is_digit)) return false;
+    value = 0;
+    for (const char c : text) {
+        const auto digit = static_cast<std::uint64_t>(c - '0');
+        value = value > (kMost - digit) / 10 ? kMost : 10 * value + digit;
+    }
+    return true;
+}
+
+/// One number, or its fault with the option's name before it.
+double number(const std::string& option, const std::string& text, std::string_view word) {
+    try {
+        return parse_number(word);
+    } catch (const InvalidInput& error) {
+        refuse(option, text, error.what());
+    }
+}
+
+std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count,
+                            const std::string& form) {
+    std::vector<double> values;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        values.push_back(number(option, text, std::string_view(text).substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    if (values.size() != count) {
+        refuse(option, text,
+               std::to_string(values.size()) + " numbers where " + std::to_string(count) +
+                   " are expected; give " + form);
+    }
+    return values;
+}
+
+/// The lattice, or its fault with the option's name before it.
+Lattice make_lattice(const std::string& option, const std::string& text, const Vec2& a,
+                     const Vec2& b) {
+    try {
+        Lattice lattice(a, b);
+        reduce(lattice);
+        return lattice;
+    } catch (const InvalidInput& error) {
+        refuse(option, text, error.what());
+    }
+}
+
+}  // namespace
+
+int whole_number(const std::string& option, const std::string& text, int lowest, int highest) {
+    std::uint64_t value = 0;
+    const std::string form =
+        "give a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
+    if (!read_digits(text, value)) refuse(option, text, "not a whole number; " + form);
+    if (value < static_cast<std::uint64_t>(lowest)) refuse(option, text, "too small; " + form);
+    if (value > static_cast<std::uint64_t>(highest)) {
+        throw LimitExceeded(option + " " + text + ": too large for pcvt; " + form);
+    }
+    return static_cast<int>(value);
+}
+
+std::uint64_t seed_number(const std::string& option, const std::string& text) {
+    std::uint64_t value = 0;
+    if (!read_digits(text, value) ||
+        (value == std::numeric_limits<std::uint64_t>::max() && text != "18446744073709551615")) {
+        refuse(option, text, "not a seed; give a whole number from 0 to 18446744073709551615");
+    }
+    return value;
+}
+
+double positive_number(const std::string& option, const std::string& text) {
+    const double value = number(option, text, text);
+    if (!(value > 0)) refuse(option, text, "not above 0; give a positive number, such as 1e-6");
+    return value;
+}
+
+Vec2 point(const std::string& option, const std::string& text) {
+    const std::vector<double> xy = numbers(option, text, 2, "X,Y");
+    return {xy[0], xy[1]};
+}
+
+Lattice rectangle_lattice(const std::string& option, const std::string& text) {
+    const std::vector<double> sides = numbers(option, text, 2, "W,H, such as 1,1");
+    if (!(sides[0] > 0) || !(sides[1] > 0)) {
+        refuse(option, text, "a side is not above 0; give two positive lengths");
+    }
+    return make_lattice(option, text, {sides[0], 0}, {0, sides[1]});
+}
+
+Lattice vector_lattice(const std::string& option, const std::string& text) {
+    const std::vector<double> ab = numbers(option, text, 4, "AX,AY,BX,BY, such as 1,0,0.5,1");
+    return make_lattice(option, text, {ab[0], ab[1]}, {ab[2], ab[3]});
+}
+
+Repetition repetition(const std::string& option, const std::string& text) {
+    const std::size_t cross = text.find('x');
+    std::uint64_t columns = 0;
+    std::uint64_t rows = 0;
+    if (cross == std::string::npos || !read_digits(text.substr(0, cross), columns) ||
+        !read_digits(text.substr(cross + 1), rows) || columns == 0 || rows == 0) {
+        refuse(option, text, "not of the form IxJ; give two whole numbers from 1 on, such as 2x3");
+    }
+    constexpr std::uint64_t kMost = kMostSites;
+    if (columns > kMost || rows > kMost) {
+        throw LimitExceeded(option + " " + text + ": too large for pcvt; repeat less often");
+    }
+    return {static_cast<int>(columns), static_cast<int>(rows)};
+}
+
+}  // namespace pcvt::cli

@@ -1,0 +1,79 @@
+#include "plugin/cli/summary.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "io/output.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+/// A figure for people to read: six digits.
+std::string figure(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string vector_text(const Vec2& v) {
+    // Adding 0 turns -0 into 0.
+    return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ")";
+}
+
+std::string line(const char* label, const std::string& text) {
+    char head[16];
+    std::snprintf(head, sizeof head, "%-10s ", label);
+    return head + text + "\n";
+}
+
+std::string valence_text(const JobOutcome& outcome) {
+    std::string text = std::to_string(outcome.n_hexagons) + " of " +
+                       std::to_string(outcome.n_sites) + " cells; sides";
+    for (const auto& [sides, count] : outcome.valences) {
+        text += " " + std::to_string(sides) + ":" + std::to_string(count);
+    }
+    return text;
+}
+
+std::string seam_lines(const JobOutcome& outcome) {
+    std::string text;
+    for (const SeamSize& seam : outcome.seams) {
+        text +=
+            line("seam", std::string(seam.kind == TileKind::kCells ? "voronoi" : "delaunay") +
+                             ", " + std::to_string(seam.n_boundary_edges) + " boundary edges in " +
+                             std::to_string(seam.n_edge_pairs) + " pairs");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string summary(const Job& job, const JobOutcome& outcome) {
+    std::string text;
+    text += line("sites", std::to_string(outcome.n_sites));
+    text += line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
+    text += line("stop", std::string(stop_name(outcome.stop)) + " after " +
+                             std::to_string(outcome.iterations) + " iterations, " +
+                             std::to_string(outcome.evaluations) + " evaluations");
+    text += line("energy", figure(outcome.energy) + ", " +
+                               figure(outcome.energy / outcome.energy_bound) +
+                               " of the hexagonal bound");
+    text += line("residual", figure(outcome.residual));
+    text += line("hexagons", valence_text(outcome));
+    text += seam_lines(outcome);
+    for (const std::string& file : outcome.files) text += line("file", file);
+    if (!job.report.empty()) text += line("report", job.report);
+    text += line("seconds", figure(outcome.seconds.total));
+    return text;
+}
+
+void print(const std::string& text) {
+    errno = 0;
+    const bool taken = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!taken || std::fflush(stdout) != 0) {
+        throw OutputError(std::string("standard output: ") + std::strerror(errno));
+    }
+}
+
+}  // namespace pcvt::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/tile_formats.hpp"
+#include "plugin/job.hpp"
+
+namespace pcvt {
+
+/// One file that a job was asked for, with the companions that its format writes beside it.
+struct JobFile {
+    /// The path itself first, then the companions.
+    std::vector<std::string> paths;
+    /// nullptr: the sites as text.
+    const TileFormat* format;
+    /// Index into job.meshes; sites: -1.
+    int mesh;
+};
+
+/// The files of a job in the order in which they were asked for, the report not among them.
+/// @throws InvalidInput for an extension that is not known, and where two files of the job, or a
+///         file and an input, have one path.
+std::vector<JobFile> plan_files(const Job& job);
+
+/// `path` with `suffix` before its extension: tile.obj, -voronoi -> tile-voronoi.obj.
+std::string with_suffix(const std::string& path, const std::string& suffix);
+
+}  // namespace pcvt

@@ -1,0 +1,32 @@
+#include "plugin/job_report.hpp"
+
+#include "io/report.hpp"
+#include "plugin/version.hpp"
+
+namespace pcvt {
+
+std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
+    const JobSeconds& seconds = outcome.seconds;
+    return encode_report({
+        .version = version(),
+        .sites = outcome.n_sites,
+        .lattice = job.lattice,
+        .seed = job.seed,
+        .solver = job.solver == Solver::kLloyd ? "lloyd" : "lbfgs",
+        .start = job.points.cols() > 0 ? "file" : "random",
+        .stop = stop_name(outcome.stop),
+        .iterations = outcome.iterations,
+        .evaluations = outcome.evaluations,
+        .energy = outcome.energy,
+        .energy_bound = outcome.energy_bound,
+        .residual = outcome.residual,
+        .hexagons = outcome.n_hexagons,
+        .valences = outcome.valences,
+        .mirrors = outcome.n_mirrors,
+        .threads = 1,
+        .seconds = {seconds.build, seconds.optimize, seconds.write, seconds.total},
+        .files = outcome.files,
+    });
+}
+
+}  // namespace pcvt

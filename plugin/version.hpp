@@ -1,0 +1,8 @@
+#pragma once
+
+namespace pcvt {
+
+/// "major.minor.patch".
+const char* version();
+
+}  // namespace pcvt

@@ -1,0 +1,208 @@
+"""Bad input: one clear line, the right exit code, nothing left behind, existing files untouched."""
+
+import os
+import resource
+import subprocess
+import unittest
+
+from support.cli import CliTest, limit, main
+
+THREE = "0.1 0.2\n0.4 0.9\n0.7 0.3\n"
+
+
+class BadOption(CliTest):
+    def refuse_all(self, code, rows):
+        for pattern, *arguments in rows:
+            with self.subTest(arguments=arguments):
+                self.refuse(code, pattern, *arguments)
+
+    def test_the_command_line_is_refused_in_one_line(self):
+        self.refuse_all(
+            2,
+            [
+                ("no command", ),
+                ("frobnicate", "frobnicate"),
+                ("--frobnicate.*--help", "mesh", "--sites", 3, "--frobnicate"),
+                ("stray", "mesh", "--sites", 3, "stray"),
+                ("--sites", "mesh", "--sites"),
+                ("--sites", "mesh", "--sites", 3, "--sites", 4),
+                ("--sites.*--input", "mesh", "-o", "t.obj"),
+                ("--sites.*--input", "mesh", "--sites", 3, "--input", "x.txt"),
+                ("--period.*--lattice", "mesh", "--sites", 3, "--period", "1,1", "--lattice",
+                 "1,0,0,1"),
+                ("--seed.*--input", "mesh", "--input", "x.txt", "--seed", 3),
+                ("no file", "check"),
+            ],
+        )
+
+    def test_numbers_are_read_strictly(self):
+        rows = [(f"--sites {n}: ", "mesh", "--sites", n) for n in ("0", "-3", "1.5", "3x", "1e3")]
+        rows += [(f"--seed {s}: ", "mesh", "--sites", 3, "--seed", s) for s in ("-1", "x", "2" * 20)]
+        rows += [
+            (f"--tolerance {t}: ", "mesh", "--sites", 3, "--tolerance", t)
+            for t in ("0", "-1e-6", "nan", "inf", "1e-6x", "1,5")
+        ]
+        rows += [
+            (f"--repeat {r}: ", "mesh", "--sites", 3, "--repeat", r)
+            for r in ("2", "0x1", "2x", "x2", "2x3x4", "-1x1", "1.5x1")
+        ]
+        rows += [
+            (f"--origin {o}: ", "mesh", "--sites", 3, "--origin", o) for o in ("1", "1,nan", "1,2,3")
+        ]
+        rows += [("origin", "mesh", "--sites", 3, "--origin", "1e300,0")]
+        rows += [("--max-iterations -1: ", "mesh", "--sites", 3, "--max-iterations", "-1")]
+        rows += [("--threads 0: ", "mesh", "--sites", 3, "--threads", "0")]
+        self.refuse_all(2, rows)
+
+    def test_a_singular_or_non_finite_lattice_is_refused(self):
+        periods = ("1,0", "0,1", "-1,1", "1", "1,1,1", "1,1x", "1;1", "nan,1", "1,inf", "1e400,1",
+                   "1,", "1e200,1", "1,1e-200", "0x10,1")
+        rows = [(f"--period {p}: ", "mesh", "--sites", 3, "--period", p) for p in periods]
+        lattices = ("1,0,2,0", "0,0,0,1", "1,0,0,nan", "1,0,0,-inf", "1,0,0", "1,0,0,1,1",
+                    "1,0,0,1 ", "1,0,1,1e-9")
+        rows += [(f"--lattice {v}: ", "mesh", "--sites", 3, "--lattice", v) for v in lattices]
+        self.refuse_all(2, rows)
+
+    def test_more_than_the_limit_is_exit_code_4(self):
+        self.refuse_all(
+            4,
+            [
+                ("too large", "mesh", "--sites", "268435457"),
+                ("too large", "mesh", "--sites", "9" * 30),
+                ("cells", "mesh", "--sites", 1000, "--repeat", "1000x1000"),
+            ],
+        )
+
+    def test_what_comes_later_says_so(self):
+        mesh = ("mesh", "--sites", 3, "-o", "t.obj")
+        rows = [
+            ("pattern", "pattern", "-n", 7), ("study", "study"),
+            ("newton", *mesh, "--solver", "newton"), ("box", *mesh, "--outline", "box"),
+            ("grains", *mesh, "--mesh", "grains"), ("--threads 2", *mesh, "--threads", 2),
+        ]
+        rows += [(start, *mesh, "--start", start) for start in ("coarse", "lattice", "best")]
+        rows += [
+            (option, *mesh, option, 1)
+            for option in ("--density", "--size", "--order", "--short-edges", "--density-range",
+                           "--budget", "--shard")
+        ]
+        rows += [(e, *mesh, "-o", "t." + e) for e in ("msh", "inp", "vtu", "nc", "foam")]
+        self.refuse_all(2, [(what + ".* not available yet", *row) for what, *row in rows])
+
+    def test_unknown_choices_are_refused(self):
+        mesh = ("mesh", "--sites", 3)
+        self.refuse_all(
+            2,
+            [
+                ("--mesh hexes", *mesh, "--mesh", "hexes"),
+                ("twice", *mesh, "--mesh", "voronoi", "--mesh", "voronoi"),
+                ("--solver magic", *mesh, "--solver", "magic"),
+                ("--start here", *mesh, "--start", "here"),
+                ("--outline round", *mesh, "--outline", "round"),
+            ],
+        )
+
+
+class BadFile(CliTest):
+    def test_a_bad_site_file_is_refused_with_its_line(self):
+        bad = {
+            "NaN": "0 0\n0.5 nan\n", "Inf": "0 0\ninf 1\n", "decimal comma": "0 0\n1,5 2\n",
+            "one column": "0 0\n0.5\n", "three columns": "0 0\n1 2 3\n", "words": "0 0\nx y\n",
+            "huge": "0 0\n1e400 0\n", "far": "0 0\n1e30 0\n", "hex": "0 0\n0x10 0\n",
+        }
+        for name, text in bad.items():
+            with self.subTest(name):
+                self.write("sites.txt", text)
+                self.refuse(2, r"^sites\.txt:2: .*; ", "mesh", "--input", "sites.txt", "-o", "t.obj")
+
+    def test_a_file_without_sites_is_refused(self):
+        self.path("folder").mkdir()
+        self.write("empty", "")
+        self.write("comments", "# nothing\n\n")
+        self.write("binary", bytes(range(256)))
+        for name in ("folder", "empty", "comments", "binary", "missing"):
+            with self.subTest(name):
+                self.refuse(2, f"^{name}: ", "mesh", "--input", name, "-o", "t.obj")
+
+    def test_an_empty_standard_input_is_refused(self):
+        self.refuse(2, "standard input", "mesh", "--input", "-", input=b"")
+
+    def test_duplicates_name_both_lines(self):
+        exact = self.write("exact", "# two\n0.1 0.2\n0.5 0.5\n\n0.1 0.2\n")
+        self.refuse(2, r"^exact:5: .*\b2\b.*; remove", "mesh", "--input", exact, "-o", "t.obj")
+        modulo = self.write("modulo", "0.25 0.5\n0.5 0.5\n-1.75 3.5\n")
+        self.refuse(2, r"^modulo:3: .*\b1\b.*; remove", "mesh", "--input", modulo, "-o", "t.obj")
+
+
+class BadOutput(CliTest):
+    def test_an_unknown_extension_names_the_known_ones(self):
+        for name in ("t.xyz", "t", "obj", ".obj", "-"):
+            with self.subTest(name):
+                self.refuse(2, r"extension.*\.obj.*\.glb.*\.txt", "mesh", "--sites", 3, "-o", name)
+
+    def test_an_existing_output_is_refused_before_any_computing(self):
+        for name in ("t.obj", "t.mtl", "t.seam.json", "run.json", "s.txt"):
+            with self.subTest(name):
+                self.write(name, "precious")
+                self.refuse(3, f"{name}.*exists.*--force", "mesh", "--sites", 3000000, "-o",
+                            "t.obj", "--report", "run.json", "-o", "s.txt", timeout=10)
+                self.path(name).unlink()
+
+    def test_one_path_cannot_serve_twice(self):
+        self.write("s.txt", THREE)
+        mesh = ("mesh", "--input", "s.txt", "--force")
+        self.refuse(2, "another output", *mesh, "-o", "t.obj", "-o", "./t.obj")
+        self.refuse(2, "another output", *mesh, "-o", "t.obj", "--report", "t.seam.json")
+        self.refuse(2, "an input", *mesh, "-o", "s.txt")
+        os.symlink(self.path("s.txt"), self.path("link.txt"))
+        self.refuse(2, "an input", *mesh, "-o", "link.txt")
+
+    def test_a_place_that_cannot_be_written_is_refused(self):
+        self.path("t.obj").mkdir()
+        for name in ("t.obj", "missing/t.obj", "/proc/t.obj"):
+            with self.subTest(name):
+                self.refuse(3, name, "mesh", "--sites", 3, "-o", name, "--force")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_a_folder_without_permission_is_refused(self):
+        self.path("closed").mkdir(mode=0o500)
+        self.refuse(3, "closed/t.obj", "mesh", "--sites", 3, "-o", "closed/t.obj")
+
+    def test_a_size_limit_leaves_nothing_and_keeps_what_was_there(self):
+        self.write("t.ply", "precious")
+        for name in ("t.obj", "t.ply", "t.glb", "t.om", "t.svg"):
+            with self.subTest(name):
+                self.refuse(3, name, "mesh", "--sites", 300, "--force", "-o", name, "--quiet",
+                            preexec_fn=limit(resource.RLIMIT_FSIZE, 4096))
+
+    def test_a_full_disk_leaves_nothing(self):
+        # A disk of 16 KiB that only the child sees; what is left on it goes to standard output.
+        own_disk = ["unshare", "-rm", "sh", "-c",
+                    'mount -t tmpfs -o size=16k pcvt disk && { "$0" "$@"; code=$?; ls -A disk; '
+                    "exit $code; }"]
+        self.path("disk").mkdir()
+        probe = subprocess.run([*own_disk, "true"], cwd=self.folder, capture_output=True, check=False)
+        if probe.returncode != 0:
+            self.skipTest("no disk can be mounted here")
+        done = subprocess.run([*own_disk, self.binary(), "mesh", "--sites", "1000", "-o", "disk/t.obj",
+                               "--max-iterations", "3"],
+                              cwd=self.folder, capture_output=True, check=False)
+        self.assertEqual((done.returncode, done.stdout), (3, b""), done.stderr)
+        self.assertRegex(done.stderr.decode(), r"^pcvt: .*disk/t\.obj.*No space left[^\n]*\n$")
+
+    def test_a_full_standard_output_is_told(self):
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run([self.binary(), "mesh", "--sites", "3"], stdout=full,
+                                  stderr=subprocess.PIPE, check=False)
+        self.assertEqual(done.returncode, 3)
+        self.assertRegex(done.stderr.decode(), r"^pcvt: standard output: .*\n$")
+
+    def test_too_little_memory_is_exit_code_4(self):
+        little = limit(resource.RLIMIT_AS, 200 << 20)
+        if self.run_pcvt("--version", preexec_fn=little).returncode != 0:
+            self.skipTest("this build does not start in so little memory")
+        self.refuse(4, "memory", "mesh", "--sites", 20000000, "-o", "t.obj", preexec_fn=little)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,102 @@
+"""pcvt check: proves what pcvt mesh wrote, refuses what was damaged."""
+
+import json
+import re
+import unittest
+
+from support.cli import CliTest, main
+
+READABLE = ("obj", "ply", "glb", "gltf", "om")
+OBLIQUE = ("--lattice", "1,0,0.37,0.81")
+
+
+class Check(CliTest):
+    def mesh(self, *arguments):
+        self.succeed("mesh", *arguments, "--quiet")
+
+    def test_every_readable_format_is_proved(self):
+        outputs = [word for e in READABLE for word in ("-o", f"t.{e}")]
+        self.mesh("--sites", 40, *OBLIQUE, "--mesh", "voronoi", "--mesh", "delaunay", *outputs)
+        for kind, faces in (("voronoi", 40), ("delaunay", 80)):
+            names = [f"t-{kind}.{e}" for e in READABLE]
+            lines = self.succeed("check", *names, "--cvt").splitlines()
+            self.assertEqual(len(lines), len(READABLE))
+            for name, line in zip(names, lines):
+                self.assertRegex(line, rf"^{name}: a periodic tile: \d+ vertices, \d+ faces, .*"
+                                 r"genus 1 after gluing, area 0\.81.*pairs agree.*within")
+                if not name.endswith(("glb", "gltf")):
+                    self.assertIn(f" {faces} faces, ", line)
+
+    def test_smallest_tiles_are_proved(self):
+        for n in (1, 2, 3):
+            self.mesh("--sites", n, "--mesh", "voronoi", "--mesh", "delaunay", "-o", f"t{n}.obj", "-o",
+                      f"t{n}.glb")
+        names = [f"t{n}-{k}.{e}" for n in (1, 2, 3) for k in ("voronoi", "delaunay")
+                 for e in ("obj", "glb")]
+        self.assertEqual(len(self.succeed("check", *names).splitlines()), len(names))
+
+    def test_a_moved_vertex_is_refused(self):
+        self.mesh("--sites", 30, "-o", "t.obj")
+        text = self.path("t.obj").read_text()
+        first = re.search(r"^v (\S+)", text, re.M)
+        moved = text[:first.start(1)] + str(float(first.group(1)) + 1e-9) + text[first.end(1):]
+        self.write("t.obj", moved)
+        self.refuse(2, r"^t\.obj: not a periodic tile: ", "check", "t.obj")
+
+    def test_a_removed_face_is_refused(self):
+        self.mesh("--sites", 30, "-o", "t.obj")
+        lines = self.path("t.obj").read_text().splitlines(keepends=True)
+        lines.remove(next(line for line in lines if line.startswith("f ")))
+        self.write("hole.obj", "".join(lines))
+        self.refuse(2, r"^hole\.obj", "check", "hole.obj")
+
+    def test_a_wrong_stored_pair_is_refused(self):
+        self.mesh("--sites", 30, "-o", "t.gltf")
+        document = json.loads(self.path("t.gltf").read_text())
+        node = next(n for n in document["nodes"] if "periodic" in n.get("extras", {}))
+        node["extras"]["periodic"]["vertexPairs"][0][2] += 1
+        self.write("t.gltf", json.dumps(document))
+        self.refuse(2, r"^t\.gltf: ", "check", "t.gltf")
+
+    def test_damaged_files_are_refused(self):
+        outputs = [word for e in READABLE for word in ("-o", f"t.{e}")]
+        self.mesh("--sites", 30, *outputs)
+        for e in READABLE:
+            whole = self.path(f"t.{e}").read_bytes()
+            for name, damaged in (("half", whole[:len(whole) // 2]), ("empty", b""),
+                                  ("noise", bytes(range(256)) * 8)):
+                with self.subTest(f"{name}.{e}"):
+                    self.write(f"{name}.{e}", damaged)
+                    self.refuse(2, rf"^{name}\.{e}", "check", f"{name}.{e}")
+
+    def test_another_lattice_than_the_stated_one_is_refused(self):
+        self.mesh("--sites", 30, "-o", "t.obj")
+        self.refuse(2, "states the lattice 1,0,0,1", "check", "t.obj", "--period", "2,1")
+        self.succeed("check", "t.obj", "--lattice", "1,0,0,1")
+
+    def test_files_that_cannot_be_read_back_are_refused(self):
+        self.mesh("--sites", 3, "-o", "t.svg")
+        self.path("folder.obj").mkdir()
+        for name in ("t.svg", "t.xyz", "missing.obj", "folder.obj"):
+            with self.subTest(name):
+                self.refuse(2, f"^{re.escape(name)}: .*; give", "check", name)
+
+    def test_it_goes_on_after_a_refused_file(self):
+        self.mesh("--sites", 3, "-o", "t.obj")
+        done = self.run_pcvt("check", "missing.obj", "t.obj")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr.decode(), r"^missing\.obj: [^\n]*\n$")
+        self.assertRegex(done.stdout.decode(), r"^t\.obj: a periodic tile: [^\n]*\n$")
+
+    def test_the_voronoi_property_of_the_centroids_is_asked_on_request_only(self):
+        self.mesh("--sites", 30, "--max-iterations", 0, "-o", "raw.obj")
+        self.succeed("check", "raw.obj")
+        self.refuse(2, r"^raw\.obj: not a periodic tile: ", "check", "--cvt", "raw.obj")
+        self.mesh("--sites", 30, "--tolerance", "1e-9", "-o", "t.obj")
+        self.assertIn("t.obj", self.succeed("check", "--cvt", "t.obj"))
+        self.succeed("check", "t.obj", "--cvt", "1e-7")
+        self.refuse(2, "--cvt 0: ", "check", "t.obj", "--cvt", "0")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,236 @@
+"""pcvt mesh: what it writes, what it says, what it accepts, how it is cancelled."""
+
+import fcntl
+import json
+import os
+import pty
+import re
+import signal
+import struct
+import subprocess
+import termios
+import time
+import unittest
+
+from support.cli import TIMEOUT, CliTest, main
+
+EVERY_FORMAT = ("obj", "ply", "glb", "gltf", "om", "svg")
+REPORT_KEYS = ["version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations",
+               "evaluations", "energy", "energy_bound", "residual", "hexagons", "valences",
+               "mirrors", "threads", "seconds", "files"]
+
+
+def outputs(stem="t", formats=EVERY_FORMAT + ("txt", )):
+    return [word for e in formats for word in ("-o", f"{stem}.{e}")]
+
+
+class Files(CliTest):
+    def test_every_output_of_one_run_is_written(self):
+        self.succeed("mesh", "--sites", 30, *outputs(), "--report", "run.json")
+        companions = {"t.mtl", "t.seam.json", "t.txt", "run.json"}
+        written = set(self.contents())
+        self.assertLessEqual({f"t.{e}" for e in EVERY_FORMAT} | companions, written)
+        self.assertEqual([name for name in written if name.startswith(".")], [])
+
+    def test_several_meshes_are_told_apart_by_their_names(self):
+        self.succeed("mesh", "--sites", 30, "--mesh", "voronoi", "--mesh", "delaunay", "-o",
+                     "a.b.ply", "-o", "s.txt")
+        self.assertEqual(set(self.contents()), {"a.b-voronoi.ply", "a.b-delaunay.ply", "s.txt"})
+
+    def test_the_written_sites_are_read_back_to_the_same_mesh(self):
+        self.succeed("mesh", "--sites", 30, "-o", "t.ply", "-o", "s.txt")
+        self.succeed("mesh", "--input", "s.txt", "--max-iterations", 0, "-o", "again.txt")
+        pairs = [[list(map(float, line.split())) for line in self.path(name).read_text().splitlines()
+                  if not line.startswith("#")] for name in ("s.txt", "again.txt")]
+        self.assertEqual(len(pairs[0]), 30)
+        for before, after in zip(*pairs):
+            for x, y in zip(before, after):
+                self.assertAlmostEqual(x, y, delta=1e-15)
+
+    def test_same_input_gives_same_bytes(self):
+        self.path("elsewhere").mkdir()
+        run = ("mesh", "--sites", 60, "--seed", 5, "--lattice", "1,0,0.37,0.81", "--mesh", "voronoi",
+               "--mesh", "delaunay", *outputs(), "--report", "run.json", "--force")
+        self.succeed(*run)
+        first = self.contents()
+        german = dict(os.environ, LC_ALL="de_DE.UTF-8", LANG="de_DE.UTF-8")
+        self.succeed(*run, cwd=self.path("elsewhere"), env=german)
+        second = self.contents(self.path("elsewhere"))
+        reports = [json.loads(files.pop("run.json")) for files in (first, second)]
+        for report in reports:
+            del report["seconds"], report["threads"]
+        self.assertEqual(reports[0], reports[1])
+        self.assertEqual(first.keys(), second.keys())
+        self.assertEqual([name for name in first if first[name] != second[name]], [])
+
+    def test_force_replaces_what_was_there(self):
+        self.write("t.obj", "old")
+        self.succeed("mesh", "--sites", 3, "-o", "t.obj", "--force")
+        self.assertIn(b"\nv ", self.path("t.obj").read_bytes())
+
+    def test_a_repeated_tile_is_a_tile_of_the_multiple_periods(self):
+        self.succeed("mesh", "--sites", 7, "--repeat", "2x3", "-o", "t.obj", "-o", "s.txt",
+                     "--report", "run.json")
+        proof = self.succeed("check", "t.obj", "--period", "2,3", "--cvt")
+        self.assertRegex(proof, "42 faces.* area 6 ")
+        self.assertEqual(self.path("s.txt").read_text().count("\n") >= 7, True)
+        report = json.loads(self.path("run.json").read_text())
+        self.assertEqual((report["sites"], sum(report["valences"].values())), (7, 7))
+
+    def test_the_origin_moves_the_tile(self):
+        self.succeed("mesh", "--sites", 50, "-o", "here.ply")
+        self.succeed("mesh", "--sites", 50, "--origin", "10,-20", "-o", "there.ply")
+        self.succeed("check", "here.ply", "there.ply", "--cvt")
+        vertices = re.findall(r"^(-?[\d.e-]+) (-?[\d.e-]+) ", self.text_ply("there.ply"), re.M)
+        for x, y in ((float(x), float(y)) for x, y in vertices):
+            self.assertTrue(9 < x < 12 and -21 < y < -18, (x, y))
+
+    def text_ply(self, name):
+        head, _, body = self.path(name).read_bytes().partition(b"end_header\n")
+        if b"format ascii" not in head:
+            self.skipTest("the PLY is binary")
+        count = int(re.search(rb"element vertex (\d+)", head).group(1))
+        return "\n".join(body.decode().splitlines()[:count])
+
+
+class Words(CliTest):
+    def test_the_summary_tells_the_result(self):
+        text = self.succeed("mesh", "--sites", 30, "-o", "t.obj")
+        for word in ("sites", "lattice", "converged", "evaluations", "energy", "bound", "residual",
+                     "hexagons", "boundary edges in", "t.obj", "t.mtl", "t.seam.json", "seconds"):
+            self.assertIn(word, text)
+
+    def test_quiet_says_nothing(self):
+        self.assertEqual(self.succeed("mesh", "--sites", 30, "--quiet", "-o", "t.obj"), "")
+
+    def test_the_report_has_its_keys_in_order(self):
+        self.succeed("mesh", "--sites", 30, "--seed", 3, "--period", "2,1", "-o", "t.obj", "--report",
+                     "run.json")
+        report = json.loads(self.path("run.json").read_text())
+        self.assertEqual(list(report), REPORT_KEYS)
+        self.assertEqual(list(report["seconds"]), ["build", "optimize", "write", "total"])
+        self.assertEqual((report["sites"], report["seed"], report["solver"], report["start"]),
+                         (30, 3, "lbfgs", "random"))
+        self.assertEqual((report["stop"], report["threads"]), ("converged", 1))
+        self.assertEqual(report["lattice"], [[2, 0], [0, 1]])
+        self.assertEqual(report["files"], ["t.obj", "t.mtl", "t.seam.json"])
+        self.assertEqual(sum(report["valences"].values()), 30)
+        self.assertEqual(report["valences"].get("6", 0), report["hexagons"])
+        self.assertAlmostEqual(report["energy_bound"], 5 * 4 / (18 * 3**0.5 * 30), delta=1e-15)
+        self.assertGreaterEqual(report["energy"], report["energy_bound"])
+        self.assertLessEqual(report["residual"], 1e-6)
+
+    def test_a_file_is_a_start_too(self):
+        self.write("s.txt", "0.1 0.2\n0.6 0.6\n")
+        self.succeed("mesh", "--input", "s.txt", "--max-iterations", 0, "--report", "run.json")
+        report = json.loads(self.path("run.json").read_text())
+        self.assertEqual((report["start"], report["stop"]), ("file", "iteration-limit"))
+        self.assertEqual((report["iterations"], report["files"]), (0, []))
+
+    def test_help_shows_examples(self):
+        self.assertIn("pcvt mesh --sites", self.succeed("--help"))
+        self.assertIn("pcvt mesh --input", self.succeed("mesh", "--help"))
+        self.assertIn("pcvt check tile.obj", self.succeed("check", "--help"))
+        for option in ("--seed", "--period", "--lattice", "--tolerance", "--strict", "--repeat"):
+            self.assertIn(option, self.succeed("mesh", "--help"))
+        self.assertRegex(self.succeed("--version"), r"^pcvt \d+\.\d+\.\d+\n$")
+
+    def test_strict_writes_the_files_and_ends_with_5(self):
+        done = self.run_pcvt("mesh", "--sites", 300, "--max-iterations", 3, "--strict", "-o", "t.ply")
+        self.assertEqual(done.returncode, 5)
+        self.assertRegex(done.stderr.decode(), r"^pcvt: not converged .*iteration-limit.*\n$")
+        self.succeed("check", "t.ply")
+        self.succeed("mesh", "--sites", 30, "--strict")
+        self.succeed("mesh", "--sites", 300, "--max-iterations", 3)
+
+
+class AcceptedSites(CliTest):
+    def tile_of(self, text, **options):
+        self.write("s.txt", text)
+        self.succeed("mesh", "--input", "s.txt", "-o", "t.ply", "--force", **options)
+        return self.path("t.ply").read_bytes()
+
+    def test_odd_but_plain_texts_are_the_same_sites(self):
+        plain = self.tile_of("0 0\n0.5 0.25\n0.25 0.75\n")
+        odd = {
+            "CRLF": "0 0\r\n0.5 0.25\r\n0.25 0.75\r\n",
+            "byte order mark": b"\xef\xbb\xbf0 0\n0.5 0.25\n0.25 0.75\n",
+            "comments": "# sites\n0 0 # first\n\n0.5 0.25\n   # more\n0.25 0.75\n",
+            "tabs": "\t0\t0\n 0.5 \t 0.25 \n0.25\t0.75\n",
+            "no final newline": "0 0\n0.5 0.25\n0.25 0.75",
+            "negative zero": "-0.0 -0\n0.5 0.25\n0.25 0.75\n",
+            "other spellings": "0e0 +0\n5e-1 .25\n0.250 7.5E-1\n",
+        }
+        for name, text in odd.items():
+            with self.subTest(name):
+                self.assertEqual(self.tile_of(text), plain)
+
+    def test_sites_outside_of_the_domain_are_wrapped(self):
+        self.tile_of("3 -7\n-0.5 0.25\n1000.25 -99.25\n")
+        self.succeed("check", "t.ply", "--cvt")
+
+    def test_standard_input_is_a_file(self):
+        plain = self.tile_of("0 0\n0.5 0.25\n")
+        self.succeed("mesh", "--input", "-", "-o", "piped.ply", input=b"0 0\n0.5 0.25\n")
+        self.assertEqual(self.path("piped.ply").read_bytes(), plain)
+
+
+class Cancelling(CliTest):
+    def cancel(self, number, **options):
+        run = subprocess.Popen(
+            [self.binary(), "mesh", "--sites", "20000", "--tolerance", "1e-12", "-o", "t.obj"],
+            cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+        time.sleep(1)
+        run.send_signal(number)
+        out, err = run.communicate(timeout=TIMEOUT)
+        self.assertEqual((run.returncode, out), (128 + number, b""))
+        self.assertRegex(err.decode(), r"^pcvt: cancelled.*\n$")
+        self.assertEqual(self.contents(), {})
+
+    def test_ctrl_c_leaves_nothing(self):
+        self.cancel(signal.SIGINT)
+
+    def test_sigterm_leaves_nothing(self):
+        self.cancel(signal.SIGTERM)
+
+
+class ProgressDisplay(CliTest):
+    RUN = ("mesh", "--sites", "8000", "--tolerance", "1e-9", "--max-iterations", "600")
+
+    def on_a_terminal(self, *more):
+        """What the run shows on a terminal that is its standard error."""
+        master, slave = pty.openpty()
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+        run = subprocess.Popen([self.binary(), *self.RUN, *more], cwd=self.folder,
+                               stdout=subprocess.DEVNULL, stderr=slave)
+        os.close(slave)
+        shown = b""
+        while True:
+            try:
+                part = os.read(master, 4096)
+            except OSError:
+                break
+            if not part:
+                break
+            shown += part
+        os.close(master)
+        self.assertEqual(run.wait(TIMEOUT), 0)
+        return shown.decode()
+
+    def test_progress_is_shown_on_a_terminal_and_cleared(self):
+        shown = self.on_a_terminal()
+        self.assertRegex(shown, r"\riteration \d+  energy/bound 1\.\d+  residual \d\.\de-\d+")
+        self.assertRegex(shown, r"about \d+ s left")
+        self.assertNotIn("\n", shown)
+        self.assertRegex(shown, r"\r +\r$")
+        self.assertLess(max(map(len, shown.split("\r"))), 80)
+
+    def test_quiet_shows_no_progress(self):
+        self.assertEqual(self.on_a_terminal("--quiet"), "")
+
+    def test_progress_is_not_shown_elsewhere(self):
+        self.succeed(*self.RUN)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,61 @@
+#include "plugin/job_files.hpp"
+
+#include <gmock/gmock.h>
+
+namespace pcvt {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(JobFiles, TheSuffixPrecedesTheExtension) {
+    EXPECT_EQ(with_suffix("tile.obj", "-voronoi"), "tile-voronoi.obj");
+    EXPECT_EQ(with_suffix("a.b/tile.v2.obj", "-x"), "a.b/tile.v2-x.obj");
+    EXPECT_EQ(with_suffix("a.b/tile", "-x"), "a.b/tile-x");
+}
+
+TEST(JobFiles, CompanionsFollowTheirFile) {
+    Job job;
+    job.outputs = {"t.obj", "s.txt"};
+    const std::vector<JobFile> files = plan_files(job);
+    ASSERT_EQ(files.size(), 2U);
+    EXPECT_THAT(files[0].paths, ElementsAre("t.obj", "t.mtl", "t.seam.json"));
+    EXPECT_THAT(files[1].paths, ElementsAre("s.txt"));
+    EXPECT_EQ(files[1].format, nullptr);
+}
+
+TEST(JobFiles, EachMeshHasAFileOfItsOwnAndTheSitesOne) {
+    Job job;
+    job.meshes = {TileKind::kTriangles, TileKind::kCells};
+    job.outputs = {"t.ply", "s.txt"};
+    const std::vector<JobFile> files = plan_files(job);
+    ASSERT_EQ(files.size(), 3U);
+    EXPECT_THAT(files[0].paths, ElementsAre("t-delaunay.ply"));
+    EXPECT_THAT(files[1].paths, ElementsAre("t-voronoi.ply"));
+    EXPECT_EQ(files[1].mesh, 1);
+    EXPECT_EQ(files[2].mesh, -1);
+}
+
+TEST(JobFiles, OneNameForTwoFilesIsRefusedHoweverItIsSpelt) {
+    Job job;
+    job.outputs = {"t.ply", "./x/../t.ply"};
+    EXPECT_THROW(plan_files(job), InvalidInput);
+    job.outputs = {"t.obj"};
+    job.report = "t.seam.json";
+    EXPECT_THROW(plan_files(job), InvalidInput);
+    job.report.clear();
+    job.inputs = {"t.mtl"};
+    EXPECT_THROW(plan_files(job), InvalidInput);
+}
+
+TEST(JobFiles, ExtensionsOfEitherCaseAreKnownAndOthersRefused) {
+    Job job;
+    job.outputs = {"T.OBJ", "S.TXT"};
+    EXPECT_EQ(plan_files(job).size(), 2U);
+    for (const char* path : {"t.xyz", "t", ".obj", "t.msh", "-"}) {
+        job.outputs = {path};
+        EXPECT_THROW(plan_files(job), InvalidInput) << path;
+    }
+}
+
+}  // namespace
+}  // namespace pcvt
