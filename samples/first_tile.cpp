@@ -1,0 +1,29 @@
+// The library in one page: optimise 30 sites on an oblique torus, make the tile of their cells, and
+// walk along its seam. Prints each identified pair of boundary edges once.
+#include <cstdio>
+
+#include "mesher/cvt.hpp"
+#include "mesher/outline.hpp"
+#include "mesher/tile.hpp"
+
+int main() {
+    const pcvt::Lattice lattice({1, 0}, {0.37, 0.81});
+    const pcvt::Points points = pcvt::uniform_points(lattice, 30, /*seed=*/7);
+
+    const pcvt::CvtResult result = pcvt::compute_cvt(lattice, points, {});
+    std::printf("energy %.9g, %.6f of the hexagonal bound, after %d evaluations\n", result.energy,
+                result.energy / result.energy_bound, result.evaluations);
+
+    const pcvt::PeriodicMesh cells = pcvt::periodic_mesh(result, pcvt::TileKind::kCells);
+    const auto any_tile = pcvt::make_tile(cells, pcvt::whole_outline(cells, {0, 0}));
+    const auto& tile = std::get<pcvt::CellTile>(any_tile);
+
+    for (const auto halfedge : tile.mesh.halfedges()) {
+        const int partner = tile.mesh.property(tile.identification.partner, halfedge);
+        const auto offset = tile.mesh.property(tile.identification.partner_offset, halfedge);
+        if (partner > halfedge.idx()) {
+            std::printf("halfedge %d + (%d a, %d b) = halfedge %d\n", halfedge.idx(), offset[0],
+                        offset[1], partner);
+        }
+    }
+}
