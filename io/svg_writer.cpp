@@ -12,7 +12,6 @@
 #include "io/palette.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/svg_legend.hpp"
-#include "mesher/polygon.hpp"
 #include "mesher/quality.hpp"
 
 namespace pcvt {
@@ -107,14 +106,6 @@ void add_face(const FlatTile& tile, int face, SvgPath& path) {
     path.close();
 }
 
-Vec2 centroid(const FlatTile& tile, int face) {
-    Polygon polygon;
-    for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
-        polygon.push_back(tile.points[tile.corners[c]]);
-    }
-    return polygon_centroid(polygon);
-}
-
 std::string draw_cells(const Drawing& drawing) {
     const FlatTile& tile = drawing.tile;
     std::map<std::string, SvgPath> by_colour;
@@ -123,8 +114,8 @@ std::string draw_cells(const Drawing& drawing) {
     for (int f = 0; f < tile.n_faces(); ++f) {
         const auto entry = by_colour.try_emplace(hex(side_colour(sides[f])), drawing.frame).first;
         add_face(tile, f, entry->second);
-        dots.dot(centroid(tile, f));
     }
+    for (const Vec2& site : tile.site_points) dots.dot(site);
     std::string svg;
     const std::string edge = stroke(kEdgeColour, drawing.width(0.03, 0.06, 1.6));
     for (const auto& [colour, path] : by_colour) {

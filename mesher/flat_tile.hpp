@@ -48,6 +48,8 @@ struct FlatTile {
     std::vector<VertexPair> vertex_pairs;
     /// Each identified pair of boundary edges once: n_boundary_edges / 2 entries.
     std::vector<EdgePair> edge_pairs;
+    /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
+    std::vector<Vec2> site_points = {};
 
     int n_vertices() const { return static_cast<int>(points.size()); }
     int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }

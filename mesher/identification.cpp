@@ -17,6 +17,8 @@ void attach_all(Mesh& mesh, Identification& id) {
     attach_property(mesh, id.orbit_offset, "pcvt_orbit_offset");
     attach_property(mesh, id.face_site, "pcvt_face_site");
     attach_property(mesh, id.vertex_site, "pcvt_vertex_site");
+    attach_property(mesh, id.site_point, "pcvt_site_point");
+    mesh.property(id.site_point).set_persistent(false);
     if (!mesh.get_property_handle(id.lattice, "pcvt_lattice")) {
         mesh.add_property(id.lattice, "pcvt_lattice");
     }

@@ -32,6 +32,8 @@ struct Identification {
     OpenMesh::VPropHandleT<OpenMesh::Vec2i> orbit_offset;
     /// The site of a cell; -1 in a triangle mesh.
     OpenMesh::FPropHandleT<int> face_site;
+    /// Where that site stands; zero in a triangle mesh. The only property that `.om` does not keep.
+    OpenMesh::FPropHandleT<OpenMesh::Vec3d> site_point;
     /// The site at a vertex of a triangle mesh; -1 in a cell mesh.
     OpenMesh::VPropHandleT<int> vertex_site;
     OpenMesh::MPropHandleT<std::vector<double>> lattice;

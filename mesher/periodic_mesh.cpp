@@ -23,6 +23,7 @@ void append_copy(const PeriodicMesh& mesh, Offset here, int columns, int rows,
     const Vec2 translation = mesh.lattice.translation(here);
     const int first_corner = cover.n_corners();
     const int first_face = cover.n_faces();
+    for (const Vec2& p : mesh.site_points) cover.site_points.push_back(p + translation);
     for (const Vec2& v : mesh.vertices) cover.vertices.push_back(v + translation);
     cover.site.insert(cover.site.end(), mesh.site.begin(), mesh.site.end());
     for (int f = 0; f < mesh.n_faces(); ++f) {

@@ -22,6 +22,8 @@ struct PeriodicMesh {
     std::vector<int> opposite;
     /// Cells: the site of each face. Triangles: the site of each vertex.
     std::vector<SiteId> site;
+    /// Cells: where the site of each face stands in the frame of the face. Triangles: empty.
+    std::vector<Vec2> site_points = {};
 
     int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }
     int n_vertices() const { return static_cast<int>(vertices.size()); }

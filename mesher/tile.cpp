@@ -93,8 +93,6 @@ std::vector<HalfedgeHandle> add_faces(Tile<Mesh>& tile, const PeriodicMesh& peri
         for (int c = begin; c < end; ++c) corners.emplace_back(placed.of_corner[c]);
         const FaceHandle face = mesh.add_face(corners);
         if (!face.is_valid()) throw InternalError("the faces of the tile do not form a disc");
-        const bool is_cell = periodic.kind == TileKind::kCells;
-        mesh.property(tile.identification.face_site, face) = is_cell ? periodic.site[f] : -1;
         HalfedgeHandle h = mesh.halfedge_handle(face);
         while (mesh.from_vertex_handle(h) != corners.front()) h = mesh.next_halfedge_handle(h);
         for (int c = begin; c < end; ++c) {
@@ -103,6 +101,19 @@ std::vector<HalfedgeHandle> add_faces(Tile<Mesh>& tile, const PeriodicMesh& peri
         }
     }
     return halfedge;
+}
+
+template <class Mesh>
+void note_face_sites(Tile<Mesh>& tile, const PeriodicMesh& periodic,
+                     const std::vector<Offset>& placement) {
+    const bool cells = periodic.kind == TileKind::kCells;
+    for (const auto face : tile.mesh.faces()) {
+        const int f = face.idx();
+        Vec2 p(0, 0);
+        if (cells) p = periodic.site_points[f] + tile.lattice.translation(placement[f]);
+        tile.mesh.property(tile.identification.face_site, face) = cells ? periodic.site[f] : -1;
+        tile.mesh.property(tile.identification.site_point, face) = Vec3d(p.x(), p.y(), 0);
+    }
 }
 
 template <class Mesh>
@@ -136,6 +147,7 @@ AnyTile assemble(const PeriodicMesh& periodic, const std::vector<Offset>& placem
     tile.mesh.reserve(placed.vertices.size(), periodic.corner_vertex.size(), placement.size());
     add_vertices(tile, periodic, placed);
     const auto halfedge = add_faces(tile, periodic, placed);
+    note_face_sites(tile, periodic, placement);
     match_boundary(tile, periodic, halfedge, placed);
     return any;
 }
@@ -173,7 +185,10 @@ FlatTile flatten_mesh(const Tile<Mesh>& tile, TileKind kind) {
     for (const auto f : mesh.faces()) {
         for (const auto v : mesh.fv_ccw_range(f)) flat.corners.push_back(v.idx());
         flat.face_begin.push_back(static_cast<int>(flat.corners.size()));
-        if (kind == TileKind::kCells) flat.face_site.push_back(mesh.property(id.face_site, f));
+        if (kind != TileKind::kCells) continue;
+        flat.face_site.push_back(mesh.property(id.face_site, f));
+        const Vec3d& site = mesh.property(id.site_point, f);
+        flat.site_points.emplace_back(site[0], site[1]);
     }
     flatten_seam(tile, flat);
     return flat;

@@ -185,6 +185,7 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
         }
         mesh.face_begin.push_back(static_cast<int>(mesh.corner_vertex.size()));
         mesh.site.push_back(s);
+        mesh.site_points.push_back(delaunay.sites().position(s));
     }
     wrap_vertices(mesh, delaunay.sites().reduction().reduced);
     finish(mesh, delaunay.sites().reduction());

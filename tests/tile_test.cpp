@@ -150,7 +150,15 @@ TEST(Tile, FacesAndVerticesKnowTheirSites) {
     const Lattice lattice({1, 0}, {7, 1});
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 12, 10)));
     const FlatTile cells = flatten(tile_of(cell_mesh(delaunay)));
-    for (int f = 0; f < cells.n_faces(); ++f) EXPECT_EQ(cells.face_site[f], f);
+    const FlatTile moved = flatten(tile_of(cell_mesh(delaunay), {40, -30}));
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        EXPECT_EQ(cells.face_site[f], f);
+        const Vec2 from_corner =
+            cells.site_points[f] - cells.points[cells.corners[cells.face_begin[f]]];
+        const Vec2 there = moved.site_points[f] - moved.points[moved.corners[moved.face_begin[f]]];
+        EXPECT_LT(from_corner.norm(), 1);
+        EXPECT_LT((there - from_corner).norm(), 1e-13);
+    }
     const FlatTile triangles = flatten(tile_of(triangle_mesh(delaunay)));
     for (int v = 0; v < triangles.n_vertices(); ++v) {
         const Vec2 d = triangles.points[v] - delaunay.sites().position(triangles.vertex_site[v]);

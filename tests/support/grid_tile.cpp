@@ -50,6 +50,7 @@ FlatTile grid_tile(const Lattice& lattice, int columns, int rows) {
             const int v = j * (columns + 1) + i;
             add_face(tile, {v, v + 1, v + columns + 2, v + columns + 1});
             tile.face_site.push_back(j * columns + i);
+            tile.site_points.push_back((tile.points[v] + tile.points[v + columns + 2]) / 2);
         }
     }
     return tile;
