@@ -42,9 +42,13 @@ class OffsetUnion {
         Offset offset;
     };
     /// The point t stands where root.orbit + offset stands.
-    Root root(int t) const {
+    Root root(int t) {
         Offset offset;
         while (parent_[t] != t) {
+            // Each visit halves the path for the next one.
+            const int parent = parent_[t];
+            offset_[t] = offset_[t] + offset_[parent];
+            parent_[t] = parent_[parent];
             offset = offset + offset_[t];
             t = parent_[t];
         }
@@ -103,8 +107,7 @@ struct MeshCorner {
 };
 
 /// The corners of the cell of the site that h leaves, round the image of the site at offset (0, 0).
-std::vector<MeshCorner> cell_corners(const TorusTriangulation& t, const OffsetUnion& merged,
-                                     int h) {
+std::vector<MeshCorner> cell_corners(const TorusTriangulation& t, OffsetUnion& merged, int h) {
     std::vector<MeshCorner> corners;
     const int first = h;
     do {
@@ -167,7 +170,7 @@ std::vector<int> outgoing_halfedges(const TorusTriangulation& t) {
 
 PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
-    const DualVertices dual = dual_vertices(delaunay);
+    DualVertices dual = dual_vertices(delaunay);
     PeriodicMesh mesh{delaunay.sites().lattice(), TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}};
     std::vector<int> vertex_of(dual.position.size(), -1);
     for (int k = 0; k < t.n_triangles(); ++k) {

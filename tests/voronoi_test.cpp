@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mesher/error.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/nearest_site.hpp"
@@ -78,6 +80,20 @@ TEST(Voronoi, CocircularSitesShareOneVertex) {
         EXPECT_EQ(cells.n_vertices(), 25);
         EXPECT_EQ(cells.n_corners(), 100);
     }
+}
+
+// All circumcentres inside the circle are one vertex of the diagram.
+TEST(Voronoi, HundredsOfSitesOnACircleShareOneVertex) {
+    const int n = 300;
+    Points points(2, n);
+    for (int k = 0; k < n; ++k) {
+        const double angle = 2 * M_PI * k / n;
+        points.col(k) << 0.5 + 0.4 * std::cos(angle), 0.5 + 0.4 * std::sin(angle);
+    }
+    const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(Sites(Lattice::rectangle(1, 1), points)));
+    std::vector<int> valence(cells.vertices.size(), 0);
+    for (const int v : cells.corner_vertex) ++valence[v];
+    EXPECT_EQ(*std::max_element(valence.begin(), valence.end()), n);
 }
 
 TEST(Voronoi, RefusesACellThatIsTooSmallToWrite) {
