@@ -33,7 +33,8 @@ struct CvtResult {
 };
 
 /// Optimises the sites; points are 2 x n, length units, and need not be wrapped.
-/// @throws InvalidInput, DuplicateSites as Sites does.
+/// @throws InvalidInput, DuplicateSites as Sites does; DuplicateSites also for two sites nearer to
+///         each other than kSameVertex h (voronoi.hpp).
 CvtResult compute_cvt(const Lattice& lattice, const Points& points, const CvtOptions& options);
 
 /// The Voronoi cells (`kCells`) or Delaunay triangles (`kTriangles`) of a result on the torus,

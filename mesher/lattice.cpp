@@ -9,8 +9,9 @@
 namespace pcvt {
 namespace {
 
-constexpr double kShortestPeriod = 1e-100;
-constexpr double kLongestPeriod = 1e100;
+/// F is a length^4: beyond these it would leave the range of a double.
+constexpr double kShortestPeriod = 1e-60;
+constexpr double kLongestPeriod = 1e60;
 constexpr double kLargestCoefficient = 1e6;
 constexpr double kThinnestBasis = 1e6;
 /// Relative to |a| |b|: below, the sign of det(a, b) is rounding.
@@ -37,7 +38,7 @@ void require_period(const Vec2& period) {
     const double length = period.stableNorm();
     if (!(length >= kShortestPeriod && length <= kLongestPeriod)) {
         throw InvalidInput(
-            "a period vector is shorter than 1e-100 or longer than 1e100; choose another unit of "
+            "a period vector is shorter than 1e-60 or longer than 1e60; choose another unit of "
             "length");
     }
 }

@@ -30,7 +30,7 @@ class Lattice {
    public:
     /// @param a, b  period vectors, length units; either orientation.
     /// @throws InvalidInput if a coordinate is not finite, a length lies outside of
-    ///         [1e-100, 1e100], or the vectors are parallel.
+    ///         [1e-60, 1e60], or the vectors are parallel.
     Lattice(const Vec2& a, const Vec2& b);
 
     /// The rectangle with sides `width` and `height` along x and y.

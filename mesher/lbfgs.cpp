@@ -1,7 +1,11 @@
 #include "mesher/lbfgs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
+#include <optional>
+#include <vector>
 
 #include "mesher/optimizer_run.hpp"
 

@@ -1,5 +1,7 @@
 #include "mesher/lloyd.hpp"
 
+#include <algorithm>
+
 #include "mesher/optimizer_run.hpp"
 
 namespace pcvt {

@@ -19,6 +19,7 @@ class PeriodicDelaunay {
 
     const Sites& sites() const { return sites_; }
     const TorusTriangulation& triangulation() const { return triangulation_; }
+    const Gram& gram() const { return gram_; }
 
     /// Moves the sites (2 x n, length units, any distance) and restores law (1): by flips where no
     /// triangle turned over, else by a new build.

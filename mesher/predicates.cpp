@@ -15,6 +15,9 @@ constexpr double kInCircleError = 16 * kUnit;
 constexpr double kCircumcentreError = 32 * kUnit;
 /// Differences from here on may be rounded (predicates.hpp), so the filter is not asked.
 constexpr double kExactDifference = 4;
+/// A triangle with |d x e| above this times the scale of its rounding is far from collinear:
+/// doubles give its circumcentre to twelve digits.
+constexpr double kFarFromCollinear = 1e-3;
 
 thread_local PredicateCounts counts;
 
@@ -108,6 +111,25 @@ int centre_side(const Gram& g, const Image& p, const Image& q, const Image& r, i
 /// two corners are exchanged as well.
 Image transposed(const Image& p) { return {p.v, p.u, p.site, {p.offset.j, p.offset.i}}; }
 
+Vector<double> transposed(const Vector<double>& d) { return {d.v, d.u}; }
+Gram transposed(const Gram& g) { return {g.bb, g.ab, g.aa}; }
+
+/// The circumcentre relative to the common corner of d and e, with the products taken in `Number`.
+template <class Number>
+Vec2 centre(const Gram& g, const Vector<double>& d, const Vector<double>& e) {
+    const auto widen = [](const Vector<double>& x) {
+        return Vector<Number>{Number(x.u), Number(x.v)};
+    };
+    const Vector<Number> dn = widen(d);
+    const Vector<Number> en = widen(e);
+    const Number det = Number(g.aa) * Number(g.bb) - Number(g.ab) * Number(g.ab);
+    const auto u = centre_u<Number>(g, dn, en, Number(0));
+    const auto v =
+        centre_u<Number>(transposed(g), widen(transposed(e)), widen(transposed(d)), Number(0));
+    const double divisor = CGAL::to_double(Number(Number(2) * det * cross(dn, en)));
+    return {CGAL::to_double(u) / divisor, CGAL::to_double(v) / divisor};
+}
+
 }  // namespace
 
 Image image(const Sites& sites, SiteId site, Offset offset) {
@@ -155,11 +177,19 @@ int in_circle(const Gram& gram, const Image& p, const Image& q, const Image& r, 
 
 bool circumcentre_in_domain(const Gram& gram, const Image& p, const Image& q, const Image& r) {
     if (centre_side(gram, p, q, r, 0) < 0 || centre_side(gram, p, q, r, 1) >= 0) return false;
-    const Gram exchanged{gram.bb, gram.ab, gram.aa};
+    const Gram exchanged = transposed(gram);
     const Image pt = transposed(p);
     const Image qt = transposed(q);
     const Image rt = transposed(r);
     return centre_side(exchanged, pt, rt, qt, 0) >= 0 && centre_side(exchanged, pt, rt, qt, 1) < 0;
+}
+
+Vec2 circumcentre(const Gram& gram, const Image& p, const Image& q, const Image& r) {
+    const auto d = vector<double>(p, q);
+    const auto e = vector<double>(p, r);
+    const double scale = cross_bound(absolute(d), absolute(e));
+    if (std::abs(cross(d, e)) > kFarFromCollinear * scale) return centre<double>(gram, d, e);
+    return centre<CGAL::MP_Float>(gram, d, e);
 }
 
 int compare_u(const Image& p, const Image& q) {

@@ -43,6 +43,10 @@ int in_circle(const Gram& gram, const Image& p, const Image& q, const Image& r, 
 /// [0, 1)^2: of all images of a triangle exactly one does.
 bool circumcentre_in_domain(const Gram& gram, const Image& p, const Image& q, const Image& r);
 
+/// The circumcentre of the counter-clockwise triangle p, q, r minus p, in coordinates of the
+/// reduced basis. Relative error below 1e-12, however thin the triangle is.
+Vec2 circumcentre(const Gram& gram, const Image& p, const Image& q, const Image& r);
+
 /// The order by (u + i, v + j): -1, 0 or +1.
 int compare_u(const Image& p, const Image& q);
 int compare_v(const Image& p, const Image& q);

@@ -24,8 +24,7 @@ class Sites {
     /// @param points   2 x n, n >= 1, length units; wrapped here, need not lie in the domain.
     /// @throws InvalidInput   no site, more than 2^28, or a coordinate that is not finite or lies
     ///                        more than 2^30 periods away.
-    /// @throws DuplicateSites naming the first two ids (by the smaller, then the larger) on one
-    /// orbit.
+    /// @throws DuplicateSites naming the first two ids on one orbit, by the smaller and the larger.
     Sites(const Lattice& lattice, const Points& points);
 
     int n_sites() const { return static_cast<int>(coordinates_.cols()); }

@@ -7,27 +7,26 @@
 
 #include "mesher/edge_matching.hpp"
 #include "mesher/error.hpp"
+#include "mesher/polygon.hpp"
 
 namespace pcvt {
 namespace {
 
-/// Triangle corners' positions in a frame: reduced coordinates of one corner, and two edge vectors
-/// in length units, which stay accurate however small the triangle is.
-Vec2 circumcentre(const PeriodicDelaunay& delaunay, int triangle) {
+/// In units of h: sides that cross by less than this cross by rounding.
+constexpr double kCrossing = 1e-3 * kSameVertex;
+
+/// The circumcentre in the triangle's frame, length units.
+Vec2 dual_vertex(const PeriodicDelaunay& delaunay, int triangle) {
     const Sites& sites = delaunay.sites();
-    const TorusTriangulation& t = delaunay.triangulation();
     const Lattice& reduced = sites.reduction().reduced;
     std::array<Image, 3> corner;
     for (int k = 0; k < 3; ++k) {
-        const Corner& c = t.corner(3 * triangle + k);
+        const Corner& c = delaunay.triangulation().corner(3 * triangle + k);
         corner[k] = image(sites, c.site, c.offset);
     }
-    const Vec2 d = reduced.to_plane(difference(corner[0], corner[1]));
-    const Vec2 e = reduced.to_plane(difference(corner[0], corner[2]));
-    const double doubled_area = d.x() * e.y() - d.y() * e.x();
-    const Vec2 along = d.squaredNorm() * e - e.squaredNorm() * d;
-    const Vec2 centre(along.y() / (2 * doubled_area), -along.x() / (2 * doubled_area));
-    return sites.position(corner[0].site) + reduced.translation(corner[0].offset) + centre;
+    const Vec2 centre = circumcentre(delaunay.gram(), corner[0], corner[1], corner[2]);
+    return sites.position(corner[0].site) + reduced.translation(corner[0].offset) +
+           reduced.to_plane(centre);
 }
 
 /// Orbits joined into larger ones: each knows its root and its offset to it.
@@ -86,7 +85,7 @@ DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     const Lattice& reduced = delaunay.sites().reduction().reduced;
     DualVertices dual{{}, OffsetUnion(t.n_triangles())};
-    for (int k = 0; k < t.n_triangles(); ++k) dual.position.push_back(circumcentre(delaunay, k));
+    for (int k = 0; k < t.n_triangles(); ++k) dual.position.push_back(dual_vertex(delaunay, k));
 
     const double shortest = kSameVertex * delaunay.sites().spacing();
     for (int h = 0; h < t.n_halfedges(); ++h) {
@@ -128,6 +127,25 @@ void require_polygon(const std::vector<MeshCorner>& corners, SiteId site) {
         throw InvalidInput("the cell of site " + std::to_string(site) +
                            " is smaller than 1e-9 of the spacing: its neighbours are too close; "
                            "remove or move one of them");
+    }
+}
+
+/// Merged vertices stand where one of them stood; a cell as small as their spread may be torn by
+/// that.
+void require_simple_cells(const PeriodicMesh& mesh) {
+    const double h = std::sqrt(mesh.lattice.area() / mesh.n_faces());
+    Polygon polygon;
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        polygon.clear();
+        for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            polygon.push_back(mesh.vertices[mesh.corner_vertex[c]] +
+                              mesh.lattice.translation(mesh.corner_offset[c]));
+        }
+        if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, kCrossing * h)) {
+            throw InvalidInput("the corners of the cell of site " + std::to_string(f) +
+                               " are too close to be told apart: too many sites lie on one circle; "
+                               "move some of them");
+        }
     }
 }
 
@@ -192,6 +210,7 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
     }
     wrap_vertices(mesh, delaunay.sites().reduction().reduced);
     finish(mesh, delaunay.sites().reduction());
+    require_simple_cells(mesh);
     return mesh;
 }
 

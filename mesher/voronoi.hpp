@@ -17,7 +17,9 @@ inline constexpr double kSameVertex = 1e-9;
 ///   (1) V - E + F = 0, and each edge has two sides.
 ///   (2) The areas of the cells sum to that of the domain.
 ///   (3) Each cell holds its site, is convex, and no other image is nearer to any point of it.
-/// @throws InvalidInput where a cell is so small that its corners merge to fewer than three.
+/// @throws InvalidInput where a cell is so small that its corners merge to fewer than three, or
+/// that
+///         merging tears it.
 PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay);
 
 /// The Delaunay triangles; vertices are the sites, in their order.

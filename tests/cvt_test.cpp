@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesher/energy.hpp"
+#include "mesher/error.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
@@ -111,6 +112,30 @@ TEST(Cvt, LloydNeverRaisesTheEnergy) {
         return true;
     };
     EXPECT_EQ(run(Lattice::rectangle(20, 1), 60, 1, options).stop, Stop::kConverged);
+}
+
+TEST(Cvt, TheUnitOfLengthDoesNotMatter) {
+    const CvtResult one = run(Lattice::rectangle(1, 1), 60, 4, to_tolerance(1e-8));
+    for (const double scale : {0x1p-190, 0x1p-20, 0x1p190}) {
+        const CvtResult scaled = run(Lattice::rectangle(scale, scale), 60, 4, to_tolerance(1e-8));
+        EXPECT_EQ(scaled.stop, Stop::kConverged);
+        EXPECT_EQ(scaled.evaluations, one.evaluations);
+        EXPECT_EQ(scaled.delaunay.sites().coordinates(), one.delaunay.sites().coordinates());
+        EXPECT_DOUBLE_EQ(scaled.energy / scaled.energy_bound, one.energy / one.energy_bound);
+    }
+}
+
+TEST(Cvt, RefusesSitesThatAlmostCoincide) {
+    const Lattice lattice({1, 0}, {7, 1});
+    Points points = uniform_points(lattice, 9, 5);
+    points.col(6) = points.col(2) + lattice.translation({1, -2}) + Vec2(1e-11, 0);
+    try {
+        compute_cvt(lattice, points, {});
+        FAIL() << "accepted";
+    } catch (const DuplicateSites& error) {
+        EXPECT_EQ(error.first(), 2);
+        EXPECT_EQ(error.second(), 6);
+    }
 }
 
 TEST(Cvt, TheSameInputGivesTheSameBits) {

@@ -91,7 +91,6 @@ void expect_stops(OptimizerResult (*minimize)(const Objective&, const VectorXd&,
     OptimizerOptions cancelled = options(1e-10, 10);
     cancelled.progress = [](const Progress& p) { return p.iteration < 2; };
     EXPECT_EQ(minimize(bowl, start, cancelled).stop, Stop::kCancelled);
-    EXPECT_EQ(minimize(bowl, start, options(0, 10)).stop == Stop::kIterationLimit, false);
     EXPECT_EQ(minimize(bowl, VectorXd::Ones(30), options(0, 10)).stop, Stop::kConverged);
 
     const Objective noisy = [](const VectorXd& x, Evaluation& e) {

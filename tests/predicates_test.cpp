@@ -132,6 +132,40 @@ TEST(Predicates, ExactlyOneImageOfATriangleHasItsCircumcentreInTheDomain) {
     }
 }
 
+/// 2 G(d, c) = G(d, d) for both edges d, solved in rational numbers.
+Vec2 exact_circumcentre(const Gram& g, const Image& p, const Image& q, const Image& r) {
+    const auto [pu, pv] = exact(p);
+    const auto [qu, qv] = exact(q);
+    const auto [ru, rv] = exact(r);
+    const auto row = [&](const Rational& du, const Rational& dv) {
+        const Rational a = g.aa * du + Rational(g.ab) * dv;
+        const Rational b = Rational(g.ab) * du + g.bb * dv;
+        return std::array<Rational, 3>{a, b, (a * du + b * dv) / 2};
+    };
+    const auto d = row(qu - pu, qv - pv);
+    const auto e = row(ru - pu, rv - pv);
+    const Rational det = d[0] * e[1] - d[1] * e[0];
+    return {static_cast<double>(Rational((d[2] * e[1] - e[2] * d[1]) / det)),
+            static_cast<double>(Rational((d[0] * e[2] - e[0] * d[2]) / det))};
+}
+
+TEST(Predicates, CircumcentresOfThinTrianglesKeepTwelveDigits) {
+    std::mt19937_64 random(5);
+    for (const auto& [name, lattice] : lattices()) {
+        const Gram gram = gram_of(reduce(lattice).reduced);
+        for (int k = 0; k < 300; ++k) {
+            const Image p = random_image(random);
+            const Image q = random_image(random);
+            Image r{(p.u + q.u) / 2, (p.v + q.v) / 2, 0, p.offset};
+            r.v = wrap(r.v + std::ldexp(1.0, -static_cast<int>(random() % 50))).fraction;
+            if (orientation(p, q, r) <= 0) continue;
+            const Vec2 expected = exact_circumcentre(gram, p, q, r);
+            const Vec2 actual = circumcentre(gram, p, q, r);
+            ASSERT_LT((actual - expected).norm(), 1e-11 * expected.norm()) << name;
+        }
+    }
+}
+
 TEST(Predicates, TheFilterIsLeftOnGridsAndHardlyEverOnRandomSites) {
     const Gram gram = gram_of(Lattice::rectangle(1, 1));
     const auto grid = [](int i, int j) { return Image{i / 8.0, j / 8.0, 0, {}}; };

@@ -53,6 +53,28 @@ TEST(Tile, IsProvedWhereSitesAreCocircularOrOnTheSeam) {
     }
 }
 
+Sites sites_on_a_circle(int n) {
+    Points points(2, n);
+    for (int k = 0; k < n; ++k) {
+        const double angle = 2 * M_PI * k / n;
+        points.col(k) << 0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle);
+    }
+    return {Lattice::rectangle(1, 1), points};
+}
+
+// Merging may spread one vertex over more than the smallest cells near it.
+TEST(Tile, OfThousandsOfSitesOnACircleIsProvedOrRefused) {
+    expect_proofs(sites_on_a_circle(300));
+    for (const int n : {2900, 3000, 5000}) {
+        try {
+            expect_proofs(sites_on_a_circle(n));
+        } catch (const NotATile& error) {
+            FAIL() << n << ": " << error.what();
+        } catch (const InvalidInput&) {
+        }
+    }
+}
+
 // "Faces whose centre lies in the domain" is no disc in 4 to 10 % of such cases.
 TEST(Tile, IsADiscForRandomSmallInputs) {
     std::mt19937_64 random(5);

@@ -74,9 +74,9 @@ TEST(Voronoi, LawsHoldWhereSitesAreCocircular) {
 }
 
 TEST(Voronoi, CocircularSitesShareOneVertex) {
-    for (const double shift : {0.0, 1.0 / 3}) {
+    for (const double corner : {0.0, 1.0 / 3}) {
         const PeriodicMesh cells = cell_mesh(
-            PeriodicDelaunay(testing::grid_sites(Lattice::rectangle(1, 1), 5, 5, shift, shift)));
+            PeriodicDelaunay(testing::grid_sites(Lattice::rectangle(1, 1), 5, 5, corner, corner)));
         EXPECT_EQ(cells.n_vertices(), 25);
         EXPECT_EQ(cells.n_corners(), 100);
     }
