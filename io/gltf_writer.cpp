@@ -255,7 +255,7 @@ std::vector<EncodedFile> encode(const FlatTile& tile, const std::string& path,
     const std::vector<SiteId>& sites =
         tile.kind == TileKind::kCells ? tile.face_site : tile.vertex_site;
     if (*std::max_element(sites.begin(), sites.end()) >= kMaxSite) {
-        throw InvalidInput(path + ": too many sites for glTF; write another format");
+        throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }
     const Surface surface = make_surface(tile, kMaxCellNodes, path);
     ModelBuilder builder;
@@ -263,7 +263,7 @@ std::vector<EncodedFile> encode(const FlatTile& tile, const std::string& path,
     add_outlines(tile, surface, builder);
     builder.model().nodes[0].extras = periodic_extras(tile, surface);
     if (builder.model().buffers[0].data.size() > kMaxBytes) {
-        throw InvalidInput(path + ": more than 2 GiB, too large for glTF; write another format");
+        throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");
     }
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;

@@ -14,14 +14,14 @@ namespace pcvt {
 /// surface. Coordinates are float32 there; the lattice keeps its doubles. Its children:
 ///
 ///   cells, up to kMaxCellNodes  a node and a material a cell, both named `cell_<site>`
-///   more cells                  a node `cells`: colours in COLOR_0, sites in _CELL_ID; the
-///   vertices
+///   more cells                  a node `cells`: colours in COLOR_0, sites in _CELL_ID; vertices
 ///                               0 ... V - 1 are those of the tile, vertex V + k is one more copy,
 ///                               for another cell, of vertex extras.periodic.vertexCopies[k]
 ///   triangles                   a node `triangles`: colours by valence, sites in _SITE_ID
 ///   always                      a node `outlines`: the edges as lines, 0.002 of the size above
 ///
-/// @throws InvalidInput naming the path where float32 cannot hold the tile, or it is too large.
+/// @throws InvalidInput   naming the path where float32 cannot hold the tile.
+/// @throws LimitExceeded  naming the path where sites or bytes are more than glTF can count.
 std::vector<EncodedFile> encode_gltf(const AnyTile& tile, const std::string& path);
 std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& path);
 std::vector<EncodedFile> encode_glb(const AnyTile& tile, const std::string& path);

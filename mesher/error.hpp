@@ -33,6 +33,12 @@ class DuplicateSites : public InvalidInput {
     int second_;
 };
 
+/// The task is larger than pcvt, or its integers, can hold.
+class LimitExceeded : public Error {
+   public:
+    using Error::Error;
+};
+
 /// A law of the library does not hold: a fault of pcvt, never of its user.
 class InternalError : public Error {
    public:

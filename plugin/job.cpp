@@ -4,26 +4,24 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <optional>
 
-#include "io/output.hpp"
 #include "io/site_writer.hpp"
 #include "mesher/outline.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/tile.hpp"
-#include "mesher/validate.hpp"
+#include "mesher/voronoi.hpp"
 #include "plugin/job_files.hpp"
+#include "plugin/job_proof.hpp"
 #include "plugin/job_report.hpp"
 
 namespace pcvt {
 namespace {
 
-/// Beyond this the coordinates of a tile lose too many digits to keep its vertices apart.
-constexpr double kFarthestOrigin = 1 << 20;
+/// Offsets of a tile stay below this, so that their sums and differences fit an int.
+constexpr double kLargestOffset = 1 << 28;
 
-/// In units of the size of a face: with a finer rounding than this a tile of ours keeps its laws in
-/// single precision.
-constexpr double kCoarseRounding = 1e-4;
+/// Coordinates of the origin are rounded by this many ulps at most on their way into a file.
+constexpr double kUlps = 4;
 
 struct Cancelled {};
 
@@ -74,6 +72,31 @@ struct ProvedTile {
     SeamSize seam;
 };
 
+Reduction reduce_repeated(const Job& job) {
+    reduce(job.lattice);
+    try {
+        return reduce(job.lattice.repeated(job.columns, job.rows));
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("repeated " + std::to_string(job.columns) + " x " +
+                           std::to_string(job.rows) + ": " + error.what());
+    }
+}
+
+/// The origin must leave the offsets in their integers, and vertices that differ must stay apart.
+void check_origin(const Job& job, const Reduction& repeated, double n_sites) {
+    const Vec2 periods = repeated.reduced.to_lattice(job.origin);
+    double largest = 1;
+    for (const int entry : repeated.m) largest = std::max(largest, std::abs(double(entry)));
+    const double rounding =
+        kUlps * std::numeric_limits<double>::epsilon() * job.origin.cwiseAbs().maxCoeff();
+    const double h = std::sqrt(job.lattice.area() / n_sites);
+    if (!(periods.cwiseAbs().maxCoeff() * largest < kLargestOffset) ||
+        !(rounding <= kSameVertex * h)) {
+        throw InvalidInput(
+            "the origin is so far away that the tile would lose its digits; give a nearer one");
+    }
+}
+
 void check_job(const Job& job) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
@@ -83,11 +106,7 @@ void check_job(const Job& job) {
         throw LimitExceeded("more than " + std::to_string(kMostSites) +
                             " cells in one tile; take fewer sites or repeat less often");
     }
-    const Vec2 periods = job.lattice.to_lattice(job.origin);
-    if (!(periods.cwiseAbs().maxCoeff() <= kFarthestOrigin)) {
-        throw InvalidInput("the origin lies more than " + std::to_string(1 << 20) +
-                           " periods away; give a nearer one");
-    }
+    check_origin(job, reduce_repeated(job), n);
 }
 
 CvtResult tessellate(const Job& job, Monitor& monitor) {
@@ -101,37 +120,10 @@ CvtResult tessellate(const Job& job, Monitor& monitor) {
     return compute_cvt(job.lattice, points, options);
 }
 
-/// The rounding of the largest coordinate in single precision, in units of the size of a face.
-double single_rounding(const FlatTile& tile) {
-    double largest = 0;
-    for (const Vec2& point : tile.points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
-    return largest * static_cast<double>(std::numeric_limits<float>::epsilon()) /
-           std::sqrt(tile.lattice.area() / tile.n_faces());
-}
-
-/// Proves the tile and what it stores of its seam. A tile of ours that fails is our fault, unless
-/// it is too fine, or too far from 0,0, for the file's precision.
-TileProof prove(const FlatTile& tile, Precision precision, bool vertex_pairs, bool edge_pairs,
-                const std::string& name) {
-    try {
-        TileProof proof = prove_tile(tile, precision);
-        if (vertex_pairs) compare_vertex_pairs(tile, proof);
-        if (edge_pairs) compare_edge_pairs(tile, proof);
-        return proof;
-    } catch (const NotATile& error) {
-        if (precision == Precision::kSingle && single_rounding(tile) > kCoarseRounding) {
-            throw InvalidInput(name +
-                               ": the format's single precision is too coarse for this tile; " +
-                               "give an --origin nearer to 0,0, or take another format");
-        }
-        throw InternalError(name + " breaks a law of tiles: " + error.what());
-    }
-}
-
 ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
     const PeriodicMesh mesh = repeated(periodic_mesh(result, kind), job.columns, job.rows);
     AnyTile tile = make_tile(mesh, whole_outline(mesh, job.origin));
-    const TileProof proof = prove(flatten(tile), Precision::kDouble, true, true, "the tile");
+    const TileProof proof = prove_own_tile(tile);
     return {std::move(tile),
             {kind, proof.n_boundary_edges, static_cast<int>(proof.edge_pairs.size())}};
 }
@@ -161,35 +153,18 @@ Points wrapped_sites(const CvtResult& result) {
     return points;
 }
 
-/// What reached the disk: the bytes that were meant, and a tile where the format can be read.
-void verify(const OutputSet& outputs, const TileFormat* format,
-            const std::vector<EncodedFile>& encoded) {
-    std::vector<EncodedFile> written;
-    for (const EncodedFile& file : encoded) {
-        written.push_back({file.path, outputs.read_back(file.path)});
-        if (written.back().bytes != file.bytes) {
-            throw OutputError(file.path + ": the disk gives back other bytes than were written");
-        }
-    }
-    if (format == nullptr || format->decode == nullptr) return;
-    try {
-        const TileFile file = format->decode(written, std::nullopt);
-        prove(file.tile, file.precision, file.has_vertex_pairs, file.has_edge_pairs,
-              encoded.front().path);
-    } catch (const BadFile& error) {
-        throw InternalError(std::string("a file is not read back: ") + error.what());
-    }
+/// Encodes a tile, lets it reach the disk under a hidden name and proves what stands there.
+void stage_tile(const JobFile& file, const AnyTile& tile, const Vec2& origin, OutputSet& outputs) {
+    const std::vector<EncodedFile> encoded = file.format->encode(tile, file.paths.front());
+    for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
+    const std::vector<EncodedFile> written = read_back(outputs, encoded);
+    if (file.format->decode != nullptr) prove_files(*file.format, written, tile, origin);
 }
 
-void stage(const JobFile& file, const CvtResult& result, const std::vector<ProvedTile>& tiles,
-           OutputSet& outputs) {
-    const std::string& path = file.paths.front();
-    const std::vector<EncodedFile> encoded =
-        file.format == nullptr
-            ? std::vector<EncodedFile>{{path, encode_sites(wrapped_sites(result))}}
-            : file.format->encode(tiles[static_cast<std::size_t>(file.mesh)].tile, path);
-    for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
-    verify(outputs, file.format, encoded);
+void stage_sites(const std::string& path, const CvtResult& result, OutputSet& outputs) {
+    const EncodedFile encoded{path, encode_sites(wrapped_sites(result))};
+    outputs.stage(path, encoded.bytes);
+    read_back(outputs, {encoded});
 }
 
 void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
@@ -216,7 +191,11 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
            JobOutcome& outcome) {
     OutputSet outputs;
     for (const JobFile& file : files) {
-        stage(file, result, tiles, outputs);
+        if (file.format == nullptr) {
+            stage_sites(file.paths.front(), result, outputs);
+        } else {
+            stage_tile(file, tiles[static_cast<std::size_t>(file.mesh)].tile, job.origin, outputs);
+        }
         outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
         monitor.between_stages();
     }

@@ -11,12 +11,6 @@
 
 namespace pcvt {
 
-/// The task is larger than pcvt, or its integers, can hold.
-class LimitExceeded : public Error {
-   public:
-    using Error::Error;
-};
-
 /// One run, as a plain description: what the command's options and the C ABI's options both fill.
 struct Job {
     Lattice lattice = Lattice::rectangle(1, 1);
@@ -92,7 +86,8 @@ using JobCallback = ProgressCallback;
 /// Sites -> optimised periodic tessellation -> proved tiles -> files that are read back and proved
 /// again. Prints nothing. Files appear all together at the end, or not at all.
 ///
-/// @throws InvalidInput   the job is at fault, before any computing (DuplicateSites names the ids).
+/// @throws InvalidInput   the job is at fault: before any computing, but for coincident sites
+///                        (DuplicateSites names the ids) and a tile too fine for a file's format.
 /// @throws OutputError    a file cannot be written, or exists and `force` is not set.
 /// @throws LimitExceeded  too many sites or faces.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.

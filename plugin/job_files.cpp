@@ -17,22 +17,14 @@ std::string lower_case_extension(const std::string& path) {
     return extension;
 }
 
-std::string known_extensions() {
-    std::string known;
-    for (const TileFormat& format : tile_formats()) known += format.extension + " ";
-    return known + ".txt";
-}
-
 [[noreturn]] void refuse_extension(const std::string& path) {
-    static const std::vector<std::string> kLater = {".msh", ".inp", ".vtu", ".nc", ".foam"};
     const std::string extension = lower_case_extension(path);
-    if (std::find(kLater.begin(), kLater.end(), extension) != kLater.end()) {
-        throw InvalidInput("-o " + path + ": the format " + extension +
-                           " is not available yet; take one of " + known_extensions());
-    }
-    throw InvalidInput("-o " + path + ": " +
-                       (extension.empty() ? "no extension" : "unknown extension " + extension) +
-                       "; take one of " + known_extensions());
+    const bool later =
+        !extension.empty() && (later_extensions() + " ").find(extension + " ") != std::string::npos;
+    const std::string what = later ? "the format " + extension + " is not available yet"
+                             : extension.empty() ? "no extension"
+                                                 : "unknown extension " + extension;
+    throw InvalidInput("-o " + path + ": " + what + "; take one of " + output_extensions());
 }
 
 const char* kind_suffix(TileKind kind) {
@@ -76,6 +68,23 @@ class PathBook {
 };
 
 }  // namespace
+
+std::string output_extensions() {
+    std::string all;
+    for (const TileFormat& format : tile_formats()) all += format.extension + " ";
+    return all + ".txt";
+}
+
+std::string readable_extensions() {
+    std::string all;
+    for (const TileFormat& format : tile_formats()) {
+        if (format.decode == nullptr) continue;
+        all += (all.empty() ? "" : " ") + format.extension;
+    }
+    return all;
+}
+
+std::string later_extensions() { return ".msh .inp .vtu .nc .foam"; }
 
 std::string with_suffix(const std::string& path, const std::string& suffix) {
     const std::size_t extension = fs::path(path).extension().string().size();

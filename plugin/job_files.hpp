@@ -23,6 +23,12 @@ struct JobFile {
 ///         file and an input, have one path.
 std::vector<JobFile> plan_files(const Job& job);
 
+/// Extensions with a blank between them: of what a job writes, of what `pcvt check` reads, and of
+/// formats that are promised for later.
+std::string output_extensions();
+std::string readable_extensions();
+std::string later_extensions();
+
 /// `path` with `suffix` before its extension: tile.obj, -voronoi -> tile-voronoi.obj.
 std::string with_suffix(const std::string& path, const std::string& suffix);
 

@@ -49,7 +49,18 @@ class BadOption(CliTest):
         rows += [
             (f"--origin {o}: ", "mesh", "--sites", 3, "--origin", o) for o in ("1", "1,nan", "1,2,3")
         ]
-        rows += [("origin", "mesh", "--sites", 3, "--origin", "1e300,0")]
+        rows += [("origin", "mesh", "--sites", 3, "--origin", o) for o in ("1e300,0", "1e9,0")]
+        rows += [("origin", "mesh", "--sites", 5, "--lattice", "1,0,999999,1", "--origin", o)
+                 for o in ("5000000000,5000", "0,5000")]
+        rows += [("origin", "mesh", "--sites", 100000, "--origin", "1048576,0")]
+        rows += [("--input: .*empty", "mesh", "--input", "")]
+        rows += [(r"--report -: .*\.json", "mesh", "--sites", 3, "--report", "-")]
+        rows += [("repeated 3 x 2", "mesh", "--sites", 3, "--lattice", "999999,1,1,0", "--repeat",
+                  "3x2")]
+        rows += [("repeated 100 x 1", "mesh", "--sites", 1, "--lattice", "1,0,0,1e-5", "--repeat",
+                  "100x1")]
+        rows += [(r"t\.glb: .*(precision|float32).*another format(?!.*0,0)", "mesh", "--sites", n, "--period", p, "-o", "t.glb")
+                 for n in (1, 2, 3, 8, 30) for p in ("1,1e-4", "1,2e-5", "1,1e-5")]
         rows += [("--max-iterations -1: ", "mesh", "--sites", 3, "--max-iterations", "-1")]
         rows += [("--threads 0: ", "mesh", "--sites", 3, "--threads", "0")]
         self.refuse_all(2, rows)
@@ -190,12 +201,23 @@ class BadOutput(CliTest):
         self.assertEqual((done.returncode, done.stdout), (3, b""), done.stderr)
         self.assertRegex(done.stderr.decode(), r"^pcvt: .*disk/t\.obj.*No space left[^\n]*\n$")
 
-    def test_a_full_standard_output_is_told(self):
-        with open("/dev/full", "wb") as full:
-            done = subprocess.run([self.binary(), "mesh", "--sites", "3"], stdout=full,
-                                  stderr=subprocess.PIPE, check=False)
+    def run_without_output(self, redirection, *arguments):
+        shell = ["sh", "-c", f'exec "$0" "$@" {redirection}', self.binary(), "mesh", "--sites", "3"]
+        done = subprocess.run([*shell, *arguments], cwd=self.folder, stderr=subprocess.PIPE,
+                              check=False)
         self.assertEqual(done.returncode, 3)
-        self.assertRegex(done.stderr.decode(), r"^pcvt: standard output: .*\n$")
+        return done.stderr.decode()
+
+    def test_a_full_or_closed_standard_output_is_told_with_what_was_written(self):
+        for redirection in (">/dev/full", ">&-"):
+            with self.subTest(redirection):
+                line = self.run_without_output(redirection, "-o", "t.ply", "--force")
+                self.assertRegex(line, r"^pcvt: standard output: .*; the files are written\n$")
+                self.succeed("check", "t.ply")
+                self.path("t.ply").unlink()
+                line = self.run_without_output(redirection)
+                self.assertRegex(line, r"^pcvt: standard output: [^;]*\n$")
+                self.assertEqual(self.contents(), {})
 
     def test_too_little_memory_is_exit_code_4(self):
         little = limit(resource.RLIMIT_AS, 200 << 20)

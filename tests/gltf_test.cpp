@@ -208,6 +208,14 @@ TEST(Gltf, RefusesWhatFloat32CannotHold) {
     EXPECT_THROW(glb(far), InvalidInput);
 }
 
+TEST(Gltf, SitesThatFloatsCannotCountAreALimit) {
+    FlatTile tile = grid_tile(kOblique, 1, 1);
+    tile.face_site[0] = (1 << 24) - 1;
+    EXPECT_NO_THROW(glb(tile));
+    tile.face_site[0] = 1 << 24;
+    EXPECT_THROW(glb(tile), LimitExceeded);
+}
+
 TEST(GltfReader, AsksForALatticeThatIsMissing) {
     EXPECT_THAT(fault_with("/nodes/0/extras", nullptr), HasSubstr("--lattice"));
     Glb parts = split_glb(glb(grid_tile(kOblique, 2, 3)));

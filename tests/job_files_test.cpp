@@ -57,5 +57,27 @@ TEST(JobFiles, ExtensionsOfEitherCaseAreKnownAndOthersRefused) {
     }
 }
 
+std::string refusal(const std::string& path) {
+    Job job;
+    job.outputs = {path};
+    try {
+        plan_files(job);
+    } catch (const InvalidInput& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(JobFiles, ARefusalTellsUnknownMissingAndLaterExtensionsApart) {
+    EXPECT_EQ(refusal("t.nc"),
+              "-o t.nc: the format .nc is not available yet; take one of " + output_extensions());
+    EXPECT_EQ(refusal("t.n"), "-o t.n: unknown extension .n; take one of " + output_extensions());
+    EXPECT_EQ(refusal("t"), "-o t: no extension; take one of " + output_extensions());
+}
+
+TEST(JobFiles, PicturesAndSitesAreWrittenButNotChecked) {
+    EXPECT_EQ(output_extensions(), readable_extensions() + " .svg .txt");
+}
+
 }  // namespace
 }  // namespace pcvt

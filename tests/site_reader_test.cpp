@@ -64,7 +64,8 @@ TEST(SiteReader, FaultsOfTheWholeFileNameTheFile) {
 TEST(SiteReader, DuplicatesAreToldByTheirLines) {
     const SiteFile file = parse_sites("s.txt", "# head\n0 0\n0.5 0.5\n\n1 0\n");
     EXPECT_STREQ(duplicate_lines(file, DuplicateSites(0, 2)).what(),
-                 "s.txt:5: the site is that of line 2, modulo the lattice; remove one");
+                 "s.txt:5: the site coincides with that of line 2 modulo the lattice, "
+                 "to 1e-9 of the spacing; remove one");
 }
 
 TEST(SiteReader, WrittenSitesReadBackExactlyAndInOrder) {

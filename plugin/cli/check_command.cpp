@@ -12,8 +12,9 @@
 #include "io/text.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/validate.hpp"
+#include "plugin/cli/console.hpp"
 #include "plugin/cli/option_values.hpp"
-#include "plugin/cli/summary.hpp"
+#include "plugin/job_files.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -59,15 +60,6 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     return question;
 }
 
-std::string readable_extensions() {
-    std::string all;
-    for (const TileFormat& format : tile_formats()) {
-        if (format.decode == nullptr) continue;
-        all += (all.empty() ? "" : " ") + format.extension;
-    }
-    return all;
-}
-
 const TileFormat& readable_format(const std::string& path) {
     const TileFormat* format = find_tile_format(path);
     if (format == nullptr || format->decode == nullptr) {
@@ -88,12 +80,6 @@ TileFile read_tile(const std::string& path, const std::optional<Lattice>& lattic
         }
     }
     return format.decode(files, lattice);
-}
-
-std::string figure(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
 }
 
 void compare_lattice(const Lattice& stated, const Lattice& asked) {

@@ -6,7 +6,7 @@
 
 #include "io/output.hpp"
 #include "io/tile_file.hpp"
-#include "plugin/job.hpp"
+#include "mesher/error.hpp"
 
 namespace pcvt::cli {
 namespace {

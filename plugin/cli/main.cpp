@@ -6,8 +6,8 @@
 #include "mesher/error.hpp"
 #include "plugin/cli/cancel_signal.hpp"
 #include "plugin/cli/check_command.hpp"
+#include "plugin/cli/console.hpp"
 #include "plugin/cli/mesh_command.hpp"
-#include "plugin/cli/summary.hpp"
 #include "plugin/version.hpp"
 
 namespace pcvt::cli {

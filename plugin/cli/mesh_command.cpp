@@ -3,8 +3,10 @@
 #include <csignal>
 #include <cstdio>
 
+#include "io/output.hpp"
 #include "io/site_reader.hpp"
 #include "plugin/cli/cancel_signal.hpp"
+#include "plugin/cli/console.hpp"
 #include "plugin/cli/progress_display.hpp"
 #include "plugin/cli/summary.hpp"
 
@@ -38,6 +40,15 @@ JobOutcome run_file(const Job& job, const SiteFile& file, bool quiet) {
     }
 }
 
+void print_summary(const Job& job, const JobOutcome& outcome) {
+    try {
+        print(summary(job, outcome));
+    } catch (const OutputError& error) {
+        if (outcome.files.empty() && job.report.empty()) throw;
+        throw OutputError(std::string(error.what()) + "; the files are written");
+    }
+}
+
 ExitCode cancelled() {
     std::fputs("pcvt: cancelled; nothing was written\n", stderr);
     return cancel_signal() == SIGTERM ? ExitCode::kTerminated : ExitCode::kInterrupted;
@@ -62,7 +73,7 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
         outcome = run_file(job, file, options.quiet);
     }
     if (outcome.stop == Stop::kCancelled) return cancelled();
-    if (!options.quiet) print(summary(job, outcome));
+    if (!options.quiet) print_summary(job, outcome);
     if (options.strict && outcome.stop != Stop::kConverged) {
         return not_converged(outcome, job.tolerance);
     }

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/tile_formats.hpp"
 #include "plugin/cli/not_yet.hpp"
 #include "plugin/cli/option_values.hpp"
+#include "plugin/job_files.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -31,12 +31,6 @@ constexpr const char* kExamples =
 CLI::Option* add(CLI::App& app, const char* name, std::string& value, const char* form,
                  const std::string& description) {
     return app.add_option(name, value, description)->type_name(form);
-}
-
-std::string extensions() {
-    std::string all;
-    for (const TileFormat& format : tile_formats()) all += format.extension + " ";
-    return all + ".txt";
 }
 
 void add_site_options(CLI::App& app, MeshOptions& options) {
@@ -74,8 +68,8 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     add(app, "--outline", options.outline, "whole", "no cell is cut [whole]");
     add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
     app.add_option("-o", options.outputs,
-                   "repeatable; none: only the summary; the extension decides:\n" + extensions() +
-                       " (the sites, in the order of the input)")
+                   "repeatable; none: only the summary; the extension decides:\n" +
+                       output_extensions() + " (the sites, in the order of the input)")
         ->type_name("FILE")
         ->option_text("FILE")
         ->allow_extra_args(false);
@@ -104,6 +98,9 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
     }
     if (!drawn && !from_file) {
         throw InvalidInput("no sites; give --sites N or --input FILE");
+    }
+    if (from_file && options.input.empty()) {
+        throw InvalidInput("--input: the name is empty; give a file, or - for standard input");
     }
     if (drawn) job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
     for (const char* name : {"--seed", "--start"}) {
@@ -181,7 +178,8 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_later_options(app);
     app.footer(std::string(kExamples) +
                "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
-               "--outline box, --density, --threads above 1, .msh .inp .vtu .nc .foam\n");
+               "--outline box, --density, --threads above 1, " +
+               later_extensions() + "\n");
 }
 
 Job make_job(const CLI::App& app, const MeshOptions& options) {
@@ -193,6 +191,9 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_meshes(app, options, job);
     read_numbers(app, options, job);
     job.outputs = options.outputs;
+    if (app.count("--report") > 0 && !options.report.ends_with(".json")) {
+        throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");
+    }
     job.report = options.report;
     job.force = options.force;
     return job;

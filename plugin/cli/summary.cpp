@@ -1,20 +1,11 @@
 #include "plugin/cli/summary.hpp"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
-#include "io/output.hpp"
+#include "plugin/cli/console.hpp"
 
 namespace pcvt::cli {
 namespace {
-
-/// A figure for people to read: six digits.
-std::string figure(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
 
 std::string vector_text(const Vec2& v) {
     // Adding 0 turns -0 into 0.
@@ -66,14 +57,6 @@ std::string summary(const Job& job, const JobOutcome& outcome) {
     if (!job.report.empty()) text += line("report", job.report);
     text += line("seconds", figure(outcome.seconds.total));
     return text;
-}
-
-void print(const std::string& text) {
-    errno = 0;
-    const bool taken = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (!taken || std::fflush(stdout) != 0) {
-        throw OutputError(std::string("standard output: ") + std::strerror(errno));
-    }
 }
 
 }  // namespace pcvt::cli

@@ -9,8 +9,4 @@ namespace pcvt::cli {
 /// What `pcvt mesh` prints on standard output when it is done.
 std::string summary(const Job& job, const JobOutcome& outcome);
 
-/// Puts `text` on standard output.
-/// @throws OutputError where it does not take it.
-void print(const std::string& text);
-
 }  // namespace pcvt::cli

@@ -1,0 +1,90 @@
+#include "plugin/job_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace pcvt {
+namespace {
+
+/// The proof compares positions within this many ulps of the largest coordinate.
+constexpr double kUlps = 4;
+/// A tile whose smallest feature is this many times that rounding keeps its laws.
+constexpr double kResolved = 1e3;
+
+double shortest_edge(const FlatTile& tile) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        Vec2 from = tile.points[tile.corners[tile.face_begin[f + 1] - 1]];
+        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
+            const Vec2 to = tile.points[tile.corners[c]];
+            shortest = std::min(shortest, (to - from).norm());
+            from = to;
+        }
+    }
+    return shortest;
+}
+
+bool fits_single_precision(const FlatTile& tile) {
+    double largest = 0;
+    for (const Vec2& point : tile.points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
+    const double smallest = std::min({shortest_edge(tile), reduce(tile.lattice).reduced.a().norm(),
+                                      std::sqrt(tile.lattice.area() / tile.n_faces())});
+    return kResolved * kUlps * largest * double(std::numeric_limits<float>::epsilon()) <= smallest;
+}
+
+TileProof prove_with_pairs(const TileFile& file) {
+    TileProof proof = prove_tile(file.tile, file.precision);
+    if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
+    if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
+    return proof;
+}
+
+[[noreturn]] void refuse_single_precision(const std::string& path, const Vec2& origin) {
+    throw InvalidInput(path + ": the format's single precision is too coarse for this tile; " +
+                       "take another format" +
+                       (origin == Vec2::Zero() ? "" : ", or an origin nearer to 0,0"));
+}
+
+}  // namespace
+
+TileProof prove_own_tile(const AnyTile& tile) {
+    try {
+        return prove_with_pairs({flatten(tile), Precision::kDouble, true, true});
+    } catch (const NotATile& error) {
+        throw InternalError(std::string("the tile breaks a law of tiles: ") + error.what());
+    }
+}
+
+std::vector<EncodedFile> read_back(const OutputSet& outputs,
+                                   const std::vector<EncodedFile>& encoded) {
+    std::vector<EncodedFile> written;
+    for (const EncodedFile& file : encoded) {
+        written.push_back({file.path, outputs.read_back(file.path)});
+        if (written.back().bytes != file.bytes) {
+            throw OutputError(file.path + ": the disk gives back other bytes than were written");
+        }
+    }
+    return written;
+}
+
+void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+                 const AnyTile& original, const Vec2& origin) {
+    const std::string& path = files.front().path;
+    Precision precision = Precision::kDouble;
+    try {
+        const TileFile file = format.decode(files, std::nullopt);
+        precision = file.precision;
+        prove_with_pairs(file);
+    } catch (const NotATile& error) {
+        if (precision == Precision::kSingle && !fits_single_precision(flatten(original))) {
+            refuse_single_precision(path, origin);
+        }
+        throw InternalError(path + " breaks a law of tiles: " + error.what());
+    } catch (const BadFile& error) {
+        throw InternalError(std::string("a file is not read back: ") + error.what());
+    }
+}
+
+}  // namespace pcvt
