@@ -89,7 +89,7 @@ int evaluations_to_rms(Solver solver, std::uint64_t seed) {
     return evaluations;
 }
 
-TEST(Cvt, LbfgsNeedsFewEvaluationsAndLloydMany) {
+TEST(SlowCvt, LbfgsNeedsFewEvaluationsAndLloydMany) {
     std::vector<int> evaluations;
     for (std::uint64_t seed = 0; seed < 9; ++seed) {
         evaluations.push_back(evaluations_to_rms(Solver::kLbfgs, seed));
