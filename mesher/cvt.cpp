@@ -7,6 +7,7 @@
 #include "mesher/error.hpp"
 #include "mesher/lbfgs.hpp"
 #include "mesher/lloyd.hpp"
+#include "mesher/periodic_delaunay.hpp"
 #include "mesher/voronoi.hpp"
 
 namespace pcvt {
@@ -14,84 +15,149 @@ namespace {
 
 /// In units of h. A site that moves further leaves its neighbourhood, and the model with it.
 constexpr double kLargestMove = 0.5;
+constexpr int kSitesPerTask = 1 << 14;
 
 /// The nearest neighbours of all sites are joined by Delaunay edges, so no pair is overlooked.
-void require_distinct(const PeriodicDelaunay& delaunay) {
-    const Sites& sites = delaunay.sites();
+void require_distinct(const MovingDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     std::pair<SiteId, SiteId> found{-1, -1};
     for (int h = 0; h < t.n_halfedges(); ++h) {
-        const Corner& from = t.corner(h);
-        const Corner& to = t.corner(TorusTriangulation::next(h));
-        const Vec2 edge = sites.reduction().reduced.to_plane(
-            difference(image(sites, from.site, from.offset), image(sites, to.site, to.offset)));
-        if (edge.norm() >= kSameVertex * sites.spacing()) continue;
-        const std::pair<SiteId, SiteId> pair = std::minmax({from.site, to.site});
+        const Corner from = t.corner(h);
+        const Corner to = t.corner(TorusTriangulation::next(h));
+        const Vec2 edge = delaunay.frame().to_plane(
+            difference(image(delaunay.coordinates(), from.site, from.offset),
+                       image(delaunay.coordinates(), to.site, to.offset)));
+        if (edge.norm() >= kSameVertex * delaunay.spacing()) continue;
+        const std::pair<SiteId, SiteId> pair =
+            std::minmax({delaunay.original_id(from.site), delaunay.original_id(to.site)});
         if (found.first < 0 || pair < found) found = pair;
     }
     if (found.first >= 0) throw DuplicateSites(found.first, found.second);
 }
 
-/// A power of two near h. The optimiser works in this unit, exactly, so that neither its products
-/// nor its thresholds depend on the user's unit of length.
-double unit_of(const Sites& sites) {
-    int exponent = 0;
-    std::frexp(sites.spacing(), &exponent);
-    return std::ldexp(1.0, exponent);
+/// The energy as a function of moving sites, in the frame and the unit of the triangulation: so
+/// neither the optimiser's products nor its thresholds depend on the user's unit of length.
+class CvtObjective final : public Objective {
+   public:
+    CvtObjective(MovingDelaunay& delaunay, Workers& workers)
+        : delaunay_(delaunay), workers_(workers), pass_(delaunay, workers) {}
+
+    Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
+
+    bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
+        energy_.gradient.swap(evaluation.gradient);
+        const bool defined = go_back() && go(direction, t);
+        energy_.gradient.swap(evaluation.gradient);
+        if (defined) measure(evaluation);
+        return defined;
+    }
+
+    void accept() override { delaunay_.settle(); }
+
+    void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
+        direction.resize(n_variables());
+        for (Eigen::Index s = 0; s < delaunay_.n_sites(); ++s) {
+            direction.segment<2>(2 * s) =
+                (evaluation.gradient.segment<2>(2 * s) / (-2 * energy_.mass[s])).cast<float>();
+        }
+    }
+
+    /// Leaves the triangulation at the point.
+    void go_to_point() { go_back(); }
+
+   private:
+    /// Takes the triangulation back from a trial that was not accepted.
+    bool go_back() {
+        if (delaunay_.settled()) return true;
+        delaunay_.step_back();
+        return pass_.evaluate(energy_);
+    }
+
+    bool go(const Eigen::VectorXf& direction, double t) {
+        if (t != 0 && !delaunay_.step(direction, t, workers_)) return false;
+        return pass_.evaluate(energy_);
+    }
+
+    void measure(Evaluation& evaluation) const;
+
+    MovingDelaunay& delaunay_;
+    Workers& workers_;
+    EnergyPass pass_;
+    Energy energy_;
+};
+
+/// The residuals: grad_i = 2 m_i (x_i - g_i).
+void CvtObjective::measure(Evaluation& evaluation) const {
+    struct Squares {
+        double largest = 0;
+        double sum = 0;
+    };
+    const int n = delaunay_.n_sites();
+    std::vector<Squares> squares(static_cast<std::size_t>(n / kSitesPerTask + 1));
+    workers_.for_each(static_cast<int>(squares.size()), [&](int task) {
+        Squares part;
+        for (int s = task * kSitesPerTask; s < std::min((task + 1) * kSitesPerTask, n); ++s) {
+            const double square =
+                evaluation.gradient.segment<2>(2 * Eigen::Index{s}).squaredNorm() /
+                (energy_.mass[s] * energy_.mass[s]);
+            part.largest = std::max(part.largest, square);
+            part.sum += square;
+        }
+        squares[task] = part;
+    });
+    Squares total;
+    for (const Squares& part : squares) {
+        total.largest = std::max(total.largest, part.largest);
+        total.sum += part.sum;
+    }
+    evaluation.value = energy_.value;
+    evaluation.residual = std::sqrt(total.largest) / (2 * delaunay_.spacing());
+    evaluation.rms_residual = std::sqrt(total.sum / n) / (2 * delaunay_.spacing());
 }
 
-/// The state of `delaunay` with lengths in `unit`.
-void evaluate(const PeriodicDelaunay& delaunay, double unit, Evaluation& evaluation) {
-    const Energy state = energy(delaunay);
-    const Points step =
-        -(state.gradient.array().rowwise() / (2 * state.mass.transpose().array())).matrix();
-    const auto squares = (step / delaunay.sites().spacing()).colwise().squaredNorm();
-    evaluation.value = state.value / std::pow(unit, 4);
-    evaluation.gradient = state.gradient.reshaped() / std::pow(unit, 3);
-    evaluation.lloyd_step = step.reshaped() / unit;
-    evaluation.residual = std::sqrt(squares.maxCoeff());
-    evaluation.rms_residual = std::sqrt(squares.mean());
+OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
+    const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
+    Workers workers(std::min(options.n_threads, n_tasks));
+    CvtObjective objective(delaunay, workers);
+    OptimizerOptions optimizer{
+        options.tolerance, options.max_iterations, kLargestMove * delaunay.spacing(), {}};
+    if (options.progress) {
+        optimizer.progress = [&](Progress progress) {
+            progress.value *= std::pow(delaunay.unit(), 4);
+            return options.progress(progress);
+        };
+    }
+    OptimizerResult run = options.solver == Solver::kLloyd
+                              ? minimize_lloyd(objective, optimizer)
+                              : minimize_lbfgs(objective, optimizer, workers);
+    objective.go_to_point();
+    return run;
+}
+
+/// The triangulation of sites that are distinct; frees the points, which are needed no more.
+MovingDelaunay triangulate(const Lattice& lattice, Points points) {
+    return MovingDelaunay(Sites(lattice, points));
 }
 
 }  // namespace
 
-CvtResult compute_cvt(const Lattice& lattice, const Points& points, const CvtOptions& options) {
-    CvtResult result{PeriodicDelaunay(Sites(lattice, points)), Stop::kStalled, 0, 0, 0, 0, 0, 0};
-    PeriodicDelaunay& delaunay = result.delaunay;
+CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options) {
+    MovingDelaunay delaunay = triangulate(lattice, std::move(points));
     require_distinct(delaunay);
-    const double unit = unit_of(delaunay.sites());
-    const auto points_at = [unit](const Eigen::VectorXd& x) -> Points {
-        return unit * x.reshaped(2, x.size() / 2);
-    };
-    const Objective objective = [&](const Eigen::VectorXd& x, Evaluation& evaluation) {
-        if (!delaunay.move_to(points_at(x))) return false;
-        evaluate(delaunay, unit, evaluation);
-        return true;
-    };
-    OptimizerOptions optimizer{options.tolerance,
-                               options.max_iterations,
-                               kLargestMove * delaunay.sites().spacing() / unit,
-                               {}};
-    if (options.progress) {
-        optimizer.progress = [&](Progress progress) {
-            progress.value *= std::pow(unit, 4);
-            return options.progress(progress);
-        };
-    }
-    const auto minimize = options.solver == Solver::kLloyd ? minimize_lloyd : minimize_lbfgs;
-    const OptimizerResult run = minimize(objective, points.reshaped() / unit, optimizer);
-
-    // The last trial need not be the step that was taken.
-    delaunay.move_to(points_at(run.x));
-    delaunay.certify();
-    result.stop = run.stop;
-    result.iterations = run.iterations;
-    result.evaluations = run.evaluations;
-    result.energy = run.evaluation.value * std::pow(unit, 4);
-    result.energy_bound = hexagonal_bound(lattice.area(), delaunay.sites().n_sites());
-    result.residual = run.evaluation.residual;
-    result.rms_residual = run.evaluation.rms_residual;
-    return result;
+    const double value_unit = std::pow(delaunay.unit(), 4);
+    const OptimizerResult run = minimize(delaunay, options);
+    const DelaunayCounts counts = delaunay.counts();
+    auto [sites, triangulation] = delaunay.release();
+    const double bound = hexagonal_bound(lattice.area(), sites.n_sites());
+    return {.delaunay = {std::move(sites), std::move(triangulation)},
+            .stop = run.stop,
+            .iterations = run.iterations,
+            .evaluations = run.evaluations,
+            .energy = run.evaluation.value * value_unit,
+            .energy_bound = bound,
+            .residual = run.evaluation.residual,
+            .rms_residual = run.evaluation.rms_residual,
+            .counts = counts};
 }
 
 PeriodicMesh periodic_mesh(const CvtResult& result, TileKind kind) {

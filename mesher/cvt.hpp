@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesher/moving_delaunay.hpp"
 #include "mesher/objective.hpp"
 #include "mesher/periodic_delaunay.hpp"
 #include "mesher/periodic_mesh.hpp"
@@ -14,6 +15,8 @@ struct CvtOptions {
     double tolerance = 1e-6;
     /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
     int max_iterations = -1;
+    /// At least 1. The result does not depend on it.
+    int n_threads = 1;
     ProgressCallback progress;
 };
 
@@ -30,12 +33,13 @@ struct CvtResult {
     /// max and root mean square of |x_i - g_i| / h.
     double residual;
     double rms_residual;
+    DelaunayCounts counts;
 };
 
 /// Optimises the sites; points are 2 x n, length units, and need not be wrapped.
 /// @throws InvalidInput, DuplicateSites as Sites does; DuplicateSites also for two sites nearer to
 ///         each other than kSameVertex h (voronoi.hpp).
-CvtResult compute_cvt(const Lattice& lattice, const Points& points, const CvtOptions& options);
+CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options);
 
 /// The Voronoi cells (`kCells`) or Delaunay triangles (`kTriangles`) of a result on the torus,
 /// offsets in the user's basis.

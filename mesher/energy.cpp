@@ -1,48 +1,251 @@
 #include "mesher/energy.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "mesher/triangle_terms.hpp"
+
 namespace pcvt {
 namespace {
 
-/// Adds what the directed edge i -> j = i + d contributes, c the cotangent of the opposite angle.
-void add_edge(Energy& sum, SiteId i, SiteId j, const Vec2& d, double c) {
-    const double l = d.squaredNorm();
-    const double w = -l * c / 12;
-    const Vec2 turned(-d.y(), d.x());
-    const Vec2 along = w * d;
-    const Vec2 across = (w * c / 2) * turned;
-    sum.gradient.col(i) += along + across;
-    sum.gradient.col(j) += across - along;
-    sum.value += l * l * c * (3 + c * c) / 96;
-    sum.mass[i] += l * c / 8;
-    sum.mass[j] += l * c / 8;
+/// A slab, the task of one worker, takes at least this many sites, and twice as many triangles; of
+/// many sites there are this many slabs. Most triangles of a slab have all their corners among its
+/// sites, since both are numbered column by column.
+constexpr int kSitesPerSlab = 12'500;
+constexpr int kMostSlabs = 32;
+/// Terms with a cotangent above this are not subtracted again: they would leave their rounding.
+constexpr double kSteepest = 8;
+/// With more flips than one in this many sites a second pass is cheaper than the corrections.
+constexpr int kSitesPerFlip = 20;
+
+void append(std::vector<int>& list, const std::vector<int>& more) {
+    list.insert(list.end(), more.begin(), more.end());
 }
 
 }  // namespace
 
-Energy energy(const PeriodicDelaunay& delaunay) {
-    const Sites& sites = delaunay.sites();
-    const TorusTriangulation& triangulation = delaunay.triangulation();
-    const Lattice& reduced = sites.reduction().reduced;
-    Eigen::Matrix2d basis;
-    basis << reduced.a(), reduced.b();
+/// One task of the pass: a range of sites and a range of triangles.
+struct EnergyPass::Slab {
+    /// A triangle's terms at a corner in another slab.
+    struct Foreign {
+        SiteId site;
+        double gx;
+        double gy;
+        double mass;
+    };
 
-    const int n = sites.n_sites();
-    Energy sum{0, Points::Zero(2, n), Eigen::VectorXd::Zero(n)};
-    for (int h = 0; h < triangulation.n_halfedges(); h += 3) {
-        const std::array<Corner, 3> corner{triangulation.corner(h), triangulation.corner(h + 1),
-                                           triangulation.corner(h + 2)};
-        const Image p = image(sites, corner[0].site, corner[0].offset);
-        const Image q = image(sites, corner[1].site, corner[1].offset);
-        const Image r = image(sites, corner[2].site, corner[2].offset);
-        const std::array<Vec2, 3> edge{basis * difference(p, q), basis * difference(q, r),
-                                       basis * difference(r, p)};
-        const double doubled_area = edge[0].x() * edge[1].y() - edge[0].y() * edge[1].x();
-        for (int k = 0; k < 3; ++k) {
-            const double cotangent = -edge[(k + 1) % 3].dot(edge[(k + 2) % 3]) / doubled_area;
-            add_edge(sum, corner[k].site, corner[(k + 1) % 3].site, edge[k], cotangent);
+    int first_site;
+    int n_sites;
+    double value = 0;
+    Suspects suspects = {};
+    std::vector<Foreign> foreign = {};
+
+    void run(const MovingDelaunay& delaunay, Energy& energy);
+
+   private:
+    void gather(const MovingDelaunay& delaunay, int first, int n, TriangleBlock& block) const;
+    void scatter(const MovingDelaunay& delaunay, int first, int n, const TriangleBlock& block,
+                 Energy& energy);
+    void suspect(const MovingDelaunay& delaunay, int h, const TriangleBlock& block, int k);
+    std::size_t acquit(const MovingDelaunay& delaunay, std::size_t first, std::size_t end);
+};
+
+namespace {
+
+void add(SiteId site, double gx, double gy, double mass, double* gradients, double* masses) {
+    double* gradient = gradients + 2 * std::size_t(site);
+    gradient[0] += gx;
+    gradient[1] += gy;
+    masses[site] += mass;
+}
+
+}  // namespace
+
+void EnergyPass::Slab::run(const MovingDelaunay& delaunay, Energy& energy) {
+    value = 0;
+    suspects = {};
+    foreign.clear();
+    energy.gradient.segment(2 * first_site, 2 * n_sites).setZero();
+    energy.mass.segment(first_site, n_sites).setZero();
+    TriangleBlock block;
+    std::size_t n_examined = 0;
+    for (int done = 0; done < 2 * n_sites; done += TriangleBlock::kSize) {
+        const int n = std::min(TriangleBlock::kSize, 2 * n_sites - done);
+        gather(delaunay, 2 * first_site + done, n, block);
+        block.compute(delaunay.frame());
+        // What the look at a suspect needs is fetched one block ahead.
+        const std::size_t n_fetched = suspects.halfedges.size();
+        scatter(delaunay, 2 * first_site + done, n, block, energy);
+        n_examined = acquit(delaunay, n_examined, n_fetched);
+    }
+    acquit(delaunay, n_examined, suspects.halfedges.size());
+}
+
+void EnergyPass::Slab::gather(const MovingDelaunay& delaunay, int first, int n,
+                              TriangleBlock& block) const {
+    const SiteId* site = delaunay.triangulation().corner_sites().data() + 3 * std::size_t(first);
+    const CornerOffsets* offsets = delaunay.triangulation().corner_offsets().data() + first;
+    const double* u = delaunay.coordinates().data();
+    for (int k = 0; k < n; ++k, site += 3) {
+        const double* p0 = u + 2 * std::size_t(site[0]);
+        const double* p1 = u + 2 * std::size_t(site[1]);
+        const double* p2 = u + 2 * std::size_t(site[2]);
+        block.pu[k] = p1[0] - p0[0];
+        block.pv[k] = p1[1] - p0[1];
+        block.qu[k] = p2[0] - p0[0];
+        block.qv[k] = p2[1] - p0[1];
+        if (!offsets[k].all_zero()) {
+            block.pu[k] += offsets[k].i1;
+            block.pv[k] += offsets[k].j1;
+            block.qu[k] += offsets[k].i2;
+            block.qv[k] += offsets[k].j2;
         }
     }
-    return sum;
+    // What is left of a block that is not full: triangles that divide nothing by zero.
+    for (int k = n; k < TriangleBlock::kSize; ++k) {
+        block.pu[k] = block.qv[k] = 1;
+        block.pv[k] = block.qu[k] = 0;
+    }
+}
+
+void EnergyPass::Slab::scatter(const MovingDelaunay& delaunay, int first, int n,
+                               const TriangleBlock& block, Energy& energy) {
+    const SiteId* site = delaunay.triangulation().corner_sites().data() + 3 * std::size_t(first);
+    double* const gradients = energy.gradient.data();
+    double* const masses = energy.mass.data();
+    const auto inside = [first_site = first_site, n_sites = n_sites](SiteId s) {
+        return static_cast<unsigned>(s - first_site) < static_cast<unsigned>(n_sites);
+    };
+    const auto add_or_keep = [&](const Foreign& f) {
+        if (inside(f.site)) {
+            add(f.site, f.gx, f.gy, f.mass, gradients, masses);
+        } else {
+            foreign.push_back(f);
+        }
+    };
+    double sum = 0;
+    for (int k = 0; k < n; ++k, site += 3) {
+        if (!(block.thick[k] > 0)) {
+            suspects.triangles.push_back(first + k);
+            continue;
+        }
+        if (!(block.acute[k] > 0)) suspect(delaunay, 3 * (first + k), block, k);
+        sum += block.value[k];
+        if (int(inside(site[0])) & int(inside(site[1])) & int(inside(site[2]))) {
+            add(site[0], block.gx0[k], block.gy0[k], block.m0[k], gradients, masses);
+            add(site[1], block.gx1[k], block.gy1[k], block.m1[k], gradients, masses);
+            add(site[2], block.gx2[k], block.gy2[k], block.m2[k], gradients, masses);
+        } else {
+            add_or_keep({site[0], block.gx0[k], block.gy0[k], block.m0[k]});
+            add_or_keep({site[1], block.gx1[k], block.gy1[k], block.m1[k]});
+            add_or_keep({site[2], block.gx2[k], block.gy2[k], block.m2[k]});
+        }
+    }
+    value += sum;
+}
+
+void EnergyPass::Slab::suspect(const MovingDelaunay& delaunay, int h, const TriangleBlock& block,
+                               int k) {
+    const std::array<double, 3> cosine{block.cosine0[k], block.cosine1[k], block.cosine2[k]};
+    const auto largest_angle = std::min_element(cosine.begin(), cosine.end()) - cosine.begin();
+    suspects.halfedges.push_back(TorusTriangulation::next(h + static_cast<int>(largest_angle)));
+    delaunay.triangulation().fetch_opposite(suspects.halfedges.back());
+}
+
+/// Removes from the suspects first ... end - 1 the halfedges that are Delaunay; returns the new
+/// end.
+std::size_t EnergyPass::Slab::acquit(const MovingDelaunay& delaunay, std::size_t first,
+                                     std::size_t end) {
+    const auto begin = suspects.halfedges.begin();
+    const auto kept = std::remove_if(begin + first, begin + end,
+                                     [&](int h) { return delaunay.is_certainly_delaunay(h); });
+    suspects.halfedges.erase(kept, begin + end);
+    return static_cast<std::size_t>(kept - begin);
+}
+
+EnergyPass::EnergyPass(MovingDelaunay& delaunay, Workers& workers)
+    : delaunay_(delaunay), workers_(workers) {
+    const int n_slabs = std::clamp(delaunay.n_sites() / kSitesPerSlab, 1, kMostSlabs);
+    int first = 0;
+    for (int k = 1; k <= n_slabs; ++k) {
+        const auto end = static_cast<int>(std::int64_t{delaunay.n_sites()} * k / n_slabs);
+        slabs_.push_back({.first_site = first, .n_sites = end - first});
+        first = end;
+    }
+}
+
+EnergyPass::~EnergyPass() = default;
+
+Suspects EnergyPass::run(Energy& energy) {
+    energy.gradient.resize(2 * delaunay_.n_sites());
+    energy.mass.resize(delaunay_.n_sites());
+    workers_.for_each(static_cast<int>(slabs_.size()),
+                      [&](int k) { slabs_[k].run(delaunay_, energy); });
+    energy.value = 0;
+    Suspects suspects;
+    for (const Slab& slab : slabs_) {
+        energy.value += slab.value;
+        for (const Slab::Foreign& f : slab.foreign)
+            add(f.site, f.gx, f.gy, f.mass, energy.gradient.data(), energy.mass.data());
+        append(suspects.triangles, slab.suspects.triangles);
+        append(suspects.halfedges, slab.suspects.halfedges);
+    }
+    for (const int t : suspects.triangles)
+        append(suspects.halfedges, {3 * t, 3 * t + 1, 3 * t + 2});
+    return suspects;
+}
+
+void EnergyPass::add_terms(int triangle, double sign) {
+    const TorusTriangulation& t = delaunay_.triangulation();
+    std::array<Image, 3> corner;
+    for (int k = 0; k < 3; ++k) {
+        const Corner c = t.corner(3 * triangle + k);
+        corner[k] = image(delaunay_.coordinates(), c.site, c.offset);
+    }
+    const TriangleTerms terms = triangle_terms(difference(corner[0], corner[1]),
+                                               difference(corner[0], corner[2]), delaunay_.frame());
+    energy_->value += sign * terms.value;
+    for (int k = 0; k < 3; ++k) {
+        const Vec2 g = sign * terms.gradient[k];
+        add(corner[k].site, g.x(), g.y(), sign * terms.mass[k], energy_->gradient.data(),
+            energy_->mass.data());
+    }
+    if (terms.steepest > kSteepest) has_steep_terms_ = true;
+}
+
+bool EnergyPass::corrections_pay() const {
+    return !has_steep_terms_ && n_corrections_ <= 1 + delaunay_.n_sites() / kSitesPerFlip;
+}
+
+void EnergyPass::before_flip(int h) {
+    ++n_corrections_;
+    if (!corrections_pay()) return;
+    add_terms(h / 3, -1);
+    add_terms(delaunay_.triangulation().opposite(h) / 3, -1);
+}
+
+void EnergyPass::after_flip(int h) {
+    if (!corrections_pay()) return;
+    add_terms(h / 3, 1);
+    add_terms(delaunay_.triangulation().opposite(h) / 3, 1);
+}
+
+bool EnergyPass::evaluate(Energy& energy) {
+    energy_ = &energy;
+    for (;;) {
+        Suspects suspects = run(energy);
+        const std::vector<int> inverted = delaunay_.inverted(suspects);
+        if (!inverted.empty()) {
+            if (!delaunay_.untangle(inverted, suspects)) return false;
+            continue;
+        }
+        for (const int t : suspects.triangles) add_terms(t, 1);
+        has_steep_terms_ = false;
+        n_corrections_ = 0;
+        delaunay_.flip(suspects, this);
+        if (corrections_pay()) break;
+    }
+    return true;
 }
 
 }  // namespace pcvt

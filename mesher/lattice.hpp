@@ -86,4 +86,11 @@ struct Wrapped {
 /// @pre |u| < 2^30.
 Wrapped wrap(double u);
 
+/// The nearest multiple of 2^-51. @pre |displacement| <= 1, componentwise.
+inline Vec2 snapped_displacement(const Vec2& displacement) {
+    // Doubles in [2, 4] are multiples of 2^-51.
+    constexpr double kShift = 3;
+    return (displacement.array() + kShift - kShift).matrix();
+}
+
 }  // namespace pcvt

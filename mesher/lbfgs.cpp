@@ -2,69 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <optional>
-#include <vector>
 
+#include "mesher/lbfgs_history.hpp"
 #include "mesher/optimizer_run.hpp"
 
 namespace pcvt {
 namespace {
 
-using Eigen::VectorXd;
-
-constexpr std::size_t kHistory = 7;
-/// A pair with s.y below this times |s| |y| says nothing reliable about the curvature.
-constexpr double kWeakCurvature = 1e-8;
 /// Weak Wolfe: F(t) <= F(0) + c1 t F'(0) and F'(t) >= c2 F'(0).
 constexpr double kDecrease = 1e-4;
 constexpr double kCurvature = 0.9;
 /// Values that differ by less than this, relatively, count as equal (approximate Wolfe).
 constexpr double kEqualValues = 1e-12;
 constexpr int kTrials = 25;
-
-/// The pairs (s, y) and the product with the inverse Hessian that they approximate.
-class History {
-   public:
-    bool empty() const { return pairs_.empty(); }
-    void clear() { pairs_.clear(); }
-
-    /// Returns false, and forgets everything, where the curvature along s is weak.
-    bool add(VectorXd s, VectorXd y) {
-        const double sy = s.dot(y);
-        if (!(sy > kWeakCurvature * s.norm() * y.norm())) {
-            clear();
-            return false;
-        }
-        if (pairs_.size() == kHistory) pairs_.pop_front();
-        pairs_.push_back({std::move(s), std::move(y), sy});
-        return true;
-    }
-
-    /// The two-loop recursion.
-    VectorXd times(VectorXd q) const {
-        std::vector<double> alpha(pairs_.size());
-        for (std::size_t k = pairs_.size(); k-- > 0;) {
-            alpha[k] = pairs_[k].s.dot(q) / pairs_[k].sy;
-            q -= alpha[k] * pairs_[k].y;
-        }
-        q *= pairs_.back().sy / pairs_.back().y.squaredNorm();
-        for (std::size_t k = 0; k < pairs_.size(); ++k) {
-            const double beta = pairs_[k].y.dot(q) / pairs_[k].sy;
-            q += (alpha[k] - beta) * pairs_[k].s;
-        }
-        return q;
-    }
-
-   private:
-    struct Pair {
-        VectorXd s;
-        VectorXd y;
-        double sy;
-    };
-    std::deque<Pair> pairs_;
-};
 
 /// The values along a line: F(t) and F'(t).
 struct LinePoint {
@@ -95,55 +47,66 @@ double interpolate(const LinePoint& low, const LinePoint& high) {
     return low.t + std::clamp(fraction, 0.1, 0.9) * width;
 }
 
-/// Looks along x + t d for 0 < t <= longest; returns whether `there` and `x_there` hold a step.
-bool search_line(OptimizerRun& run, const VectorXd& x, const Evaluation& here, const VectorXd& d,
-                 double longest, VectorXd& x_there, Evaluation& there) {
-    const LinePoint start{0, here.value, here.gradient.dot(d)};
+/// Looks along t d for 0 < t <= longest, d the history's direction; returns t of an acceptable
+/// step, and `there` at its end.
+std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, const Evaluation& here,
+                                  double slope, double longest, Evaluation& there) {
+    const LinePoint start{0, here.value, slope};
     LinePoint low = start;
     std::optional<LinePoint> high;
     double t = std::min(1.0, longest);
     for (int trial = 0; trial < kTrials; ++trial) {
-        x_there = x + t * d;
-        if (!run.evaluate(x_there, there) || !std::isfinite(there.value)) {
+        if (!run.evaluate(history.direction(), t, there)) {
             high = LinePoint{t, std::numeric_limits<double>::infinity(), 0};
         } else {
-            const LinePoint point{t, there.value, there.gradient.dot(d)};
+            const LinePoint point{t, there.value, history.look(here.gradient, there.gradient)};
             const Verdict verdict = judge(start, point);
-            if (verdict == Verdict::kAccept) return true;
-            if (verdict == Verdict::kTooShort && t >= longest) return true;
+            if (verdict == Verdict::kAccept) return t;
+            if (verdict == Verdict::kTooShort && t >= longest) return t;
             if (verdict == Verdict::kTooShort) low = point;
             if (verdict == Verdict::kTooLong) high = point;
         }
         t = high ? interpolate(low, *high) : std::min(3 * t, longest);
     }
-    return false;
+    return std::nullopt;
+}
+
+/// Takes one step, from a fresh start with the Lloyd step if need be.
+bool advance(OptimizerRun& run, Objective& objective, const OptimizerOptions& options,
+             LbfgsHistory& history, Evaluation& here, Evaluation& there) {
+    for (;;) {
+        const bool fresh = history.empty();
+        if (fresh) objective.lloyd_step(here, history.direction());
+        const auto [slope, largest_move] = history.aim(here.gradient);
+        const double longest = options.max_move / largest_move;
+        if (slope < 0) {
+            if (const auto t = search_line(run, history, here, slope, longest, there)) {
+                history.add(*t);
+                run.accept();
+                std::swap(here, there);
+                return true;
+            }
+        }
+        // The Lloyd step wants the objective to have looked at this point last.
+        if (fresh || !run.evaluate(history.direction(), 0, here)) return false;
+        history.clear();
+    }
 }
 
 }  // namespace
 
-OptimizerResult minimize_lbfgs(const Objective& objective, const VectorXd& start,
-                               const OptimizerOptions& options) {
+OptimizerResult minimize_lbfgs(Objective& objective, const OptimizerOptions& options,
+                               Workers& workers) {
     OptimizerRun run(objective, options);
-    History history;
-    VectorXd x = start;
-    VectorXd x_there;
+    LbfgsHistory history(objective.n_variables(), workers);
     Evaluation here;
     Evaluation there;
-    if (!run.evaluate(x, here)) return run.finish(Stop::kStalled, x, here);
+    if (!run.evaluate(history.direction(), 0, here)) return run.finish(Stop::kStalled, here);
     for (;;) {
-        if (const auto stop = run.before_iteration(here)) return run.finish(*stop, x, here);
-        for (;;) {
-            const bool fresh = history.empty();
-            VectorXd d = fresh ? here.lloyd_step : VectorXd(-history.times(here.gradient));
-            const double longest = options.max_move / largest_move(d);
-            const bool downhill = here.gradient.dot(d) < 0;
-            if (downhill && search_line(run, x, here, d, longest, x_there, there)) break;
-            if (fresh) return run.finish(Stop::kStalled, x, here);
-            history.clear();
+        if (const auto stop = run.before_iteration(here)) return run.finish(*stop, here);
+        if (!advance(run, objective, options, history, here, there)) {
+            return run.finish(Stop::kStalled, here);
         }
-        history.add(x_there - x, there.gradient - here.gradient);
-        std::swap(x, x_there);
-        std::swap(here, there);
     }
 }
 

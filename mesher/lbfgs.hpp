@@ -1,10 +1,12 @@
 #pragma once
 
 #include "mesher/objective.hpp"
+#include "mesher/workers.hpp"
 
 namespace pcvt {
 
-/// Limited-memory BFGS with 7 pairs (J. Nocedal 1980; for CVT: Y. Liu et al. 2009).
+/// Limited-memory BFGS with 6 pairs in single precision (J. Nocedal 1980; for CVT: Y. Liu et al.
+/// 2009).
 ///
 /// The first step, and each step after a reset of the history, is the Lloyd step. A step never
 /// moves a pair of variables further than options.max_move; weak curvature resets the history. The
@@ -12,7 +14,7 @@ namespace pcvt {
 /// (2005) where the value no longer resolves the decrease. It ends `stalled` where no step along
 /// the Lloyd direction is accepted, or 200 iterations brought no lower value and no smaller
 /// residual.
-OptimizerResult minimize_lbfgs(const Objective& objective, const Eigen::VectorXd& start,
-                               const OptimizerOptions& options);
+OptimizerResult minimize_lbfgs(Objective& objective, const OptimizerOptions& options,
+                               Workers& workers);
 
 }  // namespace pcvt

@@ -6,19 +6,18 @@
 
 namespace pcvt {
 
-OptimizerResult minimize_lloyd(const Objective& objective, const Eigen::VectorXd& start,
-                               const OptimizerOptions& options) {
+OptimizerResult minimize_lloyd(Objective& objective, const OptimizerOptions& options) {
     OptimizerRun run(objective, options);
-    Eigen::VectorXd x = start;
+    Eigen::VectorXf step;
     Evaluation here;
     Evaluation there;
-    if (!run.evaluate(x, here)) return run.finish(Stop::kStalled, x, here);
+    if (!run.evaluate(step, 0, here)) return run.finish(Stop::kStalled, here);
     for (;;) {
-        if (const auto stop = run.before_iteration(here)) return run.finish(*stop, x, here);
-        const double step = std::min(1.0, options.max_move / largest_move(here.lloyd_step));
-        const Eigen::VectorXd trial = x + step * here.lloyd_step;
-        if (!run.evaluate(trial, there)) return run.finish(Stop::kStalled, x, here);
-        x = trial;
+        if (const auto stop = run.before_iteration(here)) return run.finish(*stop, here);
+        objective.lloyd_step(here, step);
+        const double t = std::min(1.0, options.max_move / largest_move(step));
+        if (!run.evaluate(step, t, there)) return run.finish(Stop::kStalled, here);
+        run.accept();
         std::swap(here, there);
     }
 }

@@ -4,11 +4,10 @@
 
 namespace pcvt {
 
-/// Lloyd's fixed-point iteration x <- x + lloyd_step (S. Lloyd 1982), the baseline.
+/// Lloyd's fixed-point iteration (S. Lloyd 1982), the baseline: the Lloyd step again and again.
 ///
 /// Steps are clamped to options.max_move; stalled once 200 iterations brought no lower value and no
 /// smaller residual.
-OptimizerResult minimize_lloyd(const Objective& objective, const Eigen::VectorXd& start,
-                               const OptimizerOptions& options);
+OptimizerResult minimize_lloyd(Objective& objective, const OptimizerOptions& options);
 
 }  // namespace pcvt

@@ -5,21 +5,34 @@
 
 namespace pcvt {
 
-/// What an optimiser learns of one point x.
+/// What an optimiser learns of one point.
 struct Evaluation {
     double value = 0;
     Eigen::VectorXd gradient;
-    /// The fixed-point step: x + lloyd_step is the next Lloyd iterate.
-    Eigen::VectorXd lloyd_step;
     /// What the tolerance is compared with; dimensionless.
     double residual = 0;
     /// The root mean square of what `residual` is the maximum of.
     double rms_residual = 0;
 };
 
-/// A function to be minimised. Returns false where it is not defined at x (two sites coincide): the
-/// step is then rejected and tried shorter.
-using Objective = std::function<bool(const Eigen::VectorXd& x, Evaluation& evaluation)>;
+/// A function to be minimised, and the point that the optimiser has reached. The point stays with
+/// the objective, since it need not lie in a vector space: an optimiser sees only directions and
+/// gradients, pairs of variables (x_2i, x_2i+1).
+class Objective {
+   public:
+    virtual ~Objective() = default;
+
+    virtual Eigen::Index n_variables() const = 0;
+    /// Evaluates at the point + t direction; t = 0 is the point itself, whatever the direction.
+    /// @returns false where the function is not defined there (two sites coincide): the step is
+    /// then
+    ///          rejected and tried shorter.
+    virtual bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) = 0;
+    /// The point becomes the one that was evaluated last.
+    virtual void accept() = 0;
+    /// The fixed-point step at the point evaluated last: the point + it is the next Lloyd iterate.
+    virtual void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const = 0;
+};
 
 enum class Stop { kConverged, kIterationLimit, kStalled, kCancelled };
 
@@ -45,12 +58,12 @@ struct OptimizerOptions {
     ProgressCallback progress;
 };
 
-/// Where an optimiser ended and why.
+/// Where an optimiser ended and why; the point itself is in the objective, perhaps behind a trial
+/// that was not accepted.
 struct OptimizerResult {
     Stop stop = Stop::kStalled;
     int iterations = 0;
     int evaluations = 0;
-    Eigen::VectorXd x;
     Evaluation evaluation;
 };
 

@@ -12,12 +12,12 @@ constexpr int kIterationsWithoutGain = 200;
 
 }  // namespace
 
-OptimizerRun::OptimizerRun(const Objective& objective, const OptimizerOptions& options)
+OptimizerRun::OptimizerRun(Objective& objective, const OptimizerOptions& options)
     : objective_(objective), options_(options) {}
 
-bool OptimizerRun::evaluate(const Eigen::VectorXd& x, Evaluation& evaluation) {
+bool OptimizerRun::evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) {
     ++evaluations_;
-    return objective_(x, evaluation);
+    return objective_.evaluate(direction, t, evaluation) && std::isfinite(evaluation.value);
 }
 
 std::optional<Stop> OptimizerRun::before_iteration(const Evaluation& evaluation) {
@@ -33,8 +33,8 @@ std::optional<Stop> OptimizerRun::before_iteration(const Evaluation& evaluation)
     return std::nullopt;
 }
 
-OptimizerResult OptimizerRun::finish(Stop stop, Eigen::VectorXd x, Evaluation evaluation) const {
-    return {stop, iterations_, evaluations_, std::move(x), std::move(evaluation)};
+OptimizerResult OptimizerRun::finish(Stop stop, Evaluation evaluation) const {
+    return {stop, iterations_, evaluations_, std::move(evaluation)};
 }
 
 bool OptimizerRun::stalled(const Evaluation& evaluation) {
@@ -48,9 +48,9 @@ bool OptimizerRun::stalled(const Evaluation& evaluation) {
     return iterations_ - last_gain_ >= kIterationsWithoutGain;
 }
 
-double largest_move(const Eigen::VectorXd& step) {
-    const Eigen::Map<const Eigen::Matrix2Xd> moves(step.data(), 2, step.size() / 2);
-    return std::sqrt(moves.colwise().squaredNorm().maxCoeff());
+double largest_move(const Eigen::VectorXf& step) {
+    const Eigen::Map<const Eigen::Matrix2Xf> moves(step.data(), 2, step.size() / 2);
+    return std::sqrt(double(moves.colwise().squaredNorm().maxCoeff()));
 }
 
 }  // namespace pcvt

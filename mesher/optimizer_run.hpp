@@ -10,18 +10,19 @@ namespace pcvt {
 /// What all optimisers do alike: count, report progress, and say when it is time to stop.
 class OptimizerRun {
    public:
-    OptimizerRun(const Objective& objective, const OptimizerOptions& options);
+    OptimizerRun(Objective& objective, const OptimizerOptions& options);
 
     /// Evaluates and counts.
-    bool evaluate(const Eigen::VectorXd& x, Evaluation& evaluation);
+    bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation);
+    void accept() { objective_.accept(); }
     /// To be asked before each iteration; reports progress and tells why to stop, if it is time.
     std::optional<Stop> before_iteration(const Evaluation& evaluation);
-    OptimizerResult finish(Stop stop, Eigen::VectorXd x, Evaluation evaluation) const;
+    OptimizerResult finish(Stop stop, Evaluation evaluation) const;
 
    private:
     bool stalled(const Evaluation& evaluation);
 
-    const Objective& objective_;
+    Objective& objective_;
     const OptimizerOptions& options_;
     int iterations_ = -1;
     int evaluations_ = 0;
@@ -31,6 +32,6 @@ class OptimizerRun {
 };
 
 /// The largest |(step_2i, step_2i+1)|.
-double largest_move(const Eigen::VectorXd& step);
+double largest_move(const Eigen::VectorXf& step);
 
 }  // namespace pcvt

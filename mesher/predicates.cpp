@@ -7,19 +7,10 @@
 namespace pcvt {
 namespace {
 
-/// Half an ulp of 1. Each bound below counts the roundings of the longest chain of its expression
-/// and rounds that up generously: the filter then fails a little more often and never errs.
-constexpr double kUnit = 0x1p-53;
-constexpr double kOrientationError = 4 * kUnit;
-constexpr double kInCircleError = 16 * kUnit;
-constexpr double kCircumcentreError = 32 * kUnit;
-/// Differences from here on may be rounded (predicates.hpp), so the filter is not asked.
-constexpr double kExactDifference = 4;
+constexpr double kCircumcentreError = 32 * kUnitRoundoff;
 /// A triangle with |d x e| above this times the scale of its rounding is far from collinear:
 /// doubles give its circumcentre to twelve digits.
 constexpr double kFarFromCollinear = 1e-3;
-
-thread_local PredicateCounts counts;
 
 int sign(double x) { return (x > 0) - (x < 0); }
 int sign(const CGAL::MP_Float& x) { return CGAL::sign(x); }
@@ -62,12 +53,6 @@ Number in_circle_value(const Gram& g, const Vector<Number>& p, const Vector<Numb
     return norm(g, p) * cross(q, r) + norm(g, q) * cross(r, p) + norm(g, r) * cross(p, q);
 }
 
-double in_circle_bound(const Gram& g, const Vector<double>& p, const Vector<double>& q,
-                       const Vector<double>& r) {
-    return norm(g, p) * cross_bound(q, r) + norm(g, q) * cross_bound(r, p) +
-           norm(g, r) * cross_bound(p, q);
-}
-
 /// The circumcentre c of the triangle with corners at `corner`, corner + d, corner + e solves
 /// 2 G(d, c - corner) = G(d, d) and the same for e. These are det(G) (d x e) 2 (c - line) for its
 /// two coordinates, where `line` is 0 or 1.
@@ -91,7 +76,7 @@ bool differences_exact(const Vector<double>& d) {
 
 /// The sign of the circumcentre's first coordinate minus `line`.
 int centre_side(const Gram& g, const Image& p, const Image& q, const Image& r, int line) {
-    ++counts.asked;
+    ++detail::predicate_counts.asked;
     const auto d = vector<double>(p, q);
     const auto e = vector<double>(p, r);
     const double corner = p.u + (p.offset.i - line);
@@ -101,7 +86,7 @@ int centre_side(const Gram& g, const Image& p, const Image& q, const Image& r, i
             centre_u_bound(absolute(g), absolute(d), absolute(e), std::abs(corner));
         if (std::abs(value) > kCircumcentreError * bound) return sign(value);
     }
-    ++counts.exact;
+    ++detail::predicate_counts.exact;
     using Exact = CGAL::MP_Float;
     return sign(centre_u<Exact>(g, vector<Exact>(p, q), vector<Exact>(p, r),
                                 Exact(p.u) + Exact(p.offset.i - line)));
@@ -132,9 +117,25 @@ Vec2 centre(const Gram& g, const Vector<double>& d, const Vector<double>& e) {
 
 }  // namespace
 
-Image image(const Sites& sites, SiteId site, Offset offset) {
-    return {sites.coordinates()(0, site), sites.coordinates()(1, site), site, offset};
+namespace detail {
+
+constinit thread_local PredicateCounts predicate_counts;
+
+int exact_orientation(const Image& p, const Image& q, const Image& r) {
+    ++predicate_counts.exact;
+    using Exact = CGAL::MP_Float;
+    return sign(cross(vector<Exact>(p, q), vector<Exact>(p, r)));
 }
+
+int exact_in_circle(const Gram& gram, const Image& p, const Image& q, const Image& r,
+                    const Image& s) {
+    ++predicate_counts.exact;
+    using Exact = CGAL::MP_Float;
+    return sign(
+        in_circle_value(gram, vector<Exact>(s, p), vector<Exact>(s, q), vector<Exact>(s, r)));
+}
+
+}  // namespace detail
 
 Gram gram_of(const Lattice& reduced) {
     int exponent = 0;
@@ -142,37 +143,6 @@ Gram gram_of(const Lattice& reduced) {
     const Vec2 a(std::ldexp(reduced.a().x(), -exponent), std::ldexp(reduced.a().y(), -exponent));
     const Vec2 b(std::ldexp(reduced.b().x(), -exponent), std::ldexp(reduced.b().y(), -exponent));
     return {a.squaredNorm(), a.dot(b), b.squaredNorm()};
-}
-
-int orientation(const Image& p, const Image& q, const Image& r) {
-    ++counts.asked;
-    const auto d = vector<double>(p, q);
-    const auto e = vector<double>(p, r);
-    if (differences_exact(d) && differences_exact(e)) {
-        const double value = cross(d, e);
-        if (std::abs(value) > kOrientationError * cross_bound(absolute(d), absolute(e))) {
-            return sign(value);
-        }
-    }
-    ++counts.exact;
-    using Exact = CGAL::MP_Float;
-    return sign(cross(vector<Exact>(p, q), vector<Exact>(p, r)));
-}
-
-int in_circle(const Gram& gram, const Image& p, const Image& q, const Image& r, const Image& s) {
-    ++counts.asked;
-    const auto d = vector<double>(s, p);
-    const auto e = vector<double>(s, q);
-    const auto f = vector<double>(s, r);
-    if (differences_exact(d) && differences_exact(e) && differences_exact(f)) {
-        const double value = in_circle_value(gram, d, e, f);
-        const double bound = in_circle_bound(absolute(gram), absolute(d), absolute(e), absolute(f));
-        if (std::abs(value) > kInCircleError * bound) return sign(value);
-    }
-    ++counts.exact;
-    using Exact = CGAL::MP_Float;
-    return sign(
-        in_circle_value(gram, vector<Exact>(s, p), vector<Exact>(s, q), vector<Exact>(s, r)));
 }
 
 bool circumcentre_in_domain(const Gram& gram, const Image& p, const Image& q, const Image& r) {
@@ -200,6 +170,6 @@ int compare_v(const Image& p, const Image& q) {
     return -sign((q.v - p.v) + (q.offset.j - p.offset.j));
 }
 
-PredicateCounts predicate_counts() { return counts; }
+PredicateCounts predicate_counts() { return detail::predicate_counts; }
 
 }  // namespace pcvt

@@ -10,7 +10,7 @@
 
 namespace pcvt {
 Sites::Sites(const Lattice& lattice, const Points& points)
-    : lattice_(lattice), reduction_(reduce(lattice)) {
+    : lattice_(lattice), reduction_(reduce(lattice)), coordinates_(2, points.cols()) {
     if (points.cols() == 0) throw InvalidInput("there is no site; give at least one");
     if (points.cols() > kMostSites) throw InvalidInput("there are more than 2^28 sites");
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
@@ -18,12 +18,20 @@ Sites::Sites(const Lattice& lattice, const Points& points)
             throw InvalidInput("site " + std::to_string(s) +
                                " is not finite; give finite coordinates");
         }
-    }
-    if (!move_to(points)) {
-        throw InvalidInput("a site lies more than 2^30 periods away; wrap it into the domain");
+        const Vec2 u = reduction_.reduced.to_lattice(points.col(s));
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) {
+            throw InvalidInput("site " + std::to_string(s) +
+                               " lies more than 2^30 periods away; wrap it into the domain");
+        }
+        coordinates_.col(s) << wrap(u.x()).fraction, wrap(u.y()).fraction;
     }
     const auto [first, second] = duplicates();
     if (first >= 0) throw DuplicateSites(first, second);
+}
+
+Sites::Sites(const Lattice& lattice, const Reduction& reduction, Points coordinates)
+    : lattice_(lattice), reduction_(reduction), coordinates_(std::move(coordinates)) {
+    for (double& u : coordinates_.reshaped()) u = wrap(u).fraction;
 }
 
 Vec2 Sites::position(SiteId site) const {
@@ -31,22 +39,6 @@ Vec2 Sites::position(SiteId site) const {
 }
 
 double Sites::spacing() const { return std::sqrt(lattice_.area() / n_sites()); }
-
-bool Sites::move_to(const Points& points) {
-    Points coordinates(2, points.cols());
-    std::vector<Offset> wraps(static_cast<std::size_t>(points.cols()));
-    for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        const Vec2 u = reduction_.reduced.to_lattice(points.col(s));
-        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return false;
-        const Wrapped u0 = wrap(u.x());
-        const Wrapped u1 = wrap(u.y());
-        coordinates.col(s) << u0.fraction, u1.fraction;
-        wraps[static_cast<std::size_t>(s)] = {u0.whole, u1.whole};
-    }
-    coordinates_ = std::move(coordinates);
-    wraps_ = std::move(wraps);
-    return true;
-}
 
 std::pair<SiteId, SiteId> Sites::duplicates() const {
     std::vector<SiteId> order(static_cast<std::size_t>(n_sites()));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <utility>
 
 #include "mesher/lattice.hpp"
 
@@ -26,22 +26,20 @@ class Sites {
     ///                        more than 2^30 periods away.
     /// @throws DuplicateSites naming the first two ids on one orbit, by the smaller and the larger.
     Sites(const Lattice& lattice, const Points& points);
+    /// Sites at coordinates of the reduced basis, wrapped here; duplicates are not looked for.
+    /// @param coordinates  2 x n, multiples of 2^-51.
+    Sites(const Lattice& lattice, const Reduction& reduction, Points coordinates);
 
     int n_sites() const { return static_cast<int>(coordinates_.cols()); }
     const Lattice& lattice() const { return lattice_; }
     const Reduction& reduction() const { return reduction_; }
     /// 2 x n, in [0, 1)^2, coordinates in the reduced basis.
     const Points& coordinates() const { return coordinates_; }
-    /// The integer parts that wrapping removed from the points given last, reduced basis.
-    const std::vector<Offset>& wraps() const { return wraps_; }
     /// Length units; the image of the site whose reduced coordinates lie in [0, 1)^2.
     Vec2 position(SiteId site) const;
     /// The length scale h = sqrt(area / n).
     double spacing() const;
 
-    /// Puts the sites at new points, wrapped again. Returns false, and changes nothing, where a
-    /// coordinate is not finite or too far away; coincident sites are not looked for.
-    bool move_to(const Points& points);
     /// The first two ids on one orbit; {-1, -1} if all sites are distinct.
     std::pair<SiteId, SiteId> duplicates() const;
 
@@ -49,7 +47,6 @@ class Sites {
     Lattice lattice_;
     Reduction reduction_;
     Points coordinates_;
-    std::vector<Offset> wraps_;
 };
 
 /// n points uniform in the fundamental domain: the same for the same seed on every machine.

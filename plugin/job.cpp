@@ -100,6 +100,7 @@ void check_origin(const Job& job, const Reduction& repeated, double n_sites) {
 void check_job(const Job& job) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
+    if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
     if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
     if (job.meshes.empty()) throw InvalidInput("no mesh is asked for; take voronoi or delaunay");
     if (n * job.columns * job.rows > kMostSites) {
@@ -110,14 +111,15 @@ void check_job(const Job& job) {
 }
 
 CvtResult tessellate(const Job& job, Monitor& monitor) {
-    const Points points =
+    Points points =
         job.points.cols() > 0 ? job.points : uniform_points(job.lattice, job.n_sites, job.seed);
     CvtOptions options;
     options.solver = job.solver;
     options.tolerance = job.tolerance;
     options.max_iterations = job.max_iterations;
+    options.n_threads = job.n_threads;
     options.progress = [&monitor](const Progress& progress) { return monitor.iteration(progress); };
-    return compute_cvt(job.lattice, points, options);
+    return compute_cvt(job.lattice, std::move(points), options);
 }
 
 ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
@@ -138,7 +140,7 @@ JobOutcome describe(const CvtResult& result, const std::vector<ProvedTile>& tile
     outcome.energy_bound = result.energy_bound;
     outcome.residual = result.residual;
     outcome.rms_residual = result.rms_residual;
-    outcome.n_mirrors = result.delaunay.n_mirrors();
+    outcome.n_mirrors = result.counts.n_mirrors;
     outcome.valences = histogram(cell_sides(periodic_mesh(result, TileKind::kCells)));
     const auto hexagons = outcome.valences.find(6);
     outcome.n_hexagons = hexagons == outcome.valences.end() ? 0 : hexagons->second;

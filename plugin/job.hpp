@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct Job {
     double tolerance = 1e-6;
     /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
     int max_iterations = -1;
+    /// At least 1; the result does not depend on it.
+    int n_threads = 1;
 
     /// At least one, each at most once. With several, -voronoi and -delaunay precede the extension.
     std::vector<TileKind> meshes = {TileKind::kCells};
@@ -68,7 +71,8 @@ struct JobOutcome {
     double energy_bound = 0;
     double residual = 0;
     double rms_residual = 0;
-    int n_mirrors = 0;
+    /// Nothing where the triangulation was built without mirrors.
+    std::optional<int> n_mirrors;
     /// Cells by their number of sides, on the unrepeated torus; edges under 1e-5 h do not count.
     std::map<int, int> valences;
     int n_hexagons = 0;

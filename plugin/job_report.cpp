@@ -23,7 +23,7 @@ std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
         .hexagons = outcome.n_hexagons,
         .valences = outcome.valences,
         .mirrors = outcome.n_mirrors,
-        .threads = 1,
+        .threads = job.n_threads,
         .seconds = {seconds.build, seconds.optimize, seconds.write, seconds.total},
         .files = outcome.files,
     });

@@ -89,7 +89,7 @@ class BadOption(CliTest):
         rows = [
             ("pattern", "pattern", "-n", 7), ("study", "study"),
             ("newton", *mesh, "--solver", "newton"), ("box", *mesh, "--outline", "box"),
-            ("grains", *mesh, "--mesh", "grains"), ("--threads 2", *mesh, "--threads", 2),
+            ("grains", *mesh, "--mesh", "grains"),
         ]
         rows += [(start, *mesh, "--start", start) for start in ("coarse", "lattice", "best")]
         rows += [

@@ -61,6 +61,20 @@ class Files(CliTest):
         self.assertEqual(first.keys(), second.keys())
         self.assertEqual([name for name in first if first[name] != second[name]], [])
 
+    def test_the_number_of_threads_changes_no_byte(self):
+        run = ("mesh", "--sites", 60000, "--max-iterations", 6, *outputs(formats=("ply", "txt")),
+               "--report", "run.json", "--force")
+        seen = []
+        for threads in (1, 2, 5):
+            self.succeed(*run, "--threads", threads)
+            files = self.contents()
+            report = json.loads(files.pop("run.json"))
+            self.assertEqual(report.pop("threads"), threads)
+            del report["seconds"]
+            seen.append((files, report))
+        self.assertEqual(seen[0], seen[1])
+        self.assertEqual(seen[0], seen[2])
+
     def german(self):
         """An environment in which numbers are written with a decimal comma."""
         self.path("locales").mkdir()
@@ -128,14 +142,14 @@ class Words(CliTest):
         self.assertEqual(self.succeed("mesh", "--sites", 30, "--quiet", "-o", "t.obj"), "")
 
     def test_the_report_has_its_keys_in_order(self):
-        self.succeed("mesh", "--sites", 30, "--seed", 3, "--period", "2,1", "-o", "t.obj", "--report",
-                     "run.json")
+        self.succeed("mesh", "--sites", 30, "--seed", 3, "--period", "2,1", "-o", "t.obj", "--threads", 3,
+                     "--report", "run.json")
         report = json.loads(self.path("run.json").read_text())
         self.assertEqual(list(report), REPORT_KEYS)
         self.assertEqual(list(report["seconds"]), ["build", "optimize", "write", "total"])
         self.assertEqual((report["sites"], report["seed"], report["solver"], report["start"]),
                          (30, 3, "lbfgs", "random"))
-        self.assertEqual((report["stop"], report["threads"]), ("converged", 1))
+        self.assertEqual((report["stop"], report["threads"]), ("converged", 3))
         self.assertEqual(report["lattice"], [[2, 0], [0, 1]])
         self.assertEqual(report["files"], ["t.obj", "t.mtl", "t.seam.json"])
         self.assertEqual(sum(report["valences"].values()), 30)
@@ -219,7 +233,8 @@ class Cancelling(CliTest):
 
 
 class ProgressDisplay(CliTest):
-    RUN = ("mesh", "--sites", "8000", "--tolerance", "1e-9", "--max-iterations", "600")
+    RUN = ("mesh", "--sites", "40000", "--tolerance", "1e-9", "--max-iterations", "1800",
+           "--threads", "1")
 
     def on_a_terminal(self, *more):
         """What the run shows on a terminal that is its standard error."""

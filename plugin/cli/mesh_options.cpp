@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <limits>
+#include <thread>
 
 #include "plugin/cli/not_yet.hpp"
 #include "plugin/cli/option_values.hpp"
@@ -14,6 +15,7 @@ namespace pcvt::cli {
 namespace {
 
 constexpr int kMostIterations = std::numeric_limits<int>::max();
+constexpr int kMostThreads = 1024;
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -54,7 +56,7 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
         "0: the Voronoi diagram of the sites as given [no limit]");
     app.add_flag("--strict", options.strict,
                  "write the files, but exit with 5 if the run did not converge");
-    add(app, "--threads", options.threads, "N", "only 1 so far [1]");
+    add(app, "--threads", options.threads, "N", "the result does not depend on it [all cores]");
 }
 
 void add_output_options(CLI::App& app, MeshOptions& options) {
@@ -148,9 +150,6 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
     choose("--solver", options.solver, {"lbfgs", "lloyd"}, "lbfgs or lloyd");
     choose("--outline", options.outline, {"whole"}, "whole");
     if (options.solver == "lloyd") job.solver = Solver::kLloyd;
-    if (app.count("--threads") > 0 && whole_number("--threads", options.threads, 1, 65536) > 1) {
-        throw InvalidInput("--threads " + options.threads + " is not available yet; take 1");
-    }
 }
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
@@ -160,6 +159,10 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--max-iterations") > 0) {
         job.max_iterations =
             whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
+    }
+    job.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    if (app.count("--threads") > 0) {
+        job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
     if (app.count("--origin") > 0) job.origin = point("--origin", options.origin);
     if (app.count("--repeat") > 0) {
@@ -178,7 +181,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_later_options(app);
     app.footer(std::string(kExamples) +
                "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
-               "--outline box, --density, --threads above 1, " +
+               "--outline box, --density, " +
                later_extensions() + "\n");
 }
 

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "mesher/workers.hpp"
+
+namespace pcvt {
+
+/// The memory of L-BFGS: the last 6 pairs of step s and change of gradient y, and the product with
+/// the inverse Hessian that they stand for.
+///
+/// Made for large n, where time is memory traffic: the vectors are stored in single precision, and
+/// an iteration sweeps over them twice. The first sweep, after an evaluation, takes the dot
+/// products of the new gradient with all of them; from these follow the products of all pairs with
+/// each other, and from those alone the two-loop recursion (J. Nocedal 1980), as coefficients (W.
+/// Chen, Z. Wang, J. Zhou 2014). The second sweep combines the next direction. It takes the place
+/// of the oldest s, and of a pair only t, with s = t * direction, is stored beside it. Sums are
+/// double, and the same bits for any number of workers.
+class LbfgsHistory {
+   public:
+    static constexpr int kPairs = 6;
+
+    LbfgsHistory(Eigen::Index n_variables, Workers& workers);
+
+    bool empty() const { return slots_.empty(); }
+    void clear() { slots_.clear(); }
+
+    /// The direction of the search. While the history is empty, the caller fills it in.
+    Eigen::VectorXf& direction() { return step_[trial_]; }
+
+    /// A direction d at the gradient g.
+    struct Direction {
+        /// g.d
+        double slope;
+        /// The largest |(d_2i, d_2i+1)|.
+        double largest_move;
+    };
+    /// Makes direction() the product of minus the approximate inverse Hessian with the gradient at
+    /// which the last pair ended; of an empty history, only measures what the caller filled in.
+    Direction aim(const Eigen::VectorXd& gradient);
+
+    /// The slope along direction() at a trial point, from the gradients here and there.
+    double look(const Eigen::VectorXd& here, const Eigen::VectorXd& there);
+
+    /// Adds the pair of the step t * direction() to the point that was looked at last. Where the
+    /// curvature along the step is weak it forgets everything instead.
+    void add(double t);
+
+   private:
+    struct Coefficients;
+
+    Coefficients two_loops() const;
+
+    template <class T>
+    using PerSlot = std::array<T, kPairs>;
+
+    Workers& workers_;
+    Eigen::Index n_variables_;
+    PerSlot<Eigen::VectorXf> step_;
+    PerSlot<Eigen::VectorXf> change_;
+    /// Slots of the pairs, the oldest first, and the slot of the direction.
+    std::vector<int> slots_;
+    int trial_ = 0;
+
+    /// Of the pairs: s = scale * step_; s.y, y.y for pairs of pairs; s.g and y.g at the gradient
+    /// where the last pair ended, and at the point looked at last.
+    PerSlot<double> scale_{};
+    PerSlot<PerSlot<double>> sy_{};
+    PerSlot<PerSlot<double>> yy_{};
+    PerSlot<double> sg_{};
+    PerSlot<double> yg_{};
+    PerSlot<double> sg_there_{};
+    PerSlot<double> yg_there_{};
+    double squared_direction_ = 0;
+};
+
+}  // namespace pcvt

@@ -1,0 +1,213 @@
+#include "mesher/moving_delaunay.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "mesher/mirror_diagram.hpp"
+#include "mesher/untangling.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Sites a task moves.
+constexpr int kSitesPerTask = 1 << 14;
+/// A local repair that puts more sites back than this share, and this number, costs more than a
+/// build.
+constexpr double kMostHeldShare = 0.02;
+constexpr std::size_t kMostHeldAtLeast = 16;
+
+double unit_near(double length) {
+    int exponent = 0;
+    std::frexp(length, &exponent);
+    return std::ldexp(1.0, exponent);
+}
+
+MovingDelaunay::Frame frame_of(const Lattice& reduced, double unit) {
+    const double ax = reduced.a().norm();
+    return {ax / unit, reduced.a().dot(reduced.b()) / ax / unit, reduced.area() / ax / unit};
+}
+
+/// The change of coordinates by a translation in the frame.
+class ToLattice {
+   public:
+    explicit ToLattice(const MovingDelaunay::Frame& frame)
+        : per_ax_(1 / frame.ax), per_by_(1 / frame.by), bx_(frame.bx) {}
+    Vec2 operator()(double x, double y) const {
+        const double v = y * per_by_;
+        return {(x - bx_ * v) * per_ax_, v};
+    }
+
+   private:
+    double per_ax_;
+    double per_by_;
+    double bx_;
+};
+
+/// Moves sites begin to end; a whole number of periods is left out of a move.
+struct MovedSites {
+    bool finite;
+    bool in_range;
+};
+MovedSites move_sites(int begin, int end, const Eigen::VectorXf& direction, double t,
+                      const ToLattice& to_lattice, const Points& from, Points& to) {
+    int n_far = 0;
+    int n_outside = 0;
+    for (int s = begin; s < end; ++s) {
+        const Vec2 d = to_lattice(t * double(direction[2 * s]), t * double(direction[2 * s + 1]));
+        n_far += !(std::abs(d.x()) <= 0.5 && std::abs(d.y()) <= 0.5);
+        const Vec2 moved = from.col(s) + snapped_displacement(d);
+        n_outside += !(std::min(moved.x(), moved.y()) >= -1 && std::max(moved.x(), moved.y()) < 2);
+        to.col(s) = moved;
+    }
+    if (n_far == 0) return {true, n_outside == 0};
+    for (int s = begin; s < end; ++s) {
+        const Vec2 d = to_lattice(t * double(direction[2 * s]), t * double(direction[2 * s + 1]));
+        if (!d.allFinite()) return {false, false};
+        const Vec2 periods(std::nearbyint(d.x()), std::nearbyint(d.y()));
+        to.col(s) = from.col(s) + snapped_displacement(d - periods);
+    }
+    return {true, false};
+}
+
+Points in_order(const Points& coordinates, const std::vector<SiteId>& order) {
+    Points ordered(2, coordinates.cols());
+    for (Eigen::Index s = 0; s < coordinates.cols(); ++s) {
+        ordered.col(s) = coordinates.col(order[s]);
+    }
+    return ordered;
+}
+
+}  // namespace
+
+MovingDelaunay::MovingDelaunay(const Sites& sites)
+    : lattice_(sites.lattice()),
+      reduction_(sites.reduction()),
+      gram_(gram_of(reduction_.reduced)),
+      unit_(unit_near(sites.spacing())),
+      spacing_(sites.spacing() / unit_),
+      frame_(frame_of(reduction_.reduced, unit_)),
+      triangulation_(0, {}) {
+    Columns columns = sort_into_columns(sites.coordinates(), gram_);
+    order_ = columns.order;
+    coordinates_ = in_order(sites.coordinates(), order_);
+    std::iota(columns.order.begin(), columns.order.end(), 0);
+    build(columns);
+}
+
+void MovingDelaunay::build(const Columns& columns) {
+    if (auto strips = strip_triangulation(coordinates_, columns)) {
+        triangulation_ = std::move(*strips);
+        counts_.n_mirrors.reset();
+        LawsonFlips(triangulation_, coordinates_, gram_).flip_all();
+        return;
+    }
+    MirrorDiagram diagram = mirror_diagram(wrapped_sites());
+    std::sort(diagram.triangles.begin(), diagram.triangles.end(),
+              [](const Triangle& s, const Triangle& t) { return s[0].site < t[0].site; });
+    triangulation_ = TorusTriangulation(n_sites(), diagram.triangles);
+    counts_.n_mirrors = diagram.n_mirrors;
+}
+
+bool MovingDelaunay::rebuild() {
+    if (wrapped_sites().duplicates().first >= 0) return false;
+    for (SiteId s = 0; s < n_sites(); ++s) shift(s, coordinates_.col(s).array().floor());
+    build(sort_into_columns(coordinates_, gram_));
+    ++counts_.n_rebuilds;
+    return true;
+}
+
+bool MovingDelaunay::step(const Eigen::VectorXf& direction, double t, Workers& workers) {
+    settled_ = false;
+    previous_.swap(coordinates_);
+    coordinates_.resize(2, previous_.cols());
+    const ToLattice to_lattice(frame_);
+    const int n_tasks = (n_sites() + kSitesPerTask - 1) / kSitesPerTask;
+    std::atomic<bool> finite = true;
+    std::atomic<bool> in_range = true;
+    workers.for_each(n_tasks, [&](int task) {
+        const int begin = task * kSitesPerTask;
+        const int end = std::min(begin + kSitesPerTask, n_sites());
+        const MovedSites moved =
+            move_sites(begin, end, direction, t, to_lattice, previous_, coordinates_);
+        if (!moved.finite) finite = false;
+        if (!moved.in_range) in_range = false;
+    });
+    if (!finite) {
+        coordinates_.swap(previous_);
+        settled_ = true;
+        return false;
+    }
+    if (!in_range) keep_in_range();
+    return true;
+}
+
+void MovingDelaunay::step_back() {
+    coordinates_.swap(previous_);
+    settled_ = true;
+    keep_in_range();
+}
+
+void MovingDelaunay::shift(SiteId site, const Vec2& periods) {
+    coordinates_.col(site) -= periods;
+    previous_.col(site) -= periods;
+}
+
+void MovingDelaunay::keep_in_range() {
+    std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
+    for (SiteId s = 0; s < n_sites(); ++s) {
+        const Vec2 whole = coordinates_.col(s).array().floor();
+        if (whole.minCoeff() >= -1 && whole.maxCoeff() <= 1) continue;
+        shift(s, whole);
+        change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
+    }
+    triangulation_.add_to_offsets(change);
+}
+
+std::vector<int> MovingDelaunay::inverted(const Suspects& suspects) const {
+    std::vector<int> found;
+    for (const int t : suspects.triangles) {
+        const auto corner = [&](int k) {
+            const Corner c = triangulation_.corner(3 * t + k);
+            return image(coordinates_, c.site, c.offset);
+        };
+        if (orientation(corner(0), corner(1), corner(2)) <= 0) found.push_back(t);
+    }
+    return found;
+}
+
+std::int64_t MovingDelaunay::flip(Suspects& suspects, FlipObserver* observer) {
+    LawsonFlips flips(triangulation_, coordinates_, gram_);
+    const std::int64_t n_flips = flips.flip(suspects.halfedges, observer);
+    counts_.n_flips += n_flips;
+    return n_flips;
+}
+
+bool MovingDelaunay::untangle(const std::vector<int>& inverted, Suspects& suspects) {
+    const auto share = static_cast<std::size_t>(kMostHeldShare * n_sites());
+    const std::size_t most_held = std::max(share, kMostHeldAtLeast);
+    if (inverted.size() > most_held) return rebuild();
+    Untangling untangling(triangulation_, previous_, coordinates_, gram_);
+    const bool done = untangling.run(inverted, std::move(suspects.halfedges), most_held);
+    counts_.n_flips += untangling.n_flips();
+    if (done) return true;
+    return rebuild();
+}
+
+std::pair<Sites, TorusTriangulation> MovingDelaunay::release() {
+    previous_.resize(2, 0);
+    std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
+    Points coordinates(2, n_sites());
+    for (SiteId s = 0; s < n_sites(); ++s) {
+        const Vec2 whole = coordinates_.col(s).array().floor();
+        change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
+        coordinates.col(order_[s]) = coordinates_.col(s) - whole;
+    }
+    coordinates_.resize(2, 0);
+    triangulation_.add_to_offsets(change);
+    triangulation_.renumber_sites(order_);
+    return {Sites(lattice_, reduction_, std::move(coordinates)), std::move(triangulation_)};
+}
+
+}  // namespace pcvt

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <optional>
+
+#include "mesher/lawson_flips.hpp"
+#include "mesher/strip_triangulation.hpp"
+#include "mesher/workers.hpp"
+
+namespace pcvt {
+
+/// What a look at every triangle could not certify.
+struct Suspects {
+    /// Triangles that are not certainly counter-clockwise.
+    std::vector<int> triangles;
+    /// Halfedges opposite to an angle that is not certainly acute: all other edges are locally
+    /// Delaunay where the triangles are counter-clockwise.
+    std::vector<int> halfedges;
+};
+
+/// What the triangulation went through.
+struct DelaunayCounts {
+    /// Mirrors that the last build inserted; nothing if it did without.
+    std::optional<int> n_mirrors;
+    /// Flips after the first build.
+    std::int64_t n_flips = 0;
+    /// Builds after the first one.
+    int n_rebuilds = 0;
+};
+
+/// The periodic Delaunay triangulation of moving sites, kept alive by flips.
+///
+/// It numbers the sites anew, column by column, so that neighbours lie near to each other in
+/// memory. Their coordinates in the reduced basis are not wrapped before they leave [-1, 2), and
+/// stay multiples of 2^-51: every difference that a predicate needs is exact. All lengths are told
+/// in a unit, a power of two near h, and in the *frame*: the plane turned so that the reduced
+/// period vector a lies along x.
+///
+/// A step goes from where the sites are to a trial place, where the triangulation must be restored;
+/// `settle` keeps it there, and without that the next step starts from the same place again. Laws,
+/// tested by number:
+///   (1) After restore every triangle is counter-clockwise and every edge locally Delaunay,
+///   exactly.
+///       Together the two prove the global periodic Delaunay property.
+///   (2) After any step the triangulation is that of a fresh build, but for ties.
+class MovingDelaunay {
+   public:
+    /// Builds from strips, or where those fail from the mirrors. Cost: about half of a plain
+    /// Euclidean Delaunay triangulation of the sites.
+    explicit MovingDelaunay(const Sites& sites);
+
+    int n_sites() const { return static_cast<int>(order_.size()); }
+    /// The number that the site had in the constructor's sites.
+    SiteId original_id(SiteId site) const { return order_[site]; }
+    /// 2 x n, reduced basis, in [-1.5, 2.5).
+    const Points& coordinates() const { return coordinates_; }
+    const TorusTriangulation& triangulation() const { return triangulation_; }
+    const DelaunayCounts& counts() const { return counts_; }
+    /// Length units.
+    double unit() const { return unit_; }
+    /// h in units.
+    double spacing() const { return spacing_; }
+    /// The reduced period vectors in the frame, in units: a = (ax, 0), b = (bx, by).
+    struct Frame {
+        double ax;
+        double bx;
+        double by;
+
+        Vec2 to_plane(const Vec2& u) const { return {ax * u.x() + bx * u.y(), by * u.y()}; }
+    };
+    const Frame& frame() const { return frame_; }
+
+    /// Moves the sites by t times `direction` (x, y, x, y, ...; frame, units) from where they
+    /// settled last. The triangulation is not restored yet.
+    /// @returns false where a move is not finite; nothing has moved then.
+    bool step(const Eigen::VectorXf& direction, double t, Workers& workers);
+    /// Moves back to where the sites settled last; not restored yet.
+    void step_back();
+    /// The trial place becomes the one from which the next step starts.
+    void settle() { settled_ = true; }
+    bool settled() const { return settled_; }
+
+    /// See lawson_flips.hpp.
+    bool is_certainly_delaunay(int h) const {
+        return pcvt::is_certainly_delaunay(triangulation_, coordinates_, gram_, h);
+    }
+    /// Those of `suspects.triangles` that are not counter-clockwise.
+    std::vector<int> inverted(const Suspects& suspects) const;
+    /// Restores law (1) where no triangle is inverted: by flips. Empties suspects.halfedges.
+    /// @returns the number of flips.
+    std::int64_t flip(Suspects& suspects, FlipObserver* observer);
+    /// Restores law (1) where some are: locally, or, where more than 2 in 100 sites are concerned
+    /// or the local repair gets stuck, by a new build.
+    /// @returns false where two sites coincide: the object then only waits for step_back.
+    bool untangle(const std::vector<int>& inverted, Suspects& suspects);
+
+    /// The sites, in the order of the constructor's, and their triangulation. Ends this object.
+    std::pair<Sites, TorusTriangulation> release();
+
+   private:
+    void build(const Columns& columns);
+    bool rebuild();
+    void keep_in_range();
+    void shift(SiteId site, const Vec2& periods);
+    Sites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
+
+    Lattice lattice_;
+    Reduction reduction_;
+    Gram gram_;
+    double unit_;
+    double spacing_;
+    Frame frame_;
+    /// order_[s] is the caller's number of site s.
+    std::vector<SiteId> order_;
+    Points coordinates_;
+    /// Where the sites were before the last step.
+    Points previous_;
+    TorusTriangulation triangulation_;
+    bool settled_ = true;
+    DelaunayCounts counts_;
+};
+
+}  // namespace pcvt

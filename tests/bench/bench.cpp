@@ -1,0 +1,40 @@
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <utility>
+
+#include "tests/bench/cases.hpp"
+
+namespace pcvt::bench {
+namespace {
+
+void add_cases() {
+    const std::pair<std::string, Lattice> lattices[] = {
+        {"unit", Lattice::rectangle(1, 1)},
+        {"oblique", Lattice({1, 0}, {0.37, 0.81})},
+        {"thin", Lattice::rectangle(20, 1)},
+    };
+    for (const int n : {10'000, 100'000, 1'000'000}) {
+        for (const auto& [name, lattice] : lattices) {
+            add_peer_cases({name, lattice, n});
+            add_engine_cases({name, lattice, n});
+        }
+    }
+    add_single_cases();
+}
+
+}  // namespace
+}  // namespace pcvt::bench
+
+/// Runs the cases once, in order; tests/bench/run makes interleaved rounds of it.
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    benchmark::AddCustomContext("compiler", PCVT_BENCH_COMPILER);
+    benchmark::AddCustomContext("flags", PCVT_BENCH_FLAGS);
+    pcvt::bench::warm_the_heap();
+    pcvt::bench::add_cases();
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}

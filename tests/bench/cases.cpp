@@ -1,0 +1,36 @@
+#include "tests/bench/cases.hpp"
+
+#include <malloc.h>
+
+#include <vector>
+
+#include "mesher/sites.hpp"
+
+namespace pcvt::bench {
+
+Points Input::sites() const { return uniform_points(lattice, n, 1); }
+
+benchmark::internal::Benchmark* add_case(const std::string& what, const Input& input,
+                                         const std::function<void(benchmark::State&)>& body) {
+    const std::string name = what + '/' + input.lattice_name + '/' + std::to_string(input.n);
+    return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
+}
+
+void warm_the_heap() {
+    // More than the largest case needs: the mirror diagram of 1e6 sites takes 0.3 GB.
+    constexpr std::size_t kBytes = std::size_t{1} << 29;
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
+    std::vector<char> touched(kBytes, 1);
+    benchmark::DoNotOptimize(touched.data());
+}
+
+void cool_the_heap() {
+    // The values that malloc starts with (mallopt(3)).
+    mallopt(M_MMAP_MAX, 1 << 16);
+    mallopt(M_MMAP_THRESHOLD, 1 << 17);
+    mallopt(M_TRIM_THRESHOLD, 1 << 17);
+    malloc_trim(0);
+}
+
+}  // namespace pcvt::bench

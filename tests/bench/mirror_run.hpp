@@ -1,0 +1,12 @@
+#pragma once
+
+#include "mesher/objective.hpp"
+#include "mesher/sites.hpp"
+
+namespace pcvt::bench {
+
+/// The paper's way: L-BFGS from the same start as compute_cvt, until the RMS residual is at most
+/// `rms`, with the mirror diagram built anew for each evaluation.
+OptimizerResult mirror_run(const Lattice& lattice, const Points& points, double rms);
+
+}  // namespace pcvt::bench
