@@ -249,8 +249,8 @@ void add_outlines(const FlatTile& tile, const Surface& surface, ModelBuilder& bu
 
 enum class Container { kText, kBinary };
 
-std::vector<EncodedFile> encode(const FlatTile& tile, const std::string& path,
-                                Container container) {
+/// The tile itself is needed no more once its model stands, and both are large.
+tinygltf::Model make_model(const FlatTile& tile, const std::string& path) {
     require_finite(tile);
     const std::vector<SiteId>& sites =
         tile.kind == TileKind::kCells ? tile.face_site : tile.vertex_site;
@@ -265,10 +265,14 @@ std::vector<EncodedFile> encode(const FlatTile& tile, const std::string& path,
     if (builder.model().buffers[0].data.size() > kMaxBytes) {
         throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");
     }
+    return std::move(builder.model());
+}
+
+std::vector<EncodedFile> encode(const tinygltf::Model& model, const std::string& path,
+                                Container container) {
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;
-    if (!writer.WriteGltfSceneToStream(&builder.model(), stream, false,
-                                       container == Container::kBinary)) {
+    if (!writer.WriteGltfSceneToStream(&model, stream, false, container == Container::kBinary)) {
         throw InternalError(path + ": tinygltf refused the model");
     }
     return {{path, std::move(stream).str()}};
@@ -277,19 +281,21 @@ std::vector<EncodedFile> encode(const FlatTile& tile, const std::string& path,
 }  // namespace
 
 std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& path) {
-    return encode(tile, path, Container::kText);
+    return encode(make_model(tile, path), path, Container::kText);
 }
 
 std::vector<EncodedFile> encode_gltf(const AnyTile& tile, const std::string& path) {
-    return encode_gltf(flatten(tile), path);
+    const tinygltf::Model model = make_model(flatten(tile), path);
+    return encode(model, path, Container::kText);
 }
 
 std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& path) {
-    return encode(tile, path, Container::kBinary);
+    return encode(make_model(tile, path), path, Container::kBinary);
 }
 
 std::vector<EncodedFile> encode_glb(const AnyTile& tile, const std::string& path) {
-    return encode_glb(flatten(tile), path);
+    const tinygltf::Model model = make_model(flatten(tile), path);
+    return encode(model, path, Container::kBinary);
 }
 
 }  // namespace pcvt

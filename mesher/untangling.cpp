@@ -21,25 +21,28 @@ void Untangling::after_flip(int h) {
     }
 }
 
-void Untangling::hold(int triangle) {
+bool Untangling::hold(int triangle) {
+    const std::size_t n_held = held_.size();
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         const SiteId site = triangulation_.corner(h).site;
         if (!leaving_.insert({site, h}).second) continue;
         held_.push_back({site, coordinates_.col(site)});
         coordinates_.col(site) = previous_.col(site);
     }
+    return held_.size() > n_held;
 }
 
-void Untangling::hold_inverted_stars(std::size_t most_held) {
+bool Untangling::hold_inverted_stars(std::size_t most_held) {
     // held_ grows while it is walked through.
     for (std::size_t k = 0; k < held_.size() && held_.size() <= most_held; ++k) {
         const int first = leaving_.at(held_[k].site);
         int h = first;
         do {
-            if (!flips_.is_counter_clockwise(h / 3)) hold(h / 3);
+            if (!flips_.is_counter_clockwise(h / 3) && !hold(h / 3)) return false;
             h = triangulation_.next_round_site(h);
         } while (h != first);
     }
+    return held_.size() <= most_held;
 }
 
 bool Untangling::star_is_counter_clockwise(int first) const {
@@ -86,8 +89,7 @@ void Untangling::give_up() {
 bool Untangling::run(const std::vector<int>& inverted, std::vector<int> suspects,
                      std::size_t most_held) {
     for (const int triangle : inverted) hold(triangle);
-    hold_inverted_stars(most_held);
-    if (held_.size() > most_held) {
+    if (!hold_inverted_stars(most_held)) {
         give_up();
         return false;
     }

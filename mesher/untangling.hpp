@@ -14,7 +14,8 @@ namespace pcvt {
 /// Delaunay triangulation after each step.
 class Untangling final : private FlipObserver {
    public:
-    /// @param previous     the coordinates at which every triangle is counter-clockwise.
+    /// @param previous     coordinates at which the triangles should be counter-clockwise; where they
+    ///                     are not, run gives up.
     /// @param coordinates  those of the moved sites; changed on the way, the same in the end.
     Untangling(TorusTriangulation& triangulation, const Points& previous, Points& coordinates,
                const Gram& gram)
@@ -38,8 +39,12 @@ class Untangling final : private FlipObserver {
 
     void before_flip(int) override {}
     void after_flip(int h) override;
-    void hold(int triangle);
-    void hold_inverted_stars(std::size_t most_held);
+    /// Puts the corners back; @returns false where all of them were back already.
+    bool hold(int triangle);
+    /// @returns false where more sites than that would be put back, or where a triangle is inverted
+    ///          with all its corners put back: after a step that failed nothing is known of
+    ///          `previous`.
+    bool hold_inverted_stars(std::size_t most_held);
     bool star_is_counter_clockwise(int h) const;
     std::vector<int> edges_round(SiteId site) const;
     bool advance(const Held& held);
