@@ -14,7 +14,8 @@ namespace pcvt {
 /// Delaunay triangulation after each step.
 class Untangling final : private FlipObserver {
    public:
-    /// @param previous     coordinates at which the triangles should be counter-clockwise; where they
+    /// @param previous     coordinates at which the triangles should be counter-clockwise; where
+    /// they
     ///                     are not, run gives up.
     /// @param coordinates  those of the moved sites; changed on the way, the same in the end.
     Untangling(TorusTriangulation& triangulation, const Points& previous, Points& coordinates,

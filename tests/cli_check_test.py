@@ -38,8 +38,9 @@ class Check(CliTest):
     def test_a_moved_vertex_is_refused(self):
         self.mesh("--sites", 30, "-o", "t.obj")
         text = self.path("t.obj").read_text()
-        first = re.search(r"^v (\S+)", text, re.M)
-        moved = text[:first.start(1)] + str(float(first.group(1)) + 1e-9) + text[first.end(1):]
+        on_the_seam = int(re.search(r"^# pcvt vertex_pair (\d+)", text, re.M).group(1))
+        x = list(re.finditer(r"^v (\S+)", text, re.M))[on_the_seam - 1]
+        moved = text[:x.start(1)] + str(float(x.group(1)) + 1e-9) + text[x.end(1):]
         self.write("t.obj", moved)
         self.refuse(2, r"^t\.obj: not a periodic tile: ", "check", "t.obj")
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/energy.hpp"
 #include "mesher/error.hpp"
+#include "tests/support/energy_at.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/nearest_site.hpp"
 
 namespace pcvt {
 namespace {
@@ -54,14 +55,25 @@ TEST(Cvt, ConvergesFromOneSiteOnOnEveryLattice) {
     }
 }
 
+void expect_as_told(const CvtResult& result) {
+    const testing::PlaneEnergy state = testing::energy_at(result.delaunay.sites());
+    EXPECT_NEAR(state.value / result.energy, 1, 1e-13);
+    const auto step = state.gradient.array().rowwise() / (2 * state.mass.transpose().array());
+    const Eigen::ArrayXd squares = step.square().colwise().sum().transpose();
+    const double h = result.delaunay.sites().spacing();
+    EXPECT_NEAR(result.residual, std::sqrt(squares.maxCoeff()) / h, 1e-12);
+    EXPECT_NEAR(result.rms_residual, std::sqrt(squares.mean()) / h, 1e-12);
+}
+
 TEST(Cvt, TheResultIsWhatItSays) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
-    const CvtResult result = run(lattice, 40, 1, to_tolerance(1e-9));
-    const Energy state = energy(result.delaunay);
-    EXPECT_NEAR(state.value / result.energy, 1, 1e-14);
-    const auto step = state.gradient.array().rowwise() / (2 * state.mass.transpose().array());
-    EXPECT_LE(std::sqrt(step.square().colwise().sum().maxCoeff()),
-              1e-9 * result.delaunay.sites().spacing() * (1 + 1e-3));
+    CvtOptions options = to_tolerance(1e-9);
+    for (const int limit : {0, 1, 7, -1}) {
+        options.max_iterations = limit;
+        expect_as_told(run(lattice, 40, 1, options));
+    }
+    options.max_iterations = 0;
+    for (const std::uint64_t seed : {1, 2, 3}) expect_as_told(run(lattice, 40000, seed, options));
 }
 
 TEST(Cvt, ZeroIterationsKeepTheSitesAsGiven) {
@@ -73,6 +85,77 @@ TEST(Cvt, ZeroIterationsKeepTheSitesAsGiven) {
     EXPECT_EQ(result.stop, Stop::kIterationLimit);
     for (SiteId s = 0; s < 25; ++s) {
         EXPECT_LT((result.delaunay.sites().position(s) - points.col(s)).norm(), 0x1p-51);
+    }
+}
+
+// Inside the sites have another order; outside it is the caller's.
+TEST(Cvt, SitesStayInTheCallersOrder) {
+    for (const auto& [name, lattice] : lattices()) {
+        for (const int n_iterations : {0, 1}) {
+            const Points points = uniform_points(lattice, 60, 6);
+            CvtOptions options;
+            options.max_iterations = n_iterations;
+            const CvtResult result = compute_cvt(lattice, points, options);
+            const Sites& sites = result.delaunay.sites();
+            const double most = n_iterations * 0.5 * sites.spacing();
+            double farthest = 0;
+            for (SiteId s = 0; s < sites.n_sites(); ++s) {
+                farthest = std::max(farthest, testing::squared_distance(sites, s, points.col(s)));
+            }
+            EXPECT_LE(std::sqrt(farthest), most * (1 + 1e-6) + 1e-12 * sites.spacing()) << name;
+            EXPECT_EQ(farthest > 1e-6 * sites.spacing(), n_iterations > 0) << name;
+        }
+    }
+}
+
+/// The points where the sites of a result stand.
+Points positions(const CvtResult& result) {
+    const Sites& sites = result.delaunay.sites();
+    Points points(2, sites.n_sites());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
+    return points;
+}
+
+double longest_move(const CvtResult& from, const CvtResult& to) {
+    const Sites& sites = to.delaunay.sites();
+    double longest = 0;
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        const Vec2 p = from.delaunay.sites().position(s);
+        longest = std::max(longest, testing::squared_distance(sites, s, p));
+    }
+    return std::sqrt(longest) / sites.spacing();
+}
+
+// Trials that are rejected, too, start from where the sites are.
+TEST(Cvt, NoSiteMovesFurtherThanHalfOfH) {
+    for (const auto& lattice : {Lattice::rectangle(1, 1), Lattice({1, 0}, {0.37, 0.81})}) {
+        for (std::uint64_t seed = 0; seed < 5; ++seed) {
+            CvtOptions options = to_tolerance(0);
+            options.max_iterations = 0;
+            CvtResult before = run(lattice, 40, seed, options);
+            while (options.max_iterations < 30) {
+                ++options.max_iterations;
+                CvtResult after = run(lattice, 40, seed, options);
+                EXPECT_LE(longest_move(before, after), 0.5 * (1 + 1e-6));
+                before = std::move(after);
+            }
+        }
+    }
+}
+
+TEST(Cvt, ALloydStepEndsAtTheCentroids) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    const CvtResult before = run(lattice, 60, 8, to_tolerance(1e-2));
+    CvtOptions one_step = to_tolerance(0);
+    one_step.solver = Solver::kLloyd;
+    one_step.max_iterations = 1;
+    const CvtResult after = compute_cvt(lattice, positions(before), one_step);
+    const testing::PlaneEnergy state = testing::energy_at(before.delaunay.sites());
+    const Sites& sites = after.delaunay.sites();
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        const Vec2 centroid =
+            before.delaunay.sites().position(s) - state.gradient.col(s) / (2 * state.mass[s]);
+        EXPECT_LT(std::sqrt(testing::squared_distance(sites, s, centroid)), 1e-8 * sites.spacing());
     }
 }
 
@@ -138,12 +221,55 @@ TEST(Cvt, RefusesSitesThatAlmostCoincide) {
     }
 }
 
+void expect_same_bits(const CvtResult& first, const CvtResult& second) {
+    EXPECT_EQ(first.delaunay.sites().coordinates(), second.delaunay.sites().coordinates());
+    EXPECT_EQ(first.energy, second.energy);
+    EXPECT_EQ(first.residual, second.residual);
+    EXPECT_EQ(first.rms_residual, second.rms_residual);
+    EXPECT_EQ(first.evaluations, second.evaluations);
+    EXPECT_EQ(first.counts.n_flips, second.counts.n_flips);
+}
+
 TEST(Cvt, TheSameInputGivesTheSameBits) {
     const Lattice lattice({0.5, 0.1}, {-0.2, 2});
-    const CvtResult first = run(lattice, 80, 3, to_tolerance(1e-7));
-    const CvtResult second = run(lattice, 80, 3, to_tolerance(1e-7));
-    EXPECT_EQ(first.delaunay.sites().coordinates(), second.delaunay.sites().coordinates());
-    EXPECT_EQ(first.evaluations, second.evaluations);
+    expect_same_bits(run(lattice, 80, 3, to_tolerance(1e-7)),
+                     run(lattice, 80, 3, to_tolerance(1e-7)));
+}
+
+void expect_same_bits_for_threads(int n, CvtOptions options) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    options.n_threads = 1;
+    const CvtResult one = run(lattice, n, 5, options);
+    for (const int n_threads : {2, 3}) {
+        options.n_threads = n_threads;
+        expect_same_bits(run(lattice, n, 5, options), one);
+    }
+}
+
+TEST(Cvt, TheNumberOfThreadsDoesNotMatter) {
+    expect_same_bits_for_threads(1000, to_tolerance(1e-4));
+    CvtOptions few_iterations = to_tolerance(0);
+    few_iterations.max_iterations = 8;
+    expect_same_bits_for_threads(40000, few_iterations);
+    few_iterations.solver = Solver::kLloyd;
+    few_iterations.max_iterations = 3;
+    expect_same_bits_for_threads(40000, few_iterations);
+}
+
+// From random sites to an RMS residual of 1e-3 the triangulation is repaired and never rebuilt.
+TEST(Cvt, FewFlipsASiteAndNoRebuild) {
+    for (const Lattice& lattice :
+         {Lattice::rectangle(1, 1), Lattice({1, 0}, {0.37, 0.81}), Lattice::rectangle(20, 1)}) {
+        const int n = 10000;
+        CvtOptions options = to_tolerance(0);
+        options.progress = [](const Progress& p) { return p.rms_residual > 1e-3; };
+        const CvtResult result = run(lattice, n, 7, options);
+        EXPECT_EQ(result.stop, Stop::kCancelled);
+        EXPECT_EQ(result.counts.n_rebuilds, 0);
+        EXPECT_GT(result.counts.n_flips, 0);
+        EXPECT_LE(double(result.counts.n_flips), 2.2 * n);
+        EXPECT_FALSE(result.counts.n_mirrors.has_value());
+    }
 }
 
 }  // namespace

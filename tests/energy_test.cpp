@@ -2,19 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "mesher/cvt.hpp"
 #include "mesher/voronoi.hpp"
+#include "tests/support/energy_at.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
+#include "tests/support/wide_terms.hpp"
 
 namespace pcvt {
 namespace {
 
+using testing::energy_at;
 using testing::lattices;
-
-Energy energy_at(const Lattice& lattice, const Points& points) {
-    return energy(PeriodicDelaunay(Sites(lattice, points)));
-}
+using testing::PlaneEnergy;
 
 struct Moments {
     double energy = 0;
@@ -44,7 +46,7 @@ TEST(Energy, EqualsTheIntegralsOverTheCellPolygons) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 7, 40}) {
             const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 1)));
-            const Energy actual = energy(delaunay);
+            const PlaneEnergy actual = energy_at(delaunay.sites());
             const PeriodicMesh cells = cell_mesh(delaunay);
             double total = 0;
             const double length = std::pow(delaunay.sites().spacing(), 3);
@@ -63,7 +65,7 @@ TEST(Energy, GradientEqualsCentralDifferences) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {2, 3, 8, 30}) {
             const Points x = uniform_points(lattice, n, 2);
-            const Energy at_x = energy_at(lattice, x);
+            const PlaneEnergy at_x = energy_at(lattice, x);
             const double step = 1e-5 * std::sqrt(lattice.area() / n);
             for (Eigen::Index k = 0; k < std::min<Eigen::Index>(2 * n, 12); ++k) {
                 Points ahead = x;
@@ -94,7 +96,7 @@ TEST(Energy, IsUnchangedByALatticeTranslationOfAnySite) {
 
 // Laws 2, 3 and 4, where sites are random and where they are cocircular.
 void expect_sums(const Sites& sites, const std::string& name) {
-    const Energy e = energy(PeriodicDelaunay(sites));
+    const PlaneEnergy e = energy_at(sites);
     const double area = sites.lattice().area();
     const double size = e.gradient.cwiseAbs().sum() + std::pow(area, 1.5);
     EXPECT_LT(e.gradient.rowwise().sum().norm(), 1e-13 * size) << name;
@@ -116,7 +118,183 @@ TEST(Energy, OfRegularHexagonsIsTheBound) {
     for (const int k : {1, 2, 5}) {
         const Sites sites = testing::grid_sites(hexagonal, k, k, 0.1, 0.2);
         const double bound = hexagonal_bound(hexagonal.area(), k * k);
-        EXPECT_NEAR(energy(PeriodicDelaunay(sites)).value / bound, 1, 1e-13);
+        EXPECT_NEAR(energy_at(sites).value / bound, 1, 1e-13);
+    }
+}
+
+/// A triangulation whose sites move.
+class Walk {
+   public:
+    Walk(const Sites& sites, int n_threads)
+        : delaunay(sites), workers(n_threads), pass(delaunay, workers) {
+        EXPECT_TRUE(pass.evaluate(energy));
+    }
+
+    void step(const Eigen::VectorXf& direction, double t) {
+        EXPECT_TRUE(delaunay.step(direction, t, workers));
+        EXPECT_TRUE(pass.evaluate(energy));
+        delaunay.settle();
+    }
+    void lloyd_step(double t) {
+        const Eigen::VectorXd masses = energy.mass.replicate(1, 2).transpose().reshaped();
+        step((-0.5 * energy.gradient.cwiseQuotient(masses)).cast<float>(), t);
+    }
+
+    MovingDelaunay delaunay;
+    Workers workers;
+    EnergyPass pass;
+    Energy energy;
+};
+
+// Law 5, at random sites and at sites that moved, with repairs on the way.
+TEST(Energy, IsTheSameToTheLastBitForAnyNumberOfWorkers) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    const Sites sites(lattice, uniform_points(lattice, 50000, 6));
+    Walk one(sites, 1);
+    const Energy at_random = one.energy;
+    for (int k = 0; k < 4; ++k) one.lloyd_step(1);
+    EXPECT_GT(one.delaunay.counts().n_flips, 0);
+    for (const int n_threads : {2, 3, 7}) {
+        Walk other(sites, n_threads);
+        EXPECT_EQ(other.energy.value, at_random.value);
+        EXPECT_EQ(other.energy.gradient, at_random.gradient);
+        EXPECT_EQ(other.energy.mass, at_random.mass);
+        for (int k = 0; k < 4; ++k) other.lloyd_step(1);
+        EXPECT_EQ(other.energy.value, one.energy.value);
+        EXPECT_EQ(other.energy.gradient, one.energy.gradient);
+        EXPECT_EQ(other.energy.mass, one.energy.mass);
+    }
+}
+
+void expect_delaunay(const MovingDelaunay& delaunay, const Lattice& lattice) {
+    TorusTriangulation t = delaunay.triangulation();
+    const LawsonFlips look(t, delaunay.coordinates(), gram_of(reduce(lattice).reduced));
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        ASSERT_TRUE(look.is_counter_clockwise(h / 3));
+        ASSERT_TRUE(look.is_locally_delaunay(h));
+    }
+}
+
+/// The walk's energy against that of a new triangulation of the same sites.
+void expect_fresh(const Walk& walk, const Lattice& lattice) {
+    const Sites sites(lattice, reduce(lattice), walk.delaunay.coordinates());
+    const PlaneEnergy fresh = energy_at(sites);
+    PlaneEnergy walked = testing::in_plane(walk.energy, walk.delaunay, lattice);
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        const SiteId id = walk.delaunay.original_id(s);
+        ASSERT_LT((walked.gradient.col(id) - fresh.gradient.col(s)).norm(),
+                  1e-12 * std::pow(sites.spacing(), 3));
+        ASSERT_NEAR(walked.mass[id], fresh.mass[s], 1e-12 * std::pow(sites.spacing(), 2));
+    }
+    ASSERT_NEAR(walked.value / fresh.value, 1, 1e-12);
+}
+
+// Steps that flip too few edges for a second pass: their terms are corrected one by one.
+TEST(Energy, CorrectionsAfterFlipsEqualASecondPass) {
+    int n_corrected_steps = 0;
+    for (const auto& [name, lattice] : lattices()) {
+        SCOPED_TRACE(name);
+        const int n = 600;
+        Walk walk(Sites(lattice, uniform_points(lattice, n, 7)), 1);
+        for (int k = 0; k < 40; ++k) {
+            const auto flips_before = walk.delaunay.counts().n_flips;
+            walk.lloyd_step(k < 10 ? 0.02 : 0.2);
+            const auto n_flips = walk.delaunay.counts().n_flips - flips_before;
+            n_corrected_steps += n_flips > 0 && n_flips < n / 20;
+            expect_fresh(walk, lattice);
+            expect_delaunay(walk.delaunay, lattice);
+        }
+        EXPECT_EQ(walk.delaunay.counts().n_rebuilds, 0);
+    }
+    EXPECT_GT(n_corrected_steps, 100);
+}
+
+/// Moves one site to `height` h above a point of the side opposite to halfedge h's origin.
+Eigen::VectorXf flattening(const MovingDelaunay& delaunay, int h, double part, double height) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const auto at = [&](int g) {
+        return image(delaunay.coordinates(), t.corner(g).site, t.corner(g).offset);
+    };
+    const int next = TorusTriangulation::next(h);
+    const Vec2 p = delaunay.frame().to_plane(difference(at(h), at(next)));
+    const Vec2 q = delaunay.frame().to_plane(difference(at(h), at(TorusTriangulation::next(next))));
+    const Vec2 above(p.y() - q.y(), q.x() - p.x());
+    const Vec2 move = p + part * (q - p) + height * delaunay.spacing() * above.normalized();
+    Eigen::VectorXf direction = Eigen::VectorXf::Zero(2 * delaunay.n_sites());
+    direction.segment<2>(2 * t.corner(h).site) = move.cast<float>();
+    return direction;
+}
+
+// A site comes so near to the side of its triangle that cotangents are large and F resolves none of
+// the terms that a flip takes away.
+TEST(Energy, KeepsTwelveDigitsWhereTrianglesWereFlat) {
+    std::mt19937_64 random(9);
+    std::uniform_real_distribution<double> uniform(0.2, 0.8);
+    for (const auto& [name, lattice] : lattices()) {
+        SCOPED_TRACE(name);
+        Walk walk(Sites(lattice, uniform_points(lattice, 200, 9)), 1);
+        for (int k = 0; k < 30; ++k) {
+            const int h = static_cast<int>(random() % 1200);
+            const double height = std::pow(10, -(k % 6));
+            walk.step(flattening(walk.delaunay, h, uniform(random), height), 1);
+            expect_fresh(walk, lattice);
+            expect_delaunay(walk.delaunay, lattice);
+        }
+        EXPECT_GT(walk.delaunay.counts().n_flips, 30);
+    }
+}
+
+/// The sum of the triangles' terms, each in fifty digits.
+Energy wide_energy(const MovingDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const int n = delaunay.n_sites();
+    Energy sum{0, Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(n)};
+    for (int h = 0; h < t.n_halfedges(); h += 3) {
+        std::array<Image, 3> at;
+        for (int k = 0; k < 3; ++k) {
+            const Corner c = t.corner(h + k);
+            at[k] = image(delaunay.coordinates(), c.site, c.offset);
+        }
+        const testing::WideTerms terms = testing::wide_terms(
+            difference(at[0], at[1]), difference(at[0], at[2]), delaunay.frame());
+        sum.value += terms.value;
+        for (int k = 0; k < 3; ++k) {
+            sum.gradient.segment<2>(2 * at[k].site) += terms.gradient[k];
+            sum.mass[at[k].site] += terms.mass[k];
+        }
+    }
+    return sum;
+}
+
+void expect_exact_sum(const Walk& walk) {
+    const Energy wide = wide_energy(walk.delaunay);
+    EXPECT_NEAR(walk.energy.value / wide.value, 1, 1e-13);
+    EXPECT_LT((walk.energy.gradient - wide.gradient).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((walk.energy.mass - wide.mass).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+// Sites in pairs, 1e-9 h apart, that turn round each other: thin triangles come and go.
+TEST(Energy, KeepsTwelveDigitsWhereSitesAlmostCoincide) {
+    std::mt19937_64 random(8);
+    std::normal_distribution<float> normal;
+    for (const auto& [name, lattice] : lattices()) {
+        SCOPED_TRACE(name);
+        const int n = 60;
+        const double near = 1e-9 * std::sqrt(lattice.area() / n);
+        Points points = uniform_points(lattice, n, 8);
+        for (int s = 0; s < n; s += 2) {
+            points.col(s + 1) = points.col(s) + near * Vec2(normal(random), normal(random));
+        }
+        Walk walk(Sites(lattice, points), 1);
+        expect_exact_sum(walk);
+        for (int move = 0; move < 4; ++move) {
+            Eigen::VectorXf direction(2 * n);
+            for (float& d : direction) d = normal(random);
+            walk.step(direction, 1e-9);
+            expect_exact_sum(walk);
+            expect_delaunay(walk.delaunay, lattice);
+        }
+        EXPECT_GT(walk.delaunay.counts().n_flips, 0);
     }
 }
 

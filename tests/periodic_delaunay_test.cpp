@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "mesher/energy.hpp"
+#include "mesher/error.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/nearest_site.hpp"
 #include "tests/support/special_sites.hpp"
@@ -17,18 +15,6 @@ using testing::squared_distance;
 
 Sites random_sites(const Lattice& lattice, int n, std::uint64_t seed) {
     return {lattice, uniform_points(lattice, n, seed)};
-}
-
-using Edges = std::vector<std::tuple<SiteId, SiteId, Offset>>;
-
-Edges edges(const TorusTriangulation& t) {
-    Edges edges;
-    for (int h = 0; h < t.n_halfedges(); ++h) {
-        edges.emplace_back(t.corner(h).site, t.corner(TorusTriangulation::next(h)).site,
-                           t.edge_offset(h));
-    }
-    std::sort(edges.begin(), edges.end());
-    return edges;
 }
 
 // Law 1, checked in another way: no image of any site lies inside any circumcircle.
@@ -69,53 +55,15 @@ TEST(PeriodicDelaunay, CirclesAreEmptyWhereSitesAreCocircular) {
     }
 }
 
-// Law 2: after moves from 1e-12 to several domains, the edges are those of a fresh build.
-TEST(PeriodicDelaunay, AMoveOfAnySizeEqualsAFreshBuild) {
-    std::mt19937_64 random(3);
-    std::normal_distribution<double> normal;
-    const auto named = lattices();
-    for (int k = 0; k < 400; ++k) {
-        const auto& [name, lattice] = named[static_cast<std::size_t>(k) % named.size()];
-        const int n = 1 + k % 25;
-        Points points = uniform_points(lattice, n, random());
-        PeriodicDelaunay moved(Sites(lattice, points));
-        for (int move = 0; move < 6; ++move) {
-            const double size = moved.sites().spacing() * std::pow(10.0, (k + move) % 14 - 12);
-            for (double& x : points.reshaped()) x += size * normal(random);
-            ASSERT_TRUE(moved.move_to(points));
-            moved.certify();
-            const PeriodicDelaunay fresh(Sites(lattice, points));
-            ASSERT_EQ(edges(moved.triangulation()), edges(fresh.triangulation())) << name << k;
+TEST(PeriodicDelaunay, RefusesATriangulationThatIsNotDelaunay) {
+    for (const auto& [name, lattice] : lattices()) {
+        const PeriodicDelaunay delaunay(random_sites(lattice, 20, 1));
+        for (int h = 0; h < delaunay.triangulation().n_halfedges(); ++h) {
+            TorusTriangulation wrong = delaunay.triangulation();
+            wrong.flip(h);
+            EXPECT_THROW(PeriodicDelaunay(delaunay.sites(), wrong), InternalError) << name << h;
         }
     }
-}
-
-TEST(PeriodicDelaunay, SmallMovesAreRepairedWithoutARebuild) {
-    const Lattice unit = Lattice::rectangle(1, 1);
-    Points points = uniform_points(unit, 2000, 1);
-    PeriodicDelaunay delaunay(Sites(unit, points));
-    std::mt19937_64 random(1);
-    std::normal_distribution<double> normal;
-    for (int move = 0; move < 20; ++move) {
-        for (double& x : points.reshaped()) x += 1e-7 * normal(random);
-        ASSERT_TRUE(delaunay.move_to(points));
-    }
-    EXPECT_EQ(delaunay.n_rebuilds(), 0);
-}
-
-TEST(PeriodicDelaunay, CoincidentSitesAreRejectedAndForgotten) {
-    const Lattice lattice({1, 0}, {7, 1});
-    Points points = uniform_points(lattice, 6, 1);
-    PeriodicDelaunay delaunay(Sites(lattice, points));
-    Points bad = points;
-    bad.col(4) = bad.col(1) + lattice.translation({-2, 1});
-    EXPECT_FALSE(delaunay.move_to(bad));
-    bad.setConstant(0.25);
-    EXPECT_FALSE(delaunay.move_to(bad));
-    ASSERT_TRUE(delaunay.move_to(points));
-    delaunay.certify();
-    EXPECT_EQ(edges(delaunay.triangulation()),
-              edges(PeriodicDelaunay(Sites(lattice, points)).triangulation()));
 }
 
 }  // namespace

@@ -49,11 +49,14 @@ int exact_in_circle(const Gram& g, const Image& p, const Image& q, const Image& 
     return det.sign();
 }
 
-/// Images on a coarse grid, one in three moved by one unit in the last place: many ties and near
-/// ties.
+/// Images on a coarse grid in [-2, 3)^2, one coordinate in three moved by one unit in the last
+/// place: many ties and near ties.
 Image random_image(std::mt19937_64& random) {
     const auto pick = [&](int n) { return static_cast<int>(random() % n); };
-    const auto coordinate = [&] { return pick(8) / 8.0 + (pick(3) == 0 ? pick(3) * 0x1p-51 : 0); };
+    const auto whole = [&] { return pick(3) == 0 ? pick(5) - 2 : 0; };
+    const auto coordinate = [&] {
+        return whole() + pick(8) / 8.0 + (pick(3) == 0 ? pick(3) * 0x1p-51 : 0);
+    };
     return {coordinate(), coordinate(), 0, {pick(3) - 1, pick(3) - 1}};
 }
 

@@ -23,11 +23,14 @@ TEST(Sites, PositionsAreThePointsModuloTheLattice) {
     for (const auto& [name, lattice] : lattices()) {
         const Points given = uniform_points(lattice, 50, 3).colwise() + 2 * lattice.a();
         const Sites sites(lattice, given);
+        const Lattice& reduced = sites.reduction().reduced;
         const double size = lattice.a().norm() + lattice.b().norm();
         for (SiteId s = 0; s < sites.n_sites(); ++s) {
-            const Offset wrap = sites.wraps()[static_cast<std::size_t>(s)];
-            const Vec2 back = sites.position(s) + sites.reduction().reduced.translation(wrap);
-            EXPECT_LT((back - given.col(s)).norm(), 1e-14 * size) << name;
+            const Vec2 way = given.col(s) - sites.position(s);
+            const Vec2 periods = reduced.to_lattice(way).array().round();
+            EXPECT_LT((way - reduced.to_plane(periods)).norm(), 1e-14 * size) << name;
+            EXPECT_GE(sites.coordinates().col(s).minCoeff(), 0) << name;
+            EXPECT_LT(sites.coordinates().col(s).maxCoeff(), 1) << name;
         }
     }
 }
@@ -58,11 +61,24 @@ TEST(Sites, RefusesWhatCannotBeWrapped) {
     EXPECT_THROW(Sites(unit, points({{1e10, 0}})), InvalidInput);
 }
 
-TEST(Sites, AFailedMoveChangesNothing) {
-    Sites sites(Lattice::rectangle(1, 1), points({{0.25, 0.5}}));
-    EXPECT_FALSE(sites.move_to(points({{std::nan(""), 0}})));
-    EXPECT_FALSE(sites.move_to(points({{0, 1e200}})));
-    EXPECT_EQ(sites.coordinates().col(0), Vec2(0.25, 0.5));
+TEST(Sites, FromCoordinatesAreWrappedToTheLastBit) {
+    const Lattice lattice({1, 0}, {7, 1});
+    const double ulp = 0x1p-51;
+    const Sites sites(lattice, reduce(lattice),
+                      points({{-ulp, 1}, {1.25 + ulp, -0.75}, {0, 2 - ulp}}));
+    EXPECT_EQ(sites.coordinates(), points({{1 - ulp, 0}, {0.25 + ulp, 0.25}, {0, 1 - ulp}}));
+    EXPECT_EQ(sites.reduction().reduced.b().norm(), 1);
+}
+
+TEST(Sites, FromCoordinatesMayCoincideAndSaySo) {
+    const Lattice unit = Lattice::rectangle(1, 1);
+    const auto duplicates = [&](std::initializer_list<Vec2> list) {
+        return Sites(unit, reduce(unit), points(list)).duplicates();
+    };
+    using Ids = std::pair<SiteId, SiteId>;
+    EXPECT_EQ(duplicates({{0.5, 0.5}, {0.5, 0.5 + 0x1p-51}, {0.25, 0.5}}), Ids(-1, -1));
+    EXPECT_EQ(duplicates({{0.5, 0.5}, {0.25, 0.5}, {1.25, -0.5}, {0.5, 0.5}}), Ids(0, 3));
+    EXPECT_EQ(duplicates({{0.5, 0.1}, {0.5, 0.7}, {0.5, 0.1}}), Ids(0, 2));
 }
 
 TEST(UniformPoints, DependOnTheSeedAlone) {

@@ -3,14 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "mesher/error.hpp"
 #include "mesher/mirror_diagram.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/triangulation_laws.hpp"
 
 namespace pcvt {
 namespace {
 
+using testing::expect_laws;
 using testing::lattices;
 
 TorusTriangulation triangulation_of(const Lattice& lattice, int n, std::uint64_t seed) {
@@ -40,18 +43,6 @@ std::vector<std::vector<std::tuple<SiteId, int, int>>> triangle_set(const TorusT
 }
 
 // Laws 1 to 3.
-void expect_laws(const TorusTriangulation& t) {
-    ASSERT_EQ(t.n_triangles(), 2 * t.n_sites());
-    for (int h = 0; h < t.n_halfedges(); ++h) {
-        const int o = t.opposite(h);
-        ASSERT_NE(o, h);
-        ASSERT_EQ(t.opposite(o), h);
-        ASSERT_EQ(t.edge_offset(o), -t.edge_offset(h));
-        ASSERT_EQ(t.corner(o).site, t.corner(TorusTriangulation::next(h)).site);
-        ASSERT_EQ(t.frame_across(o), -t.frame_across(h));
-    }
-}
-
 TEST(TorusTriangulation, LawsHoldFromOneSiteOn) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 100}) {
@@ -75,6 +66,99 @@ TEST(TorusTriangulation, FlipsKeepTheLawsAndUndoThemselves) {
             ASSERT_EQ(triangle_set(t), before);
         }
     }
+}
+
+TEST(TorusTriangulation, TheFrameOfATriangleIsItsCornerZero) {
+    const TorusTriangulation t = triangulation_of(Lattice::rectangle(20, 1), 30, 3);
+    int n_with_offsets = 0;
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        const int first = h - h % 3;
+        ASSERT_EQ(t.corner(first).offset, Offset());
+        const bool zero =
+            t.corner(first + 1).offset == Offset() && t.corner(first + 2).offset == Offset();
+        ASSERT_EQ(t.has_offsets(h), !zero);
+        n_with_offsets += !zero;
+    }
+    EXPECT_GT(n_with_offsets, 0);
+    EXPECT_LT(n_with_offsets, t.n_halfedges());
+}
+
+TEST(TorusTriangulation, OffsetsFollowSitesThatChangeTheirImage) {
+    std::mt19937_64 random(4);
+    const auto digit = [&] { return static_cast<int>(random() % 21) - 10; };
+    for (const int n : {1, 2, 3, 20}) {
+        const TorusTriangulation before = triangulation_of(Lattice({1, 0}, {7, 1}), n, 4);
+        std::vector<Offset> change(static_cast<std::size_t>(n));
+        for (Offset& offset : change) offset = {digit(), digit()};
+        TorusTriangulation after = before;
+        after.add_to_offsets(change);
+        expect_laws(after);
+        for (int h = 0; h < before.n_halfedges(); ++h) {
+            const Offset origin = change[before.corner(h).site];
+            const Offset target = change[before.corner(TorusTriangulation::next(h)).site];
+            ASSERT_EQ(after.edge_offset(h), before.edge_offset(h) + target - origin);
+            ASSERT_EQ(after.corner(h).site, before.corner(h).site);
+        }
+    }
+}
+
+TEST(TorusTriangulation, RenumberingChangesTheNumbersOnly) {
+    const TorusTriangulation before = triangulation_of(Lattice::rectangle(1, 1), 6, 5);
+    TorusTriangulation after = before;
+    const std::vector<SiteId> number{3, 5, 0, 1, 4, 2};
+    after.renumber_sites(number);
+    expect_laws(after);
+    for (int h = 0; h < before.n_halfedges(); ++h) {
+        ASSERT_EQ(after.corner(h).site, number[before.corner(h).site]);
+        ASSERT_EQ(after.corner(h).offset, before.corner(h).offset);
+        ASSERT_EQ(after.opposite(h), before.opposite(h));
+    }
+}
+
+/// One site in the middle of many: all triangles round it have no offset.
+TorusTriangulation with_middle_site_moved(Offset change) {
+    const Lattice unit = Lattice::rectangle(1, 1);
+    Points points = uniform_points(unit, 200, 6);
+    points.col(0) << 0.5, 0.5;
+    TorusTriangulation t(200, mirror_diagram(Sites(unit, points)).triangles);
+    std::vector<Offset> changes(200);
+    changes[0] = change;
+    t.add_to_offsets(changes);
+    return t;
+}
+
+TEST(TorusTriangulation, OffsetsBeyond127AreRefused) {
+    for (const int far : {127, -127}) {
+        expect_laws(with_middle_site_moved({far, 0}));
+        expect_laws(with_middle_site_moved({0, far}));
+    }
+    for (const int far : {129, -129, 256, 1 << 20}) {
+        EXPECT_THROW(with_middle_site_moved({far, 0}), InternalError);
+        EXPECT_THROW(with_middle_site_moved({0, far}), InternalError);
+    }
+    const std::vector<Triangle> far{{Corner{0, {}}, Corner{0, {1, 0}}, Corner{0, {200, 1}}},
+                                    {Corner{0, {}}, Corner{0, {200, 1}}, Corner{0, {199, 1}}}};
+    EXPECT_THROW(TorusTriangulation(1, far), InternalError);
+}
+
+// Each flip turns the longest edge into a still longer one.
+TEST(TorusTriangulation, AFlipBeyond127IsRefused) {
+    TorusTriangulation t = triangulation_of(Lattice::rectangle(1, 1), 1, 7);
+    const auto flip_round = [&t] {
+        for (int h = 0; h < 1000; ++h) t.flip(h % 3);
+    };
+    EXPECT_THROW(flip_round(), InternalError);
+}
+
+TEST(TorusTriangulation, TakesLinksAsTheyAre) {
+    const Sites sites(Lattice::rectangle(1, 1), uniform_points(Lattice::rectangle(1, 1), 5, 1));
+    const auto triangles = mirror_diagram(sites).triangles;
+    const TorusTriangulation matched(5, triangles);
+    std::vector<int> links;
+    for (int h = 0; h < matched.n_halfedges(); ++h) links.push_back(matched.opposite(h));
+    const TorusTriangulation linked(5, triangles, links);
+    expect_laws(linked);
+    EXPECT_EQ(triangle_set(linked), triangle_set(matched));
 }
 
 TEST(TorusTriangulation, RefusesTrianglesThatDoNotClose) {

@@ -1,0 +1,126 @@
+#include "tests/support/checked_engine.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "mesher/periodic_delaunay.hpp"
+#include "tests/support/engine_twin.hpp"
+
+namespace pcvt::testing {
+namespace {
+
+constexpr int kMostBuildsPerMove = 2;
+/// The mirror diagram's pieces are integrated for up to as many sites.
+constexpr int kFewSites = 12;
+
+/// The largest distance of a coordinate to its twin, in lattice coordinates and modulo periods.
+double distance_modulo_periods(const Points& p, const Points& q) {
+    const Eigen::ArrayXXd d = (p - q).array();
+    return (d - d.round()).abs().maxCoeff();
+}
+
+}  // namespace
+
+EngineTally& EngineTally::operator+=(const EngineTally& other) {
+    moves += other.moves;
+    undefined += other.undefined;
+    flips += other.flips;
+    rebuilds += other.rebuilds;
+    local_repairs += other.local_repairs;
+    predicates += other.predicates;
+    exact += other.exact;
+    return *this;
+}
+
+CheckedEngine::CheckedEngine(const Sites& sites)
+    : original_(sites), delaunay_(sites), pass_(delaunay_, workers_) {
+    if (!evaluate()) require("the first evaluation failed");
+    compare();
+}
+
+void CheckedEngine::require(const std::string& fault) {
+    if (fault_.empty()) fault_ = fault;
+}
+
+bool CheckedEngine::evaluate() {
+    Suspects all;
+    all.triangles.resize(static_cast<std::size_t>(delaunay_.triangulation().n_triangles()));
+    std::iota(all.triangles.begin(), all.triangles.end(), 0);
+    const bool has_inverted = !delaunay_.inverted(all).empty();
+
+    const PredicateCounts asked = predicate_counts();
+    const DelaunayCounts counts = delaunay_.counts();
+    const bool defined = pass_.evaluate(energy_);
+    const int n_builds = delaunay_.counts().n_rebuilds - counts.n_rebuilds;
+    tally_.flips += delaunay_.counts().n_flips - counts.n_flips;
+    tally_.rebuilds += n_builds;
+    tally_.local_repairs += defined && has_inverted && n_builds == 0;
+    tally_.predicates += predicate_counts().asked - asked.asked;
+    tally_.exact += predicate_counts().exact - asked.exact;
+    if (n_builds > kMostBuildsPerMove) require(std::to_string(n_builds) + " builds for one move");
+    return defined;
+}
+
+void CheckedEngine::compare() {
+    if (!fault_.empty()) return;
+    const Sites sites = sites_of(delaunay_, original_);
+    require(broken_law(delaunay_, sites));
+    if (!fault_.empty()) return;
+    require(difference_from_mirrors(delaunay_, sites));
+    require(difference_from_fresh_build(delaunay_, energy_, sites));
+    if (sites.n_sites() <= kFewSites) require(difference_from_pieces(delaunay_, energy_, sites));
+}
+
+void CheckedEngine::require_arrived(const Points& from, const Eigen::VectorXf& direction,
+                                    double t) {
+    const MovingDelaunay::Frame& frame = delaunay_.frame();
+    Points expected = from;
+    double longest = 1;
+    for (SiteId s = 0; s < delaunay_.n_sites(); ++s) {
+        const Vec2 way = t * direction.segment<2>(2 * s).cast<double>();
+        const double v = way.y() / frame.by;
+        const Vec2 d((way.x() - frame.bx * v) / frame.ax, v);
+        expected.col(s) += d;
+        longest = std::max(longest, d.cwiseAbs().maxCoeff());
+    }
+    // From 2^51 periods on nothing is known of the place.
+    const double distance = distance_modulo_periods(delaunay_.coordinates(), expected);
+    if (!(distance <= 4e-15 * longest)) require("a site is not where it was told to go");
+}
+
+bool CheckedEngine::move(const Eigen::VectorXf& direction, double t) {
+    if (!delaunay_.settled()) require("a move from a place where the sites did not settle");
+    home_ = delaunay_.coordinates();
+    ++tally_.moves;
+    if (!delaunay_.step(direction, t, workers_)) {
+        if ((t * direction.cast<double>()).allFinite()) require("a finite step was refused");
+        if (delaunay_.coordinates() != home_) require("a refused step moved a site");
+        compare();
+        return false;
+    }
+    require_arrived(home_, direction, t);
+    if (evaluate()) {
+        compare();
+        return true;
+    }
+    ++tally_.undefined;
+    if (sites_of(delaunay_, original_).duplicates().first < 0) require("distinct sites coincide");
+    step_back();
+    return false;
+}
+
+void CheckedEngine::step_back() {
+    delaunay_.step_back();
+    if (distance_modulo_periods(delaunay_.coordinates(), home_) != 0) require("not back home");
+    if (!evaluate()) require("the old place is not defined any more");
+    compare();
+}
+
+void CheckedEngine::release() {
+    const Sites before = sites_of(delaunay_, original_);
+    auto [sites, triangulation] = delaunay_.release();
+    if (sites.coordinates() != before.coordinates()) require("released sites are not the moved");
+    const PeriodicDelaunay certified(std::move(sites), std::move(triangulation));
+}
+
+}  // namespace pcvt::testing
