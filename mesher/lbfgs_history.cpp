@@ -15,21 +15,38 @@ constexpr Eigen::Index kVariablesPerTask = 1 << 15;
 constexpr Eigen::Index kBlock = 1 << 11;
 /// Partial sums of a dot product: enough that additions do not wait for each other.
 constexpr Eigen::Index kLanes = 8;
+/// Single-precision numbers that are fetched together, and how far ahead of their use: where a
+/// vector goes over to its next page the hardware does not do so by itself.
+constexpr Eigen::Index kStretch = 64;
+constexpr Eigen::Index kAhead = 512;
+constexpr Eigen::Index kPerCacheLine = 16;
+
+inline void fetch_ahead(const float* x) {
+    for (Eigen::Index k = 0; k < kStretch; k += kPerCacheLine) __builtin_prefetch(x + kAhead + k);
+}
 
 PCVT_VECTOR_CLONES double dot(const double* x, const float* y, Eigen::Index n) {
     double lane[kLanes] = {};
     Eigen::Index i = 0;
-    for (; i + kLanes <= n; i += kLanes) {
-        for (Eigen::Index k = 0; k < kLanes; ++k) lane[k] += x[i + k] * double(y[i + k]);
+    for (; i + kStretch <= n; i += kStretch) {
+        fetch_ahead(y + i);
+        for (Eigen::Index j = i; j < i + kStretch; j += kLanes) {
+            for (Eigen::Index k = 0; k < kLanes; ++k) lane[k] += x[j + k] * double(y[j + k]);
+        }
     }
-    for (; i < n; ++i) lane[0] += x[i] * double(y[i]);
+    for (; i < n; ++i) lane[i % kLanes] += x[i] * double(y[i]);
     double sum = 0;
     for (const double part : lane) sum += part;
     return sum;
 }
 
 PCVT_VECTOR_CLONES void add_multiple(double c, const float* x, double* sum, Eigen::Index n) {
-    for (Eigen::Index i = 0; i < n; ++i) sum[i] += c * double(x[i]);
+    Eigen::Index i = 0;
+    for (; i + kStretch <= n; i += kStretch) {
+        fetch_ahead(x + i);
+        for (Eigen::Index k = 0; k < kStretch; ++k) sum[i + k] += c * double(x[i + k]);
+    }
+    for (; i < n; ++i) sum[i] += c * double(x[i]);
 }
 
 PCVT_VECTOR_CLONES double largest_pair_square(const double* x, Eigen::Index n) {

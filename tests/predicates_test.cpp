@@ -74,7 +74,7 @@ TEST(Predicates, InCircleEqualsItsRationalTwin) {
     std::mt19937_64 random(2);
     for (const auto& [name, lattice] : lattices()) {
         const Gram gram = gram_of(reduce(lattice).reduced);
-        for (int k = 0; k < 2000; ++k) {
+        for (int k = 0; k < 1200; ++k) {
             const Image p = random_image(random);
             const Image q = random_image(random);
             const Image r = random_image(random);

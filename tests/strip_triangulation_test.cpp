@@ -94,20 +94,24 @@ TEST(StripTriangulation, CoversTheTorusWhereSitesAreBunched) {
     }
 }
 
-// Chains that are straight but for a few units in the last place.
-TEST(StripTriangulation, IsExactWhereSitesAreNearlyCollinear) {
+// A chain that is straight but for a few units in the last place, and leans far away from its
+// neighbour's sites: three of its sites in a row are a triangle or not.
+TEST(StripTriangulation, IsExactWhereAChainIsNearlyStraight) {
     std::mt19937_64 random(8);
     std::uniform_real_distribution<double> uniform(0, 1);
-    for (int k = 0; k < 2000; ++k) {
-        const Lattice lattice = Lattice::rectangle(1, 1 + k % 20);
-        const Vec2 direction(uniform(random), uniform(random));
-        Points u(2, 3 + k % 8);
-        for (Eigen::Index s = 0; s < u.cols(); ++s) {
+    const Lattice unit = Lattice::rectangle(1, 1);
+    for (int k = 0; k < 3000; ++k) {
+        const double lean = (k % 2 == 0 ? 0.45 : -0.45) * uniform(random);
+        const double rise = 0.4 * uniform(random);
+        Points u(2, 8);
+        for (int s = 0; s < 4; ++s) {
             const double t = uniform(random);
-            for (int i = 0; i < 2; ++i) u(i, s) = wrap(t * direction[i]).fraction;
+            u.col(s) << wrap(0.225 + lean * (t - 0.5)).fraction, wrap(rise * t).fraction;
+            u.col(s + 4) << wrap(0.5 + 0.4 * uniform(random)).fraction,
+                wrap(0.8 + 0.1 * uniform(random)).fraction;
         }
         SCOPED_TRACE("input " + std::to_string(k));
-        expect_strips(Sites(lattice, reduce(lattice), u));
+        expect_strips(Sites(unit, reduce(unit), u));
         if (HasFatalFailure()) return;
     }
 }
