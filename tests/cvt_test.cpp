@@ -249,10 +249,10 @@ void expect_same_bits_for_threads(int n, CvtOptions options) {
 TEST(Cvt, TheNumberOfThreadsDoesNotMatter) {
     expect_same_bits_for_threads(1000, to_tolerance(1e-4));
     CvtOptions few_iterations = to_tolerance(0);
-    few_iterations.max_iterations = 8;
+    few_iterations.max_iterations = 5;
     expect_same_bits_for_threads(40000, few_iterations);
     few_iterations.solver = Solver::kLloyd;
-    few_iterations.max_iterations = 3;
+    few_iterations.max_iterations = 2;
     expect_same_bits_for_threads(40000, few_iterations);
 }
 

@@ -25,8 +25,8 @@ struct Corners {
     Vec2 q;
 };
 
-Vec2 snapped(double u, double v) {
-    return {std::nearbyint(u * 0x1p51) / 0x1p51, std::nearbyint(v * 0x1p51) / 0x1p51};
+Vec2 snapped(const Vec2& u) {
+    return {std::nearbyint(u.x() * 0x1p51) / 0x1p51, std::nearbyint(u.y() * 0x1p51) / 0x1p51};
 }
 
 std::array<Image, 3> images(const Corners& c) {
@@ -47,10 +47,9 @@ std::vector<Corners> random_triangles(int n, std::uint64_t seed) {
     while (static_cast<int>(list.size()) < n) {
         const int k = static_cast<int>(list.size());
         const double near = std::pow(10, -(k % 10));
-        const Vec2 p = snapped(uniform(random), uniform(random));
+        const Vec2 p = snapped({uniform(random), uniform(random)});
         const Vec2 along = k % 4 == 0 ? Vec2(uniform(random) * p) : k % 4 == 1 ? p : Vec2(0, 0);
-        const Vec2 q =
-            snapped(along.x() + near * uniform(random), along.y() + near * uniform(random));
+        const Vec2 q = snapped(along + near * Vec2{uniform(random), uniform(random)});
         const std::array<Corners, 3> turned{Corners{p, q}, Corners{q - p, -p}, Corners{-q, p - q}};
         if (counter_clockwise({p, q})) list.push_back(turned[k % 3]);
     }
@@ -84,7 +83,7 @@ TEST(TriangleTerms, AreTheIntegralsOverTheRightAngledParts) {
 /// The vector of the plane in coordinates of the reduced basis.
 Vec2 to_lattice(const Frame& frame, const Vec2& d) {
     const double v = d.y() / frame.by;
-    return snapped((d.x() - frame.bx * v) / frame.ax, v);
+    return snapped({(d.x() - frame.bx * v) / frame.ax, v});
 }
 
 /// Triangles with a side from corner 0 to 1 and another one that leaves corner 0 at `angle` from
@@ -104,7 +103,7 @@ TEST(TriangleTerms, OfNeedlesKeepThirteenDigits) {
         SCOPED_TRACE(name);
         const Frame frame = frame_of(lattice);
         for (int k = 0; k < 200; ++k) {
-            const Vec2 p = snapped(uniform(random), uniform(random));
+            const Vec2 p = snapped({uniform(random), uniform(random)});
             const double angle = M_PI_2 * (1 + 0.8 * uniform(random));
             const Corners c = corners_at_angle(frame, p, angle, std::pow(10, -(k % 10)), k);
             expect_terms(triangle_terms(c.p, c.q, frame), c, frame, 1e-13);
@@ -180,10 +179,9 @@ std::vector<Corners> flat_triangles(int n) {
     std::uniform_real_distribution<double> uniform(-1, 1);
     std::vector<Corners> list;
     for (int k = 0; k < n; ++k) {
-        const Vec2 p = snapped(uniform(random), uniform(random));
+        const Vec2 p = snapped({uniform(random), uniform(random)});
         const double part = 2 * uniform(random);
-        list.push_back(
-            {p, snapped(part * p.x(), part * p.y()) + 0x1p-51 * Vec2(k % 3 - 1, k / 3 % 3 - 1)});
+        list.push_back({p, snapped(part * p) + 0x1p-51 * Vec2(k % 3 - 1, k / 3 % 3 - 1)});
     }
     return list;
 }
@@ -218,7 +216,7 @@ std::vector<Corners> right_triangles(const Frame& frame, int n) {
     std::uniform_real_distribution<double> uniform(-1, 1);
     std::vector<Corners> list;
     for (int k = 0; k < n; ++k) {
-        const Vec2 p = snapped(uniform(random), uniform(random));
+        const Vec2 p = snapped({uniform(random), uniform(random)});
         const double deviation = std::ldexp(uniform(random), -40 - k % 16);
         const double near = std::pow(10, -(k / 16 % 8));
         list.push_back(corners_at_angle(frame, p, M_PI_2 + deviation, near, k));
@@ -251,7 +249,7 @@ TEST(TriangleBlock, SeesThatNearlyRegularTrianglesAreAcute) {
         std::vector<Corners> list;
         for (int k = 0; k < TriangleBlock::kSize; ++k) {
             const double angle = (50 + k % 30) * M_PI / 180;
-            list.push_back(corners_at_angle(frame, snapped(0.1 + 0.01 * k, 0.3), angle, 1, k));
+            list.push_back(corners_at_angle(frame, snapped({0.1 + 0.01 * k, 0.3}), angle, 1, k));
         }
         for_blocks(list, frame, [&, &name = name](const auto& block, int k, const Corners&) {
             ASSERT_GT(block.acute[k], 0) << name;
