@@ -35,13 +35,12 @@ struct DelaunayCounts {
 /// in a unit, a power of two near h, and in the *frame*: the plane turned so that the reduced
 /// period vector a lies along x.
 ///
-/// A step goes from where the sites are to a trial place, where the triangulation must be restored;
-/// `settle` keeps it there, and without that the next step starts from the same place again. Laws,
-/// tested by number:
-///   (1) After restore every triangle is counter-clockwise and every edge locally Delaunay,
-///   exactly.
-///       Together the two prove the global periodic Delaunay property.
-///   (2) After any step the triangulation is that of a fresh build, but for ties.
+/// A step leads to a trial place, where the triangulation must be restored. Then either `settle`
+/// keeps it there, or `step_back` leads back, where it must be restored as well before the next
+/// step. Laws, tested by number:
+///   (1) Once restored, every triangle is counter-clockwise and every edge locally Delaunay. Exact;
+///       together the two prove the global periodic Delaunay property.
+///   (2) Once restored, the triangulation is that of a fresh build, but for ties.
 class MovingDelaunay {
    public:
     /// Builds from strips, or where those fail from the mirrors. Cost: about half of a plain
@@ -70,12 +69,12 @@ class MovingDelaunay {
     const Frame& frame() const { return frame_; }
 
     /// Moves the sites by t times `direction` (x, y, x, y, ...; frame, units) from where they
-    /// settled last. The triangulation is not restored yet.
+    /// are. The triangulation is not restored yet.
     /// @returns false where a move is not finite; nothing has moved then.
     bool step(const Eigen::VectorXf& direction, double t, Workers& workers);
-    /// Moves back to where the sites settled last; not restored yet.
+    /// Moves back to where the sites were before the last step; not restored yet.
     void step_back();
-    /// The trial place becomes the one from which the next step starts.
+    /// The sites stay where they are.
     void settle() { settled_ = true; }
     bool settled() const { return settled_; }
 
