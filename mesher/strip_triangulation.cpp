@@ -145,7 +145,11 @@ class StripBuilder {
         const int n = static_cast<int>(vertices_.size());
         for (int w = 2; w < n; ++w) {
             const bool across = vertices_[w].on_right != vertices_[stack_.back()].on_right;
-            if (across ? !join_all(w) : !join_convex(w)) return false;
+            if (!across) {
+                join_convex(w);
+            } else if (!join_all(w)) {
+                return false;
+            }
         }
         link(beyond_.front().id, first_halfedge_);
         return true;
@@ -168,7 +172,7 @@ class StripBuilder {
 
     /// w follows the stack's highest vertex on its chain; it sees the stack down to the first
     /// corner that bends inwards.
-    bool join_convex(int w) {
+    void join_convex(int w) {
         Beyond beside{Beyond::kChainEdge, vertices_[stack_.back()].site};
         while (stack_.size() >= 2 && sees(stack_[stack_.size() - 2], stack_.back(), w)) {
             const int t = add_triangle(stack_[stack_.size() - 2], stack_.back(), w);
@@ -180,7 +184,6 @@ class StripBuilder {
         }
         stack_.push_back(w);
         beyond_.push_back(beside);
-        return true;
     }
 
     /// Whether a, b, w (b above a on the stack) is a triangle inside the strip.
