@@ -10,69 +10,63 @@ namespace {
 
 /// A pair with s.y below this times |s| |y| says nothing reliable about the curvature.
 constexpr double kWeakCurvature = 1e-8;
-/// Variables of one task, and of one block of it, whose doubles stay in the nearest cache.
-constexpr Eigen::Index kVariablesPerTask = 1 << 15;
-constexpr Eigen::Index kBlock = 1 << 11;
-/// Partial sums of a dot product: enough that additions do not wait for each other.
+constexpr Eigen::Index kBlock = PackedVectors::kBlock;
+constexpr Eigen::Index kBlocksPerTask = 16;
+/// Partial sums and maxima: enough that they do not wait for each other.
 constexpr Eigen::Index kLanes = 8;
-/// Single-precision numbers that are fetched together, and how far ahead of their use: where a
-/// vector goes over to its next page the hardware does not do so by itself.
-constexpr Eigen::Index kStretch = 64;
-constexpr Eigen::Index kAhead = 512;
-constexpr Eigen::Index kPerCacheLine = 16;
 
-inline void fetch_ahead(const float* x) {
-    for (Eigen::Index k = 0; k < kStretch; k += kPerCacheLine) __builtin_prefetch(x + kAhead + k);
+PCVT_VECTOR_CLONES void narrow(double c, const double* x, float* y, Eigen::Index n) {
+    for (Eigen::Index i = 0; i < n; ++i) y[i] = static_cast<float>(c * x[i]);
 }
 
-PCVT_VECTOR_CLONES double dot(const double* x, const float* y, Eigen::Index n) {
+PCVT_VECTOR_CLONES void subtract(const double* x, const double* y, float* difference,
+                                 Eigen::Index n) {
+    for (Eigen::Index i = 0; i < n; ++i) difference[i] = static_cast<float>(x[i] - y[i]);
+}
+
+PCVT_VECTOR_CLONES double dot(const float* x, const float* y, Eigen::Index n) {
     double lane[kLanes] = {};
     Eigen::Index i = 0;
-    for (; i + kStretch <= n; i += kStretch) {
-        fetch_ahead(y + i);
-        for (Eigen::Index j = i; j < i + kStretch; j += kLanes) {
-            for (Eigen::Index k = 0; k < kLanes; ++k) lane[k] += x[j + k] * double(y[j + k]);
-        }
+    for (; i + kLanes <= n; i += kLanes) {
+        for (Eigen::Index k = 0; k < kLanes; ++k) lane[k] += double(x[i + k]) * double(y[i + k]);
     }
-    for (; i < n; ++i) lane[i % kLanes] += x[i] * double(y[i]);
+    for (; i < n; ++i) lane[i % kLanes] += double(x[i]) * double(y[i]);
     double sum = 0;
     for (const double part : lane) sum += part;
     return sum;
 }
 
-PCVT_VECTOR_CLONES void add_multiple(double c, const float* x, double* sum, Eigen::Index n) {
+PCVT_VECTOR_CLONES double largest_pair_square(const float* x, Eigen::Index n) {
+    float largest[kLanes] = {};
     Eigen::Index i = 0;
-    for (; i + kStretch <= n; i += kStretch) {
-        fetch_ahead(x + i);
-        for (Eigen::Index k = 0; k < kStretch; ++k) sum[i + k] += c * double(x[i + k]);
-    }
-    for (; i < n; ++i) sum[i] += c * double(x[i]);
-}
-
-PCVT_VECTOR_CLONES double largest_pair_square(const double* x, Eigen::Index n) {
-    double largest[kLanes / 2] = {};
-    Eigen::Index i = 0;
-    for (; i + kLanes <= n; i += kLanes) {
-        for (Eigen::Index k = 0; k < kLanes / 2; ++k) {
-            const double square = x[i + 2 * k] * x[i + 2 * k] + x[i + 2 * k + 1] * x[i + 2 * k + 1];
-            largest[k] = std::max(largest[k], square);
+    for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
+        for (Eigen::Index k = 0; k < kLanes; ++k) {
+            const float a = x[i + 2 * k];
+            const float b = x[i + 2 * k + 1];
+            largest[k] = std::max(largest[k], a * a + b * b);
         }
     }
     for (; i < n; i += 2) largest[0] = std::max(largest[0], x[i] * x[i] + x[i + 1] * x[i + 1]);
     return *std::max_element(std::begin(largest), std::end(largest));
 }
 
-/// Runs task(first, n, sums of the task) over ranges of the variables; returns the added sums.
-template <class Sums, class Task>
-Sums sweep(Workers& workers, Eigen::Index n_variables, const Task& task) {
-    const auto n_tasks =
-        static_cast<int>((n_variables + kVariablesPerTask - 1) / kVariablesPerTask);
+/// A range of the variables that is stored under one scale.
+struct Block {
+    Eigen::Index number;
+    Eigen::Index first;
+    Eigen::Index n;
+};
+
+/// Runs work(block, sums of its task) over all variables; returns the added sums.
+template <class Sums, class Work>
+Sums sweep(Workers& workers, Eigen::Index n_variables, const Work& work) {
+    const Eigen::Index n_blocks = (n_variables + kBlock - 1) / kBlock;
+    const auto n_tasks = static_cast<int>((n_blocks + kBlocksPerTask - 1) / kBlocksPerTask);
     std::vector<Sums> sums(static_cast<std::size_t>(n_tasks));
-    workers.for_each(n_tasks, [&](int k) {
-        const Eigen::Index first = k * kVariablesPerTask;
-        const Eigen::Index end = std::min(first + kVariablesPerTask, n_variables);
-        for (Eigen::Index i = first; i < end; i += kBlock) {
-            task(i, std::min(kBlock, end - i), sums[k]);
+    workers.for_each(n_tasks, [&](int task) {
+        const Eigen::Index begin = task * kBlocksPerTask;
+        for (Eigen::Index b = begin; b < std::min(begin + kBlocksPerTask, n_blocks); ++b) {
+            work({b, b * kBlock, std::min(kBlock, n_variables - b * kBlock)}, sums[task]);
         }
     });
     for (std::size_t k = 1; k < sums.size(); ++k) sums.front().add(sums[k]);
@@ -85,11 +79,10 @@ struct DirectionSums {
     double squared = 0;
     double largest_square = 0;
 
-    /// @param wide  the same numbers as d.
-    void look_at(const double* g, const float* d, const double* wide, Eigen::Index n) {
+    void look_at(const float* g, const float* d, Eigen::Index n) {
         slope += dot(g, d, n);
-        squared += dot(wide, d, n);
-        largest_square = std::max(largest_square, largest_pair_square(wide, n));
+        squared += dot(d, d, n);
+        largest_square = std::max(largest_square, largest_pair_square(d, n));
     }
     void add(const DirectionSums& other) {
         slope += other.slope;
@@ -129,9 +122,17 @@ struct LbfgsHistory::Coefficients {
 };
 
 LbfgsHistory::LbfgsHistory(Eigen::Index n_variables, Workers& workers)
-    : workers_(workers), n_variables_(n_variables) {
-    step_[trial_].resize(n_variables);
-    change_[trial_].resize(n_variables);
+    : workers_(workers),
+      n_variables_(n_variables),
+      direction_(n_variables),
+      packed_(2 * kPairs, n_variables) {
+    make_room_for_trial();
+}
+
+void LbfgsHistory::make_room_for_trial() {
+    if (slots_.size() == kPairs) slots_.erase(slots_.begin());
+    trial_ = 0;
+    while (std::find(slots_.begin(), slots_.end(), trial_) != slots_.end()) ++trial_;
 }
 
 LbfgsHistory::Coefficients LbfgsHistory::two_loops() const {
@@ -171,52 +172,44 @@ LbfgsHistory::Direction LbfgsHistory::aim(const Eigen::VectorXd& gradient) {
     Coefficients c{};
     if (!pairs.empty()) {
         c = two_loops();
-        if (pairs.size() == kPairs) slots_.erase(slots_.begin());
-        trial_ = 0;
-        while (std::find(slots_.begin(), slots_.end(), trial_) != slots_.end()) ++trial_;
-        step_[trial_].resize(n_variables_);
-        change_[trial_].resize(n_variables_);
+        make_room_for_trial();
     }
-    const auto sums = sweep<DirectionSums>(
-        workers_, n_variables_, [&](Eigen::Index first, Eigen::Index n, DirectionSums& part) {
-            const double* g = gradient.data() + first;
-            float* d = step_[trial_].data() + first;
-            std::array<double, kBlock> wide;
-            if (!pairs.empty()) {
-                for (Eigen::Index i = 0; i < n; ++i) wide[i] = c.gradient * g[i];
-                for (const int k : pairs) {
-                    add_multiple(c.step[k], step_[k].data() + first, wide.data(), n);
-                    add_multiple(c.change[k], change_[k].data() + first, wide.data(), n);
-                }
-                std::transform(wide.data(), wide.data() + n, d,
-                               [](double x) { return static_cast<float>(x); });
+    const auto work = [&](const Block& block, DirectionSums& sums) {
+        std::array<float, kBlock> g;
+        float* const d = direction_.data() + block.first;
+        narrow(1, gradient.data() + block.first, g.data(), block.n);
+        if (!pairs.empty()) {
+            narrow(c.gradient, gradient.data() + block.first, d, block.n);
+            for (const int k : pairs) {
+                packed_.add_multiple(step(k), block.number, static_cast<float>(c.step[k]), d);
+                packed_.add_multiple(change(k), block.number, static_cast<float>(c.change[k]), d);
             }
-            std::copy_n(d, n, wide.data());
-            part.look_at(g, d, wide.data(), n);
-        });
+        }
+        packed_.pack(step(trial_), block.number, d);
+        sums.look_at(g.data(), d, block.n);
+    };
+    const auto sums = sweep<DirectionSums>(workers_, n_variables_, work);
     squared_direction_ = sums.squared;
     return {sums.slope, std::sqrt(sums.largest_square)};
 }
 
 double LbfgsHistory::look(const Eigen::VectorXd& here, const Eigen::VectorXd& there) {
-    const auto sums = sweep<LookSums>(workers_, n_variables_,
-                                      [&](Eigen::Index first, Eigen::Index n, LookSums& part) {
-                                          const double* g = there.data() + first;
-                                          const float* d = step_[trial_].data() + first;
-                                          float* y = change_[trial_].data() + first;
-                                          std::array<double, kBlock> wide;
-                                          for (Eigen::Index i = 0; i < n; ++i)
-                                              y[i] = static_cast<float>(g[i] - here[first + i]);
-                                          std::copy_n(y, n, wide.data());
-                                          part.dg += dot(g, d, n);
-                                          part.dy += dot(wide.data(), d, n);
-                                          part.yy += dot(wide.data(), y, n);
-                                          part.y_g += dot(g, y, n);
-                                          for (const int k : slots_) {
-                                              part.sg[k] += dot(g, step_[k].data() + first, n);
-                                              part.yg[k] += dot(g, change_[k].data() + first, n);
-                                          }
-                                      });
+    const auto work = [&](const Block& block, LookSums& sums) {
+        std::array<float, kBlock> g;
+        std::array<float, kBlock> y;
+        narrow(1, there.data() + block.first, g.data(), block.n);
+        subtract(there.data() + block.first, here.data() + block.first, y.data(), block.n);
+        packed_.pack(change(trial_), block.number, y.data());
+        sums.dg += double(packed_.dot(step(trial_), block.number, g.data()));
+        sums.dy += double(packed_.dot(step(trial_), block.number, y.data()));
+        sums.yy += dot(y.data(), y.data(), block.n);
+        sums.y_g += dot(y.data(), g.data(), block.n);
+        for (const int k : slots_) {
+            sums.sg[k] += double(packed_.dot(step(k), block.number, g.data()));
+            sums.yg[k] += double(packed_.dot(change(k), block.number, g.data()));
+        }
+    };
+    const auto sums = sweep<LookSums>(workers_, n_variables_, work);
     for (const int k : slots_) {
         sg_there_[k] = scale_[k] * sums.sg[k];
         yg_there_[k] = sums.yg[k];

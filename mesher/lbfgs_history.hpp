@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "mesher/packed_vectors.hpp"
 #include "mesher/workers.hpp"
 
 namespace pcvt {
@@ -11,12 +12,13 @@ namespace pcvt {
 /// The memory of L-BFGS: the last 6 pairs of step s and change of gradient y, and the product with
 /// the inverse Hessian that they stand for.
 ///
-/// Made for large n, where time is memory traffic: the vectors are stored in single precision, and
+/// Made for large n, where time is memory traffic: the vectors are stored at 16 bits a number, and
 /// an iteration sweeps over them twice. The first sweep, after an evaluation, takes the dot
 /// products of the new gradient with all of them; from these follow the products of all pairs with
 /// each other, and from those alone the two-loop recursion (J. Nocedal 1980), as coefficients (W.
-/// Chen, Z. Wang, J. Zhou 2014). The second sweep combines the next direction. It takes the place
-/// of the oldest s, and of a pair only t, with s = t * direction, is stored beside it. Sums are
+/// Chen, Z. Wang, J. Zhou 2014). The second sweep combines the next direction, rounded to what is
+/// stored: so a step is known exactly, a change of gradient to a 65,534th of the largest near it.
+/// Of a pair t, with s = t * direction, is stored beside the direction. Sums over blocks are
 /// double, and the same bits for any number of workers.
 class LbfgsHistory {
    public:
@@ -27,8 +29,9 @@ class LbfgsHistory {
     bool empty() const { return slots_.empty(); }
     void clear() { slots_.clear(); }
 
-    /// The direction of the search. While the history is empty, the caller fills it in.
-    Eigen::VectorXf& direction() { return step_[trial_]; }
+    /// The direction of the search. While the history is empty, the caller fills it in, and aim
+    /// rounds it.
+    Eigen::VectorXf& direction() { return direction_; }
 
     /// A direction d at the gradient g.
     struct Direction {
@@ -52,20 +55,23 @@ class LbfgsHistory {
     struct Coefficients;
 
     Coefficients two_loops() const;
+    void make_room_for_trial();
+    static int step(int slot) { return 2 * slot; }
+    static int change(int slot) { return 2 * slot + 1; }
 
     template <class T>
     using PerSlot = std::array<T, kPairs>;
 
     Workers& workers_;
     Eigen::Index n_variables_;
-    PerSlot<Eigen::VectorXf> step_;
-    PerSlot<Eigen::VectorXf> change_;
+    Eigen::VectorXf direction_;
+    PackedVectors packed_;
     /// Slots of the pairs, the oldest first, and the slot of the direction.
     std::vector<int> slots_;
     int trial_ = 0;
 
-    /// Of the pairs: s = scale * step_; s.y, y.y for pairs of pairs; s.g and y.g at the gradient
-    /// where the last pair ended, and at the point looked at last.
+    /// Of the pairs: s = scale * the direction stored; s.y, y.y for pairs of pairs; s.g and y.g at
+    /// the gradient where the last pair ended, and at the point looked at last.
     PerSlot<double> scale_{};
     PerSlot<PerSlot<double>> sy_{};
     PerSlot<PerSlot<double>> yy_{};

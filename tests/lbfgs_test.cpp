@@ -178,7 +178,8 @@ TEST(Lbfgs, BeginsWithTheLloydStep) {
     one_step.max_iterations = 1;
     lbfgs(by_lbfgs, one_step);
     minimize_lloyd(by_lloyd, one_step);
-    EXPECT_EQ(by_lbfgs.point(), by_lloyd.point());
+    const VectorXd step = by_lloyd.point() - start;
+    EXPECT_LT((by_lbfgs.point() - by_lloyd.point()).norm(), 1e-4 * step.norm());
 }
 
 TEST(Lbfgs, ReachesTheSamePointWithAnyNumberOfWorkers) {
