@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "mesher/energy.hpp"
 #include "mesher/error.hpp"
 #include "mesher/lbfgs.hpp"
 #include "mesher/lloyd.hpp"
+#include "mesher/long_waves.hpp"
 #include "mesher/periodic_delaunay.hpp"
 #include "mesher/voronoi.hpp"
 
@@ -16,6 +18,8 @@ namespace {
 /// In units of h. A site that moves further leaves its neighbourhood, and the model with it.
 constexpr double kLargestMove = 0.5;
 constexpr int kSitesPerTask = 1 << 14;
+/// With fewer sites no wave is long.
+constexpr int kFewestForLongWaves = 500;
 
 /// The nearest neighbours of all sites are joined by Delaunay edges, so no pair is overlooked.
 void require_distinct(const MovingDelaunay& delaunay) {
@@ -49,7 +53,17 @@ class CvtObjective final : public Objective {
         const bool defined = go_back() && go(direction, t);
         energy_.gradient.swap(evaluation.gradient);
         if (defined) measure(evaluation);
+        if (defined && long_waves_) {
+            long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        }
         return defined;
+    }
+
+    bool precondition(Evaluation& evaluation) override {
+        if (delaunay_.n_sites() < kFewestForLongWaves) return false;
+        long_waves_ = std::make_unique<LongWaves>(delaunay_, workers_);
+        long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        return true;
     }
 
     void accept() override { delaunay_.settle(); }
@@ -84,6 +98,7 @@ class CvtObjective final : public Objective {
     Workers& workers_;
     EnergyPass pass_;
     Energy energy_;
+    std::unique_ptr<LongWaves> long_waves_;
 };
 
 /// The residuals: grad_i = 2 m_i (x_i - g_i).
@@ -119,8 +134,11 @@ OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.n_threads, n_tasks));
     CvtObjective objective(delaunay, workers);
-    OptimizerOptions optimizer{
-        options.tolerance, options.max_iterations, kLargestMove * delaunay.spacing(), {}};
+    OptimizerOptions optimizer{options.tolerance,
+                               options.max_iterations,
+                               kLargestMove * delaunay.spacing(),
+                               options.precondition_below,
+                               {}};
     if (options.progress) {
         optimizer.progress = [&](Progress progress) {
             progress.value *= std::pow(delaunay.unit(), 4);

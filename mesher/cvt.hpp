@@ -15,6 +15,9 @@ struct CvtOptions {
     double tolerance = 1e-6;
     /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
     int max_iterations = -1;
+    /// L-BFGS treats long waves apart (long_waves.hpp) once the root mean square residual is below
+    /// this; 0: never. Begun much earlier it leads random sites to higher minima.
+    double precondition_below = 3e-4;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
     ProgressCallback progress;

@@ -59,7 +59,7 @@ std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, cons
         if (!run.evaluate(history.direction(), t, there)) {
             high = LinePoint{t, std::numeric_limits<double>::infinity(), 0};
         } else {
-            const LinePoint point{t, there.value, history.look(here.gradient, there.gradient)};
+            const LinePoint point{t, there.value, history.look(here, there)};
             const Verdict verdict = judge(start, point);
             if (verdict == Verdict::kAccept) return t;
             if (verdict == Verdict::kTooShort && t >= longest) return t;
@@ -71,13 +71,23 @@ std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, cons
     return std::nullopt;
 }
 
+/// The first direction: as far as the preconditioner knows to the minimum, or the Lloyd step.
+void begin_direction(const Objective& objective, const Evaluation& here,
+                     Eigen::VectorXf& direction) {
+    if (here.preconditioned.size() > 0) {
+        direction = -here.preconditioned;
+    } else {
+        objective.lloyd_step(here, direction);
+    }
+}
+
 /// Takes one step, from a fresh start with the Lloyd step if need be.
 bool advance(OptimizerRun& run, Objective& objective, const OptimizerOptions& options,
              LbfgsHistory& history, Evaluation& here, Evaluation& there) {
     for (;;) {
         const bool fresh = history.empty();
-        if (fresh) objective.lloyd_step(here, history.direction());
-        const auto [slope, largest_move] = history.aim(here.gradient);
+        if (fresh) begin_direction(objective, here, history.direction());
+        const auto [slope, largest_move] = history.aim(here);
         const double longest = options.max_move / largest_move;
         if (slope < 0) {
             if (const auto t = search_line(run, history, here, slope, longest, there)) {
@@ -102,8 +112,13 @@ OptimizerResult minimize_lbfgs(Objective& objective, const OptimizerOptions& opt
     Evaluation here;
     Evaluation there;
     if (!run.evaluate(history.direction(), 0, here)) return run.finish(Stop::kStalled, here);
+    bool may_precondition = true;
     for (;;) {
         if (const auto stop = run.before_iteration(here)) return run.finish(*stop, here);
+        if (may_precondition && here.rms_residual < options.precondition_below) {
+            if (objective.precondition(here)) history.clear();
+            may_precondition = false;
+        }
         if (!advance(run, objective, options, history, here, there)) {
             return run.finish(Stop::kStalled, here);
         }

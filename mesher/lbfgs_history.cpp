@@ -15,13 +15,22 @@ constexpr Eigen::Index kBlocksPerTask = 16;
 /// Partial sums and maxima: enough that they do not wait for each other.
 constexpr Eigen::Index kLanes = 8;
 
-PCVT_VECTOR_CLONES void narrow(double c, const double* x, float* y, Eigen::Index n) {
-    for (Eigen::Index i = 0; i < n; ++i) y[i] = static_cast<float>(c * x[i]);
+PCVT_VECTOR_CLONES void scale(float c, const float* x, float* y, Eigen::Index n) {
+    for (Eigen::Index i = 0; i < n; ++i) y[i] = c * x[i];
+}
+
+PCVT_VECTOR_CLONES void narrow_to(const double* x, float* y, Eigen::Index n) {
+    for (Eigen::Index i = 0; i < n; ++i) y[i] = static_cast<float>(x[i]);
 }
 
 PCVT_VECTOR_CLONES void subtract(const double* x, const double* y, float* difference,
                                  Eigen::Index n) {
     for (Eigen::Index i = 0; i < n; ++i) difference[i] = static_cast<float>(x[i] - y[i]);
+}
+
+PCVT_VECTOR_CLONES void subtract(const float* x, const float* y, float* difference,
+                                 Eigen::Index n) {
+    for (Eigen::Index i = 0; i < n; ++i) difference[i] = x[i] - y[i];
 }
 
 PCVT_VECTOR_CLONES double dot(const float* x, const float* y, Eigen::Index n) {
@@ -56,6 +65,15 @@ struct Block {
     Eigen::Index first;
     Eigen::Index n;
 };
+
+void narrow(const Eigen::VectorXd& x, const Block& block, float* y) {
+    narrow_to(x.data() + block.first, y, block.n);
+}
+
+/// The preconditioned gradient where there is one, else the gradient, which is given.
+const float* preconditioned(const Evaluation& here, const Block& block, const float* gradient) {
+    return here.preconditioned.size() == 0 ? gradient : here.preconditioned.data() + block.first;
+}
 
 /// Runs work(block, sums of its task) over all variables; returns the added sums.
 template <class Sums, class Work>
@@ -94,21 +112,23 @@ struct DirectionSums {
 /// What is summed at a trial point.
 struct LookSums {
     std::array<double, LbfgsHistory::kPairs> sg{};
-    std::array<double, LbfgsHistory::kPairs> yg{};
+    std::array<double, LbfgsHistory::kPairs> zg{};
     double dg = 0;
     double dy = 0;
     double yy = 0;
-    double y_g = 0;
+    double yz = 0;
+    double z_g = 0;
 
     void add(const LookSums& other) {
         for (int k = 0; k < LbfgsHistory::kPairs; ++k) {
             sg[k] += other.sg[k];
-            yg[k] += other.yg[k];
+            zg[k] += other.zg[k];
         }
         dg += other.dg;
         dy += other.dy;
         yy += other.yy;
-        y_g += other.y_g;
+        yz += other.yz;
+        z_g += other.z_g;
     }
 };
 
@@ -147,11 +167,11 @@ LbfgsHistory::Coefficients LbfgsHistory::two_loops() const {
         alpha[i] = sq / sy_[i][i];
     }
     const int newest = slots_.back();
-    const double gamma = sy_[newest][newest] / yy_[newest][newest];
+    const double gamma = sy_[newest][newest] / yz_[newest][newest];
     for (std::size_t k = 0; k < slots_.size(); ++k) {
         const int i = slots_[k];
-        double yr = yg_[i];
-        for (const int j : slots_) yr -= alpha[j] * yy_[i][j];
+        double yr = zg_[i];
+        for (const int j : slots_) yr -= alpha[j] * yz_[i][j];
         yr *= gamma;
         for (std::size_t m = 0; m < k; ++m) {
             const int j = slots_[m];
@@ -167,7 +187,7 @@ LbfgsHistory::Coefficients LbfgsHistory::two_loops() const {
     return c;
 }
 
-LbfgsHistory::Direction LbfgsHistory::aim(const Eigen::VectorXd& gradient) {
+LbfgsHistory::Direction LbfgsHistory::aim(const Evaluation& here) {
     const std::vector<int> pairs = slots_;
     Coefficients c{};
     if (!pairs.empty()) {
@@ -177,9 +197,10 @@ LbfgsHistory::Direction LbfgsHistory::aim(const Eigen::VectorXd& gradient) {
     const auto work = [&](const Block& block, DirectionSums& sums) {
         std::array<float, kBlock> g;
         float* const d = direction_.data() + block.first;
-        narrow(1, gradient.data() + block.first, g.data(), block.n);
+        narrow(here.gradient, block, g.data());
         if (!pairs.empty()) {
-            narrow(c.gradient, gradient.data() + block.first, d, block.n);
+            const float* const p = preconditioned(here, block, g.data());
+            scale(static_cast<float>(c.gradient), p, d, block.n);
             for (const int k : pairs) {
                 packed_.add_multiple(step(k), block.number, static_cast<float>(c.step[k]), d);
                 packed_.add_multiple(change(k), block.number, static_cast<float>(c.change[k]), d);
@@ -193,51 +214,63 @@ LbfgsHistory::Direction LbfgsHistory::aim(const Eigen::VectorXd& gradient) {
     return {sums.slope, std::sqrt(sums.largest_square)};
 }
 
-double LbfgsHistory::look(const Eigen::VectorXd& here, const Eigen::VectorXd& there) {
+double LbfgsHistory::look(const Evaluation& here, const Evaluation& there) {
+    const bool plain = there.preconditioned.size() == 0;
     const auto work = [&](const Block& block, LookSums& sums) {
         std::array<float, kBlock> g;
         std::array<float, kBlock> y;
-        narrow(1, there.data() + block.first, g.data(), block.n);
-        subtract(there.data() + block.first, here.data() + block.first, y.data(), block.n);
-        packed_.pack(change(trial_), block.number, y.data());
+        std::array<float, kBlock> z;
+        narrow(there.gradient, block, g.data());
+        subtract(there.gradient.data() + block.first, here.gradient.data() + block.first, y.data(),
+                 block.n);
+        if (plain) {
+            std::copy_n(y.data(), block.n, z.data());
+        } else {
+            subtract(there.preconditioned.data() + block.first,
+                     here.preconditioned.data() + block.first, z.data(), block.n);
+        }
+        packed_.pack(change(trial_), block.number, z.data());
+        if (plain) std::copy_n(z.data(), block.n, y.data());
         sums.dg += double(packed_.dot(step(trial_), block.number, g.data()));
         sums.dy += double(packed_.dot(step(trial_), block.number, y.data()));
         sums.yy += dot(y.data(), y.data(), block.n);
-        sums.y_g += dot(y.data(), g.data(), block.n);
+        sums.yz += dot(y.data(), z.data(), block.n);
+        sums.z_g += dot(z.data(), g.data(), block.n);
         for (const int k : slots_) {
             sums.sg[k] += double(packed_.dot(step(k), block.number, g.data()));
-            sums.yg[k] += double(packed_.dot(change(k), block.number, g.data()));
+            sums.zg[k] += double(packed_.dot(change(k), block.number, g.data()));
         }
     };
     const auto sums = sweep<LookSums>(workers_, n_variables_, work);
     for (const int k : slots_) {
         sg_there_[k] = scale_[k] * sums.sg[k];
-        yg_there_[k] = sums.yg[k];
+        zg_there_[k] = sums.zg[k];
     }
     sg_there_[trial_] = sums.dg;
-    yg_there_[trial_] = sums.y_g;
+    zg_there_[trial_] = sums.z_g;
     sy_[trial_][trial_] = sums.dy;
-    yy_[trial_][trial_] = sums.yy;
+    squared_change_ = sums.yy;
+    yz_[trial_][trial_] = sums.yz;
     return sums.dg;
 }
 
 void LbfgsHistory::add(double t) {
     const int added = trial_;
     const double dy = sy_[added][added];
-    if (!(dy > kWeakCurvature * std::sqrt(squared_direction_ * yy_[added][added]))) {
+    if (!(dy > kWeakCurvature * std::sqrt(squared_direction_ * squared_change_))) {
         clear();
         return;
     }
     for (const int k : slots_) {
         sy_[k][added] = sg_there_[k] - sg_[k];
-        yy_[k][added] = yy_[added][k] = yg_there_[k] - yg_[k];
+        yz_[k][added] = yz_[added][k] = zg_there_[k] - zg_[k];
     }
     scale_[added] = t;
     sy_[added][added] = t * dy;
     sg_there_[added] *= t;
     slots_.push_back(added);
     sg_ = sg_there_;
-    yg_ = yg_there_;
+    zg_ = zg_there_;
 }
 
 }  // namespace pcvt

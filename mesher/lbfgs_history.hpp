@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "mesher/objective.hpp"
 #include "mesher/packed_vectors.hpp"
 #include "mesher/workers.hpp"
 
@@ -18,8 +19,10 @@ namespace pcvt {
 /// each other, and from those alone the two-loop recursion (J. Nocedal 1980), as coefficients (W.
 /// Chen, Z. Wang, J. Zhou 2014). The second sweep combines the next direction, rounded to what is
 /// stored: so a step is known exactly, a change of gradient to a 65,534th of the largest near it.
-/// Of a pair t, with s = t * direction, is stored beside the direction. Sums over blocks are
-/// double, and the same bits for any number of workers.
+/// With a preconditioner M the Hessian is taken for M at first, and z = M^-1 y, which is the change
+/// of the preconditioned gradient, is stored in place of y. Of a pair t, with s = t * direction, is
+/// stored beside the direction. Sums over blocks are double, and the same bits for any number of
+/// workers.
 class LbfgsHistory {
    public:
     static constexpr int kPairs = 6;
@@ -42,10 +45,10 @@ class LbfgsHistory {
     };
     /// Makes direction() the product of minus the approximate inverse Hessian with the gradient at
     /// which the last pair ended; of an empty history, only measures what the caller filled in.
-    Direction aim(const Eigen::VectorXd& gradient);
+    Direction aim(const Evaluation& here);
 
-    /// The slope along direction() at a trial point, from the gradients here and there.
-    double look(const Eigen::VectorXd& here, const Eigen::VectorXd& there);
+    /// The slope along direction() at a trial point, from the evaluations here and there.
+    double look(const Evaluation& here, const Evaluation& there);
 
     /// Adds the pair of the step t * direction() to the point that was looked at last. Where the
     /// curvature along the step is weak it forgets everything instead.
@@ -70,16 +73,17 @@ class LbfgsHistory {
     std::vector<int> slots_;
     int trial_ = 0;
 
-    /// Of the pairs: s = scale * the direction stored; s.y, y.y for pairs of pairs; s.g and y.g at
+    /// Of the pairs: s = scale * the direction stored; s.y, y.z for pairs of pairs; s.g and z.g at
     /// the gradient where the last pair ended, and at the point looked at last.
     PerSlot<double> scale_{};
     PerSlot<PerSlot<double>> sy_{};
-    PerSlot<PerSlot<double>> yy_{};
+    PerSlot<PerSlot<double>> yz_{};
     PerSlot<double> sg_{};
-    PerSlot<double> yg_{};
+    PerSlot<double> zg_{};
     PerSlot<double> sg_there_{};
-    PerSlot<double> yg_there_{};
+    PerSlot<double> zg_there_{};
     double squared_direction_ = 0;
+    double squared_change_ = 0;
 };
 
 }  // namespace pcvt

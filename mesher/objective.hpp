@@ -9,6 +9,8 @@ namespace pcvt {
 struct Evaluation {
     double value = 0;
     Eigen::VectorXd gradient;
+    /// M^-1 gradient where the objective has begun to precondition, else empty.
+    Eigen::VectorXf preconditioned;
     /// What the tolerance is compared with; dimensionless.
     double residual = 0;
     /// The root mean square of what `residual` is the maximum of.
@@ -30,6 +32,10 @@ class Objective {
     virtual bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) = 0;
     /// The point becomes the one that was evaluated last.
     virtual void accept() = 0;
+    /// From now on evaluations carry M^-1 gradient, M a fixed, symmetric, positive definite
+    /// approximation of the Hessian near the point; fills it into that of the point too.
+    /// @returns false where the objective has none.
+    virtual bool precondition(Evaluation&) { return false; }
     /// The fixed-point step at the point evaluated last: the point + it is the next Lloyd iterate.
     virtual void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const = 0;
 };
@@ -55,6 +61,8 @@ struct OptimizerOptions {
     int max_iterations = -1;
     /// No variable pair (x_2i, x_2i+1) moves further than this in one step; length units.
     double max_move = 0;
+    /// The root mean square residual below which the objective is asked to precondition.
+    double precondition_below = 0;
     ProgressCallback progress;
 };
 

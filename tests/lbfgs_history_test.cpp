@@ -67,6 +67,10 @@ class TwinHistory {
     std::deque<Pair> pairs_;
 };
 
+Evaluation with_gradient(const VectorXd& gradient) {
+    return {.gradient = gradient, .preconditioned = {}};
+}
+
 /// Walks through a quadratic along the history's directions.
 class Walk {
    public:
@@ -82,7 +86,10 @@ class Walk {
     VectorXd direction() { return history.direction().cast<double>(); }
     LbfgsHistory::Direction aim() {
         if (history.empty()) history.direction() = (-0.1 * gradient).cast<float>();
-        return history.aim(gradient);
+        return history.aim(with_gradient(gradient));
+    }
+    void look_at(const VectorXd& there) {
+        history.look(with_gradient(gradient), with_gradient(quadratic.gradient(there)));
     }
     /// Goes t times the direction; returns the slope there.
     double go(double t) {
@@ -90,7 +97,7 @@ class Walk {
         const VectorXd gradient_there = quadratic.gradient(there);
         step = there - x;
         change = gradient_there - gradient;
-        const double slope = history.look(gradient, gradient_there);
+        const double slope = history.look(with_gradient(gradient), with_gradient(gradient_there));
         history.add(t);
         x = there;
         gradient = gradient_there;
@@ -166,7 +173,7 @@ TEST(LbfgsHistory, ForgetsTrialsThatWereNotTaken) {
         hesitant.aim();
         for (const double t : {3.0, 0.01}) {
             const VectorXd there = hesitant.x + t * hesitant.direction();
-            hesitant.history.look(hesitant.gradient, hesitant.quadratic.gradient(there));
+            hesitant.look_at(there);
         }
         EXPECT_EQ(straight.go(step_length(k)), hesitant.go(step_length(k)));
         EXPECT_EQ(straight.x, hesitant.x);
@@ -182,7 +189,8 @@ TEST(LbfgsHistory, NegativeCurvatureClearsIt) {
     }
     ASSERT_FALSE(walk.history.empty());
     walk.aim();
-    walk.history.look(walk.gradient, walk.gradient - walk.direction());
+    walk.history.look(with_gradient(walk.gradient),
+                      with_gradient(walk.gradient - walk.direction()));
     walk.history.add(1);
     EXPECT_TRUE(walk.history.empty());
 }
@@ -197,10 +205,10 @@ TEST(LbfgsHistory, CurvatureIsWeakBelow1e8) {
         for (const double part : {0.0, 0.9e-8, 1.1e-8, 1.0}) {
             LbfgsHistory history(2 * kFar, workers);
             history.direction() = Eigen::VectorXf::Unit(2 * kFar, 0) * float(length);
-            history.aim(zero);
+            history.aim(with_gradient(zero));
             VectorXd change = VectorXd::Unit(2 * kFar, kFar) * length;
             change[0] = part * length;
-            history.look(zero, change);
+            history.look(with_gradient(zero), with_gradient(change));
             history.add(0.5);
             EXPECT_EQ(history.empty(), part < 1e-8) << length << " " << part;
         }

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mesher/cvt.hpp"
+
+namespace pcvt {
+
+/// For CvtOptions::precondition_below after a coarse start, which has settled the long waves.
+inline constexpr double kPreconditionAfterCoarse = 1e-2;
+
+struct CoarseStartOptions {
+    std::uint64_t seed = 0;
+    /// At least 1. The result does not depend on it.
+    int n_threads = 1;
+    /// Called once an iteration of the coarser problems; false cancels.
+    ProgressCallback progress;
+};
+
+/// Sites for an optimisation to begin with, from coarse to fine.
+///
+/// Begins with a sixteenth of the sites, at random, optimises them, adds the midpoints of the
+/// Delaunay edges, which makes four times as many, shakes all of them, and so on until there are n.
+/// Long waves are settled while there are few sites: the optimisation that follows needs fewer
+/// iterations and ends in a lower minimum, with fewer cells that are no hexagons, than one from
+/// random sites. These minima are others than those that random sites lead to.
+///
+/// @returns 2 x n, length units; without columns where the callback cancelled.
+Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options);
+
+}  // namespace pcvt
