@@ -87,10 +87,16 @@ void require_form(const HermiteForm& form) {
 
 Offset to_offset(const Step& step) { return {static_cast<int>(step.i), static_cast<int>(step.j)}; }
 
-/// Right-handed, the first one to the right of the y axis, or on its upper half.
-std::array<Offset, 2> canonical(const StepBasis& basis, const Lattice& reduced) {
+/// Right-handed, the first one to the right of the y axis, or on its upper half; of two that are
+/// equally long the one nearer to the x axis comes first.
+std::array<Offset, 2> canonical(const StepBasis& basis, const StepMetric& metric,
+                                const Lattice& reduced) {
     Offset s = to_offset(basis.s);
     Offset t = to_offset(basis.t);
+    const bool tied = metric.dot(basis.t, basis.t) <= kTie * metric.dot(basis.s, basis.s);
+    if (tied && std::abs(reduced.translation(s).x()) < std::abs(reduced.translation(t).x())) {
+        std::swap(s, t);
+    }
     const Vec2 v = reduced.translation(s);
     if (v.x() < 0 || (v.x() == 0 && v.y() < 0)) s = -s;
     if (std::int64_t{s.i} * t.j < std::int64_t{s.j} * t.i) t = -t;
@@ -134,7 +140,7 @@ LatticePattern lattice_pattern(const Lattice& period, const HermiteForm& form) {
     const Lattice reduced = reduce(period).reduced;
     const StepMetric metric(reduced);
     const StepBasis basis = obtuse_basis(form, metric);
-    const std::array<Offset, 2> steps = canonical(basis, reduced);
+    const std::array<Offset, 2> steps = canonical(basis, metric, reduced);
     return {.period = period,
             .form = form,
             .basis = Lattice(reduced.translation(steps[0]) / n, reduced.translation(steps[1]) / n),

@@ -37,7 +37,7 @@ CLI::Option* add(CLI::App& app, const char* name, std::string& value, const char
 
 void add_site_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Sites and lattice");
-    add(app, "--sites", options.sites, "N", "draw N sites at random, 1 to 268435456");
+    add(app, "--sites", options.sites, "N", "N sites, 1 to 268435456, placed by --start");
     add(app, "--seed", options.seed, "S", "of the random numbers [0]");
     add(app, "--input", options.input, "FILE",
         "read the sites, \"x y\" a line, # comments; - is standard input");
@@ -48,7 +48,9 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
 
 void add_solver_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Optimisation");
-    add(app, "--start", options.start, "random", "where the sites of --sites begin [random]");
+    add(app, "--start", options.start, "random|lattice",
+        "where the sites of --sites begin; lattice: at the exact lattice\n"
+        "with the lowest energy [random]");
     add(app, "--solver", options.solver, "lbfgs|lloyd", "[lbfgs]");
     add(app, "--tolerance", options.tolerance, "T",
         "converged once max |x_i - g_i| / h <= T, h = sqrt(area / n) [1e-6]");
@@ -136,7 +138,7 @@ void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
 
 /// Options with one choice so far, and the solver.
 void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
-    refuse_later_value("--start", options.start, {"coarse", "lattice", "best"});
+    refuse_later_value("--start", options.start, {"coarse", "best"});
     refuse_later_value("--solver", options.solver, {"newton"});
     refuse_later_value("--outline", options.outline, {"box"});
     const auto choose = [&app](const char* name, const std::string& value,
@@ -146,9 +148,10 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
             throw InvalidInput(std::string(name) + " " + value + ": unknown; take " + choices);
         }
     };
-    choose("--start", options.start, {"random"}, "random");
+    choose("--start", options.start, {"random", "lattice"}, "random or lattice");
     choose("--solver", options.solver, {"lbfgs", "lloyd"}, "lbfgs or lloyd");
     choose("--outline", options.outline, {"whole"}, "whole");
+    if (options.start == "lattice") job.start = Start::kLattice;
     if (options.solver == "lloyd") job.solver = Solver::kLloyd;
 }
 
@@ -180,7 +183,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_output_options(app, options);
     add_later_options(app);
     app.footer(std::string(kExamples) +
-               "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
+               "\nNot available yet: --start coarse|best, --solver newton, --mesh grains,\n"
                "--outline box, --density, " +
                later_extensions() + "\n");
 }

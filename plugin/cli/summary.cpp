@@ -38,6 +38,20 @@ std::string seam_lines(const JobOutcome& outcome) {
     return text;
 }
 
+/// The best exact lattice, and what it is worth.
+std::string pattern_lines(const PatternOutcome& pattern) {
+    const LatticePattern& lattice = pattern.lattice;
+    const auto smallest = pattern.stability.smallest;
+    const std::string eigenvalue =
+        smallest ? "smallest eigenvalue " + figure(*smallest) + " of the largest"
+                 : "one site has only the translations";
+    return line("pattern", vector_text(lattice.basis.a()) + " " + vector_text(lattice.basis.b()) +
+                               ", energy " + figure(lattice.energy) + ", " +
+                               figure(lattice.energy / lattice.energy_bound) +
+                               " of the hexagonal bound") +
+           line("minimum", minimum_name(pattern.stability.minimum) + ("; " + eigenvalue));
+}
+
 }  // namespace
 
 std::string summary(const Job& job, const JobOutcome& outcome) {
@@ -52,6 +66,7 @@ std::string summary(const Job& job, const JobOutcome& outcome) {
                                " of the hexagonal bound");
     text += line("residual", figure(outcome.residual));
     text += line("hexagons", valence_text(outcome));
+    if (outcome.pattern) text += pattern_lines(*outcome.pattern);
     text += seam_lines(outcome);
     for (const std::string& file : outcome.files) text += line("file", file);
     if (!job.report.empty()) text += line("report", job.report);
