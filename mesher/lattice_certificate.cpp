@@ -35,30 +35,30 @@ Step nearest_step(const Vec2& u, int n) {
     return {std::llround(n * u.x()), std::llround(n * u.y())};
 }
 
-/// The sites as numbered by pattern_points: each number must occur once.
+/// The sites of a lattice, each of which is taken once.
 class Places {
    public:
-    explicit Places(const HermiteForm& form)
-        : form_(form), taken_(static_cast<std::size_t>(form.index()), 0) {}
+    explicit Places(const LatticePattern& pattern)
+        : pattern_(pattern), taken_(static_cast<std::size_t>(pattern.n_sites()), 0) {}
 
-    /// The place (i (d, -b) + j (0, a)) / n nearest to u, by its coordinates; nothing if its orbit
-    /// is taken already.
+    /// The vector of the lattice that is nearest to u, both in coordinates of the reduced period
+    /// vectors; nothing if the site there is taken already.
     std::optional<Vec2> take(const Vec2& u) {
-        const double n = form_.index();
-        const double i = std::round(u.x() * form_.a);
-        const double j = std::round(u.y() * form_.d + i * form_.b / form_.a);
-        const auto row = remainder_of(std::int64_t(i), form_.a);
-        // (a, 0) turns of the first coordinate are whole periods, b steps of the second one each.
-        const auto turns = (std::int64_t(i) - row) / form_.a;
-        const auto column = remainder_of(std::int64_t(j) - turns * form_.b, form_.d);
-        char& taken = taken_[static_cast<std::size_t>(row * form_.d + column)];
+        const double n = pattern_.n_sites();
+        const auto [s, t] = pattern_.steps;
+        // The steps span n-ths with determinant n.
+        const std::int64_t k = std::llround(u.x() * t.j - u.y() * t.i);
+        const std::int64_t m = std::llround(u.y() * s.i - u.x() * s.j);
+        const std::int64_t i = k * s.i + m * t.i;
+        const std::int64_t j = k * s.j + m * t.j;
+        char& taken = taken_[static_cast<std::size_t>(pattern_site(pattern_.form, i, j))];
         if (taken != 0) return std::nullopt;
         taken = 1;
-        return Vec2(i / form_.a, (j * form_.a - i * form_.b) / n);
+        return Vec2(static_cast<double>(i) / n, static_cast<double>(j) / n);
     }
 
    private:
-    HermiteForm form_;
+    const LatticePattern& pattern_;
     std::vector<char> taken_;
 };
 
@@ -76,9 +76,9 @@ std::optional<HermiteForm> form_of_triangle(const PeriodicDelaunay& delaunay) {
 }
 
 /// Whether the sites, moved by one translation, lie at the places of the lattice, one at each.
-bool lies_on(const Sites& sites, const HermiteForm& form) {
+bool lies_on(const Sites& sites, const LatticePattern& pattern) {
     const int n = sites.n_sites();
-    Places places(form);
+    Places places(pattern);
     Points off(2, n);
     for (SiteId s = 0; s < n; ++s) {
         const Vec2 u = sites.coordinates().col(s) - sites.coordinates().col(0);
@@ -95,8 +95,10 @@ bool lies_on(const Sites& sites, const HermiteForm& form) {
 std::optional<LatticePattern> as_lattice(const CvtResult& result) {
     const Sites& sites = result.delaunay.sites();
     const auto form = form_of_triangle(result.delaunay);
-    if (!form || !lies_on(sites, *form)) return std::nullopt;
-    return lattice_pattern(sites.lattice(), *form);
+    if (!form) return std::nullopt;
+    LatticePattern pattern = lattice_pattern(sites.lattice(), *form);
+    if (!lies_on(sites, pattern)) return std::nullopt;
+    return pattern;
 }
 
 }  // namespace pcvt

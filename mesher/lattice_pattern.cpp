@@ -16,6 +16,8 @@ constexpr double kEqualEnergies = 1e-12;
 /// Two bases that differ by less than this factor are equally short.
 constexpr double kTie = 1 + 1e-12;
 
+std::int64_t remainder_of(std::int64_t value, std::int64_t n) { return (value % n + n) % n; }
+
 /// A vector in n-ths of the reduced period vectors.
 struct Step {
     std::int64_t i;
@@ -173,19 +175,27 @@ LatticePattern best_lattice(const Lattice& period, int n) {
 
 Points pattern_points(const LatticePattern& pattern) {
     const auto [a, b, d] = pattern.form;
-    const double n = pattern.n_sites();
+    const std::int64_t n = pattern.n_sites();
     const Lattice reduced = reduce(pattern.period).reduced;
     Points points(2, pattern.n_sites());
     for (int i = 0; i < a; ++i) {
         for (int j = 0; j < d; ++j) {
-            // (i (d, -b) + j (0, a)) / n, the second coordinate wrapped while it is an integer.
-            const std::int64_t v = std::int64_t{j} * a - std::int64_t{i} * b;
-            const std::int64_t wrapped = (v % (a * d) + a * d) % (a * d);
+            // The second coordinate is wrapped while it is a whole number of n-ths.
+            const std::int64_t v = remainder_of(std::int64_t{j} * a - std::int64_t{i} * b, n);
             points.col(i * d + j) =
-                reduced.to_plane({double(i) / a, static_cast<double>(wrapped) / n});
+                reduced.to_plane({double(i) / a, static_cast<double>(v) / static_cast<double>(n)});
         }
     }
     return points;
+}
+
+int pattern_site(const HermiteForm& form, std::int64_t i, std::int64_t j) {
+    const auto [a, b, d] = form;
+    const std::int64_t row = i / d;
+    const std::int64_t column = (j + b * row) / a;
+    // a rows lead to a period and back by b columns.
+    const std::int64_t wrapped = remainder_of(row, a);
+    return static_cast<int>(wrapped * d + remainder_of(column - (row - wrapped) / a * b, d));
 }
 
 }  // namespace pcvt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "mesher/lattice.hpp"
@@ -54,5 +55,9 @@ LatticePattern best_lattice(const Lattice& period, int n);
 
 /// The sites: 2 x n, length units, the first one at the origin.
 Points pattern_points(const LatticePattern& pattern);
+
+/// The column of pattern_points in which an image of the site stands that (i, j), in n-ths of the
+/// reduced period vectors, leads to. @pre (i, j) is a vector of the lattice.
+int pattern_site(const HermiteForm& form, std::int64_t i, std::int64_t j);
 
 }  // namespace pcvt

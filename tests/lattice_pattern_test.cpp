@@ -92,6 +92,21 @@ void expect_energy_of_the_cvt(const LatticePattern& pattern, const std::string& 
     EXPECT_LT(result.residual, 1e-12) << name << pattern.n_sites();
 }
 
+TEST(LatticePattern, FindsItsSitesByTheirSteps) {
+    for (const HermiteForm& form : {HermiteForm{6, 4, 3}, {12, 5, 1}, {1, 0, 7}, {4, 0, 4}}) {
+        const LatticePattern pattern = lattice_pattern(kSquare, form);
+        const Points points = pattern_points(pattern);
+        for (int k = -9; k <= 9; ++k) {
+            for (int m = -9; m <= 9; ++m) {
+                const auto [s, t] = pattern.steps;
+                const int site = pattern_site(form, k * s.i + m * t.i, k * s.j + m * t.j);
+                const Vec2 off = k * pattern.basis.a() + m * pattern.basis.b() - points.col(site);
+                EXPECT_LT((off - off.array().round().matrix()).norm(), 1e-13) << k << " " << m;
+            }
+        }
+    }
+}
+
 TEST(LatticePattern, IsACvtOfItsEnergy) {
     for (const auto& [name, period] : testing::lattices()) {
         for (const int n : {1, 2, 3, 5, 16, 36, 100, 257}) {
