@@ -82,6 +82,7 @@ std::string encode_report(const Report& report) {
         {"seconds", word(report.seconds)},
         {"files", word(report.files)},
     };
+    if (!report.found.empty()) entries.emplace_back("found", word(report.found));
     if (report.pattern) entries.emplace_back("pattern", word(*report.pattern));
     std::string text;
     for (const auto& [key, value] : entries) {

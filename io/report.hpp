@@ -53,7 +53,9 @@ struct Report {
     int threads;
     Seconds seconds;
     std::vector<std::string> files;
-    /// The key is left out where there is none.
+    /// How a global search found the sites, in words. This key and the next one are left out where
+    /// they are empty.
+    std::string found = {};
     std::optional<Pattern> pattern = {};
 };
 

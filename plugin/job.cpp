@@ -213,13 +213,17 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
 JobOutcome run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
     Stopwatch watch;
     Monitor monitor(callback, watch);
-    JobStart start = job_start(job);
+    JobStart start = job_start(job, callback);
+    if (start.cancelled) throw Cancelled{};
+    watch.stop(&JobSeconds::optimize);
     const CvtResult result = tessellate(job, std::move(start.points), monitor);
     watch.stop(&JobSeconds::optimize);
     if (result.stop == Stop::kCancelled) throw Cancelled{};
     const std::vector<ProvedTile> tiles = build_tiles(job, result, monitor);
     JobOutcome outcome = describe(result, tiles);
     outcome.pattern = std::move(start.pattern);
+    outcome.found = std::move(start.found);
+    outcome.evaluations += start.evaluations;
     watch.stop(&JobSeconds::build);
     write(job, files, result, tiles, monitor, watch, outcome);
     outcome.seconds = watch.seconds();

@@ -14,7 +14,7 @@
 namespace pcvt {
 
 /// Where the sites begin when none are given: at random, from coarse to fine, at the best exact
-/// lattice for their number.
+/// lattice for their number, at the best state of a global search.
 enum class Start { kRandom, kCoarse, kLattice, kBest };
 
 /// One run, as a plain description: what the command's options and the C ABI's options both fill.
@@ -24,6 +24,8 @@ struct Job {
     Points points;
     int n_sites = 0;
     Start start = Start::kRandom;
+    /// Evaluations that the global search may spend; 0: default_search_budget(n_sites).
+    int budget = 0;
     std::uint64_t seed = 0;
 
     Solver solver = Solver::kLbfgs;
@@ -77,6 +79,7 @@ struct JobOutcome {
     Stop stop = Stop::kCancelled;
     int n_sites = 0;
     int iterations = 0;
+    /// Those of a global search are counted in.
     int evaluations = 0;
     /// length^4, as energy_bound.
     double energy = 0;
@@ -94,6 +97,8 @@ struct JobOutcome {
     std::vector<std::string> files;
     /// Where the start looked for it.
     std::optional<PatternOutcome> pattern;
+    /// How the global search found its best state, in words; empty without one.
+    std::string found;
     JobSeconds seconds;
 };
 

@@ -40,6 +40,7 @@ std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
         .threads = job.n_threads,
         .seconds = {seconds.build, seconds.optimize, seconds.write, seconds.total},
         .files = outcome.files,
+        .found = outcome.found,
         .pattern = report_pattern(outcome.pattern),
     });
 }

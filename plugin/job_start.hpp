@@ -10,10 +10,15 @@ struct JobStart {
     Points points;
     /// The best lattice for n, where the start looked for it.
     std::optional<PatternOutcome> pattern;
+    /// Of the global search: how it found the place, and what it spent.
+    std::string found;
+    int evaluations = 0;
+    bool cancelled = false;
 };
 
+/// @param callback  as run_job's; called by the global search.
 /// @throws InvalidInput for a start that is not available yet.
-JobStart job_start(const Job& job);
+JobStart job_start(const Job& job, const JobCallback& callback);
 
 /// The start as contract words: "file", "random", "coarse", "lattice", "best".
 const char* start_name(const Job& job);

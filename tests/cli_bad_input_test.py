@@ -91,11 +91,11 @@ class BadOption(CliTest):
             ("newton", *mesh, "--solver", "newton"), ("box", *mesh, "--outline", "box"),
             ("grains", *mesh, "--mesh", "grains"),
         ]
-        rows += [(start, *mesh, "--start", start) for start in ("coarse", "best")]
+        rows += [(start, *mesh, "--start", start) for start in ("coarse",)]
         rows += [
             (option, *mesh, option, 1)
             for option in ("--density", "--size", "--order", "--short-edges", "--density-range",
-                           "--budget", "--shard")
+                           "--shard")
         ]
         rows += [(e, *mesh, "-o", "t." + e) for e in ("msh", "inp", "vtu", "nc", "foam")]
         self.refuse_all(2, [(what + ".* not available yet", *row) for what, *row in rows])

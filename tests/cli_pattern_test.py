@@ -26,7 +26,7 @@ class Pattern(CliTest):
     def test_the_summary_tells_basis_energy_ratio_and_stability(self):
         text = self.succeed("pattern", "--sites", 10)
         self.assertRegex(text, r"pattern +\(0\.3, 0\.1\) \(-0\.1, 0\.3\), energy 0\.0166667, 1\.03923 of")
-        self.assertRegex(text, r"minimum +no; smallest eigenvalue -0\.155")
+        self.assertRegex(text, r"stability +the pattern is a saddle; smallest eigenvalue -0\.155")
 
     def test_the_report_holds_the_known_energies(self):
         for n, energy in SQUARE_MINIMA.items():

@@ -38,18 +38,22 @@ std::string seam_lines(const JobOutcome& outcome) {
     return text;
 }
 
+std::string stability_text(const LatticeStability& stability) {
+    const std::string verdict = stability.minimum == Minimum::kYes  ? "the pattern is a minimum"
+                                : stability.minimum == Minimum::kNo ? "the pattern is a saddle"
+                                                                    : "too near to call";
+    if (!stability.smallest) return verdict + "; one site has only the translations";
+    return verdict + "; smallest eigenvalue " + figure(*stability.smallest) + " of the largest";
+}
+
 /// The best exact lattice, and what it is worth.
 std::string pattern_lines(const PatternOutcome& pattern) {
     const LatticePattern& lattice = pattern.lattice;
-    const auto smallest = pattern.stability.smallest;
-    const std::string eigenvalue =
-        smallest ? "smallest eigenvalue " + figure(*smallest) + " of the largest"
-                 : "one site has only the translations";
     return line("pattern", vector_text(lattice.basis.a()) + " " + vector_text(lattice.basis.b()) +
                                ", energy " + figure(lattice.energy) + ", " +
                                figure(lattice.energy / lattice.energy_bound) +
                                " of the hexagonal bound") +
-           line("minimum", minimum_name(pattern.stability.minimum) + ("; " + eigenvalue));
+           line("stability", stability_text(pattern.stability));
 }
 
 }  // namespace
@@ -66,6 +70,7 @@ std::string summary(const Job& job, const JobOutcome& outcome) {
                                " of the hexagonal bound");
     text += line("residual", figure(outcome.residual));
     text += line("hexagons", valence_text(outcome));
+    if (!outcome.found.empty()) text += line("found", outcome.found);
     if (outcome.pattern) text += pattern_lines(*outcome.pattern);
     text += seam_lines(outcome);
     for (const std::string& file : outcome.files) text += line("file", file);
