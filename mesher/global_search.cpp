@@ -18,9 +18,11 @@ namespace {
 constexpr int kRound = 8;
 /// A start needs this many evaluations at least.
 constexpr int kFewestEvaluations = 50;
+/// The default budget: a few seconds at most, and no more for few sites than they have use for.
+constexpr int kBudgetPerSite = 2'000;
 constexpr int kDefaultBudget = 200'000;
-/// Up to this many sites the default budget is the same.
-constexpr int kSmall = 400;
+/// Up to this many sites the default budget does not fall.
+constexpr int kMiddle = 400;
 /// Minima that are remembered and shaken.
 constexpr std::size_t kMinima = 8;
 /// Minima whose energies differ by less, relatively, are the same one (residual 1e-4).
@@ -180,7 +182,8 @@ SearchResult Search::run() {
 }  // namespace
 
 int default_search_budget(int n) {
-    return static_cast<int>(std::int64_t{kDefaultBudget} * kSmall / std::max(n, kSmall));
+    const std::int64_t falling = std::int64_t{kDefaultBudget} * kMiddle / std::max(n, kMiddle);
+    return static_cast<int>(std::min(std::int64_t{kBudgetPerSite} * n, falling));
 }
 
 SearchResult search_minimum(const Lattice& period, int n, const SearchOptions& options) {

@@ -10,13 +10,13 @@ namespace pcvt {
 
 struct SearchOptions {
     std::uint64_t seed = 0;
-    /// Evaluations of the energy, at least 1; the search ends when they are spent, which the last
+    /// Evaluations of the energy; the search ends when they are spent, which the last
     /// starts may overrun by one step each.
-    int budget = 1;
+    int budget = 0;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
     /// Called between starts and now and then within; false cancels.
-    ProgressCallback progress;
+    ProgressCallback progress = {};
 };
 
 struct SearchResult {
@@ -34,8 +34,8 @@ struct SearchResult {
     int evaluations = 0;
 };
 
-/// Evaluations that take a few seconds on one core: 2 10^5 up to 400 sites, then in inverse
-/// proportion to n.
+/// Evaluations that take a few seconds on one core: 2,000 n up to 100 sites, 200,000 up to 400,
+/// then in inverse proportion to n.
 int default_search_budget(int n);
 
 /// Looks for the lowest periodic CVT of n sites: the best exact lattice, and local minima reached

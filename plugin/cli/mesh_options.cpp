@@ -53,7 +53,7 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
         "where the sites of --sites begin; lattice: at the exact lattice\n"
         "with the lowest energy; best: after a global search [random]");
     add(app, "--budget", options.budget, "E",
-        "evaluations that --start best may spend [2e5; above 400 sites\n8e7 / N]");
+        "evaluations that --start best may spend [the least of 2000 N, 2e5\nand 8e7 / N]");
     add(app, "--solver", options.solver, "lbfgs|lloyd", "[lbfgs]");
     add(app, "--tolerance", options.tolerance, "T",
         "converged once max |x_i - g_i| / h <= T, h = sqrt(area / n) [1e-6]");
