@@ -47,13 +47,25 @@ std::string word(const Report::Seconds& s) {
            ", \"write\": " + word(s.write) + ", \"total\": " + word(s.total) + "}";
 }
 
+std::string word(const Lattice& lattice) {
+    return "[" + word(lattice.a()) + ", " + word(lattice.b()) + "]";
+}
+
+std::string word(const Report::Pattern& pattern) {
+    const auto [a, b, d] = pattern.hermite;
+    return "{\"basis\": " + word(pattern.basis) + ", \"hermite\": [" + word(a) + ", " + word(b) +
+           ", " + word(d) + "], \"energy\": " + word(pattern.energy) +
+           ", \"minimum\": " + word(pattern.minimum) +
+           ", \"smallest_eigenvalue\": " + word(pattern.smallest_eigenvalue) + "}";
+}
+
 }  // namespace
 
 std::string encode_report(const Report& report) {
-    const std::vector<std::pair<std::string, std::string>> entries{
+    std::vector<std::pair<std::string, std::string>> entries{
         {"version", word(report.version)},
         {"sites", std::to_string(report.sites)},
-        {"lattice", "[" + word(report.lattice.a()) + ", " + word(report.lattice.b()) + "]"},
+        {"lattice", word(report.lattice)},
         {"seed", std::to_string(report.seed)},
         {"solver", word(report.solver)},
         {"start", word(report.start)},
@@ -70,6 +82,8 @@ std::string encode_report(const Report& report) {
         {"seconds", word(report.seconds)},
         {"files", word(report.files)},
     };
+    if (!report.found.empty()) entries.emplace_back("found", word(report.found));
+    if (report.pattern) entries.emplace_back("pattern", word(*report.pattern));
     std::string text;
     for (const auto& [key, value] : entries) {
         text += (text.empty() ? "{\n  \"" : ",\n  \"") + key + "\": " + value;

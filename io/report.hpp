@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -17,6 +18,18 @@ struct Report {
         double optimize;
         double write;
         double total;
+    };
+
+    /// The best exact lattice for the number of sites.
+    struct Pattern {
+        Lattice basis;
+        /// a, b, d: it is spanned by (d, -b) / n and (0, a) / n in the reduced period vectors.
+        std::array<int, 3> hermite;
+        double energy;
+        /// Whether it is a minimum: yes, no, unknown.
+        std::string minimum;
+        /// Of the Hessian, over the largest; null for one site.
+        std::optional<double> smallest_eigenvalue;
     };
 
     std::string version;
@@ -40,6 +53,10 @@ struct Report {
     int threads;
     Seconds seconds;
     std::vector<std::string> files;
+    /// How a global search found the sites, in words. This key and the next one are left out where
+    /// they are empty.
+    std::string found = {};
+    std::optional<Pattern> pattern = {};
 };
 
 /// The report as JSON: one key a line, numbers as the shortest decimals that read back, text as

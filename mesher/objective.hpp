@@ -49,6 +49,9 @@ struct Progress {
     double value = 0;
     double residual = 0;
     double rms_residual = 0;
+    /// Above 0 in a search through many starts: the evaluations that it may spend. `iteration` then
+    /// counts the starts, and `value` is the lowest so far.
+    int budget = 0;
 };
 
 /// Called once an iteration, on the calling thread; false cancels.

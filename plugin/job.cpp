@@ -13,6 +13,7 @@
 #include "plugin/job_files.hpp"
 #include "plugin/job_proof.hpp"
 #include "plugin/job_report.hpp"
+#include "plugin/job_start.hpp"
 
 namespace pcvt {
 namespace {
@@ -110,9 +111,7 @@ void check_job(const Job& job) {
     check_origin(job, reduce_repeated(job), n);
 }
 
-CvtResult tessellate(const Job& job, Monitor& monitor) {
-    Points points =
-        job.points.cols() > 0 ? job.points : uniform_points(job.lattice, job.n_sites, job.seed);
+CvtResult tessellate(const Job& job, Points points, Monitor& monitor) {
     CvtOptions options;
     options.solver = job.solver;
     options.tolerance = job.tolerance;
@@ -214,11 +213,17 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
 JobOutcome run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
     Stopwatch watch;
     Monitor monitor(callback, watch);
-    const CvtResult result = tessellate(job, monitor);
+    JobStart start = job_start(job, callback);
+    if (start.cancelled) throw Cancelled{};
+    watch.stop(&JobSeconds::optimize);
+    const CvtResult result = tessellate(job, std::move(start.points), monitor);
     watch.stop(&JobSeconds::optimize);
     if (result.stop == Stop::kCancelled) throw Cancelled{};
     const std::vector<ProvedTile> tiles = build_tiles(job, result, monitor);
     JobOutcome outcome = describe(result, tiles);
+    outcome.pattern = std::move(start.pattern);
+    outcome.found = std::move(start.found);
+    outcome.evaluations += start.evaluations;
     watch.stop(&JobSeconds::build);
     write(job, files, result, tiles, monitor, watch, outcome);
     outcome.seconds = watch.seconds();

@@ -9,15 +9,23 @@
 
 #include "mesher/cvt.hpp"
 #include "mesher/error.hpp"
+#include "mesher/lattice_stability.hpp"
 
 namespace pcvt {
+
+/// Where the sites begin when none are given: at random, from coarse to fine, at the best exact
+/// lattice for their number, at the best state of a global search.
+enum class Start { kRandom, kCoarse, kLattice, kBest };
 
 /// One run, as a plain description: what the command's options and the C ABI's options both fill.
 struct Job {
     Lattice lattice = Lattice::rectangle(1, 1);
-    /// The sites, 2 x n, length units; without columns they are drawn from `n_sites` and `seed`.
+    /// The sites, 2 x n, length units; without columns `n_sites` sites begin at `start`.
     Points points;
     int n_sites = 0;
+    Start start = Start::kRandom;
+    /// Evaluations that the global search may spend; 0: default_search_budget(n_sites).
+    int budget = 0;
     std::uint64_t seed = 0;
 
     Solver solver = Solver::kLbfgs;
@@ -59,12 +67,19 @@ struct SeamSize {
     int n_edge_pairs;
 };
 
+/// The best exact lattice for the number of sites.
+struct PatternOutcome {
+    LatticePattern lattice;
+    LatticeStability stability;
+};
+
 /// What came out, beside the files.
 struct JobOutcome {
     /// kCancelled: no file was written, and nothing below is filled.
     Stop stop = Stop::kCancelled;
     int n_sites = 0;
     int iterations = 0;
+    /// Those of a global search are counted in.
     int evaluations = 0;
     /// length^4, as energy_bound.
     double energy = 0;
@@ -80,6 +95,10 @@ struct JobOutcome {
     std::vector<SeamSize> seams;
     /// Every file written but the report, in the order of the outputs.
     std::vector<std::string> files;
+    /// Where the start looked for it.
+    std::optional<PatternOutcome> pattern;
+    /// How the global search found its best state, in words; empty without one.
+    std::string found;
     JobSeconds seconds;
 };
 

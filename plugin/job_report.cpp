@@ -1,9 +1,23 @@
 #include "plugin/job_report.hpp"
 
 #include "io/report.hpp"
+#include "plugin/job_start.hpp"
 #include "plugin/version.hpp"
 
 namespace pcvt {
+namespace {
+
+std::optional<Report::Pattern> report_pattern(const std::optional<PatternOutcome>& pattern) {
+    if (!pattern) return std::nullopt;
+    const auto& [lattice, stability] = *pattern;
+    return Report::Pattern{.basis = lattice.basis,
+                           .hermite = {lattice.form.a, lattice.form.b, lattice.form.d},
+                           .energy = lattice.energy,
+                           .minimum = minimum_name(stability.minimum),
+                           .smallest_eigenvalue = stability.smallest};
+}
+
+}  // namespace
 
 std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
     const JobSeconds& seconds = outcome.seconds;
@@ -13,7 +27,7 @@ std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
         .lattice = job.lattice,
         .seed = job.seed,
         .solver = job.solver == Solver::kLloyd ? "lloyd" : "lbfgs",
-        .start = job.points.cols() > 0 ? "file" : "random",
+        .start = start_name(job),
         .stop = stop_name(outcome.stop),
         .iterations = outcome.iterations,
         .evaluations = outcome.evaluations,
@@ -26,6 +40,8 @@ std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
         .threads = job.n_threads,
         .seconds = {seconds.build, seconds.optimize, seconds.write, seconds.total},
         .files = outcome.files,
+        .found = outcome.found,
+        .pattern = report_pattern(outcome.pattern),
     });
 }
 

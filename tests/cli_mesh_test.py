@@ -236,12 +236,12 @@ class ProgressDisplay(CliTest):
     RUN = ("mesh", "--sites", "40000", "--tolerance", "1e-9", "--max-iterations", "1800",
            "--threads", "1")
 
-    def on_a_terminal(self, *more):
+    def on_a_terminal(self, *more, run=RUN):
         """What the run shows on a terminal that is its standard error."""
         master, slave = pty.openpty()
         fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
-        run = subprocess.Popen([self.binary(), *self.RUN, *more], cwd=self.folder,
-                               stdout=subprocess.DEVNULL, stderr=slave)
+        started = subprocess.Popen([self.binary(), *run, *more], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=slave)
         os.close(slave)
         shown = b""
         while True:
@@ -253,7 +253,7 @@ class ProgressDisplay(CliTest):
                 break
             shown += part
         os.close(master)
-        self.assertEqual(run.wait(TIMEOUT), 0)
+        self.assertEqual(started.wait(TIMEOUT), 0)
         return shown.decode()
 
     def test_progress_is_shown_on_a_terminal_and_cleared(self):
@@ -262,6 +262,11 @@ class ProgressDisplay(CliTest):
         self.assertRegex(shown, r"about \d+ s left")
         self.assertNotIn("\n", shown)
         self.assertRegex(shown, r"\r +\r$")
+        self.assertLess(max(map(len, shown.split("\r"))), 80)
+
+    def test_a_search_shows_its_lowest_energy_and_its_budget(self):
+        shown = self.on_a_terminal(run=("mesh", "--sites", "150", "--start", "best"))
+        self.assertRegex(shown, r"\rsearch: start \d+  lowest energy/bound 1\.\d+  \d+ % of the budget")
         self.assertLess(max(map(len, shown.split("\r"))), 80)
 
     def test_quiet_shows_no_progress(self):

@@ -71,6 +71,15 @@ TEST(Report, WhatIsNotKnownIsNull) {
     EXPECT_EQ(json["valences"], Json::object());
 }
 
+TEST(Report, PatternStandsAtTheEndWhereThereIsOne) {
+    Report report = example();
+    report.pattern = Report::Pattern{Lattice({0.5, 0.5}, {-0.5, 0.5}), {2, 1, 1}, 0.25, "no", {}};
+    const Json json = Json::parse(encode_report(report));
+    EXPECT_EQ(json.back().dump(),
+              "{\"basis\":[[0.5,0.5],[-0.5,0.5]],\"hermite\":[2,1,1],\"energy\":0.25,"
+              "\"minimum\":\"no\",\"smallest_eigenvalue\":null}");
+}
+
 TEST(Report, NumbersThatAreNotFiniteAreOurFault) {
     Report report = example();
     report.energy = std::nan("");

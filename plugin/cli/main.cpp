@@ -8,6 +8,7 @@
 #include "plugin/cli/check_command.hpp"
 #include "plugin/cli/console.hpp"
 #include "plugin/cli/mesh_command.hpp"
+#include "plugin/cli/pattern_command.hpp"
 #include "plugin/version.hpp"
 
 namespace pcvt::cli {
@@ -17,16 +18,19 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  pcvt mesh --sites 300 -o tile.obj -o tile.svg\n"
     "  pcvt mesh --input sites.txt --lattice 1,0,0.37,0.81 --mesh delaunay -o tile.glb\n"
+    "  pcvt pattern --sites 56 -o pattern.svg\n"
     "  pcvt check tile.obj tile.glb\n\n"
-    "Not available yet: pcvt pattern, pcvt study.\n\n";
+    "Not available yet: pcvt study.\n\n";
 
 /// The parser of the whole command line and what it fills.
 struct CommandLine {
     CLI::App app{"Periodic centroidal Voronoi tessellations of the flat torus, as seamless tiles",
                  "pcvt"};
     CLI::App* mesh = nullptr;
+    CLI::App* pattern = nullptr;
     CLI::App* check = nullptr;
     MeshOptions mesh_options;
+    MeshOptions pattern_options;
     CheckOptions check_options;
 };
 
@@ -38,12 +42,14 @@ void describe(CommandLine& line) {
     app.set_version_flag("--version", version(), "the version");
     app.require_subcommand(0, 1);
     line.mesh = app.add_subcommand("mesh", "sites -> optimised periodic CVT -> files");
+    line.pattern = app.add_subcommand("pattern", "the best exact lattice for n -> files");
     line.check = app.add_subcommand("check", "proves or refutes that a file is a periodic tile");
-    for (CLI::App* command : {line.mesh, line.check})
+    for (CLI::App* command : {line.mesh, line.pattern, line.check})
         command->set_help_flag("--help,-h", "this text");
     add_mesh_options(*line.mesh, line.mesh_options);
+    add_pattern_options(*line.pattern, line.pattern_options);
     add_check_options(*line.check, line.check_options);
-    for (const char* later : {"pattern", "study"}) {
+    for (const char* later : {"study"}) {
         app.add_subcommand(later)->group("")->prefix_command()->set_help_flag();
     }
     app.footer(std::string(kExamples) + exit_code_help());
@@ -51,15 +57,22 @@ void describe(CommandLine& line) {
 
 /// The command that was given, with a blank behind it.
 std::string command_name(const CommandLine& line) {
-    return line.mesh->parsed() ? "mesh " : line.check->parsed() ? "check " : "";
+    return line.mesh->parsed()      ? "mesh "
+           : line.pattern->parsed() ? "pattern "
+           : line.check->parsed()   ? "check "
+                                    : "";
 }
 
 ExitCode run_chosen(const CommandLine& line) {
     if (line.mesh->parsed()) {
         return run_mesh(make_job(*line.mesh, line.mesh_options), line.mesh_options);
     }
+    if (line.pattern->parsed()) {
+        return run_mesh(make_pattern_job(*line.pattern, line.pattern_options),
+                        line.pattern_options);
+    }
     if (line.check->parsed()) return run_check(*line.check, line.check_options);
-    for (const char* later : {"pattern", "study"}) {
+    for (const char* later : {"study"}) {
         if (line.app.got_subcommand(later)) {
             throw InvalidInput(std::string(later) + " is not available yet; see pcvt --help");
         }
@@ -73,9 +86,10 @@ ExitCode run(int argc, const char* const* argv) {
     try {
         line.app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        const CLI::App& asked = line.mesh->parsed()    ? *line.mesh
-                                : line.check->parsed() ? *line.check
-                                                       : line.app;
+        const CLI::App& asked = line.mesh->parsed()      ? *line.mesh
+                                : line.pattern->parsed() ? *line.pattern
+                                : line.check->parsed()   ? *line.check
+                                                         : line.app;
         print(asked.help(&asked == &line.app ? "" : "pcvt"));
         return ExitCode::kDone;
     } catch (const CLI::CallForVersion&) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kMostIterations = std::numeric_limits<int>::max();
 constexpr int kMostThreads = 1024;
+constexpr int kLargestBudget = 2'000'000'000;
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -37,7 +38,7 @@ CLI::Option* add(CLI::App& app, const char* name, std::string& value, const char
 
 void add_site_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Sites and lattice");
-    add(app, "--sites", options.sites, "N", "draw N sites at random, 1 to 268435456");
+    add(app, "--sites", options.sites, "N", "N sites, 1 to 268435456, placed by --start");
     add(app, "--seed", options.seed, "S", "of the random numbers [0]");
     add(app, "--input", options.input, "FILE",
         "read the sites, \"x y\" a line, # comments; - is standard input");
@@ -48,7 +49,11 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
 
 void add_solver_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Optimisation");
-    add(app, "--start", options.start, "random", "where the sites of --sites begin [random]");
+    add(app, "--start", options.start, "random|lattice|best",
+        "where the sites of --sites begin; lattice: at the exact lattice\n"
+        "with the lowest energy; best: after a global search [random]");
+    add(app, "--budget", options.budget, "E",
+        "evaluations that --start best may spend [the least of 2000 N, 2e5\nand 8e7 / N]");
     add(app, "--solver", options.solver, "lbfgs|lloyd", "[lbfgs]");
     add(app, "--tolerance", options.tolerance, "T",
         "converged once max |x_i - g_i| / h <= T, h = sqrt(area / n) [1e-6]");
@@ -136,7 +141,7 @@ void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
 
 /// Options with one choice so far, and the solver.
 void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
-    refuse_later_value("--start", options.start, {"coarse", "lattice", "best"});
+    refuse_later_value("--start", options.start, {"coarse"});
     refuse_later_value("--solver", options.solver, {"newton"});
     refuse_later_value("--outline", options.outline, {"box"});
     const auto choose = [&app](const char* name, const std::string& value,
@@ -146,9 +151,11 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
             throw InvalidInput(std::string(name) + " " + value + ": unknown; take " + choices);
         }
     };
-    choose("--start", options.start, {"random"}, "random");
+    choose("--start", options.start, {"random", "lattice", "best"}, "random, lattice or best");
     choose("--solver", options.solver, {"lbfgs", "lloyd"}, "lbfgs or lloyd");
     choose("--outline", options.outline, {"whole"}, "whole");
+    if (options.start == "lattice") job.start = Start::kLattice;
+    if (options.start == "best") job.start = Start::kBest;
     if (options.solver == "lloyd") job.solver = Solver::kLloyd;
 }
 
@@ -159,6 +166,12 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--max-iterations") > 0) {
         job.max_iterations =
             whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
+    }
+    if (app.count("--budget") > 0) {
+        if (job.start != Start::kBest) {
+            throw InvalidInput("--budget is for --start best; leave it out");
+        }
+        job.budget = whole_number("--budget", options.budget, 1, kLargestBudget);
     }
     job.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     if (app.count("--threads") > 0) {
@@ -180,7 +193,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_output_options(app, options);
     add_later_options(app);
     app.footer(std::string(kExamples) +
-               "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
+               "\nNot available yet: --start coarse, --solver newton, --mesh grains,\n"
                "--outline box, --density, " +
                later_extensions() + "\n");
 }

@@ -19,6 +19,7 @@ struct MeshOptions {
     std::string period;
     std::string lattice;
     std::string start;
+    std::string budget;
     std::string solver;
     std::string tolerance;
     std::string max_iterations;

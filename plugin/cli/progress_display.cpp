@@ -25,6 +25,13 @@ std::string duration(double seconds) {
 
 std::string progress_line(const Progress& progress, double energy_bound, double seconds_left) {
     char text[96];
+    if (progress.budget > 0) {
+        std::snprintf(text, sizeof text,
+                      "search: start %d  lowest energy/bound %.6f  %.0f %% of the budget",
+                      progress.iteration, progress.value / energy_bound,
+                      100.0 * progress.evaluations / progress.budget);
+        return text;
+    }
     std::snprintf(text, sizeof text, "iteration %d  energy/bound %.6f  residual %.1e",
                   progress.iteration, progress.value / energy_bound, progress.residual);
     if (seconds_left < 0) return text;
@@ -45,7 +52,8 @@ void ProgressDisplay::show(const Progress& progress) {
     const Clock::time_point now = Clock::now();
     if (now - last_drawn_ < kBetweenDrawings) return;
     last_drawn_ = now;
-    time_left_.add(std::chrono::duration<double>(now - start_).count(), progress.residual);
+    if (progress.budget == 0)
+        time_left_.add(std::chrono::duration<double>(now - start_).count(), progress.residual);
     std::string line =
         progress_line(progress, energy_bound_, time_left_.until(tolerance_).value_or(-1));
     const std::size_t length = line.size();

@@ -10,7 +10,8 @@ namespace pcvt::cli {
 
 /// One line on standard error, redrawn at most ten times a second and cleared at the end.
 ///
-/// Shows the iteration, the energy over the hexagonal bound, the residual and the time left. Silent
+/// Shows the iteration, the energy over the hexagonal bound, the residual and the time left; of a
+/// global search the starts, the lowest energy and the share of the budget that is spent. Silent
 /// where standard error is no terminal.
 class ProgressDisplay {
    public:

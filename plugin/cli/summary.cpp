@@ -38,6 +38,24 @@ std::string seam_lines(const JobOutcome& outcome) {
     return text;
 }
 
+std::string stability_text(const LatticeStability& stability) {
+    const std::string verdict = stability.minimum == Minimum::kYes  ? "the pattern is a minimum"
+                                : stability.minimum == Minimum::kNo ? "the pattern is a saddle"
+                                                                    : "too near to call";
+    if (!stability.smallest) return verdict + "; one site has only the translations";
+    return verdict + "; smallest eigenvalue " + figure(*stability.smallest) + " of the largest";
+}
+
+/// The best exact lattice, and what it is worth.
+std::string pattern_lines(const PatternOutcome& pattern) {
+    const LatticePattern& lattice = pattern.lattice;
+    return line("pattern", vector_text(lattice.basis.a()) + " " + vector_text(lattice.basis.b()) +
+                               ", energy " + figure(lattice.energy) + ", " +
+                               figure(lattice.energy / lattice.energy_bound) +
+                               " of the hexagonal bound") +
+           line("stability", stability_text(pattern.stability));
+}
+
 }  // namespace
 
 std::string summary(const Job& job, const JobOutcome& outcome) {
@@ -52,6 +70,8 @@ std::string summary(const Job& job, const JobOutcome& outcome) {
                                " of the hexagonal bound");
     text += line("residual", figure(outcome.residual));
     text += line("hexagons", valence_text(outcome));
+    if (!outcome.found.empty()) text += line("found", outcome.found);
+    if (outcome.pattern) text += pattern_lines(*outcome.pattern);
     text += seam_lines(outcome);
     for (const std::string& file : outcome.files) text += line("file", file);
     if (!job.report.empty()) text += line("report", job.report);

@@ -1,0 +1,48 @@
+#include "plugin/cli/pattern_command.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+namespace pcvt::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  pcvt pattern --sites 56 -o pattern.svg\n"
+    "      the lattice of 56 cells with the lowest energy on the unit square\n"
+    "  pcvt pattern --sites 30 --lattice 1,0,0.37,0.81 --mesh delaunay -o pattern.obj\n"
+    "      its dual on an oblique period lattice\n"
+    "  pcvt pattern --sites 10\n"
+    "      only the summary: basis, energy, and whether the lattice is a minimum\n";
+
+/// Options of `pcvt mesh` that mean nothing where the sites are computed and stay where they are.
+constexpr const char* kForeign[] = {"--seed",      "--input",          "--start",  "--solver",
+                                    "--tolerance", "--max-iterations", "--strict", "--budget",
+                                    "--density",   "--density-range"};
+
+}  // namespace
+
+void add_pattern_options(CLI::App& app, MeshOptions& options) {
+    add_mesh_options(app, options);
+    app.get_option("--sites")->description("the number of cells, 1 to 268435456");
+    app.get_option("--threads")->group("Output");
+    for (const char* name : kForeign) app.get_option(name)->group("");
+    app.footer(kExamples);
+}
+
+Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {
+    for (const char* name : kForeign) {
+        if (app.count(name) > 0) {
+            throw InvalidInput(std::string(name) +
+                               " is not for pattern, which computes the sites; leave it out");
+        }
+    }
+    if (app.count("--sites") == 0) throw InvalidInput("no sites; give --sites N");
+    Job job = make_job(app, options);
+    job.start = Start::kLattice;
+    job.max_iterations = 0;
+    return job;
+}
+
+}  // namespace pcvt::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "plugin/job.hpp"
+
+namespace pcvt {
+
+/// Where the sites of a job begin, and what is known of that place.
+struct JobStart {
+    /// 2 x n, length units.
+    Points points;
+    /// The best lattice for n, where the start looked for it.
+    std::optional<PatternOutcome> pattern;
+    /// Of the global search: how it found the place, and what it spent.
+    std::string found;
+    int evaluations = 0;
+    bool cancelled = false;
+};
+
+/// @param callback  as run_job's; called by the global search.
+/// @throws InvalidInput for a start that is not available yet.
+JobStart job_start(const Job& job, const JobCallback& callback);
+
+/// The start as contract words: "file", "random", "coarse", "lattice", "best".
+const char* start_name(const Job& job);
+
+}  // namespace pcvt

@@ -1,0 +1,77 @@
+"""pcvt pattern and --start lattice: exact lattices as tiles, in every format, of every shape."""
+
+import json
+import time
+import unittest
+
+from support.cli import CliTest, main
+
+SQUARE_MINIMA = {3: 0.0596707818930041, 30: 0.00534814814814815, 56: 0.00286393256282105}
+LATTICES = (
+    ("--period", "1,1"),
+    ("--period", "30,1"),
+    ("--period", "1e-5,2e-5"),
+    ("--lattice", "1,0,0.37,0.81"),
+    ("--lattice", "1,0,7,1"),
+    ("--lattice", "0,1,1,0.2"),
+    ("--lattice", "1,0,0.5,0.8660254037844386"),
+)
+
+
+class Pattern(CliTest):
+    def report(self, *arguments):
+        self.succeed(*arguments, "--report", "run.json", "--force", "--quiet")
+        return json.loads(self.path("run.json").read_text())
+
+    def test_the_summary_tells_basis_energy_ratio_and_stability(self):
+        text = self.succeed("pattern", "--sites", 10)
+        self.assertRegex(text, r"pattern +\(0\.3, 0\.1\) \(-0\.1, 0\.3\), energy 0\.0166667, 1\.03923 of")
+        self.assertRegex(text, r"stability +the pattern is a saddle; smallest eigenvalue -0\.155")
+
+    def test_the_report_holds_the_known_energies(self):
+        for n, energy in SQUARE_MINIMA.items():
+            report = self.report("pattern", "--sites", n)
+            self.assertAlmostEqual(report["energy"] / energy, 1, delta=1e-12)
+            self.assertAlmostEqual(report["pattern"]["energy"] / energy, 1, delta=1e-12)
+            self.assertEqual((report["start"], report["stop"]), ("lattice", "converged"))
+            self.assertLess(report["residual"], 1e-12)
+
+    def test_every_lattice_is_a_proved_tile_of_cells_and_of_triangles(self):
+        for lattice in LATTICES:
+            for n in (1, 2, 9, 10, 36, 97):
+                with self.subTest(lattice=lattice, n=n):
+                    self.report("pattern", "--sites", n, *lattice, "--mesh", "voronoi", "--mesh",
+                                "delaunay", "-o", "t.obj", "-o", "t.ply")
+                    names = [f"t-{kind}.{e}" for kind in ("voronoi", "delaunay")
+                             for e in ("obj", "ply")]
+                    self.assertEqual(len(self.succeed("check", *names, "--cvt").splitlines()), 4)
+
+    def test_it_takes_the_outputs_of_mesh(self):
+        formats = ("obj", "ply", "glb", "gltf", "om", "svg", "txt")
+        self.succeed("pattern", "--sites", 12, "--repeat", "2x1", "--origin", "0.3,0.2",
+                     *(word for e in formats for word in ("-o", f"t.{e}")))
+        self.assertLessEqual({f"t.{e}" for e in formats}, set(self.contents()))
+        self.assertRegex(self.succeed("check", "t.ply"), "24 faces")
+        self.assertRegex(self.succeed("check", "t.obj", "--period", "2,1"), "24 faces")
+
+    def test_three_thousand_cells_take_less_than_two_seconds(self):
+        start = time.monotonic()
+        self.succeed("pattern", "--sites", 3000, "-o", "t.obj", "-o", "t.glb", "-o", "t.svg")
+        self.assertLess(time.monotonic() - start, 2)
+
+    def test_options_of_the_optimiser_are_refused(self):
+        for option in ("--seed", "--input", "--solver", "--tolerance", "--max-iterations",
+                       "--start", "--density"):
+            self.refuse(2, option + " is not for pattern.*; leave it out", "pattern", "--sites", 3,
+                        option, 1)
+        self.refuse(2, "no sites; give --sites N$", "pattern")
+        self.refuse(2, "see pcvt pattern --help", "pattern", "--size", 1, "--bogus")
+
+    def test_mesh_may_start_from_the_lattice_and_then_stays_there(self):
+        report = self.report("mesh", "--sites", 56, "--start", "lattice")
+        self.assertEqual((report["iterations"], report["hexagons"]), (0, 56))
+        self.assertAlmostEqual(report["energy"] / SQUARE_MINIMA[56], 1, delta=1e-12)
+
+
+if __name__ == "__main__":
+    main()
