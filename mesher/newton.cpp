@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "mesher/conjugate_gradients.hpp"
@@ -29,15 +30,15 @@ constexpr int kTrials = 12;
 
 class Newton {
    public:
-    Newton(Objective& objective, const OptimizerOptions& options, int most_truncated,
-           Workers& workers)
+    Newton(Objective& objective, const OptimizerOptions& options, Evaluation here,
+           int most_truncated, Workers& workers)
         : objective_(objective),
           options_(options),
           most_truncated_(most_truncated),
           run_(objective, options),
           cg_(objective.n_variables(), workers),
-          step_(Eigen::VectorXf::Zero(objective.n_variables())),
-          radius_(kFirstRadius * options.max_move) {}
+          radius_(kFirstRadius * options.max_move),
+          here_(std::move(here)) {}
 
     OptimizerResult minimize();
 
@@ -67,7 +68,7 @@ ConjugateGradients::Outcome Newton::solve() {
     ++hessians_;
     const double superlinear = std::min(kLooseSystem, std::sqrt(here_.rms_residual));
     const double enough = kBelowTolerance * options_.tolerance / here_.residual;
-    const auto n_variables = static_cast<int>(step_.size());
+    const auto n_variables = static_cast<int>(objective_.n_variables());
     const auto system = cg_.solve(hessian_, here_.gradient,
                                   {std::max(superlinear, enough), radius_, 2 * n_variables});
     cg_products_ += system.products;
@@ -118,17 +119,12 @@ bool Newton::advance() {
 }
 
 OptimizerResult Newton::minimize() {
-    Stop stop = Stop::kStalled;
-    if (run_.evaluate(step_, 0, here_)) {
-        for (;;) {
-            if (const auto end = run_.before_iteration(here_)) {
-                stop = *end;
-                break;
-            }
-            if (truncated_in_a_row_ > most_truncated_ || !advance()) break;
-        }
+    std::optional<Stop> stop;
+    while (!stop) {
+        stop = run_.before_iteration(here_);
+        if (!stop && (truncated_in_a_row_ > most_truncated_ || !advance())) stop = Stop::kStalled;
     }
-    OptimizerResult result = run_.finish(stop, std::move(here_));
+    OptimizerResult result = run_.finish(*stop, std::move(here_));
     result.hessians = hessians_;
     result.cg_products = cg_products_;
     return result;
@@ -137,8 +133,8 @@ OptimizerResult Newton::minimize() {
 }  // namespace
 
 OptimizerResult minimize_newton(Objective& objective, const OptimizerOptions& options,
-                                int most_truncated, Workers& workers) {
-    return Newton(objective, options, most_truncated, workers).minimize();
+                                Evaluation here, int most_truncated, Workers& workers) {
+    return Newton(objective, options, std::move(here), most_truncated, workers).minimize();
 }
 
 }  // namespace pcvt

@@ -18,7 +18,9 @@ namespace pcvt {
 /// It ends `stalled` where no step is accepted, after 200 iterations that brought no gain, or after
 /// `most_truncated` steps in a row that ended at the boundary: far from a minimum L-BFGS does as
 /// well for less.
+///
+/// @param here  of the point, which must be what was evaluated last.
 OptimizerResult minimize_newton(Objective& objective, const OptimizerOptions& options,
-                                int most_truncated, Workers& workers);
+                                Evaluation here, int most_truncated, Workers& workers);
 
 }  // namespace pcvt

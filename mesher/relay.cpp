@@ -23,7 +23,7 @@ class Relay {
     Relay(Objective& objective, const OptimizerOptions& options, Workers& workers)
         : objective_(objective), options_(options), workers_(workers) {}
 
-    /// Each returns whether the whole run has ended, unless with a stall.
+    /// One leg. Each returns whether the whole run has ended, but for stalls.
     bool lbfgs(const ProgressTest& enough);
     bool newton(int most_truncated);
 
@@ -75,7 +75,9 @@ bool Relay::lbfgs(const ProgressTest& enough) {
 }
 
 bool Relay::newton(int most_truncated) {
-    return add(minimize_newton(objective_, leg_options(), most_truncated, workers_));
+    const OptimizerOptions leg = leg_options();
+    return add(
+        minimize_newton(objective_, leg, std::move(result_.evaluation), most_truncated, workers_));
 }
 
 bool near(const Progress& progress) {
@@ -89,11 +91,10 @@ OptimizerResult minimize_relay(Objective& objective, const OptimizerOptions& opt
     Relay relay(objective, options, workers);
     const bool at_once = start == NewtonStart::kAtOnce;
     const int most_truncated = at_once ? std::numeric_limits<int>::max() : kMostTruncated;
-    if (!at_once && (relay.lbfgs(near) || relay.stalled())) return relay.take();
-    while (!relay.newton(most_truncated)) {
+    ProgressTest enough = at_once ? [](const Progress&) { return true; } : near;
+    while (!relay.lbfgs(enough) && !relay.stalled() && !relay.newton(most_truncated)) {
         const double target = std::min(kNear, kGain * relay.rms_residual());
-        const auto enough = [target](const Progress& p) { return p.rms_residual <= target; };
-        if (relay.lbfgs(enough) || relay.stalled()) break;
+        enough = [target](const Progress& p) { return p.rms_residual <= target; };
     }
     return relay.take();
 }
