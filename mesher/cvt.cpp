@@ -6,10 +6,12 @@
 
 #include "mesher/energy.hpp"
 #include "mesher/error.hpp"
+#include "mesher/hessian.hpp"
 #include "mesher/lbfgs.hpp"
 #include "mesher/lloyd.hpp"
 #include "mesher/long_waves.hpp"
 #include "mesher/periodic_delaunay.hpp"
+#include "mesher/relay.hpp"
 #include "mesher/voronoi.hpp"
 
 namespace pcvt {
@@ -76,6 +78,10 @@ class CvtObjective final : public Objective {
         }
     }
 
+    void hessian(BlockMatrix& hessian) const override {
+        assemble_hessian(delaunay_, workers_, hessian);
+    }
+
     /// Leaves the triangulation at the point.
     void go_to_point() { go_back(); }
 
@@ -130,6 +136,21 @@ void CvtObjective::measure(Evaluation& evaluation) const {
     evaluation.rms_residual = std::sqrt(total.sum / n) / (2 * delaunay_.spacing());
 }
 
+OptimizerResult minimize_by(Solver solver, Objective& objective, const OptimizerOptions& options,
+                            Workers& workers) {
+    switch (solver) {
+        case Solver::kLbfgs:
+            return minimize_relay(objective, options, NewtonStart::kNear, workers);
+        case Solver::kNewton:
+            return minimize_relay(objective, options, NewtonStart::kAtOnce, workers);
+        case Solver::kPlainLbfgs:
+            return minimize_lbfgs(objective, options, workers);
+        case Solver::kLloyd:
+            return minimize_lloyd(objective, options);
+    }
+    throw InternalError("no such solver");
+}
+
 OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.n_threads, n_tasks));
@@ -145,9 +166,7 @@ OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
             return options.progress(progress);
         };
     }
-    OptimizerResult run = options.solver == Solver::kLloyd
-                              ? minimize_lloyd(objective, optimizer)
-                              : minimize_lbfgs(objective, optimizer, workers);
+    OptimizerResult run = minimize_by(options.solver, objective, optimizer, workers);
     objective.go_to_point();
     return run;
 }
@@ -171,6 +190,8 @@ CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& o
             .stop = run.stop,
             .iterations = run.iterations,
             .evaluations = run.evaluations,
+            .hessians = run.hessians,
+            .cg_products = run.cg_products,
             .energy = run.evaluation.value * value_unit,
             .energy_bound = bound,
             .residual = run.evaluation.residual,

@@ -7,7 +7,9 @@
 
 namespace pcvt {
 
-enum class Solver { kLbfgs, kLloyd };
+/// `kLbfgs` is finished by Newton's method where a minimum is near, `kNewton` is that method from
+/// the start (relay.hpp); `kPlainLbfgs` and `kLloyd` go on by themselves.
+enum class Solver { kLbfgs, kLloyd, kNewton, kPlainLbfgs };
 
 struct CvtOptions {
     Solver solver = Solver::kLbfgs;
@@ -29,6 +31,9 @@ struct CvtResult {
     Stop stop;
     int iterations;
     int evaluations;
+    /// Of Newton's method, not counted among the evaluations: Hessians, and products with them.
+    int hessians;
+    int cg_products;
     /// F of Eq. 3 for rho = 1, length^4.
     double energy;
     /// 5 A^2 / (18 sqrt(3) n), the hexagonal lower bound, length^4.

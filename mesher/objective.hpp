@@ -5,6 +5,8 @@
 
 namespace pcvt {
 
+struct BlockMatrix;
+
 /// What an optimiser learns of one point.
 struct Evaluation {
     double value = 0;
@@ -38,6 +40,8 @@ class Objective {
     virtual bool precondition(Evaluation&) { return false; }
     /// The fixed-point step at the point evaluated last: the point + it is the next Lloyd iterate.
     virtual void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const = 0;
+    /// The second derivatives at the point, which must be what was evaluated last.
+    virtual void hessian(BlockMatrix& hessian) const = 0;
 };
 
 enum class Stop { kConverged, kIterationLimit, kStalled, kCancelled };
@@ -56,6 +60,8 @@ struct Progress {
 
 /// Called once an iteration, on the calling thread; false cancels.
 using ProgressCallback = std::function<bool(const Progress&)>;
+/// Asked once an iteration.
+using ProgressTest = std::function<bool(const Progress&)>;
 
 struct OptimizerOptions {
     /// Stops once the residual is at most this.
@@ -67,6 +73,8 @@ struct OptimizerOptions {
     /// The root mean square residual below which the objective is asked to precondition.
     double precondition_below = 0;
     ProgressCallback progress;
+    /// Stops as converged also where this says so.
+    ProgressTest enough = {};
 };
 
 /// Where an optimiser ended and why; the point itself is in the objective, perhaps behind a trial
@@ -76,6 +84,9 @@ struct OptimizerResult {
     int iterations = 0;
     int evaluations = 0;
     Evaluation evaluation;
+    /// Of Newton's method, not counted among the evaluations: Hessians, and products with them.
+    int hessians = 0;
+    int cg_products = 0;
 };
 
 }  // namespace pcvt

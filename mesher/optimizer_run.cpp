@@ -29,12 +29,18 @@ std::optional<Stop> OptimizerRun::before_iteration(const Evaluation& evaluation)
     if (options_.max_iterations >= 0 && iterations_ >= options_.max_iterations) {
         return Stop::kIterationLimit;
     }
+    if (options_.enough && options_.enough(progress)) return Stop::kConverged;
     if (stalled(evaluation)) return Stop::kStalled;
     return std::nullopt;
 }
 
 OptimizerResult OptimizerRun::finish(Stop stop, Evaluation evaluation) const {
-    return {stop, iterations_, evaluations_, std::move(evaluation)};
+    OptimizerResult result;
+    result.stop = stop;
+    result.iterations = iterations_;
+    result.evaluations = evaluations_;
+    result.evaluation = std::move(evaluation);
+    return result;
 }
 
 bool OptimizerRun::stalled(const Evaluation& evaluation) {

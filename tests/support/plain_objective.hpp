@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "mesher/block_matrix.hpp"
 #include "mesher/objective.hpp"
 
 namespace pcvt::testing {
@@ -36,12 +37,22 @@ class PlainObjective final : public Objective {
         point_ = evaluated_;
         looked_at_point_ = true;
     }
+    /// By differences of the gradient: of one row of blocks, all of which is stored.
+    void hessian(BlockMatrix& hessian) const override;
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
         EXPECT_TRUE(looked_at_point_) << "the last look was at a trial";
         direction = (-rate_ * evaluation.gradient).cast<float>();
     }
 
    private:
+    static constexpr double kDifference = 1e-6;
+
+    Eigen::VectorXd gradient_at(const Eigen::VectorXd& x) const {
+        Evaluation evaluation;
+        EXPECT_TRUE(function_(x, evaluation));
+        return evaluation.gradient;
+    }
+
     Function function_;
     double rate_;
     Eigen::VectorXd point_;
@@ -49,5 +60,25 @@ class PlainObjective final : public Objective {
     bool looked_at_point_ = true;
     int n_evaluations_ = 0;
 };
+
+inline void PlainObjective::hessian(BlockMatrix& hessian) const {
+    EXPECT_TRUE(looked_at_point_) << "the last look was at a trial";
+    const auto n_rows = static_cast<int>(point_.size() / 2);
+    hessian.resize(std::vector<int>(static_cast<std::size_t>(n_rows), n_rows - 1));
+    for (int j = 0; j < n_rows; ++j) {
+        Eigen::MatrixX2d columns(point_.size(), 2);
+        for (int k = 0; k < 2; ++k) {
+            const Eigen::VectorXd e = kDifference * Eigen::VectorXd::Unit(point_.size(), 2 * j + k);
+            columns.col(k) =
+                (gradient_at(point_ + e) - gradient_at(point_ - e)) / (2 * kDifference);
+        }
+        for (int i = 0; i < n_rows; ++i) {
+            const int entry = hessian.row_begin[i] + (j < i ? j : j - 1);
+            BlockMatrix::Block& block = i == j ? hessian.diagonal[i] : hessian.block[entry];
+            Eigen::Map<Eigen::Matrix2d>(block.data()) = columns.middleRows<2>(2 * i);
+            if (i != j) hessian.column[entry] = j;
+        }
+    }
+}
 
 }  // namespace pcvt::testing

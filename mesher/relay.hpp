@@ -1,0 +1,21 @@
+#pragma once
+
+#include "mesher/objective.hpp"
+#include "mesher/workers.hpp"
+
+namespace pcvt {
+
+/// When Newton's method may begin: where the RMS residual shows that a minimum is near, or at once.
+enum class NewtonStart { kNear, kAtOnce };
+
+/// L-BFGS (lbfgs.hpp) and Newton's method (newton.hpp) in turn.
+///
+/// With `kNear` Newton begins at an RMS residual of 1e-4, or at the very first point if that is at
+/// most 0.1 there: then the sites stand near a lattice. Where it gets stuck, or from `kNear` on is
+/// often stopped by its trust region, L-BFGS takes over until the RMS residual has fallen to a
+/// third, and so on; it then evaluates its first point once more. Iterations and evaluations are
+/// those of all legs. It ends `stalled` where L-BFGS does.
+OptimizerResult minimize_relay(Objective& objective, const OptimizerOptions& options,
+                               NewtonStart start, Workers& workers);
+
+}  // namespace pcvt
