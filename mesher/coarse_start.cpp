@@ -13,7 +13,7 @@ constexpr int kRefinements = 2;
 constexpr int kCoarsest = 16;
 /// How far a site is shaken, in units of h of the finer problem: without, sites stay where they
 /// were set although their neighbourhood is a bad one.
-constexpr double kShake = 0.2;
+constexpr double kShake = 0.25;
 /// Where a coarser problem is left for the next, and where its long waves are treated apart.
 constexpr double kRmsTolerance = 1e-4;
 constexpr double kPreconditionBelow = 1e-3;

@@ -7,7 +7,7 @@
 namespace pcvt {
 
 /// For CvtOptions::precondition_below after a coarse start, which has settled the long waves.
-inline constexpr double kPreconditionAfterCoarse = 1e-2;
+inline constexpr double kPreconditionAfterCoarse = 3e-3;
 
 struct CoarseStartOptions {
     std::uint64_t seed = 0;

@@ -111,14 +111,15 @@ void check_job(const Job& job) {
     check_origin(job, reduce_repeated(job), n);
 }
 
-CvtResult tessellate(const Job& job, Points points, Monitor& monitor) {
+CvtResult tessellate(const Job& job, JobStart& start, Monitor& monitor) {
     CvtOptions options;
+    options.precondition_below = start.precondition_below;
     options.solver = job.solver;
     options.tolerance = job.tolerance;
     options.max_iterations = job.max_iterations;
     options.n_threads = job.n_threads;
     options.progress = [&monitor](const Progress& progress) { return monitor.iteration(progress); };
-    return compute_cvt(job.lattice, std::move(points), options);
+    return compute_cvt(job.lattice, std::move(start.points), options);
 }
 
 ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
@@ -216,7 +217,7 @@ JobOutcome run(const Job& job, const std::vector<JobFile>& files, const JobCallb
     JobStart start = job_start(job, callback);
     if (start.cancelled) throw Cancelled{};
     watch.stop(&JobSeconds::optimize);
-    const CvtResult result = tessellate(job, std::move(start.points), monitor);
+    const CvtResult result = tessellate(job, start, monitor);
     watch.stop(&JobSeconds::optimize);
     if (result.stop == Stop::kCancelled) throw Cancelled{};
     const std::vector<ProvedTile> tiles = build_tiles(job, result, monitor);

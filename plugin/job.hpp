@@ -23,7 +23,8 @@ struct Job {
     /// The sites, 2 x n, length units; without columns `n_sites` sites begin at `start`.
     Points points;
     int n_sites = 0;
-    Start start = Start::kRandom;
+    /// Nothing: coarse from 1000 sites on that are to be optimised, else random.
+    std::optional<Start> start;
     /// Evaluations that the global search may spend; 0: default_search_budget(n_sites).
     int budget = 0;
     std::uint64_t seed = 0;

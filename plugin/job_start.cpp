@@ -1,13 +1,31 @@
 #include "plugin/job_start.hpp"
 
+#include "mesher/coarse_start.hpp"
 #include "mesher/global_search.hpp"
 
 namespace pcvt {
 namespace {
 
+/// Below this random sites cost nothing, and the paper's statistics want them.
+constexpr int kFewestForCoarse = 1000;
+
+Start chosen_start(const Job& job) {
+    if (job.start) return *job.start;
+    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0;
+    return coarse ? Start::kCoarse : Start::kRandom;
+}
+
 JobStart drawn_start(const Job& job) {
     JobStart start;
     start.points = uniform_points(job.lattice, job.n_sites, job.seed);
+    return start;
+}
+
+JobStart refined_start(const Job& job, const JobCallback& callback) {
+    JobStart start;
+    start.points = coarse_start(job.lattice, job.n_sites, {job.seed, job.n_threads, callback});
+    start.precondition_below = kPreconditionAfterCoarse;
+    start.cancelled = start.points.cols() == 0;
     return start;
 }
 
@@ -23,11 +41,13 @@ JobStart best_start(const Job& job, const JobCallback& callback) {
     const int budget = job.budget > 0 ? job.budget : default_search_budget(job.n_sites);
     SearchResult result =
         search_minimum(job.lattice, job.n_sites, {job.seed, budget, job.n_threads, callback});
-    return {.points = std::move(result.points),
-            .pattern = PatternOutcome{result.lattice, lattice_stability(result.lattice)},
-            .found = std::move(result.found),
-            .evaluations = result.evaluations,
-            .cancelled = result.cancelled};
+    JobStart start;
+    start.points = std::move(result.points);
+    start.pattern = PatternOutcome{result.lattice, lattice_stability(result.lattice)};
+    start.found = std::move(result.found);
+    start.evaluations = result.evaluations;
+    start.cancelled = result.cancelled;
+    return start;
 }
 
 }  // namespace
@@ -38,7 +58,7 @@ JobStart job_start(const Job& job, const JobCallback& callback) {
         start.points = job.points;
         return start;
     }
-    switch (job.start) {
+    switch (chosen_start(job)) {
         case Start::kRandom:
             return drawn_start(job);
         case Start::kLattice:
@@ -46,15 +66,14 @@ JobStart job_start(const Job& job, const JobCallback& callback) {
         case Start::kBest:
             return best_start(job, callback);
         case Start::kCoarse:
-            break;
+            return refined_start(job, callback);
     }
-    throw InvalidInput(std::string("the start ") + start_name(job) +
-                       " is not available yet; take another");
+    throw InternalError("no such start");
 }
 
 const char* start_name(const Job& job) {
     if (job.points.cols() > 0) return "file";
-    switch (job.start) {
+    switch (chosen_start(job)) {
         case Start::kRandom:
             return "random";
         case Start::kCoarse:

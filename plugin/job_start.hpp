@@ -8,6 +8,8 @@ namespace pcvt {
 struct JobStart {
     /// 2 x n, length units.
     Points points;
+    /// For CvtOptions.
+    double precondition_below = CvtOptions().precondition_below;
     /// The best lattice for n, where the start looked for it.
     std::optional<PatternOutcome> pattern;
     /// Of the global search: how it found the place, and what it spent.
@@ -16,8 +18,7 @@ struct JobStart {
     bool cancelled = false;
 };
 
-/// @param callback  as run_job's; called by the global search.
-/// @throws InvalidInput for a start that is not available yet.
+/// @param callback  as run_job's; called by the coarse start and the global search.
 JobStart job_start(const Job& job, const JobCallback& callback);
 
 /// The start as contract words: "file", "random", "coarse", "lattice", "best".

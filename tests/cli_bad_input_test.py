@@ -88,10 +88,9 @@ class BadOption(CliTest):
         mesh = ("mesh", "--sites", 3, "-o", "t.obj")
         rows = [
             ("study", "study"),
-            ("newton", *mesh, "--solver", "newton"), ("box", *mesh, "--outline", "box"),
+            ("box", *mesh, "--outline", "box"),
             ("grains", *mesh, "--mesh", "grains"),
         ]
-        rows += [(start, *mesh, "--start", start) for start in ("coarse",)]
         rows += [
             (option, *mesh, option, 1)
             for option in ("--density", "--size", "--order", "--short-edges", "--density-range",

@@ -49,12 +49,14 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
 
 void add_solver_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Optimisation");
-    add(app, "--start", options.start, "random|lattice|best",
-        "where the sites of --sites begin; lattice: at the exact lattice\n"
-        "with the lowest energy; best: after a global search [random]");
+    add(app, "--start", options.start, "random|coarse|lattice|best",
+        "where the sites of --sites begin; coarse: few sites first, then\n"
+        "between them more; lattice: at the exact lattice with the lowest\n"
+        "energy; best: after a global search [coarse from N = 1000 on,\nelse random]");
     add(app, "--budget", options.budget, "E",
         "evaluations that --start best may spend [the least of 2000 N, 2e5\nand 8e7 / N]");
-    add(app, "--solver", options.solver, "lbfgs|lloyd", "[lbfgs]");
+    add(app, "--solver", options.solver, "lbfgs|lloyd|newton",
+        "lbfgs is finished by newton where that pays [lbfgs]");
     add(app, "--tolerance", options.tolerance, "T",
         "converged once max |x_i - g_i| / h <= T, h = sqrt(area / n) [1e-6]");
     add(app, "--max-iterations", options.max_iterations, "K",
@@ -141,8 +143,6 @@ void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
 
 /// Options with one choice so far, and the solver.
 void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
-    refuse_later_value("--start", options.start, {"coarse"});
-    refuse_later_value("--solver", options.solver, {"newton"});
     refuse_later_value("--outline", options.outline, {"box"});
     const auto choose = [&app](const char* name, const std::string& value,
                                std::initializer_list<const char*> known, const char* choices) {
@@ -151,12 +151,16 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
             throw InvalidInput(std::string(name) + " " + value + ": unknown; take " + choices);
         }
     };
-    choose("--start", options.start, {"random", "lattice", "best"}, "random, lattice or best");
-    choose("--solver", options.solver, {"lbfgs", "lloyd"}, "lbfgs or lloyd");
+    choose("--start", options.start, {"random", "coarse", "lattice", "best"},
+           "random, coarse, lattice or best");
+    choose("--solver", options.solver, {"lbfgs", "lloyd", "newton"}, "lbfgs, lloyd or newton");
     choose("--outline", options.outline, {"whole"}, "whole");
+    if (options.start == "random") job.start = Start::kRandom;
+    if (options.start == "coarse") job.start = Start::kCoarse;
     if (options.start == "lattice") job.start = Start::kLattice;
     if (options.start == "best") job.start = Start::kBest;
     if (options.solver == "lloyd") job.solver = Solver::kLloyd;
+    if (options.solver == "newton") job.solver = Solver::kNewton;
 }
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
@@ -193,8 +197,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_output_options(app, options);
     add_later_options(app);
     app.footer(std::string(kExamples) +
-               "\nNot available yet: --start coarse, --solver newton, --mesh grains,\n"
-               "--outline box, --density, " +
+               "\nNot available yet: --mesh grains, --outline box, --density, " +
                later_extensions() + "\n");
 }
 
