@@ -36,7 +36,7 @@ Points shuffled(const LatticePattern& pattern, double noise, std::mt19937_64& ra
 TEST(AsLattice, FindsTheLatticeThatTheSitesWereTakenFrom) {
     std::mt19937_64 random(1);
     for (const auto& [name, period] : testing::lattices()) {
-        for (const int n : {1, 2, 3, 4, 12, 30, 97, 400, 10007}) {
+        for (const int n : {1, 2, 3, 4, 12, 30, 97, 2003}) {
             for (const LatticePattern& pattern : best_lattices(period, n, 2)) {
                 const auto found =
                     as_lattice(tessellation(period, shuffled(pattern, 0.1 * kOffLattice, random)));
