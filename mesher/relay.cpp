@@ -94,7 +94,7 @@ OptimizerResult minimize_relay(Objective& objective, const OptimizerOptions& opt
     ProgressTest enough = at_once ? [](const Progress&) { return true; } : near;
     while (!relay.lbfgs(enough) && !relay.stalled() && !relay.newton(most_truncated)) {
         const double target = std::min(kNear, kGain * relay.rms_residual());
-        enough = [target](const Progress& p) { return p.rms_residual <= target; };
+        enough = [target](const Progress& p) { return p.rms_residual < target; };
     }
     return relay.take();
 }
