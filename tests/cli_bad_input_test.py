@@ -88,7 +88,7 @@ class BadOption(CliTest):
         mesh = ("mesh", "--sites", 3, "-o", "t.obj")
         rows = [
             ("pattern", "pattern", "-n", 7), ("study", "study"),
-            ("newton", *mesh, "--solver", "newton"), ("box", *mesh, "--outline", "box"),
+            ("box", *mesh, "--outline", "box"),
             ("grains", *mesh, "--mesh", "grains"),
         ]
         rows += [(start, *mesh, "--start", start) for start in ("coarse", "lattice", "best")]

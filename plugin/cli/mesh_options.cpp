@@ -49,7 +49,8 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
 void add_solver_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Optimisation");
     add(app, "--start", options.start, "random", "where the sites of --sites begin [random]");
-    add(app, "--solver", options.solver, "lbfgs|lloyd", "[lbfgs]");
+    add(app, "--solver", options.solver, "lbfgs|lloyd|newton",
+        "lbfgs: finished by newton; newton: from the start [lbfgs]");
     add(app, "--tolerance", options.tolerance, "T",
         "converged once max |x_i - g_i| / h <= T, h = sqrt(area / n) [1e-6]");
     add(app, "--max-iterations", options.max_iterations, "K",
@@ -137,7 +138,6 @@ void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
 /// Options with one choice so far, and the solver.
 void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
     refuse_later_value("--start", options.start, {"coarse", "lattice", "best"});
-    refuse_later_value("--solver", options.solver, {"newton"});
     refuse_later_value("--outline", options.outline, {"box"});
     const auto choose = [&app](const char* name, const std::string& value,
                                std::initializer_list<const char*> known, const char* choices) {
@@ -147,9 +147,10 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
         }
     };
     choose("--start", options.start, {"random"}, "random");
-    choose("--solver", options.solver, {"lbfgs", "lloyd"}, "lbfgs or lloyd");
+    choose("--solver", options.solver, {"lbfgs", "lloyd", "newton"}, "lbfgs, lloyd or newton");
     choose("--outline", options.outline, {"whole"}, "whole");
     if (options.solver == "lloyd") job.solver = Solver::kLloyd;
+    if (options.solver == "newton") job.solver = Solver::kNewton;
 }
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
@@ -180,7 +181,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_output_options(app, options);
     add_later_options(app);
     app.footer(std::string(kExamples) +
-               "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
+               "\nNot available yet: --start coarse|lattice|best, --mesh grains,\n"
                "--outline box, --density, " +
                later_extensions() + "\n");
 }
