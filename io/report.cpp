@@ -20,8 +20,8 @@ std::string word(const std::string& value) {
     return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-template <class Number>
-std::string word(const std::optional<Number>& value) {
+template <class Value>
+std::string word(const std::optional<Value>& value) {
     return value ? word(*value) : "null";
 }
 
@@ -72,9 +72,12 @@ std::string encode_report(const Report& report) {
         {"stop", word(report.stop)},
         {"iterations", std::to_string(report.iterations)},
         {"evaluations", std::to_string(report.evaluations)},
+        {"hessians", std::to_string(report.hessians)},
+        {"cg_products", std::to_string(report.cg_products)},
         {"energy", word(report.energy)},
         {"energy_bound", word(report.energy_bound)},
         {"residual", word(report.residual)},
+        {"minimum", word(report.minimum)},
         {"hexagons", std::to_string(report.hexagons)},
         {"valences", word(report.valences)},
         {"mirrors", word(report.mirrors)},

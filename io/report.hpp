@@ -41,10 +41,15 @@ struct Report {
     std::string stop;
     int iterations;
     int evaluations;
+    /// Of Newton's method; not counted among the evaluations.
+    int hessians;
+    int cg_products;
     double energy;
     /// null where the density is not uniform.
     std::optional<double> energy_bound;
     double residual;
+    /// yes, no or unknown; null where it was not asked.
+    std::optional<std::string> minimum;
     int hexagons;
     /// Number of sides of a cell -> how many cells have it.
     std::map<int, int> valences;

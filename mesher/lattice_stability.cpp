@@ -68,18 +68,6 @@ double one_minus_cosine(std::int64_t k, int n) {
 
 }  // namespace
 
-const char* minimum_name(Minimum minimum) {
-    switch (minimum) {
-        case Minimum::kYes:
-            return "yes";
-        case Minimum::kNo:
-            return "no";
-        case Minimum::kUnknown:
-            return "unknown";
-    }
-    return "";
-}
-
 LatticeStability lattice_stability(const LatticePattern& pattern) {
     const int n = pattern.n_sites();
     if (n == 1) return {Minimum::kYes, std::nullopt};

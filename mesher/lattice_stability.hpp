@@ -3,15 +3,9 @@
 #include <optional>
 
 #include "mesher/lattice_pattern.hpp"
+#include "mesher/stability.hpp"
 
 namespace pcvt {
-
-/// Whether a critical point of the energy is a minimum apart from the two translations: yes where
-/// the smallest eigenvalue of the Hessian lies above 1e-6 of the largest, no below -1e-6 of it.
-enum class Minimum { kYes, kNo, kUnknown };
-
-/// The contract's words: "yes", "no", "unknown".
-const char* minimum_name(Minimum minimum);
 
 /// Eigenvalues of the Hessian of F at a lattice, without the two translations.
 struct LatticeStability {

@@ -96,7 +96,7 @@ OptimizerResult minimize_relay(Objective& objective, const OptimizerOptions& opt
     };
     while (!relay.lbfgs(enough) && !relay.stalled() && !relay.newton(most_truncated)) {
         const double target = std::min(near, kGain * relay.rms_residual());
-        enough = [target](const Progress& p) { return p.rms_residual <= target; };
+        enough = [target](const Progress& p) { return p.rms_residual < target; };
     }
     return relay.take();
 }

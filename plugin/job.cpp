@@ -130,16 +130,25 @@ ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
             {kind, proof.n_boundary_edges, static_cast<int>(proof.edge_pairs.size())}};
 }
 
+std::optional<Minimum> minimum_of(const CvtResult& result) {
+    const Sites& sites = result.delaunay.sites();
+    if (result.stop != Stop::kConverged || sites.n_sites() > kMostSitesForStability) return {};
+    return stability(sites);
+}
+
 JobOutcome describe(const CvtResult& result, const std::vector<ProvedTile>& tiles) {
     JobOutcome outcome;
     outcome.stop = result.stop;
     outcome.n_sites = result.delaunay.sites().n_sites();
     outcome.iterations = result.iterations;
     outcome.evaluations = result.evaluations;
+    outcome.hessians = result.hessians;
+    outcome.cg_products = result.cg_products;
     outcome.energy = result.energy;
     outcome.energy_bound = result.energy_bound;
     outcome.residual = result.residual;
     outcome.rms_residual = result.rms_residual;
+    outcome.minimum = minimum_of(result);
     outcome.n_mirrors = result.counts.n_mirrors;
     outcome.valences = histogram(cell_sides(periodic_mesh(result, TileKind::kCells)));
     const auto hexagons = outcome.valences.find(6);

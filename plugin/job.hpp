@@ -10,6 +10,7 @@
 #include "mesher/cvt.hpp"
 #include "mesher/error.hpp"
 #include "mesher/lattice_stability.hpp"
+#include "mesher/stability.hpp"
 
 namespace pcvt {
 
@@ -82,11 +83,16 @@ struct JobOutcome {
     int iterations = 0;
     /// Those of a global search are counted in.
     int evaluations = 0;
+    /// Of Newton's method, not counted among the evaluations: Hessians, and products with them.
+    int hessians = 0;
+    int cg_products = 0;
     /// length^4, as energy_bound.
     double energy = 0;
     double energy_bound = 0;
     double residual = 0;
     double rms_residual = 0;
+    /// Of a run that converged, up to kMostSitesForStability sites.
+    std::optional<Minimum> minimum;
     /// Nothing where the triangulation was built without mirrors.
     std::optional<int> n_mirrors;
     /// Cells by their number of sides, on the unrepeated torus; edges under 1e-5 h do not count.

@@ -17,6 +17,19 @@ std::optional<Report::Pattern> report_pattern(const std::optional<PatternOutcome
                            .smallest_eigenvalue = stability.smallest};
 }
 
+const char* solver_name(Solver solver) {
+    switch (solver) {
+        case Solver::kLloyd:
+            return "lloyd";
+        case Solver::kNewton:
+            return "newton";
+        case Solver::kLbfgs:
+        case Solver::kPlainLbfgs:
+            return "lbfgs";
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
@@ -26,14 +39,18 @@ std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
         .sites = outcome.n_sites,
         .lattice = job.lattice,
         .seed = job.seed,
-        .solver = job.solver == Solver::kLloyd ? "lloyd" : "lbfgs",
+        .solver = solver_name(job.solver),
         .start = start_name(job),
         .stop = stop_name(outcome.stop),
         .iterations = outcome.iterations,
         .evaluations = outcome.evaluations,
+        .hessians = outcome.hessians,
+        .cg_products = outcome.cg_products,
         .energy = outcome.energy,
         .energy_bound = outcome.energy_bound,
         .residual = outcome.residual,
+        .minimum = outcome.minimum ? std::optional<std::string>(minimum_name(*outcome.minimum))
+                                   : std::nullopt,
         .hexagons = outcome.n_hexagons,
         .valences = outcome.valences,
         .mirrors = outcome.n_mirrors,

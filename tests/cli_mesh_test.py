@@ -17,8 +17,8 @@ from support.cli import TIMEOUT, CliTest, main
 
 EVERY_FORMAT = ("obj", "ply", "glb", "gltf", "om", "svg")
 REPORT_KEYS = ["version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations",
-               "evaluations", "energy", "energy_bound", "residual", "hexagons", "valences",
-               "mirrors", "threads", "seconds", "files"]
+               "evaluations", "hessians", "cg_products", "energy", "energy_bound", "residual",
+               "minimum", "hexagons", "valences", "mirrors", "threads", "seconds", "files"]
 
 
 def outputs(stem="t", formats=EVERY_FORMAT + ("txt", )):
@@ -104,6 +104,24 @@ class Files(CliTest):
         self.write("t.obj", "old")
         self.succeed("mesh", "--sites", 3, "-o", "t.obj", "--force")
         self.assertIn(b"\nv ", self.path("t.obj").read_bytes())
+
+    def test_newton_reaches_machine_precision(self):
+        for solver in ("lbfgs", "newton"):
+            self.succeed("mesh", "--sites", 40, "--solver", solver, "--tolerance", "1e-11",
+                         "--strict", "--report", "run.json", "--force")
+            report = json.loads(self.path("run.json").read_text())
+            self.assertEqual((report["solver"], report["minimum"]), (solver, "yes"))
+            self.assertLessEqual(report["residual"], 1e-11)
+            self.assertGreaterEqual(report["cg_products"], report["hessians"])
+            self.assertGreater(report["hessians"], 0)
+
+    def test_a_saddle_is_told_and_a_run_that_did_not_converge_is_not_asked(self):
+        grid = [((i + 0.5) / 4, (j + 0.5) / 4) for i in range(4) for j in range(4)]
+        self.write("grid.txt", "".join(f"{x} {y}\n" for x, y in grid))
+        for options, minimum in (((), "no"), (("--max-iterations", 0, "--tolerance", 1e-30), None)):
+            self.succeed("mesh", "--input", "grid.txt", *options, "--report", "run.json",
+                         "--force")
+            self.assertEqual(json.loads(self.path("run.json").read_text())["minimum"], minimum)
 
     def test_a_repeated_tile_is_a_tile_of_the_multiple_periods(self):
         self.succeed("mesh", "--sites", 7, "--repeat", "2x3", "-o", "t.obj", "-o", "s.txt",

@@ -22,9 +22,12 @@ Report example() {
             "converged",
             294,
             301,
+            7,
+            450,
             0.1 + 0.2,
             1e-7 / 3,
             1e-320,
+            "yes",
             900,
             {{5, 50}, {6, 900}, {7, 50}},
             1'000'000,
@@ -39,10 +42,11 @@ TEST(Report, KeysAreThoseOfTheContractInItsOrder) {
     for (const auto& [key, value] : json.items()) {
         keys.push_back(key);
     }
-    EXPECT_THAT(keys, ::testing::ElementsAre("version", "sites", "lattice", "seed", "solver",
-                                             "start", "stop", "iterations", "evaluations", "energy",
-                                             "energy_bound", "residual", "hexagons", "valences",
-                                             "mirrors", "threads", "seconds", "files"));
+    EXPECT_THAT(
+        keys, ::testing::ElementsAre("version", "sites", "lattice", "seed", "solver", "start",
+                                     "stop", "iterations", "evaluations", "hessians", "cg_products",
+                                     "energy", "energy_bound", "residual", "minimum", "hexagons",
+                                     "valences", "mirrors", "threads", "seconds", "files"));
 }
 
 TEST(Report, ValuesReadBackExactly) {
@@ -54,6 +58,8 @@ TEST(Report, ValuesReadBackExactly) {
     EXPECT_EQ(json["lattice"].dump(), "[[1,0],[0.37,0.81]]");
     EXPECT_EQ(json["valences"].dump(), "{\"5\":50,\"6\":900,\"7\":50}");
     EXPECT_EQ(json["mirrors"].dump(), "1000000");
+    EXPECT_EQ(json["cg_products"].dump(), "450");
+    EXPECT_EQ(json["minimum"].get<std::string>(), "yes");
     EXPECT_EQ(json["seconds"]["total"].get<double>(), 3.5);
     EXPECT_EQ(json["files"][0].get<std::string>(), "a \"b\".obj");
     EXPECT_EQ(json["files"][1].get<std::string>(), "\xC3\xBC.txt");
@@ -63,11 +69,13 @@ TEST(Report, WhatIsNotKnownIsNull) {
     Report report = example();
     report.energy_bound.reset();
     report.mirrors.reset();
+    report.minimum.reset();
     report.valences.clear();
     report.files = {"not UTF-8: \xFF"};
     const Json json = Json::parse(encode_report(report));
     EXPECT_TRUE(json["energy_bound"].is_null());
     EXPECT_TRUE(json["mirrors"].is_null());
+    EXPECT_TRUE(json["minimum"].is_null());
     EXPECT_EQ(json["valences"], Json::object());
 }
 

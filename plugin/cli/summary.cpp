@@ -65,10 +65,15 @@ std::string summary(const Job& job, const JobOutcome& outcome) {
     text += line("stop", std::string(stop_name(outcome.stop)) + " after " +
                              std::to_string(outcome.iterations) + " iterations, " +
                              std::to_string(outcome.evaluations) + " evaluations");
+    if (outcome.hessians > 0) {
+        text += line("newton", std::to_string(outcome.hessians) + " Hessians, " +
+                                   std::to_string(outcome.cg_products) + " products with them");
+    }
     text += line("energy", figure(outcome.energy) + ", " +
                                figure(outcome.energy / outcome.energy_bound) +
                                " of the hexagonal bound");
     text += line("residual", figure(outcome.residual));
+    if (outcome.minimum) text += line("minimum", minimum_name(*outcome.minimum));
     text += line("hexagons", valence_text(outcome));
     if (!outcome.found.empty()) text += line("found", outcome.found);
     if (outcome.pattern) text += pattern_lines(*outcome.pattern);

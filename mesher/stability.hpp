@@ -1,0 +1,28 @@
+#pragma once
+
+#include "mesher/block_matrix.hpp"
+#include "mesher/sites.hpp"
+
+namespace pcvt {
+
+/// What the Hessian says of a state whose gradient is zero. Its eigenvalues, apart from the two
+/// translations, lie all above a millionth of the largest one (`kYes`), some below minus that
+/// (`kNo`), or neither.
+enum class Minimum { kYes, kNo, kUnknown };
+
+/// "yes", "no", "unknown".
+const char* minimum_name(Minimum minimum);
+
+/// Sites up to which the factorisations take less than a second.
+inline constexpr int kMostSitesForStability = 20'000;
+
+/// By Sylvester's law of inertia: the number of negative pivots of H - s is the number of
+/// eigenvalues of H below s. Two sparse factorisations, about n^1.5; one state modulo translations,
+/// n = 1, is a minimum.
+/// @param hessian  annihilates translations.
+Minimum stability(const BlockMatrix& hessian);
+
+/// Of sites at rest, for rho = 1; triangulates them.
+Minimum stability(const Sites& sites);
+
+}  // namespace pcvt

@@ -1,0 +1,220 @@
+#include "mesher/newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "mesher/conjugate_gradients.hpp"
+#include "tests/support/plain_objective.hpp"
+
+namespace pcvt {
+namespace {
+
+using Eigen::VectorXd;
+using testing::PlainObjective;
+
+constexpr int kNeverGiveUp = std::numeric_limits<int>::max();
+
+/// sum k (x_k - 1)^2
+bool bowl(const VectorXd& x, Evaluation& e) {
+    const VectorXd weight = VectorXd::LinSpaced(x.size(), 1, double(x.size()));
+    const VectorXd d = x - VectorXd::Ones(x.size());
+    e.value = weight.dot(d.cwiseAbs2());
+    e.gradient = 2 * weight.cwiseProduct(d);
+    e.residual = e.rms_residual = e.gradient.cwiseAbs().maxCoeff() / (2 * double(x.size()));
+    return true;
+}
+
+/// Rosenbrock's curved valley: minimum 0 at (1, 1).
+bool valley(const VectorXd& x, Evaluation& e) {
+    const double bend = x[1] - x[0] * x[0];
+    e.value = 100 * bend * bend + (1 - x[0]) * (1 - x[0]);
+    e.gradient = Eigen::Vector2d(-400 * x[0] * bend - 2 * (1 - x[0]), 200 * bend);
+    e.residual = e.rms_residual = e.gradient.norm();
+    return true;
+}
+
+/// x^4 / 4 - x^2 / 2 + y^2: a saddle at the origin between minima -1/4 at (1, 0) and (-1, 0).
+bool two_wells(const VectorXd& x, Evaluation& e) {
+    e.value = std::pow(x[0], 4) / 4 - x[0] * x[0] / 2 + x[1] * x[1];
+    e.gradient = Eigen::Vector2d(std::pow(x[0], 3) - x[0], 2 * x[1]);
+    e.residual = e.rms_residual = e.gradient.norm();
+    return true;
+}
+
+OptimizerOptions options(double tolerance, double max_move) {
+    return {tolerance, -1, max_move, {}};
+}
+
+OptimizerResult newton(PlainObjective& objective, const OptimizerOptions& options,
+                       int most_truncated = kNeverGiveUp) {
+    Workers workers(1);
+    Evaluation here;
+    EXPECT_TRUE(objective.evaluate({}, 0, here));
+    return minimize_newton(objective, options, here, most_truncated, workers);
+}
+
+TEST(Newton, SolvesAQuadraticProblemInFewSteps) {
+    PlainObjective objective(bowl, VectorXd::Zero(40), 1);
+    const OptimizerResult result = newton(objective, options(1e-10, 100));
+    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_LT((objective.point() - VectorXd::Ones(40)).norm(), 1e-8);
+    EXPECT_LE(result.evaluations, 10);
+    EXPECT_EQ(result.hessians, result.iterations);
+    EXPECT_GE(result.cg_products, result.hessians);
+    EXPECT_EQ(result.evaluations + 1, objective.n_evaluations());
+}
+
+TEST(Newton, FollowsACurvedValleyAndEndsSuperlinearly) {
+    PlainObjective objective(valley, Eigen::Vector2d(-1.2, 1), 1);
+    std::vector<double> residuals;
+    OptimizerOptions watched = options(1e-11, 0.5);
+    watched.progress = [&](const Progress& p) {
+        residuals.push_back(p.residual);
+        return true;
+    };
+    const OptimizerResult result = newton(objective, watched);
+    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_LT(result.evaluations, 60);
+    ASSERT_GT(residuals.size(), 4U);
+    EXPECT_LT(residuals.back(), 1e-4 * residuals[residuals.size() - 2]);
+}
+
+// Negative curvature is followed away from a saddle.
+TEST(Newton, LeavesASaddle) {
+    for (const double x : {1e-6, -1e-3, 0.3}) {
+        PlainObjective objective(two_wells, Eigen::Vector2d(x, 0.5), 1);
+        EXPECT_EQ(newton(objective, options(1e-9, 0.5)).stop, Stop::kConverged);
+        EXPECT_NEAR(objective.point()[0], x > 0 ? 1 : -1, 1e-8);
+    }
+}
+
+TEST(Newton, NeverMovesAPairFurtherThanTheClamp) {
+    VectorXd previous = VectorXd::Constant(10, 50);
+    PlainObjective objective(bowl, previous, 1);
+    double longest = 0;
+    OptimizerOptions clamped = options(1e-8, 0.25);
+    clamped.progress = [&](const Progress&) {
+        const VectorXd move = objective.point() - previous;
+        longest = std::max(longest, move.reshaped(2, 5).colwise().norm().maxCoeff());
+        previous = objective.point();
+        return true;
+    };
+    EXPECT_EQ(newton(objective, clamped).stop, Stop::kConverged);
+    EXPECT_LE(longest, 0.25 * (1 + 1e-6));
+    EXPECT_GT(longest, 0.2);
+}
+
+TEST(Newton, GivesUpAfterTruncatedSteps) {
+    PlainObjective far(bowl, VectorXd::Constant(10, 50), 1);
+    const OptimizerResult result = newton(far, options(1e-8, 0.25), 4);
+    EXPECT_EQ(result.stop, Stop::kStalled);
+    EXPECT_EQ(result.iterations, 5);
+}
+
+TEST(Newton, StepsBackFromWhereTheFunctionIsNotDefined) {
+    const auto walled = [](const VectorXd& x, Evaluation& e) {
+        return x.maxCoeff() < 1.4 && bowl(x, e);
+    };
+    const VectorXd start = VectorXd::Constant(6, -3);
+    PlainObjective objective(walled, start, 1);
+    EXPECT_EQ(newton(objective, options(1e-9, 20)).stop, Stop::kConverged);
+    PlainObjective alone([&](const VectorXd& x, Evaluation& e) { return bowl(x, e) && x == start; },
+                         start, 1);
+    EXPECT_EQ(newton(alone, options(1e-9, 20)).stop, Stop::kStalled);
+    EXPECT_EQ(alone.point(), start);
+}
+
+TEST(Newton, TellsWhyItEnded) {
+    PlainObjective limited(valley, Eigen::Vector2d(-1.2, 1), 1);
+    OptimizerOptions three = options(1e-10, 0.1);
+    three.max_iterations = 3;
+    const OptimizerResult limit = newton(limited, three);
+    EXPECT_EQ(limit.stop, Stop::kIterationLimit);
+    EXPECT_EQ(limit.iterations, 3);
+    OptimizerOptions cancelled = options(1e-10, 0.1);
+    cancelled.progress = [](const Progress& p) { return p.iteration < 2; };
+    EXPECT_EQ(newton(limited, cancelled).stop, Stop::kCancelled);
+    PlainObjective there(bowl, VectorXd::Ones(4), 1);
+    EXPECT_EQ(newton(there, options(0, 1)).stop, Stop::kConverged);
+    PlainObjective noisy(
+        [](const VectorXd& x, Evaluation& e) {
+            bowl(x, e);
+            e.value += 100;
+            e.residual += 0.5;
+            return true;
+        },
+        VectorXd::Zero(8), 1);
+    EXPECT_EQ(newton(noisy, options(0.1, 10)).stop, Stop::kStalled);
+}
+
+TEST(Newton, TellsOfThePointThatItReached) {
+    for (const int limit : {0, 1, 4, -1}) {
+        PlainObjective objective(valley, Eigen::Vector2d(-1.2, 1), 1);
+        OptimizerOptions limited = options(1e-2, 0.5);
+        limited.max_iterations = limit;
+        const OptimizerResult result = newton(objective, limited);
+        Evaluation there;
+        valley(objective.point(), there);
+        EXPECT_EQ(result.evaluation.value, there.value);
+        EXPECT_EQ(result.evaluation.gradient, there.gradient);
+    }
+}
+
+/// A chain of pairs on springs, held at its first pair only with `hold`; n rows.
+BlockMatrix chain(int n, double hold) {
+    BlockMatrix h;
+    std::vector<int> n_entries(static_cast<std::size_t>(n), 2);
+    n_entries.front() = n_entries.back() = 1;
+    h.resize(n_entries);
+    for (int i = 0; i < n; ++i) {
+        h.diagonal[i] = {double(n_entries[i]), 0.5, 0.5, double(n_entries[i])};
+        int entry = h.row_begin[i];
+        for (const int j : {i - 1, i + 1}) {
+            if (j < 0 || j >= n) continue;
+            h.column[entry] = j;
+            h.block[entry++] = {-1, 0, 0, -1};
+        }
+    }
+    h.diagonal[0][0] += hold;
+    h.diagonal[0][3] += hold;
+    return h;
+}
+
+TEST(ConjugateGradients, SolveTheSystemToTheResidualAskedFor) {
+    BlockMatrix h = chain(50, 1);
+    for (BlockMatrix::Block& block : h.diagonal) block[1] = block[2] = 0.01;
+    for (BlockMatrix::Block& block : h.diagonal) block[0] += 0.1, block[3] += 0.1;
+    const VectorXd g = VectorXd::LinSpaced(100, -1, 3).array().sin();
+    Workers workers(1);
+    ConjugateGradients cg(100, workers);
+    const auto outcome = cg.solve(h, g, {1e-10, 1e6, 1000});
+    EXPECT_FALSE(outcome.truncated);
+    VectorXd product(100);
+    const double curvature = h.multiply(cg.solution(), product, workers);
+    EXPECT_LT((product + g).norm(), 1e-8 * g.norm());
+    EXPECT_NEAR(outcome.model / (g.dot(cg.solution()) + curvature / 2), 1, 1e-10);
+}
+
+// Where the curvature is negative, and where the solution lies outside, they end on the boundary,
+// lower than at the origin.
+TEST(ConjugateGradients, EndAtTheBoundary) {
+    const VectorXd g = VectorXd::LinSpaced(100, -1, 3).array().sin();
+    Workers workers(1);
+    ConjugateGradients cg(100, workers);
+    for (const double hold : {1.0, -20.0}) {
+        const BlockMatrix h = chain(50, hold);
+        const auto outcome = cg.solve(h, g, {1e-10, 0.3, 1000});
+        EXPECT_TRUE(outcome.truncated);
+        EXPECT_NEAR(outcome.largest_move, 0.3, 1e-10);
+        EXPECT_NEAR(cg.solution().reshaped(2, 50).colwise().norm().maxCoeff(), 0.3, 1e-10);
+        VectorXd product(100);
+        const double curvature = h.multiply(cg.solution(), product, workers);
+        EXPECT_NEAR(outcome.model / (g.dot(cg.solution()) + curvature / 2), 1, 1e-10);
+        EXPECT_LT(outcome.model, 0);
+    }
+}
+
+}  // namespace
+}  // namespace pcvt
