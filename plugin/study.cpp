@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <set>
 
 #include "io/text.hpp"
@@ -88,6 +90,13 @@ std::vector<StudyRow> rows_of_run(const StudyRecipe& recipe, const Study& study,
                    {std::to_string(task.n), std::to_string(task.run), std::to_string(seed)});
     }
     return rows;
+}
+
+StudyProgress progress_at(const std::vector<StudyTask>& tasks, int n_done) {
+    const auto add = [](double sum, const StudyTask& task) { return sum + task.n; };
+    const double done = std::accumulate(tasks.begin(), tasks.begin() + n_done, 0.0, add);
+    const double all = std::accumulate(tasks.begin() + n_done, tasks.end(), done, add);
+    return {n_done, static_cast<int>(tasks.size()), all > 0 ? done / all : 1};
 }
 
 /// Reads the description back from the first note of a table.
@@ -178,17 +187,16 @@ std::optional<StudyTable> run_study(const Study& study, StudyShard shard, int n_
     const int chunk = recipe.timed ? 1 : kRunsPerLook * workers.n_threads();
     StudyTable table = empty_runs(study);
     for (int begin = 0; begin < n_tasks; begin += chunk) {
-        if (callback && !callback(begin, n_tasks)) return std::nullopt;
+        if (callback && !callback(progress_at(tasks, begin))) return std::nullopt;
         std::vector<std::vector<StudyRow>> rows(
             static_cast<std::size_t>(std::min(chunk, n_tasks - begin)));
-        workers.for_each(static_cast<int>(rows.size()), [&](int k) {
-            rows[k] = rows_of_run(recipe, study, tasks[begin + k]);
-        });
+        workers.for_each(static_cast<int>(rows.size()),
+                         [&](int k) { rows[k] = rows_of_run(recipe, study, tasks[begin + k]); });
         for (std::vector<StudyRow>& part : rows) {
             std::move(part.begin(), part.end(), std::back_inserter(table.rows));
         }
     }
-    if (callback && !callback(n_tasks, n_tasks)) return std::nullopt;
+    if (callback && !callback(progress_at(tasks, n_tasks))) return std::nullopt;
     return table;
 }
 
@@ -204,7 +212,8 @@ MergedStudy merge_runs(const std::vector<NamedRuns>& parts) {
                           part.table.notes[0] + "); merge shards of one study");
         }
         if (part.table.columns != merged.runs.columns) {
-            throw BadFile(part.file + ": not the columns of runs; give files of pcvt study --shard");
+            throw BadFile(part.file +
+                          ": not the columns of runs; give files of pcvt study --shard");
         }
         collect(part, rows);
     }
@@ -213,8 +222,7 @@ MergedStudy merge_runs(const std::vector<NamedRuns>& parts) {
         if (found == rows.end()) {
             throw InvalidInput(in_words(task) + " stands in no file; give the files of all shards");
         }
-        std::move(found->second.begin(), found->second.end(),
-                  std::back_inserter(merged.runs.rows));
+        std::move(found->second.begin(), found->second.end(), std::back_inserter(merged.runs.rows));
         rows.erase(found);
     }
     if (!rows.empty()) {

@@ -72,8 +72,16 @@ const std::vector<StudyRecipe>& study_recipes();
 /// @throws InvalidInput naming the recipes that there are.
 const StudyRecipe& find_study_recipe(const std::string& name);
 
+/// How far a study is.
+struct StudyProgress {
+    int runs_done = 0;
+    int n_runs = 0;
+    /// Sites in the runs done, over those in all runs: about the share of the time.
+    double share = 0;
+};
+
 /// Called now and then on the calling thread; false cancels.
-using StudyCallback = std::function<bool(int runs_done, int runs_in_all)>;
+using StudyCallback = std::function<bool(const StudyProgress&)>;
 
 /// Does the runs of a shard; the rows are the same for every number of threads, but for times.
 /// @returns the table of the runs, nothing if the callback cancelled.

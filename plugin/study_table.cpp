@@ -121,9 +121,9 @@ std::string in_full(double value) {
 std::string rounded(double value, int digits) {
     if (!std::isfinite(value)) throw InternalError("a number of a table is not finite");
     std::array<char, 64> text{};
-    const auto end = std::to_chars(text.begin(), text.end(), value + 0.0,
-                                   std::chars_format::general, digits)
-                         .ptr;
+    const auto end =
+        std::to_chars(text.begin(), text.end(), value + 0.0, std::chars_format::general, digits)
+            .ptr;
     return {text.begin(), end};
 }
 
