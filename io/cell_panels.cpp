@@ -12,8 +12,10 @@ constexpr double kGap = 28;
 constexpr double kHeading = 52;
 constexpr double kLine = 17;
 constexpr double kEntryHeight = 30;
+/// An entry's mark and the gap behind its label.
+constexpr double kEntryGap = 40;
 /// Pixels a character of 13 pixel sans-serif, on the wide side.
-constexpr double kCharacter = 7.2;
+constexpr double kCharacter = 6.6;
 /// Dots nearer to each other than this would only grey the picture.
 constexpr double kLeastDottedSpacing = 7;
 constexpr const char* kEdgeColour = "#565c68";
@@ -62,17 +64,17 @@ class PanelFrame {
     double scale_;
 };
 
-void append_tenths(std::string& text, double value) {
-    append_pixels(text, std::round(10 * value) / 10);
+void append_hundredths(std::string& text, double value) {
+    append_pixels(text, std::round(100 * value) / 100);
 }
 
 void append_polygon(std::string& path, const Polygon& polygon, const PanelFrame& frame) {
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vec2 pixel = frame.pixel(polygon[k]);
         path += k == 0 ? 'M' : 'L';
-        append_tenths(path, pixel.x());
+        append_hundredths(path, pixel.x());
         path += ' ';
-        append_tenths(path, pixel.y());
+        append_hundredths(path, pixel.y());
     }
     path += 'Z';
 }
@@ -98,9 +100,9 @@ std::string draw_sites(const CellPanel& panel, const PanelFrame& frame) {
     for (const Vec2& site : panel.sites) {
         const Vec2 pixel = frame.pixel(site);
         path += 'M';
-        append_tenths(path, pixel.x());
+        append_hundredths(path, pixel.x());
         path += ' ';
-        append_tenths(path, pixel.y());
+        append_hundredths(path, pixel.y());
         path += "h0";
     }
     return "<path stroke=\"#30343c\" stroke-linecap=\"round\"" +
@@ -130,7 +132,7 @@ std::string draw_entries(const std::vector<LegendEntry>& entries, double y) {
     std::string svg;
     for (const LegendEntry& entry : entries) {
         svg += legend_entry(x, y, entry);
-        x += 40 + kCharacter * static_cast<double>(n_characters(entry.label));
+        x += kEntryGap + kCharacter * static_cast<double>(n_characters(entry.label));
     }
     return svg;
 }
@@ -138,7 +140,7 @@ std::string draw_entries(const std::vector<LegendEntry>& entries, double y) {
 double entries_width(const std::vector<LegendEntry>& entries) {
     double x = 2 * kMargin;
     for (const LegendEntry& entry : entries) {
-        x += 40 + kCharacter * static_cast<double>(n_characters(entry.label));
+        x += kEntryGap + kCharacter * static_cast<double>(n_characters(entry.label));
     }
     return x;
 }

@@ -32,7 +32,7 @@ struct PanelLayout {
 };
 
 /// An SVG picture of the panels, row by row, with the legend's caption above and its entries
-/// beneath. Coordinates have one decimal of a pixel.
+/// beneath. Coordinates are rounded to hundredths of a pixel.
 std::string encode_cell_panels(const Legend& legend, const std::vector<CellPanel>& panels,
                                const PanelLayout& layout);
 

@@ -18,7 +18,7 @@ constexpr double kRight = 26;
 constexpr double kTop = 96;
 constexpr double kBottom = 56;
 /// Pixels a character of 13 pixel sans-serif, on average.
-constexpr double kCharacter = 7.2;
+constexpr double kCharacter = 6.9;
 constexpr const char* kInk = "#1c1f26";
 constexpr const char* kFaint = "#e4e6ea";
 /// Of the range: air between the outermost points and the border.
@@ -29,13 +29,15 @@ constexpr std::size_t kFewestTicks = 3;
 /// Roundings of this size do not push a mark off its axis.
 constexpr double kRounding = 1e-9;
 
-/// 10^k for a nice step: the largest of 1, 2, 5 times a power of ten that gives enough steps.
+/// The step of 1, 2 or 5 times a power of ten that comes nearest, by ratio, to the wanted one.
 double nice_step(double range) {
     const double rough = range / kWantedTicks;
     const double decade = std::pow(10.0, std::floor(std::log10(rough)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (rough <= factor * decade) return factor * decade;
-    }
+    const double digit = rough / decade;
+    // The bounds are the geometric means of neighbouring steps.
+    if (digit < std::sqrt(2)) return decade;
+    if (digit < std::sqrt(10)) return 2 * decade;
+    if (digit < std::sqrt(50)) return 5 * decade;
     return 10 * decade;
 }
 

@@ -37,6 +37,19 @@ PlotSeries series_of(const StudyTable& runs, const std::vector<StudyRow>& rows,
     return series;
 }
 
+/// The same with F / F_hex - 1 in place of F.
+Plot excess_plot(int n, const Plot& energies) {
+    Plot plot{std::to_string(n) + " sites, above the hexagonal bound",
+              {"iteration", false},
+              {"F / F_hex - 1", true},
+              {}};
+    for (const PlotSeries& series : energies.series) {
+        plot.series.push_back(series);
+        for (Vec2& point : plot.series.back().points) point.y() = point.y() / f_hex(n) - 1;
+    }
+    return plot;
+}
+
 /// The rows of run 0 of one n.
 std::vector<StudyRow> first_run(const StudyTable& runs, int n) {
     std::vector<StudyRow> rows = rows_of(runs, n);
@@ -61,6 +74,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
     table.columns = {"n",      "method",       "iterations", "evaluations",
                      "energy", "energy/F_hex", "residual"};
     std::vector<Plot> plots;
+    std::vector<Plot> excess;
     for (const int n : study.sites) {
         const std::vector<StudyRow> rows = first_run(runs, n);
         Plot plot{std::to_string(n) + " sites, energy by iteration",
@@ -80,6 +94,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
                                   rounded(runs.number(*last, "residual"), 3)});
         }
         table.remarks.push_back(comparison(n, plot.series[0], plot.series[1]));
+        excess.push_back(excess_plot(n, plot));
         const double longest =
             std::max(plot.series[0].points.back().x(), plot.series[1].points.back().x());
         plot.series.push_back({PlotSeries::Mark::kDashes,
@@ -89,7 +104,9 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
                                {}});
         plots.push_back(std::move(plot));
     }
-    return {{table}, {{"", encode_plots("CVT energy by iteration", plots)}}};
+    return {{table},
+            {{"", encode_plots("CVT energy by iteration", plots)},
+             {"", encode_plots("CVT energy above the hexagonal bound", excess)}}};
 }
 
 }  // namespace
@@ -103,7 +120,7 @@ StudyRecipe fig9_recipe() {
             .columns = {"method", "iteration", "evaluations", "energy", "residual"},
             .notes = {"plain L-BFGS from the same start, to a residual of 1e-6 or 200 iterations"},
             .tables = {""},
-            .pictures = {""},
+            .pictures = {"", "-excess"},
             .printed_columns = 7,
             .run = run,
             .conclude = conclude};

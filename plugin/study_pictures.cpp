@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "io/palette.hpp"
 #include "mesher/quality.hpp"
@@ -10,10 +11,15 @@ namespace pcvt {
 namespace {
 
 constexpr int kRegular = 6;
+/// Colours differ in between.
+constexpr int kFewestSides = 3;
+constexpr int kMostSides = 9;
 constexpr const char* kCutHexagon = "#dfd5bd";
 constexpr const char* kBorderCell = "#a9d6a5";
 /// Of the domain's size: what is left of a cell that only touches the domain is not drawn.
 constexpr double kSliver = 1e-12;
+/// In periods: a site this near to the border is drawn on both sides.
+constexpr double kOnBorder = 1e-9;
 
 Polygon domain_outline(const Lattice& lattice) {
     return {Vec2::Zero(), lattice.a(), lattice.a() + lattice.b(), lattice.b()};
@@ -68,6 +74,18 @@ Polygon face_polygon(const PeriodicMesh& mesh, int face) {
     return polygon;
 }
 
+/// The images of a site in the closed domain: one, but more for a site on the border.
+void add_dots(const Lattice& lattice, const Vec2& site, std::vector<Vec2>& dots) {
+    const Vec2 u = lattice.to_lattice(site);
+    const Vec2 inside = u.array() - (u.array() + kOnBorder).floor();
+    for (const double i : {0.0, 1.0}) {
+        for (const double j : {0.0, 1.0}) {
+            const Vec2 image = inside + Vec2(i, j);
+            if (image.maxCoeff() <= 1 + kOnBorder) dots.push_back(lattice.to_plane(image));
+        }
+    }
+}
+
 /// The sides of a clipped cell that are longer than kShortEdge h.
 int count_sides(const Polygon& polygon, double h) {
     int sides = 0;
@@ -89,8 +107,7 @@ CellPanel periodic_panel(const CvtResult& result) {
         const bool shaded = pieces.size() > 1 && sides[f] == kRegular;
         const std::string colour = shaded ? kCutHexagon : hex(side_colour(sides[f]));
         for (const Polygon& piece : pieces) panel.cells.push_back({piece, colour});
-        const Vec2 u = mesh.lattice.to_lattice(mesh.site_points[f]);
-        panel.sites.push_back(mesh.lattice.to_plane(u.array() - u.array().floor()));
+        add_dots(mesh.lattice, mesh.site_points[f], panel.sites);
     }
     return panel;
 }
@@ -108,17 +125,25 @@ CellPanel clipped_panel(const Lattice& lattice, const Points& sites) {
     return panel;
 }
 
-std::vector<LegendEntry> periodic_legend() {
-    const auto patch = [](const std::string& colour, const char* label) {
-        return LegendEntry{LegendEntry::Mark::kPatch, colour, label};
+std::vector<LegendEntry> panel_legend(const std::vector<CellPanel>& panels) {
+    std::set<std::string> used;
+    for (const CellPanel& panel : panels) {
+        for (const CellPanel::Cell& cell : panel.cells) used.insert(cell.colour);
+    }
+    std::vector<LegendEntry> entries;
+    const auto add = [&](const std::string& colour, const std::string& label) {
+        if (used.erase(colour) > 0) {
+            entries.push_back({LegendEntry::Mark::kPatch, colour, label});
+        }
     };
-    return {patch(hex(side_colour(4)), "4 sides"), patch(hex(side_colour(5)), "5"),
-            patch(hex(side_colour(6)), "6"),       patch(kCutHexagon, "6, across the border"),
-            patch(hex(side_colour(7)), "7"),       patch(hex(side_colour(8)), "8")};
-}
-
-LegendEntry clipped_legend() {
-    return {LegendEntry::Mark::kPatch, kBorderCell, "clipped at the border"};
+    add(hex(side_colour(kFewestSides)), "3 sides");
+    for (int sides = kFewestSides + 1; sides < kMostSides; ++sides) {
+        add(hex(side_colour(sides)), std::to_string(sides) + " sides");
+        if (sides == kRegular) add(kCutHexagon, "6 sides, across the border");
+    }
+    add(hex(side_colour(kMostSides)), "9 and more");
+    add(kBorderCell, "clipped at the border");
+    return entries;
 }
 
 }  // namespace pcvt

@@ -13,8 +13,7 @@ CellPanel periodic_panel(const CvtResult& result);
 /// The clipped cells; those at the border are green, the others have the colour of their sides.
 CellPanel clipped_panel(const Lattice& lattice, const Points& sites);
 
-/// The colours' meaning.
-std::vector<LegendEntry> periodic_legend();
-LegendEntry clipped_legend();
+/// The meaning of the colours that occur in the panels.
+std::vector<LegendEntry> panel_legend(const std::vector<CellPanel>& panels);
 
 }  // namespace pcvt

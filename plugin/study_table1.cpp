@@ -12,7 +12,7 @@ namespace {
 constexpr double kTolerance = 1e-8;
 /// The standard CVT is there to compare with; the paper ran it once.
 constexpr int kStandardRuns = 10;
-/// Energies this close to each other, relatively, are of one minimum.
+/// Energies this close to each other, relatively, are of one minimum: its first run is named.
 constexpr double kSameEnergy = 1e-9;
 constexpr int kDigits = 8;
 
@@ -55,10 +55,10 @@ Best best_of(const StudyTable& runs, int n, const std::string& kind) {
     Best best;
     for (const StudyRow& row : rows_of(runs, n)) {
         const double energy = runs.number(row, "energy");
-        if (row[runs.column("kind")] != kind || (!best.seed.empty() && energy >= best.energy)) {
-            continue;
+        if (row[runs.column("kind")] != kind) continue;
+        if (best.seed.empty() || energy < best.energy * (1 - kSameEnergy)) {
+            best = {energy, row[runs.column("seed")]};
         }
-        best = {energy, row[runs.column("seed")]};
     }
     return best;
 }

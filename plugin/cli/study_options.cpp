@@ -62,7 +62,13 @@ StudyShard shard_number(const std::string& text) {
         throw InvalidInput("--shard " + text + ": not of the form i/N; give such as 2/4");
     }
     const int count = whole_number("--shard", text.substr(slash + 1), 1, kMostShards);
-    return {whole_number("--shard", text.substr(0, slash), 1, count), count};
+    const int index = whole_number("--shard", text.substr(0, slash), 1, kMostShards);
+    if (index > count) {
+        throw InvalidInput("--shard " + text + ": beyond the last part; give 1/" +
+                           std::to_string(count) + " to " + std::to_string(count) + "/" +
+                           std::to_string(count));
+    }
+    return {index, count};
 }
 
 void refuse_beside_merge(const CLI::App& app) {
@@ -89,7 +95,8 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
         "run r starts from the random sites of seed S + r [see below]");
     add("--shard", options.shard, "i/N", "only part i of N parts: the table of its runs");
     app.add_option("--merge", options.merge, "the shards of one study, in any order")
-        ->type_name("FILE...");
+        ->type_name("FILE")
+        ->option_text("FILE ...");
     add("--threads", options.threads, "N", "runs at a time; fig7 has always one [all cores]");
     app.option_defaults()->group("Output");
     app.add_option("-o", options.outputs,
