@@ -33,8 +33,9 @@ struct Grid {
         return layout.size + kGap + kLine * static_cast<double>(n_lines) + 4;
     }
     Vec2 corner(int panel) const {
-        return {kMargin + (layout.size + kGap) * (panel % layout.columns),
-                kHeading + row_height() * (panel / layout.columns)};
+        const int row = panel / layout.columns;
+        const int column = panel % layout.columns;
+        return {kMargin + (layout.size + kGap) * column, kHeading + row_height() * row};
     }
     double width() const { return 2 * kMargin + columns() * (layout.size + kGap) - kGap; }
     double height() const { return kHeading + rows() * row_height(); }

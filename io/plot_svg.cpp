@@ -331,7 +331,7 @@ std::vector<double> axis_ticks(double low, double high, bool logarithmic) {
     if (!logarithmic) return linear_ticks(low, high);
     for (const std::vector<int>& digits :
          {std::vector<int>{1}, {1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
-        const std::vector<double> ticks = digit_ticks(low, high, digits);
+        std::vector<double> ticks = digit_ticks(low, high, digits);
         if (ticks.size() >= kFewestTicks) return ticks;
     }
     return linear_ticks(low, high);
