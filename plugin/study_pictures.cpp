@@ -58,7 +58,7 @@ std::vector<Polygon> pieces_in_domain(const Lattice& lattice, const Polygon& cel
         for (double j = std::floor(low.y()); j <= std::floor(high.y()); ++j) {
             const Polygon piece =
                 inside_unit_square(mapped(u, [&](const Vec2& p) { return Vec2(p - Vec2(i, j)); }));
-            if (piece.size() < 3 || polygon_area(piece) < kSliver) continue;
+            if (piece.size() < 3 || std::abs(polygon_area(piece)) < kSliver) continue;
             pieces.push_back(mapped(piece, [&](const Vec2& p) { return lattice.to_plane(p); }));
         }
     }

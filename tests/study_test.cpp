@@ -7,7 +7,9 @@
 #include "io/tile_file.hpp"
 #include "mesher/error.hpp"
 #include "plugin/study_files.hpp"
+#include "plugin/study_pictures.hpp"
 #include "plugin/study_recipes.hpp"
+#include "tests/support/lattices.hpp"
 
 namespace pcvt {
 namespace {
@@ -147,6 +149,31 @@ TEST(Study, BadStudiesAreRefused) {
     EXPECT_THROW(run({"fig11", {4}, 0, 0}, {}), InvalidInput);
     EXPECT_THROW(run({"fig11", {4}, 1, 0}, {3, 2}), InvalidInput);
     EXPECT_THROW(run({"fig11", {1'000'000}, 1, 0}, {}), LimitExceeded);
+}
+
+TEST(StudyPictures, CellsFillTheDomainAndSitesStandInIt) {
+    for (const auto& [name, lattice] : testing::lattices()) {
+        for (const int n : {1, 2, 30}) {
+            const Points points = uniform_points(lattice, n, 4);
+            const CvtResult result = compute_cvt(lattice, points, plain_lbfgs(0, 0));
+            for (const CellPanel& panel :
+                 {periodic_panel(result), clipped_panel(lattice, points)}) {
+                double area = 0;
+                for (const CellPanel::Cell& cell : panel.cells) {
+                    area += std::abs(polygon_area(cell.polygon));
+                }
+                EXPECT_NEAR(area / lattice.area(), 1, 1e-9) << name << " n = " << n;
+                EXPECT_EQ(panel.sites.size(), static_cast<std::size_t>(n)) << name;
+            }
+        }
+    }
+}
+
+TEST(StudyPictures, ASiteOnTheBorderIsDrawnOnBothSides) {
+    const CvtResult corner = compute_cvt(unit_square(), Vec2(0, 0), plain_lbfgs(0, 0));
+    EXPECT_EQ(periodic_panel(corner).sites.size(), 4u);
+    const CvtResult side = compute_cvt(unit_square(), Vec2(0.3, 1 - 1e-14), plain_lbfgs(0, 0));
+    EXPECT_EQ(periodic_panel(side).sites.size(), 2u);
 }
 
 TEST(StudyFiles, OneNameStandsForAllTablesOrPictures) {
