@@ -14,6 +14,14 @@ constexpr double kLongestSide = 1600;
 /// libxml2, behind librsvg and others, refuses attributes of about 10 MB.
 constexpr std::size_t kLongestAttribute = 1 << 20;
 
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    }
+    return result;
+}
+
 }  // namespace
 
 SvgFrame::SvgFrame(const std::vector<Vec2>& points) {
@@ -78,6 +86,27 @@ std::string svg_attribute(const std::string& name, double pixels) {
     std::string text = " " + name + "=\"";
     append_pixels(text, pixels);
     return text + '"';
+}
+
+std::string svg_head(const std::string& title, double width, double height) {
+    const std::string size = svg_attribute("width", width) + svg_attribute("height", height);
+    std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg")" + size + " viewBox=\"0 0 ";
+    append_pixels(text, width);
+    text += ' ';
+    append_pixels(text, height);
+    return text + "\">\n<title>" + escaped(title) + "</title>\n<rect" + size +
+           " fill=\"#ffffff\"/>\n";
+}
+
+std::string svg_text(const Vec2& place, const std::string& text, const std::string& attributes) {
+    return "<text" + svg_attribute("x", place.x()) + svg_attribute("y", place.y()) + attributes +
+           ">" + escaped(text) + "</text>\n";
+}
+
+std::size_t n_characters(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    }));
 }
 
 }  // namespace pcvt

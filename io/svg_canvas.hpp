@@ -55,4 +55,13 @@ class SvgPath {
 /// ` name="value"` with a number of pixels.
 std::string svg_attribute(const std::string& name, double pixels);
 
+/// The first lines of a picture: its size in pixels, its title and a white ground.
+std::string svg_head(const std::string& title, double width, double height);
+
+/// <text> at a place in pixels; &, < and > in the text are escaped.
+std::string svg_text(const Vec2& place, const std::string& text, const std::string& attributes);
+
+/// Of a text in UTF-8.
+std::size_t n_characters(const std::string& text);
+
 }  // namespace pcvt

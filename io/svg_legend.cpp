@@ -16,14 +16,11 @@ constexpr double kShortestRow = 400;
 /// Height over width from which on the legend stands beside the drawing.
 constexpr double kTall = 1.6;
 
-double text_width(const std::string& text) { return kCharacter * static_cast<double>(text.size()); }
+double text_width(const std::string& text) {
+    return kCharacter * static_cast<double>(n_characters(text));
+}
 
 double entry_width(const LegendEntry& entry) { return kMarkWidth + text_width(entry.label); }
-
-std::string text_at(double x, double y, const std::string& text, const std::string& attributes) {
-    return "<text" + svg_attribute("x", x) + svg_attribute("y", y) + attributes + ">" + text +
-           "</text>\n";
-}
 
 std::string mark_at(double x, double y, const LegendEntry& entry) {
     const std::string colour = "=\"" + entry.colour + "\"";
@@ -46,18 +43,14 @@ std::string mark_at(double x, double y, const LegendEntry& entry) {
     return line + colour + "/>\n";
 }
 
-std::string entry_at(double x, double y, const LegendEntry& entry) {
-    return mark_at(x, y, entry) + text_at(x + kMarkWidth, y, entry.label, "");
-}
-
 PlacedLegend beside(const Legend& legend, const SvgFrame& frame) {
     const double x = frame.width();
     double y = kMargin + 12;
     double widest = text_width(legend.caption) * 1.1;
-    std::string svg = text_at(x, y, legend.caption, R"( font-weight="bold")");
+    std::string svg = svg_text({x, y}, legend.caption, R"( font-weight="bold")");
     for (const LegendEntry& entry : legend.entries) {
         y += kLine;
-        svg += entry_at(x, y, entry);
+        svg += legend_entry(x, y, entry);
         widest = std::max(widest, entry_width(entry));
     }
     return {svg, x + widest + kMargin, std::max(frame.height(), y + kMargin)};
@@ -68,14 +61,14 @@ PlacedLegend beneath(const Legend& legend, const SvgFrame& frame) {
     double x = kMargin;
     double y = frame.height() + 12;
     double right = x + text_width(legend.caption) * 1.1;
-    std::string svg = text_at(x, y, legend.caption, R"( font-weight="bold")");
+    std::string svg = svg_text({x, y}, legend.caption, R"( font-weight="bold")");
     y += kLine;
     for (const LegendEntry& entry : legend.entries) {
         if (x > kMargin && x + entry_width(entry) > row_end) {
             x = kMargin;
             y += kLine;
         }
-        svg += entry_at(x, y, entry);
+        svg += legend_entry(x, y, entry);
         x += entry_width(entry) + kGap;
         right = std::max(right, x);
     }
@@ -83,6 +76,10 @@ PlacedLegend beneath(const Legend& legend, const SvgFrame& frame) {
 }
 
 }  // namespace
+
+std::string legend_entry(double x, double y, const LegendEntry& entry) {
+    return mark_at(x, y, entry) + svg_text({x + kMarkWidth, y}, entry.label, "");
+}
 
 PlacedLegend place_legend(const Legend& legend, const SvgFrame& frame) {
     return frame.height() > kTall * frame.width() ? beside(legend, frame) : beneath(legend, frame);

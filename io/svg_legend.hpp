@@ -12,7 +12,6 @@ struct LegendEntry {
     Mark mark;
     /// "#rrggbb"
     std::string colour;
-    /// Plain text without &, < and >.
     std::string label;
 };
 
@@ -21,6 +20,9 @@ struct Legend {
     std::string caption;
     std::vector<LegendEntry> entries;
 };
+
+/// One entry at pixels (x, y): its mark, and its label on the base line y.
+std::string legend_entry(double x, double y, const LegendEntry& entry);
 
 /// A laid out legend: what to draw, and the size of the whole canvas with it.
 struct PlacedLegend {

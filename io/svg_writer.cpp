@@ -220,15 +220,6 @@ Legend make_legend(const FlatTile& tile, const Domain& domain) {
     return legend;
 }
 
-std::string head(const std::string& title, double width, double height) {
-    const std::string size = svg_attribute("width", width) + svg_attribute("height", height);
-    std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg")" + size + " viewBox=\"0 0 ";
-    append_pixels(text, width);
-    text += ' ';
-    append_pixels(text, height);
-    return text + "\">\n<title>" + title + "</title>\n<rect" + size + " fill=\"#ffffff\"/>\n";
-}
-
 }  // namespace
 
 std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
@@ -243,7 +234,7 @@ std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& pat
     const Legend legend = make_legend(tile, domain);
     const PlacedLegend placed = place_legend(legend, frame);
 
-    std::string svg = head(legend.caption, placed.width, placed.height);
+    std::string svg = svg_head(legend.caption, placed.width, placed.height);
     svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
     svg += cells ? draw_cells(drawing) : draw_triangles(drawing);
     svg += draw_domain(domain.corners, drawing);

@@ -155,10 +155,11 @@ OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.n_threads, n_tasks));
     CvtObjective objective(delaunay, workers);
+    const bool plain = options.solver == Solver::kPlainLbfgs;
     OptimizerOptions optimizer{options.tolerance,
                                options.max_iterations,
                                kLargestMove * delaunay.spacing(),
-                               options.precondition_below,
+                               plain ? 0 : options.precondition_below,
                                {}};
     if (options.progress) {
         optimizer.progress = [&](Progress progress) {

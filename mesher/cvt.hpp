@@ -8,7 +8,7 @@
 namespace pcvt {
 
 /// `kLbfgs` is finished by Newton's method where a minimum is near, `kNewton` is that method from
-/// the start (relay.hpp); `kPlainLbfgs` and `kLloyd` go on by themselves.
+/// the start (relay.hpp); `kPlainLbfgs` and `kLloyd` are the paper's, without anything of this.
 enum class Solver { kLbfgs, kLloyd, kNewton, kPlainLbfgs };
 
 struct CvtOptions {

@@ -155,6 +155,7 @@ class Flooding {
         }
     }
 
+    std::size_t n_triangles() const { return euclidean_.number_of_faces(); }
     int n_mirrors() const { return static_cast<int>(mirrors_.size()); }
 
     /// Of the sites that are not in `boundary`, those that have a mirror as a neighbour.
@@ -272,6 +273,12 @@ MirrorDiagram mirror_diagram(const Sites& sites, WithPieces with_pieces) {
     if (with_pieces == WithPieces::kYes) diagram.pieces = flooding.pieces();
     require_torus(sites, diagram);
     return diagram;
+}
+
+std::size_t euclidean_delaunay(const Sites& sites) {
+    Flooding flooding(sites);
+    flooding.insert_sites();
+    return flooding.n_triangles();
 }
 
 MirrorDiagram full_copies_diagram(const Sites& sites, WithPieces with_pieces) {

@@ -42,6 +42,11 @@ enum class WithPieces { kNo, kYes };
 /// @throws InternalError if the triangles do not add up to 2 n.
 MirrorDiagram mirror_diagram(const Sites& sites, WithPieces with_pieces = WithPieces::kNo);
 
+/// The first step alone: the Euclidean Delaunay triangulation of the n sites. What the others cost
+/// is compared with it.
+/// @returns the number of its triangles.
+std::size_t euclidean_delaunay(const Sites& sites);
+
 /// The slow twin: all 3 x 3 copies of the sites.
 MirrorDiagram full_copies_diagram(const Sites& sites, WithPieces with_pieces = WithPieces::kNo);
 

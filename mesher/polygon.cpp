@@ -61,6 +61,19 @@ Vec2 polygon_centroid(const Polygon& polygon) {
     return polygon[0] + moment / (3 * twice);
 }
 
+Polygon clipped(const Polygon& polygon, const Vec2& normal, double level) {
+    Polygon kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2& p = polygon[k];
+        const Vec2& q = cyclic(polygon, k + 1);
+        const double fp = normal.dot(p) - level;
+        const double fq = normal.dot(q) - level;
+        if (fp <= 0) kept.push_back(p);
+        if ((fp < 0 && fq > 0) || (fp > 0 && fq < 0)) kept.push_back(p + fp / (fp - fq) * (q - p));
+    }
+    return kept;
+}
+
 double reflex_depth(const Polygon& polygon) {
     double depth = 0;
     for (std::size_t k = 0; k < polygon.size(); ++k) {

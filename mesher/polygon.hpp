@@ -16,6 +16,10 @@ double polygon_perimeter(const Polygon& polygon);
 /// @pre the area is not zero.
 Vec2 polygon_centroid(const Polygon& polygon);
 
+/// The part of a convex polygon where normal . p <= level (Sutherland and Hodgman's clipping by one
+/// half-plane); no corner where nothing is left.
+Polygon clipped(const Polygon& polygon, const Vec2& normal, double level);
+
 /// The largest distance by which a corner lies behind the chord between its neighbours: 0 where the
 /// polygon turns left everywhere.
 double reflex_depth(const Polygon& polygon);

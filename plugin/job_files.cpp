@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <map>
+
+#include "plugin/path_book.hpp"
 
 namespace pcvt {
 namespace {
@@ -43,29 +44,6 @@ void add_output(const Job& job, const std::string& path, std::vector<JobFile>& f
         files.push_back({format->paths(with_suffix(path, suffix)), format, static_cast<int>(m)});
     }
 }
-
-/// One name for a file, however it is written.
-std::string identity(const std::string& path) {
-    std::error_code ignored;
-    fs::path canonical = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
-    if (ignored) canonical = fs::path(path).lexically_normal();
-    return canonical.string();
-}
-
-/// Every path of the job once: the inputs, the files, the report.
-class PathBook {
-   public:
-    void add_input(const std::string& path) { book_.emplace(identity(path), "an input"); }
-    void add_output(const std::string& path) {
-        const auto [entry, fresh] = book_.emplace(identity(path), "another output");
-        if (!fresh) {
-            throw InvalidInput(path + " is " + entry->second + " as well; take another name");
-        }
-    }
-
-   private:
-    std::map<std::string, std::string> book_;
-};
 
 }  // namespace
 

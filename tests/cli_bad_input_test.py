@@ -87,7 +87,6 @@ class BadOption(CliTest):
     def test_what_comes_later_says_so(self):
         mesh = ("mesh", "--sites", 3, "-o", "t.obj")
         rows = [
-            ("study", "study"),
             ("box", *mesh, "--outline", "box"),
             ("grains", *mesh, "--mesh", "grains"),
         ]

@@ -157,6 +157,13 @@ TEST(MirrorDiagram, PiecesFillTheDomain) {
 }
 
 // Section 5 of the paper: about as many mirrors as the square root of the number of sites.
+/// Euler: 2 n - 2 - (corners of the hull).
+TEST(MirrorDiagram, TheFirstStepIsThePlaneTriangulation) {
+    Points square(2, 5);
+    square << 0.1, 0.9, 0.9, 0.1, 0.4, 0.1, 0.1, 0.9, 0.9, 0.5;
+    EXPECT_EQ(euclidean_delaunay(Sites(Lattice::rectangle(1, 1), square)), 4u);
+}
+
 TEST(MirrorDiagram, MirrorsGrowWithTheSquareRoot) {
     const Lattice unit = Lattice::rectangle(1, 1);
     for (std::uint64_t seed = 0; seed < 3; ++seed) {

@@ -34,6 +34,14 @@ TEST(Polygon, ReflexDepthIsTheDistanceToTheChord) {
     EXPECT_DOUBLE_EQ(reflex_depth(kDart), (Vec2(1, 1) - Vec2(0.5, 0.5)).norm());
 }
 
+TEST(Polygon, ClippingKeepsOneSideOfALine) {
+    EXPECT_DOUBLE_EQ(polygon_area(clipped(kTriangle, {1, 0}, 2.5)), 3 - 0.75);
+    EXPECT_DOUBLE_EQ(polygon_area(clipped(kTriangle, {-1, 0}, -2.5)), 0.75);
+    EXPECT_EQ(clipped(kTriangle, {1, 0}, 5), kTriangle);
+    EXPECT_EQ(clipped(kTriangle, {1, 0}, 4), kTriangle);
+    EXPECT_TRUE(clipped(kTriangle, {1, 0}, 0).empty());
+}
+
 TEST(Polygon, CrossingIsFound) {
     EXPECT_TRUE(crosses_itself(kBowTie, 1e-12));
     EXPECT_TRUE(crosses_itself(kPentagram, 1e-12));

@@ -9,6 +9,7 @@
 #include "plugin/cli/console.hpp"
 #include "plugin/cli/mesh_command.hpp"
 #include "plugin/cli/pattern_command.hpp"
+#include "plugin/cli/study_command.hpp"
 #include "plugin/version.hpp"
 
 namespace pcvt::cli {
@@ -19,8 +20,8 @@ constexpr const char* kExamples =
     "  pcvt mesh --sites 300 -o tile.obj -o tile.svg\n"
     "  pcvt mesh --input sites.txt --lattice 1,0,0.37,0.81 --mesh delaunay -o tile.glb\n"
     "  pcvt pattern --sites 56 -o pattern.svg\n"
-    "  pcvt check tile.obj tile.glb\n\n"
-    "Not available yet: pcvt study.\n\n";
+    "  pcvt study fig11 -o results/\n"
+    "  pcvt check tile.obj tile.glb\n\n";
 
 /// The parser of the whole command line and what it fills.
 struct CommandLine {
@@ -28,9 +29,11 @@ struct CommandLine {
                  "pcvt"};
     CLI::App* mesh = nullptr;
     CLI::App* pattern = nullptr;
+    CLI::App* study = nullptr;
     CLI::App* check = nullptr;
     MeshOptions mesh_options;
     MeshOptions pattern_options;
+    StudyOptions study_options;
     CheckOptions check_options;
 };
 
@@ -43,24 +46,28 @@ void describe(CommandLine& line) {
     app.require_subcommand(0, 1);
     line.mesh = app.add_subcommand("mesh", "sites -> optimised periodic CVT -> files");
     line.pattern = app.add_subcommand("pattern", "the best exact lattice for n -> files");
+    line.study = app.add_subcommand("study", "many runs -> the paper's tables and figures");
     line.check = app.add_subcommand("check", "proves or refutes that a file is a periodic tile");
-    for (CLI::App* command : {line.mesh, line.pattern, line.check})
+    for (CLI::App* command : {line.mesh, line.pattern, line.study, line.check})
         command->set_help_flag("--help,-h", "this text");
     add_mesh_options(*line.mesh, line.mesh_options);
     add_pattern_options(*line.pattern, line.pattern_options);
+    add_study_options(*line.study, line.study_options);
     add_check_options(*line.check, line.check_options);
-    for (const char* later : {"study"}) {
-        app.add_subcommand(later)->group("")->prefix_command()->set_help_flag();
-    }
     app.footer(std::string(kExamples) + exit_code_help());
 }
 
-/// The command that was given, with a blank behind it.
+/// The command that was given; the whole where there was none.
+const CLI::App& chosen(const CommandLine& line) {
+    for (const CLI::App* command : {line.mesh, line.pattern, line.study, line.check}) {
+        if (command->parsed()) return *command;
+    }
+    return line.app;
+}
+
+/// Its name with a blank behind it.
 std::string command_name(const CommandLine& line) {
-    return line.mesh->parsed()      ? "mesh "
-           : line.pattern->parsed() ? "pattern "
-           : line.check->parsed()   ? "check "
-                                    : "";
+    return &chosen(line) == &line.app ? "" : chosen(line).get_name() + " ";
 }
 
 ExitCode run_chosen(const CommandLine& line) {
@@ -71,12 +78,11 @@ ExitCode run_chosen(const CommandLine& line) {
         return run_mesh(make_pattern_job(*line.pattern, line.pattern_options),
                         line.pattern_options);
     }
-    if (line.check->parsed()) return run_check(*line.check, line.check_options);
-    for (const char* later : {"study"}) {
-        if (line.app.got_subcommand(later)) {
-            throw InvalidInput(std::string(later) + " is not available yet; see pcvt --help");
-        }
+    if (line.study->parsed()) {
+        return run_study_command(make_study_request(*line.study, line.study_options),
+                                 line.study_options);
     }
+    if (line.check->parsed()) return run_check(*line.check, line.check_options);
     throw InvalidInput("no command; see pcvt --help");
 }
 
@@ -86,11 +92,7 @@ ExitCode run(int argc, const char* const* argv) {
     try {
         line.app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        const CLI::App& asked = line.mesh->parsed()      ? *line.mesh
-                                : line.pattern->parsed() ? *line.pattern
-                                : line.check->parsed()   ? *line.check
-                                                         : line.app;
-        print(asked.help(&asked == &line.app ? "" : "pcvt"));
+        print(chosen(line).help(&chosen(line) == &line.app ? "" : "pcvt"));
         return ExitCode::kDone;
     } catch (const CLI::CallForVersion&) {
         print(std::string("pcvt ") + version() + "\n");

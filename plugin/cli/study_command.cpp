@@ -1,0 +1,85 @@
+#include "plugin/cli/study_command.hpp"
+
+#include <csignal>
+#include <cstdio>
+
+#include "io/output.hpp"
+#include "io/text.hpp"
+#include "io/tile_file.hpp"
+#include "plugin/cli/cancel_signal.hpp"
+#include "plugin/cli/console.hpp"
+#include "plugin/cli/status_line.hpp"
+#include "plugin/study_files.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+/// Before so much is done the time left is only a guess.
+constexpr double kLeastShare = 0.02;
+
+std::string progress_text(const StudyProgress& progress, double seconds) {
+    std::string text =
+        std::to_string(progress.runs_done) + " of " + std::to_string(progress.n_runs) + " runs";
+    if (progress.share < kLeastShare) return text;
+    const double left = seconds * (1 - progress.share) / progress.share;
+    return text + "  about " + duration_in_words(left) + " left";
+}
+
+std::optional<StudyTable> run_watched(const StudyRequest& request, bool quiet) {
+    StatusLine line(!quiet);
+    catch_cancel_signals();
+    return run_study(request.study, request.shard, request.n_threads,
+                     [&line](const StudyProgress& progress) {
+                         if (line.due()) line.draw(progress_text(progress, line.seconds()));
+                         return cancel_signal() == 0;
+                     });
+}
+
+MergedStudy merge_files(const StudyRequest& request) {
+    std::vector<NamedRuns> parts;
+    for (const std::string& file : request.merge) {
+        parts.push_back({file, decode_csv(file, read_whole_file(file))});
+    }
+    MergedStudy merged = merge_runs(parts);
+    if (merged.study.name != request.study.name) {
+        throw BadFile(request.merge[0] + ": runs of " + merged.study.name + ", not of " +
+                      request.study.name + "; name that study");
+    }
+    return merged;
+}
+
+ExitCode cancelled() {
+    std::fputs("pcvt: cancelled; nothing was written\n", stderr);
+    return cancel_signal() == SIGTERM ? ExitCode::kTerminated : ExitCode::kInterrupted;
+}
+
+}  // namespace
+
+ExitCode run_study_command(const StudyRequest& request, const StudyOptions& options) {
+    const StudyRecipe& recipe = find_study_recipe(request.study.name);
+    const std::vector<StudyFile> files =
+        plan_study_files(options.outputs, recipe.name, request.shard, request.merge);
+    for (const StudyFile& file : files) OutputSet::require_writable(file.path, options.force);
+    if (request.shard.count > 1 && files.empty()) {
+        throw InvalidInput("--shard makes a file of runs; give -o FILE.csv");
+    }
+
+    MergedStudy done{request.study, {}};
+    if (request.merge.empty()) {
+        std::optional<StudyTable> runs = run_watched(request, options.quiet);
+        if (!runs) return cancelled();
+        done.runs = std::move(*runs);
+    } else {
+        done = merge_files(request);
+    }
+    const bool is_part = request.shard.count > 1;
+    const StudyResult result =
+        is_part ? StudyResult{{done.runs}, {}} : conclude_study(done.study, done.runs);
+    write_study(result, files, options.force);
+    if (!options.quiet && !is_part) {
+        print(aligned_text(result.tables.front(), recipe.printed_columns));
+    }
+    return ExitCode::kDone;
+}
+
+}  // namespace pcvt::cli

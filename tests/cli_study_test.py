@@ -1,0 +1,160 @@
+"""pcvt study: its tables and pictures, shards and merging, refusals, cancelling."""
+
+import csv
+import io
+import os
+import pty
+import signal
+import subprocess
+import time
+import xml.etree.ElementTree
+
+from support.cli import TIMEOUT, CliTest, main
+
+SMALL = ("fig11", "--sites", "4,5,11", "--runs", 9, "--seed", 2)
+
+
+class Files(CliTest):
+    def table(self, name):
+        lines = self.path(name).read_text().splitlines(keepends=True)
+        return list(csv.DictReader(io.StringIO("".join(l for l in lines if not l.startswith("#")))))
+
+    def test_a_folder_gets_all_tables_and_pictures(self):
+        self.path("r").mkdir()
+        self.succeed("study", *SMALL, "-o", "r")
+        self.assertEqual(
+            set(self.contents()), {
+                f"r/fig11{end}"
+                for end in (".csv", "-patterns.csv", "-runs.csv", ".svg", "-shares.svg")
+            })
+        for name in ("r/fig11.svg", "r/fig11-shares.svg"):
+            xml.etree.ElementTree.fromstring(self.path(name).read_bytes())
+        shares = {row["n"]: row["percent"] for row in self.table("r/fig11.csv")}
+        self.assertEqual((shares["4"], shares["5"]), ("100", "0"))
+        self.assertIn("--sites 4,5,11 --runs 9 --seed 2", self.path("r/fig11.csv").read_text())
+
+    def test_a_run_of_the_table_is_that_of_pcvt_mesh(self):
+        self.succeed("study", "fig11", "--sites", 11, "--runs", 3, "--seed", 40, "-o", "t.csv")
+        last = self.table("t-runs.csv")[-1]
+        self.assertEqual((last["run"], last["seed"]), ("2", "42"))
+        said = self.succeed("mesh", "--sites", 11, "--seed", 42, "--tolerance", "1e-8")
+        self.assertIn(f"{float(last['energy']):.5g}"[:6], said)
+
+    def test_table1_prints_its_columns(self):
+        said = self.succeed("study", "table1", "--sites", "3,30", "--runs", 12)
+        self.assertRegex(said, r"n +F_CVT +F_PCVT +F_hex")
+        self.assertRegex(said, r"\n *30 +0\.0055\d+ +0\.0053481481 ")
+        self.assertIn("5.3453e-3 for n = 30", said)
+        self.assertEqual(self.contents(), {})
+
+    def test_every_study_runs_and_draws(self):
+        for name in ("fig7", "fig8", "fig9", "fig10"):
+            with self.subTest(name):
+                said = self.succeed("study", name, "--sites", "20,120", "--runs", 1, "-o",
+                                    f"{name}.csv", "-o", f"{name}.svg")
+                self.assertRegex(said, "120")
+                xml.etree.ElementTree.fromstring(self.path(f"{name}.svg").read_bytes())
+                self.assertGreaterEqual(len(self.table(f"{name}.csv")), 2)
+
+    def test_quiet_says_nothing(self):
+        self.assertEqual(self.succeed("study", *SMALL, "--quiet"), "")
+
+
+class Shards(CliTest):
+    def test_merged_shards_are_the_unsplit_bytes(self):
+        for folder in ("whole", "merged"):
+            self.path(folder).mkdir()
+        said = self.succeed("study", *SMALL, "--threads", 2, "-o", "whole")
+        for k in (1, 2, 3):
+            self.assertEqual(
+                self.succeed("study", *SMALL, "--threads", 1, "--shard", f"{k}/3", "-o",
+                             f"p{k}.csv"), "")
+        merged = self.succeed("study", "fig11", "--merge", "p2.csv", "p1.csv", "p3.csv", "-o",
+                              "merged")
+        self.assertEqual(merged, said)
+        self.assertEqual(self.contents(self.path("merged")), self.contents(self.path("whole")))
+
+    def test_a_wrong_set_of_shards_is_refused(self):
+        for k in (1, 2):
+            self.succeed("study", *SMALL, "--shard", f"{k}/2", "-o", f"p{k}.csv")
+        self.write("noise.csv", "a,b\n1,2\n")
+        self.write("bytes.csv", b"\0\1")
+        merge = ("study", "fig11", "--merge")
+        self.refuse(2, "run 1 of 4 sites stands in no file; give", *merge, "p1.csv")
+        self.refuse(2, "^p1.csv: .*another file too", *merge, "p1.csv", "p2.csv", "p1.csv")
+        self.refuse(2, "^noise.csv: ", *merge, "noise.csv")
+        self.refuse(2, "^bytes.csv: ", *merge, "bytes.csv")
+        self.refuse(2, "^missing.csv: ", *merge, "missing.csv")
+        self.refuse(2, "^p1.csv: runs of fig11", "study", "fig9", "--merge", "p1.csv", "p2.csv")
+        self.refuse(2, "an input", *merge, "p1.csv", "p2.csv", "--force", "-o", "p1.csv")
+        self.refuse(2, "--runs.*--merge", *merge, "p1.csv", "p2.csv", "--runs", 9)
+
+    def test_a_damaged_shard_is_refused(self):
+        self.succeed("study", *SMALL, "--shard", "1/2", "-o", "p1.csv")
+        self.succeed("study", *SMALL, "--shard", "2/2", "-o", "p2.csv")
+        text = self.path("p2.csv").read_text()
+        for damage in (text[:-30], text.replace("4,1,3,", "4,x,3,"), text.replace("--runs 9", "--runs x"),
+                       text.replace(",energy,", ",power,")):
+            self.assertNotEqual(damage, text)
+            self.write("p2.csv", damage)
+            self.refuse(2, "p2.csv|stands in no file", "study", "fig11", "--merge", "p1.csv", "p2.csv")
+
+
+class BadInput(CliTest):
+    def test_what_cannot_be_run_is_refused(self):
+        for code, pattern, arguments in (
+            (2, "no study", ()),
+            (2, "fig12.*unknown; take one of table1 fig7", ("fig12", )),
+            (2, "--sites", ("fig11", "--sites", "4,,5")),
+            (2, "--sites", ("fig11", "--sites", "0")),
+            (2, "--sites", ("fig11", "--sites", "4;5")),
+            (2, "twice", ("fig11", "--sites", "4,4")),
+            (4, "too many", ("fig11", "--sites", "100000")),
+            (2, "--runs", ("fig11", "--runs", "0")),
+            (2, "--seed", ("fig11", "--seed", "-1")),
+            (2, "--shard", ("fig11", "--shard", "5/4", "-o", "a.csv")),
+            (2, "--shard", ("fig11", "--shard", "2", "-o", "a.csv")),
+            (2, "--shard.*give -o", ("fig11", "--shard", "1/4")),
+            (2, "no picture", ("fig11", "--shard", "1/4", "-o", "a.svg")),
+            (2, "neither .csv nor .svg", ("fig11", "-o", "a.txt")),
+            (3, "no/t.csv", ("fig11", "-o", "no/t.csv")),
+        ):
+            with self.subTest(arguments):
+                self.refuse(code, pattern, "study", *arguments, timeout=20)
+
+    def test_an_existing_output_is_refused_before_any_run(self):
+        self.write("t-patterns.csv", "precious")
+        self.refuse(3, "t-patterns.csv.*--force", "study", "fig11", "-o", "t.csv", timeout=10)
+        self.succeed("study", *SMALL, "-o", "t.csv", "--force")
+        self.assertNotEqual(self.path("t-patterns.csv").read_text(), "precious")
+
+
+class Running(CliTest):
+    LONG = ("study", "fig11", "--sites", "150", "--runs", "1000000", "--threads", "1", "-o", "t.csv")
+
+    def test_a_signal_leaves_nothing(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.subTest(number):
+                run = subprocess.Popen([self.binary(), *self.LONG], cwd=self.folder,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                time.sleep(0.5)
+                run.send_signal(number)
+                out, err = run.communicate(timeout=TIMEOUT)
+                self.assertEqual((run.returncode, out), (code, b""))
+                self.assertRegex(err.decode(), r"^pcvt: cancelled.*\n$")
+                self.assertEqual(self.contents(), {})
+
+    def test_progress_is_shown_on_a_terminal(self):
+        master, slave = pty.openpty()
+        with subprocess.Popen([self.binary(), *self.LONG], cwd=self.folder,
+                              stdout=subprocess.DEVNULL, stderr=slave) as run:
+            os.close(slave)
+            shown = os.read(master, 4096).decode()
+            run.send_signal(signal.SIGINT)
+            self.assertEqual(run.wait(TIMEOUT), 130)
+        os.close(master)
+        self.assertRegex(shown, r"^\r\d+ of 1000000 runs")
+
+
+if __name__ == "__main__":
+    main()
