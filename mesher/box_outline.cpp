@@ -13,8 +13,18 @@
 namespace pcvt {
 namespace {
 
+/// A cell keeps this part of its area or more when vertices move onto the cut.
+constexpr double kKeptArea = 0.5;
+/// Where they would tear a cell, they move by this much less.
+constexpr double kLessSnap = 4;
+
 /// The two families of lines: u = k, which run along b, and v = l, which run along a.
 constexpr std::array kAxes{0, 1};
+
+/// Length units; an edge that near to a corner of the box passes through it.
+double least_snap(const PeriodicMesh& cells) {
+    return kSameVertex * std::sqrt(cells.lattice.area() / cells.n_faces());
+}
 
 /// A vertex orbit, its representative in the half-open box: u, v in [0, 1), 0 exactly on a line.
 struct CutVertex {
@@ -35,16 +45,32 @@ Offset along(int axis, int k) { return axis == 0 ? Offset{k, 0} : Offset{0, k}; 
 
 class BoxCutter {
    public:
-    BoxCutter(const PeriodicMesh& cells, const Vec2& origin)
-        : cells_(cells),
-          lattice_(cells.lattice),
-          origin_(origin),
-          snap_(kSameVertex * std::sqrt(lattice_.area() / cells.n_faces())) {
+    BoxCutter(const PeriodicMesh& cells, const Vec2& origin, double snap)
+        : cells_(cells), lattice_(cells.lattice), origin_(origin), snap_(snap) {
         for (int v = 0; v < cells.n_vertices(); ++v) add_cell_vertex(v);
-        cut_edges();
+    }
+
+    /// Whether no cell was torn or squashed when vertices moved onto the cut.
+    bool keeps_cells() const {
+        if (n_at_corner_ > 1) return false;
+        Polygon before;
+        Polygon after;
+        for (int f = 0; f < cells_.n_faces(); ++f) {
+            before.clear();
+            after.clear();
+            for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
+                const Node node = corner_node(c);
+                before.push_back(cells_.point(c));
+                after.push_back(lattice_.to_plane({coordinate(node, 0), coordinate(node, 1)}));
+            }
+            if (polygon_area(after) < kKeptArea * polygon_area(before)) return false;
+            if (crosses_itself(after, 0)) return false;
+        }
+        return true;
     }
 
     BoxCut cut() {
+        cut_edges();
         const std::vector<int> sides = cell_sides(cells_);
         BoxCut box{{lattice_, TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}}, 0};
         for (int f = 0; f < cells_.n_faces(); ++f) {
@@ -100,6 +126,7 @@ class BoxCutter {
         moved_.push_back({static_cast<int>(floor.x()), static_cast<int>(floor.y())});
         vertices_.push_back({u - floor});
         if (at_corner && corner_ < 0) corner_ = v;
+        n_at_corner_ += at_corner;
     }
 
     int corner_vertex() {
@@ -148,7 +175,8 @@ class BoxCutter {
                 corner[axis] = k;
                 const Vec2 from_p = lattice_.to_plane(corner - p);
                 const double at = from_p.dot(way) / way.squaredNorm();
-                if (std::abs(cross(way, from_p)) > snap_ * way.norm() || at <= 0 || at >= 1)
+                if (std::abs(cross(way, from_p)) > least_snap(cells_) * way.norm() || at <= 0 ||
+                    at >= 1)
                     continue;
                 const Offset offset{static_cast<int>(corner.x()), static_cast<int>(corner.y())};
                 const bool known = std::any_of(found.begin(), found.end(), [&](const Crossing& x) {
@@ -410,14 +438,34 @@ class BoxCutter {
     /// By which offset a vertex of the cells was moved into the box.
     std::vector<Offset> moved_;
     int corner_ = -1;
+    int n_at_corner_ = 0;
     /// For each corner the nodes on the edge that it leaves.
     std::vector<Nodes> on_edge_;
 };
 
+bool are_polygons(const PeriodicMesh& mesh) {
+    Polygon polygon;
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        polygon.clear();
+        for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            polygon.push_back(mesh.point(c));
+        }
+        if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, 0)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin) {
-    return BoxCutter(cells, origin).cut();
+BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap) {
+    const double least = least_snap(cells);
+    for (; snap > least; snap /= kLessSnap) {
+        BoxCutter cutter(cells, origin, snap);
+        if (!cutter.keeps_cells()) continue;
+        BoxCut box = cutter.cut();
+        if (are_polygons(box.pieces)) return box;
+    }
+    return BoxCutter(cells, origin, least).cut();
 }
 
 }  // namespace pcvt

@@ -11,6 +11,9 @@ namespace {
 /// A guard takes this part of an edge at most: two guards leave a third of it.
 constexpr double kGuardPart = 1.0 / 3;
 
+/// A guard's sides are no longer than this part of any edge at its tip.
+constexpr double kOtherPart = 0.7;
+
 int previous(const PeriodicMesh& cells, int c) {
     const int f = cells.corner_face[c];
     return c == cells.face_begin[f] ? cells.face_begin[f + 1] - 1 : c - 1;
@@ -39,6 +42,10 @@ class Guards {
             const double angle = corner_angle(cells, c);
             if (angle < kSharpCorner) add_tip({c, angle});
         }
+        for (int c = 0; c < cells.n_corners(); ++c) {
+            double& radius = radius_[cells.corner_vertex[c]];
+            radius = std::min(radius, kOtherPart * length(cells, c));
+        }
     }
 
     GuardedCells build() {
@@ -52,9 +59,8 @@ class Guards {
             }
             guarded.cells.face_begin.push_back(guarded.cells.n_corners());
         }
-        for (const SharpCorner& tip : tips_) {
-            guarded.sharp.push_back({first_corner_[tip.corner], tip.angle});
-        }
+        guarded.sharp = tips_;
+        for (const SharpCorner& tip : tips_) guarded.tip.push_back(first_corner_[tip.corner]);
         link_faces(guarded.cells);
         return guarded;
     }
@@ -72,15 +78,14 @@ class Guards {
         guard_at_start_[cells_.opposite[before]] = true;
     }
 
-    void add_corner(int vertex, Offset offset, bool in_guard, GuardedCells& guarded) const {
+    void add_corner(int vertex, Offset offset, GuardedCells& guarded) const {
         guarded.cells.corner_vertex.push_back(vertex);
         guarded.cells.corner_offset.push_back(offset);
-        guarded.in_guard.push_back(in_guard);
     }
 
     /// The guard's vertex near corner `end`, an end of the edge that corner c leaves. It is made
     /// once for both sides of the edge.
-    void add_node(int c, int end, bool in_guard, GuardedCells& guarded) {
+    void add_node(int c, int end, GuardedCells& guarded) {
         const int v = cells_.corner_vertex[end];
         const int key = end == c ? c : cells_.opposite[c];
         if (node_[key] < 0) {
@@ -88,7 +93,7 @@ class Guards {
             node_[key] = guarded.cells.n_vertices();
             guarded.cells.vertices.push_back(cells_.vertices[v] + radius_[v] / way.norm() * way);
         }
-        add_corner(node_[key], cells_.corner_offset[end], in_guard, guarded);
+        add_corner(node_[key], cells_.corner_offset[end], guarded);
     }
 
     void add_edge(int c, GuardedCells& guarded) {
@@ -96,9 +101,9 @@ class Guards {
         const bool at_start = guard_at_start_[c];
         const bool at_end = guard_at_start_[cells_.opposite[c]];
         first_corner_.push_back(guarded.cells.n_corners());
-        add_corner(cells_.corner_vertex[c], cells_.corner_offset[c], at_start, guarded);
-        if (at_start) add_node(c, c, false, guarded);
-        if (at_end) add_node(c, next, true, guarded);
+        add_corner(cells_.corner_vertex[c], cells_.corner_offset[c], guarded);
+        if (at_start) add_node(c, c, guarded);
+        if (at_end) add_node(c, next, guarded);
     }
 
     const PeriodicMesh& cells_;

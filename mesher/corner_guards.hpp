@@ -7,9 +7,9 @@ namespace pcvt {
 /// Corners of cells sharper than this, degrees, get a guard.
 inline constexpr double kSharpCorner = 60;
 
-/// A corner of a face.
+/// A corner of a face, sharper than kSharpCorner.
 struct SharpCorner {
-    /// Index of the corner in the mesh that it came with.
+    /// Its index in the cells that were given.
     int corner;
     /// Degrees, between the two edges of the face.
     double angle;
@@ -21,10 +21,9 @@ struct SharpCorner {
 struct GuardedCells {
     /// The cells with the new vertices on their edges.
     PeriodicMesh cells;
-    /// For each corner whether the edge that it leaves is the side of a guard.
-    std::vector<char> in_guard;
-    /// Corners of `cells` in the tip of a guard.
+    /// The corners in the tips of the guards, and their indices in `cells`.
     std::vector<SharpCorner> sharp;
+    std::vector<int> tip;
 };
 
 /// @param size  length units; no side of a guard is longer.

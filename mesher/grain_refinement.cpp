@@ -5,6 +5,7 @@
 #include <queue>
 #include <tuple>
 
+#include "mesher/error.hpp"
 #include "mesher/polygon.hpp"
 #include "mesher/triangle_shape.hpp"
 
@@ -19,6 +20,14 @@ constexpr double kLargestRadius = 0.8;
 /// Edges of cells are cut into round(length / size) parts; one that is shorter than this many sizes
 /// stays.
 constexpr double kLongEdge = 1.5;
+/// Heights over an edge, in lengths of the edge: lower over a firm edge no vertex is put, and lower
+/// over a free edge it is put onto it.
+constexpr double kNeedle = 0.1;
+constexpr double kOnEdge = 1e-6;
+/// So many vertices a vertex of the cells, and so many a square of `size`, are never needed unless
+/// a cell is thousands of times longer than wide.
+constexpr double kMostAVertex = 1000;
+constexpr double kMostASquare = 20;
 /// A walk or a search that meets more triangles than this has lost its way.
 constexpr int kLongestWalk = 10000;
 
@@ -28,12 +37,19 @@ class Refiner {
         : grains_(grains),
           size_(size),
           wanted_sine_(std::sin(kWantedAngle * M_PI / 180)),
-          off_centre_(0.5 / std::tan(kWantedAngle * M_PI / 360)) {}
+          off_centre_(0.5 / std::tan(kWantedAngle * M_PI / 360)),
+          most_vertices_(kMostAVertex * grains.n_vertices() +
+                         kMostASquare * grains.lattice().area() / (size * size)) {}
 
     int run() {
         split_long_edges();
         for (int t = 0; t < grains_.n_triangles(); ++t) inspect(t);
         for (;;) {
+            if (grains_.n_vertices() > most_vertices_) {
+                throw LimitExceeded(
+                    "a piece of a cell is too thin to be meshed by grains; give "
+                    "another origin, or none, or take the whole outline");
+            }
             if (!encroached_.empty()) {
                 split_encroached();
             } else if (!bad_.empty()) {
@@ -195,16 +211,32 @@ class Refiner {
         return found;
     }
 
-    /// p lies in triangle t, but so near to a firm edge that it would make a needle of it.
-    bool hugs_firm_edge(int t, const Vec2& p) const {
+    /// How high p lies over an edge of its triangle, in lengths of the edge.
+    double height_over(int h, const Vec2& p) const {
+        const Vec2 along = grains_.point(GrainTriangulation::next(h)) - grains_.point(h);
+        return cross(along, p - grains_.point(h)) / along.squaredNorm();
+    }
+
+    /// Puts a vertex at p, in triangle t or on one of its free edges.
+    /// @returns false where p lies so near to a firm edge that it would make a needle of it.
+    bool insert(int t, const Vec2& p) {
+        int lowest = 3 * t;
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            const Vec2& a = grains_.point(h);
-            const Vec2& b = grains_.point(GrainTriangulation::next(h));
-            const double height = cross(b - a, p - a) / (b - a).squaredNorm();
-            if (grains_.edge(h) == Edge::kFirm && height < 0.1) return true;
-            if (height <= 0) return true;
+            const double height = height_over(h, p);
+            if (grains_.edge(h) != Edge::kFree && height < kNeedle) return false;
+            if (height < height_over(lowest, p)) lowest = h;
         }
-        return false;
+        if (height_over(lowest, p) > kOnEdge) {
+            grains_.insert(t, p);
+        } else {
+            const Vec2 along =
+                grains_.point(GrainTriangulation::next(lowest)) - grains_.point(lowest);
+            const double part = along.dot(p - grains_.point(lowest)) / along.squaredNorm();
+            if (!(part > 0 && part < 1)) return false;
+            grains_.split_edge(lowest, part);
+        }
+        inspect_touched();
+        return true;
     }
 
     /// @returns false where the triangle is given up.
@@ -224,10 +256,7 @@ class Refiner {
             again(t, radius);
             return true;
         }
-        if (hugs_firm_edge(place.triangle, p)) return false;
-        grains_.insert(place.triangle, p);
-        inspect_touched();
-        return true;
+        return insert(place.triangle, p);
     }
     /// Where the split did not touch it, it is still bad.
     void again(int t, double radius) {
@@ -245,6 +274,7 @@ class Refiner {
     double wanted_sine_;
     /// How far from the shortest edge its off-centre lies, in lengths of that edge.
     double off_centre_;
+    double most_vertices_;
     std::vector<int> encroached_;
     std::priority_queue<Bad> bad_;
     std::vector<int> stamps_;

@@ -51,9 +51,9 @@ class Smoother {
     double worst_round(const std::vector<int>& star, const Vec2& p) const {
         double worst = 1;
         for (const int h : star) {
-            worst = std::min(
-                worst, smallest_sine({p, grains_.point(GrainTriangulation::next(h)),
-                                      grains_.point(GrainTriangulation::previous(h))}));
+            worst =
+                std::min(worst, smallest_sine({p, grains_.point(GrainTriangulation::next(h)),
+                                               grains_.point(GrainTriangulation::previous(h))}));
         }
         return worst;
     }
@@ -64,7 +64,8 @@ class Smoother {
         const Vec2 from = grains_.point(h);
         double shortest = INFINITY;
         for (const int g : star) {
-            shortest = std::min(shortest, (grains_.point(GrainTriangulation::next(g)) - from).norm());
+            shortest =
+                std::min(shortest, (grains_.point(GrainTriangulation::next(g)) - from).norm());
         }
         Vec2 best = from;
         const double before = worst_round(star, from);

@@ -23,6 +23,7 @@ class GrainTriangulation {
 
     static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+    const Lattice& lattice() const { return lattice_; }
     int n_triangles() const { return static_cast<int>(cell_.size()); }
     int n_vertices() const { return static_cast<int>(vertices_.size()); }
     int n_halfedges() const { return static_cast<int>(corners_.size()); }
