@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -30,6 +31,8 @@ constexpr double kLeastDottedSpacing = 9;
 /// this.
 constexpr double kOblique = 1.5;
 constexpr int kRegular = 6;
+/// Lattice coordinates that should agree differ by less.
+constexpr double kRounding = 1e-9;
 
 /// One drawing: the tile, where it goes, and the spacing h of its sites in pixels.
 struct Drawing {
@@ -62,8 +65,26 @@ struct Domain {
     std::string label;
 };
 
+/// The corner of the tile where it is the parallelogram itself, which has no extent above 1.
+std::optional<Vec2> box_corner(const FlatTile& tile) {
+    Vec2 low = tile.lattice.to_lattice(tile.points[0]);
+    Vec2 high = low;
+    for (const Vec2& p : tile.points) {
+        const Vec2 u = tile.lattice.to_lattice(p);
+        low = low.cwiseMin(u);
+        high = high.cwiseMax(u);
+    }
+    if ((high - low).maxCoeff() > 1 + kRounding) return std::nullopt;
+    return tile.lattice.to_plane(low);
+}
+
 /// The parallelogram at the lattice point where it covers the tile best.
 Domain choose_domain(const FlatTile& tile) {
+    if (const auto corner = box_corner(tile)) {
+        const Vec2& a = tile.lattice.a();
+        const Vec2& b = tile.lattice.b();
+        return {{*corner, *corner + a, *corner + a + b, *corner + b}, "domain"};
+    }
     const Lattice reduced = reduce(tile.lattice).reduced;
     const bool oblique = longest_diagonal(tile.lattice) > kOblique * longest_diagonal(reduced);
     const Lattice& basis = oblique ? reduced : tile.lattice;

@@ -144,7 +144,7 @@ class Refiner {
     /// Where a new vertex would mend the triangle.
     Vec2 new_vertex(int t) const {
         const std::array<Vec2, 3> triangle = grains_.triangle(t);
-        const Vec2 centre = circumcentre(triangle);
+        Vec2 centre = circumcentre(triangle);
         if (is_too_large(triangle, centre)) return centre;
         const auto sides = side_lengths(triangle);
         const auto k = std::min_element(sides.begin(), sides.end()) - sides.begin();
