@@ -65,8 +65,9 @@ struct Domain {
     std::string label;
 };
 
-/// The corner of the tile where it is the parallelogram itself, which has no extent above 1.
+/// The corner of the parallelogram, which has no extent above 1, where cells are cut along it.
 std::optional<Vec2> box_corner(const FlatTile& tile) {
+    if (tile.whole_sides.empty()) return std::nullopt;
     Vec2 low = tile.lattice.to_lattice(tile.points[0]);
     Vec2 high = low;
     for (const Vec2& p : tile.points) {
