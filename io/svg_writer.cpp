@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <set>
 #include <tuple>
 
 #include "io/finite.hpp"
 #include "io/palette.hpp"
 #include "io/svg_canvas.hpp"
+#include "io/svg_domain.hpp"
 #include "io/svg_legend.hpp"
 #include "mesher/polygon.hpp"
 #include "mesher/quality.hpp"
@@ -27,12 +27,7 @@ constexpr const char* kDomainColour = "#1c1f26";
 constexpr std::array kSeamColours{"#0a8f63", "#8a36b5", "#d9187f", "#6f7600", "#0099a8", "#5d4037"};
 /// Below this spacing in pixels dots would only grey the picture.
 constexpr double kLeastDottedSpacing = 9;
-/// The domain is drawn in the typed basis unless its diagonal is longer than the reduced one times
-/// this.
-constexpr double kOblique = 1.5;
 constexpr int kRegular = 6;
-/// Lattice coordinates that should agree differ by less.
-constexpr double kRounding = 1e-9;
 
 /// One drawing: the tile, where it goes, and the spacing h of its sites in pixels.
 struct Drawing {
@@ -54,51 +49,6 @@ int count_sites(const FlatTile& tile) {
     }
     if (tile.whole_sides.empty()) return tile.n_faces();
     return static_cast<int>(std::set<SiteId>(tile.face_site.begin(), tile.face_site.end()).size());
-}
-
-double longest_diagonal(const Lattice& lattice) {
-    return std::max((lattice.a() + lattice.b()).norm(), (lattice.a() - lattice.b()).norm());
-}
-
-struct Domain {
-    std::vector<Vec2> corners;
-    std::string label;
-};
-
-/// The corner of the parallelogram, which has no extent above 1, where cells are cut along it.
-std::optional<Vec2> box_corner(const FlatTile& tile) {
-    if (tile.whole_sides.empty()) return std::nullopt;
-    Vec2 low = tile.lattice.to_lattice(tile.points[0]);
-    Vec2 high = low;
-    for (const Vec2& p : tile.points) {
-        const Vec2 u = tile.lattice.to_lattice(p);
-        low = low.cwiseMin(u);
-        high = high.cwiseMax(u);
-    }
-    if ((high - low).maxCoeff() > 1 + kRounding) return std::nullopt;
-    return tile.lattice.to_plane(low);
-}
-
-/// The parallelogram at the lattice point where it covers the tile best.
-Domain choose_domain(const FlatTile& tile) {
-    if (const auto corner = box_corner(tile)) {
-        const Vec2& a = tile.lattice.a();
-        const Vec2& b = tile.lattice.b();
-        return {{*corner, *corner + a, *corner + a + b, *corner + b}, "domain"};
-    }
-    const Lattice reduced = reduce(tile.lattice).reduced;
-    const bool oblique = longest_diagonal(tile.lattice) > kOblique * longest_diagonal(reduced);
-    const Lattice& basis = oblique ? reduced : tile.lattice;
-    Vec2 low = tile.points[0];
-    Vec2 high = low;
-    for (const Vec2& p : tile.points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    const Vec2 middle = basis.to_lattice(low + (high - low) / 2);
-    const Vec2 corner = basis.to_plane((middle - Vec2(0.5, 0.5)).array().round().matrix());
-    return {{corner, corner + basis.a(), corner + basis.a() + basis.b(), corner + basis.b()},
-            oblique ? "reduced domain" : "domain"};
 }
 
 /// (i, j) and (-i, -j) name the same translation class.
@@ -295,7 +245,7 @@ std::string caption(const FlatTile& tile) {
     return "";
 }
 
-Legend make_legend(const FlatTile& tile, const Domain& domain) {
+Legend make_legend(const FlatTile& tile, const SvgDomain& domain) {
     const bool cells = faces_have_sites(tile.kind);
     Legend legend{caption(tile), {}};
     for (const auto& [sides, count] : histogram(cells ? cell_sides(tile) : site_valences(tile))) {
@@ -327,7 +277,7 @@ std::string head(const std::string& title, double width, double height) {
 
 std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
     require_finite(tile);
-    const Domain domain = choose_domain(tile);
+    const SvgDomain domain = drawn_domain(tile);
     std::vector<Vec2> drawn = tile.points;
     drawn.insert(drawn.end(), domain.corners.begin(), domain.corners.end());
     const SvgFrame frame(drawn);
