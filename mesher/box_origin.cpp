@@ -16,7 +16,7 @@ constexpr double kFirstPosition = 0.382;
 /// How many of them are paired with those of the other family: at least so many, and more where
 /// each crosses few edges, because there the two families depend on each other.
 constexpr std::size_t kPaired = 12;
-constexpr std::size_t kPairedCrossings = 3000;
+constexpr std::size_t kPairedCrossings = 1500;
 /// Rounds of smaller steps, steps to either side, and how much smaller they get.
 constexpr int kRounds = 5;
 constexpr int kSteps = 2;

@@ -20,11 +20,11 @@ double shortest_at(const PeriodicMesh& cells, const Vec2& origin) {
 
 TEST(BoxOrigin, LeavesLongerEdgesThanOriginsAtRandom) {
     for (const auto& [name, lattice] : testing::lattices()) {
-        for (const int n : {1, 4, 100}) {
+        for (const int n : {1, 40}) {
             const PeriodicMesh cells = random_cells(lattice, n, 2);
             const double found = shortest_at(cells, find_box_origin(cells));
-            const Points others = uniform_points(lattice, 60, 9);
-            for (int k = 0; k < 60; ++k) {
+            const Points others = uniform_points(lattice, 30, 9);
+            for (int k = 0; k < 30; ++k) {
                 EXPECT_GT(found, shortest_at(cells, others.col(k))) << name << " n = " << n;
             }
         }

@@ -69,7 +69,6 @@ void expect_cut(const PeriodicMesh& cells, const Vec2& origin) {
 
 void expect_cuts(const Sites& sites) {
     const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
-    expect_cut(cells, find_box_origin(cells));
     expect_cut(cells, {0, 0});
     // Through a vertex of the diagram, and through a site.
     expect_cut(cells, cells.vertices[0]);
@@ -78,7 +77,7 @@ void expect_cuts(const Sites& sites) {
 
 TEST(BoxOutline, IsProvedFromOneSiteOnOnEveryLattice) {
     for (const auto& [name, lattice] : lattices()) {
-        for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 40}) {
+        for (const int n : {1, 2, 3, 5, 8, 40}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
             expect_cuts(Sites(lattice, uniform_points(lattice, n, 1)));
             if (HasFatalFailure()) return;
@@ -95,10 +94,21 @@ TEST(BoxOutline, IsProvedWhereCellEdgesLieOnTheCut) {
     }
 }
 
+TEST(BoxOutline, IsProvedWhereTheBestOriginIsSearchedFor) {
+    for (const auto& [name, lattice] : lattices()) {
+        for (const int n : {1, 2, 4, 7, 30}) {
+            SCOPED_TRACE(name + " n = " + std::to_string(n));
+            const Sites sites(lattice, uniform_points(lattice, n, 5));
+            const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
+            expect_cut(cells, find_box_origin(cells));
+        }
+    }
+}
+
 TEST(BoxOutline, CutsCellsThatAreNotConvex) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     std::mt19937_64 random(3);
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < 30; ++k) {
         const Sites sites(lattice, uniform_points(lattice, 25, random()));
         const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
         const PeriodicMesh bent = without_short_edges(cells, 0.06);
@@ -111,7 +121,7 @@ TEST(BoxOutline, CutsCellsThatAreNotConvex) {
 
 TEST(BoxOutline, IsProvedForRandomSmallInputs) {
     std::mt19937_64 random(8);
-    for (int k = 0; k < 400; ++k) {
+    for (int k = 0; k < 100; ++k) {
         const Lattice lattice = testing::random_lattice(random);
         SCOPED_TRACE("input " + std::to_string(k));
         expect_cuts(Sites(lattice, uniform_points(lattice, 1 + k % 12, random())));
