@@ -31,6 +31,18 @@ struct Report {
         /// Of the Hessian, over the largest; null for one site.
         std::optional<double> smallest_eigenvalue;
     };
+    /// A corner of a cell that is too sharp for the angles of grains.
+    struct SharpCorner {
+        int site;
+        Vec2 point;
+        double angle;
+    };
+    struct Grains {
+        int triangles;
+        /// Degrees, of all angles but those in the sharp corners.
+        double smallest_angle;
+        std::vector<SharpCorner> sharp_corners;
+    };
 
     std::string version;
     int sites;
@@ -62,6 +74,9 @@ struct Report {
     /// they are empty.
     std::string found = {};
     std::optional<Pattern> pattern = {};
+    /// Keys of runs with the box outline alone, in units of h, and of runs with grains alone.
+    std::optional<double> box_shortest_edge = {};
+    std::optional<Grains> grains = {};
 };
 
 /// The report as JSON: one key a line, numbers as the shortest decimals that read back, text as

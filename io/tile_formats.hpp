@@ -27,6 +27,8 @@ struct TileFormat {
     /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
     TileFile (*decode)(const std::vector<EncodedFile>& files,
                        const std::optional<Lattice>& lattice);
+    /// Whether nodes in the middle of edges are written, where the tile has them.
+    bool second_order = false;
 };
 
 const std::vector<TileFormat>& tile_formats();

@@ -12,7 +12,7 @@ struct Evaluation {
     double value = 0;
     Eigen::VectorXd gradient;
     /// M^-1 gradient where the objective has begun to precondition, else empty.
-    Eigen::VectorXf preconditioned;
+    Eigen::VectorXf preconditioned = {};
     /// What the tolerance is compared with; dimensionless.
     double residual = 0;
     /// The root mean square of what `residual` is the maximum of.
@@ -72,7 +72,7 @@ struct OptimizerOptions {
     double max_move = 0;
     /// The root mean square residual below which the objective is asked to precondition.
     double precondition_below = 0;
-    ProgressCallback progress;
+    ProgressCallback progress = {};
     /// Stops as converged also where this says so.
     ProgressTest enough = {};
 };

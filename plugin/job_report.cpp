@@ -1,5 +1,7 @@
 #include "plugin/job_report.hpp"
 
+#include <algorithm>
+
 #include "io/report.hpp"
 #include "plugin/job_start.hpp"
 #include "plugin/version.hpp"
@@ -28,6 +30,28 @@ const char* solver_name(Solver solver) {
             return "lbfgs";
     }
     return "";
+}
+
+/// Over all tiles of the run.
+std::optional<double> shortest_box_edge(const JobOutcome& outcome) {
+    std::optional<double> shortest;
+    for (const TileFigures& tile : outcome.tiles) {
+        if (!tile.box_shortest_edge) continue;
+        shortest = std::min(shortest.value_or(*tile.box_shortest_edge), *tile.box_shortest_edge);
+    }
+    return shortest;
+}
+
+std::optional<Report::Grains> report_grains(const JobOutcome& outcome) {
+    for (const TileFigures& tile : outcome.tiles) {
+        if (!tile.grains) continue;
+        Report::Grains grains{tile.grains->n_triangles, tile.grains->smallest_angle, {}};
+        for (const SharpGrainCorner& corner : tile.grains->sharp_corners) {
+            grains.sharp_corners.push_back({corner.site, corner.point, corner.angle});
+        }
+        return grains;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -59,6 +83,8 @@ std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
         .files = outcome.files,
         .found = outcome.found,
         .pattern = report_pattern(outcome.pattern),
+        .box_shortest_edge = shortest_box_edge(outcome),
+        .grains = report_grains(outcome),
     });
 }
 
