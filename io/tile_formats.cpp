@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/foam_reader.hpp"
+#include "io/foam_writer.hpp"
 #include "io/gltf_reader.hpp"
 #include "io/gltf_writer.hpp"
 #include "io/obj_reader.hpp"
@@ -36,6 +38,8 @@ const std::vector<TileFormat>& tile_formats() {
         {".gltf", "glTF 2.0, one text file", only, encode_gltf, decode_gltf},
         {".om", "OpenMesh, with the identification as properties", only, encode_om, decode_om},
         {".svg", "a picture", only, encode_svg, nullptr},
+        {".foam", "OpenFOAM, a case folder that icoFoam runs", foam_paths, encode_foam, decode_foam,
+         true},
     };
     return formats;
 }

@@ -19,14 +19,17 @@ struct TileFormat {
     /// With the dot: ".obj".
     std::string extension;
     std::string description;
-    /// The paths that encode() will fill for `path`, the file itself first.
+    /// The paths that encode() will fill for `path`, the file itself first; of a folder those in
+    /// it.
     std::vector<std::string> (*paths)(const std::string& path);
-    /// Turns a tile into bytes; the first entry is `path` itself.
+    /// Turns a tile into bytes, one entry for each of the paths.
     std::vector<EncodedFile> (*encode)(const AnyTile& tile, const std::string& path);
     /// Reads `files` (the file itself first, companions where there are any) back. A lattice given
     /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
     TileFile (*decode)(const std::vector<EncodedFile>& files,
                        const std::optional<Lattice>& lattice);
+    /// Whether `path` is a folder of files.
+    bool is_folder = false;
 };
 
 const std::vector<TileFormat>& tile_formats();

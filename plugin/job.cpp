@@ -157,7 +157,9 @@ Points wrapped_sites(const CvtResult& result) {
 
 /// Encodes a tile, lets it reach the disk under a hidden name and proves what stands there.
 void stage_tile(const JobFile& file, const AnyTile& tile, const Vec2& origin, OutputSet& outputs) {
-    const std::vector<EncodedFile> encoded = file.format->encode(tile, file.paths.front());
+    const std::string& name = file.folder.empty() ? file.paths.front() : file.folder;
+    if (!file.folder.empty()) outputs.stage_folder(file.folder);
+    const std::vector<EncodedFile> encoded = file.format->encode(tile, name);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     const std::vector<EncodedFile> written = read_back(outputs, encoded);
     if (file.format->decode != nullptr) prove_files(*file.format, written, tile, origin);
@@ -171,6 +173,10 @@ void stage_sites(const std::string& path, const CvtResult& result, OutputSet& ou
 
 void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
     for (const JobFile& file : files) {
+        if (!file.folder.empty()) {
+            OutputSet::require_writable_folder(file.folder, file.paths, job.force);
+            continue;
+        }
         for (const std::string& path : file.paths) OutputSet::require_writable(path, job.force);
     }
     if (!job.report.empty()) OutputSet::require_writable(job.report, job.force);
@@ -198,7 +204,11 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
         } else {
             stage_tile(file, tiles[static_cast<std::size_t>(file.mesh)].tile, job.origin, outputs);
         }
-        outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
+        if (file.folder.empty()) {
+            outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
+        } else {
+            outcome.files.push_back(file.folder);
+        }
         monitor.between_stages();
     }
     watch.stop(&JobSeconds::write);

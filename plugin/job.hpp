@@ -78,7 +78,7 @@ struct JobOutcome {
     int n_hexagons = 0;
     /// One entry a mesh of the job.
     std::vector<SeamSize> seams;
-    /// Every file written but the report, in the order of the outputs.
+    /// Every file or folder written but the report, in the order of the outputs.
     std::vector<std::string> files;
     JobSeconds seconds;
 };

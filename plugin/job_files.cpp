@@ -40,7 +40,9 @@ void add_output(const Job& job, const std::string& path, std::vector<JobFile>& f
     if (format == nullptr) refuse_extension(path);
     for (std::size_t m = 0; m < job.meshes.size(); ++m) {
         const std::string suffix = job.meshes.size() > 1 ? kind_suffix(job.meshes[m]) : "";
-        files.push_back({format->paths(with_suffix(path, suffix)), format, static_cast<int>(m)});
+        const std::string name = with_suffix(path, suffix);
+        files.push_back({format->paths(name), format, static_cast<int>(m),
+                         format->is_folder ? name : std::string()});
     }
 }
 
@@ -84,7 +86,7 @@ std::string readable_extensions() {
     return all;
 }
 
-std::string later_extensions() { return ".msh .inp .vtu .nc .foam"; }
+std::string later_extensions() { return ".msh .inp .vtu .nc"; }
 
 std::string with_suffix(const std::string& path, const std::string& suffix) {
     const std::size_t extension = fs::path(path).extension().string().size();

@@ -10,12 +10,14 @@ namespace pcvt {
 
 /// One file that a job was asked for, with the companions that its format writes beside it.
 struct JobFile {
-    /// The path itself first, then the companions.
+    /// The path itself first, then the companions; of a folder the files in it.
     std::vector<std::string> paths;
     /// nullptr: the sites as text.
     const TileFormat* format;
     /// Index into job.meshes; sites: -1.
     int mesh;
+    /// Empty unless the files stand in a folder of their own.
+    std::string folder = {};
 };
 
 /// The files of a job in the order in which they were asked for, the report not among them.

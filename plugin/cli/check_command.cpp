@@ -72,8 +72,8 @@ const TileFormat& readable_format(const std::string& path) {
 /// The file and those of its companions that stand beside it.
 TileFile read_tile(const std::string& path, const std::optional<Lattice>& lattice) {
     const TileFormat& format = readable_format(path);
-    std::vector<EncodedFile> files = {{path, read_whole_file(path)}};
     const std::vector<std::string> paths = format.paths(path);
+    std::vector<EncodedFile> files = {{paths[0], read_whole_file(paths[0])}};
     for (std::size_t p = 1; p < paths.size(); ++p) {
         if (std::filesystem::exists(paths[p])) {
             files.push_back({paths[p], read_whole_file(paths[p])});
