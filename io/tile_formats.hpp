@@ -27,6 +27,8 @@ struct TileFormat {
     /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
     TileFile (*decode)(const std::vector<EncodedFile>& files,
                        const std::optional<Lattice>& lattice);
+    /// encode() refuses tiles with polygons.
+    bool triangles_only = false;
 };
 
 const std::vector<TileFormat>& tile_formats();

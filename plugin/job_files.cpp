@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <map>
 
+#include "io/triangle_elements.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -39,6 +41,7 @@ void add_output(const Job& job, const std::string& path, std::vector<JobFile>& f
     const TileFormat* format = find_tile_format(path);
     if (format == nullptr) refuse_extension(path);
     for (std::size_t m = 0; m < job.meshes.size(); ++m) {
+        if (format->triangles_only) require_triangles(job.meshes[m], "-o " + path);
         const std::string suffix = job.meshes.size() > 1 ? kind_suffix(job.meshes[m]) : "";
         files.push_back({format->paths(with_suffix(path, suffix)), format, static_cast<int>(m)});
     }
@@ -84,7 +87,7 @@ std::string readable_extensions() {
     return all;
 }
 
-std::string later_extensions() { return ".msh .inp .vtu .nc .foam"; }
+std::string later_extensions() { return ".nc .foam"; }
 
 std::string with_suffix(const std::string& path, const std::string& suffix) {
     const std::size_t extension = fs::path(path).extension().string().size();
