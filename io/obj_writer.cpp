@@ -21,11 +21,11 @@ constexpr Colour kTriangleColour{0.8, 0.8, 0.8};
 
 constexpr const char* kExplanation =
     "# A periodic tile, written by pcvt. Comments that begin with \"# pcvt\" hold its seam:\n"
-    "#   kind cells|triangles\n"
+    "#   kind cells|triangles|grains\n"
     "#   lattice ax ay bx by        the period vectors a and b\n"
     "#   vertex_pair v w i j        vertex w lies at vertex v + i a + j b\n"
     "#   edge_pair v0 v1 w0 w1 i j  boundary edge v0 v1 + i a + j b is boundary edge w0 w1\n"
-    "#   sites s ...                the site of each face (cells) or vertex (triangles), in order\n"
+    "#   sites s ...                the site of each face (or vertex of triangles), in order\n"
     "# Vertices count from 1, sites from 0.\n";
 
 template <class Number>
@@ -38,12 +38,12 @@ void append_words(std::string& text, std::initializer_list<Number> numbers) {
 }
 
 std::string material(const FlatTile& tile, int sides) {
-    return tile.kind == TileKind::kCells ? "sides_" + std::to_string(sides) : "triangle";
+    return faces_have_sites(tile.kind) ? "sides_" + std::to_string(sides) : "triangle";
 }
 
 /// Number of sides by which each face gets its material.
 std::vector<int> sides_of_faces(const FlatTile& tile) {
-    if (tile.kind == TileKind::kCells) return cell_sides(tile);
+    if (faces_have_sites(tile.kind)) return cell_sides(tile);
     return std::vector<int>(static_cast<std::size_t>(tile.n_faces()), 3);
 }
 
@@ -75,7 +75,7 @@ void append_seam(std::string& text, const FlatTile& tile) {
         text += "# pcvt edge_pair";
         append_words(text, {p.v0 + 1, p.v1 + 1, p.w0 + 1, p.w1 + 1, p.offset.i, p.offset.j});
     }
-    const auto& sites = tile.kind == TileKind::kCells ? tile.face_site : tile.vertex_site;
+    const auto& sites = faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     for (std::size_t k = 0; k < sites.size(); ++k) {
         if (k % kSitesALine == 0) text += k == 0 ? "# pcvt sites" : "\n# pcvt sites";
         text += ' ';
@@ -108,8 +108,8 @@ std::string obj_text(const FlatTile& tile, const std::vector<int>& sides,
 std::string mtl_text(const FlatTile& tile, const std::vector<int>& sides) {
     std::string text = "# Materials of a periodic tile, written by pcvt\n";
     for (const int n : std::set<int>(sides.begin(), sides.end())) {
-        const bool cells = tile.kind == TileKind::kCells;
-        const Colour colour = cells ? side_colour(n) : kTriangleColour;
+        const bool owned = faces_have_sites(tile.kind);
+        const Colour colour = owned ? side_colour(n) : kTriangleColour;
         text += "newmtl " + material(tile, n) + "\nKd";
         append_words(text, {colour.r, colour.g, colour.b});
     }

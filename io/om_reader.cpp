@@ -38,10 +38,12 @@ class OmParser {
         read_faces(tile);
         read_orbits(tile);
         read_partners(tile);
-        const bool cells = kind_ == TileKind::kCells;
-        auto sites = cells ? integers("pcvt_face_site", 1, n_faces_)
-                           : integers("pcvt_vertex_site", 1, n_vertices_);
-        (cells ? tile.face_site : tile.vertex_site) = std::move(sites);
+        auto sites = integers("pcvt_face_site", 1, n_faces_);
+        // Triangles are grains where they have sites.
+        if (kind_ == TileKind::kTriangles && sites[0] >= 0) tile.kind = TileKind::kGrains;
+        const bool owned = faces_have_sites(tile.kind);
+        if (!owned) sites = integers("pcvt_vertex_site", 1, n_vertices_);
+        (owned ? tile.face_site : tile.vertex_site) = std::move(sites);
         return {std::move(tile), Precision::kDouble, true, true};
     }
 

@@ -106,18 +106,19 @@ class PlyParser {
             require(vertex, "offset_i", Type::kInteger);
             require(vertex, "offset_j", Type::kInteger);
         }
-        require_sites(vertex, TileKind::kTriangles);
+        require_sites(vertex, false);
     }
 
     void require_face(const PlyElement& face) {
         list_name_ = face.find("vertex_index") ? "vertex_index" : "vertex_indices";
         require(face, list_name_, Type::kIntegerList);
-        require_sites(face, TileKind::kCells);
+        require_sites(face, true);
     }
 
     /// `site` means something only in a file of ours, in the element that owns the sites.
-    void require_sites(const PlyElement& element, TileKind kind) {
-        has_sites_ = raw_.kind == kind && element.find("site");
+    void require_sites(const PlyElement& element, bool of_faces) {
+        has_sites_ =
+            raw_.kind && faces_have_sites(*raw_.kind) == of_faces && element.find("site");
         if (has_sites_) require(element, "site", Type::kInteger);
     }
 

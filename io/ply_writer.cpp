@@ -32,7 +32,7 @@ void append_colour(std::string& text, Colour colour) {
 void end_line(std::string& text) { text.back() = '\n'; }
 
 std::string header(const FlatTile& tile) {
-    const bool cells = tile.kind == TileKind::kCells;
+    const bool owned = faces_have_sites(tile.kind);
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     std::string text =
@@ -46,20 +46,20 @@ std::string header(const FlatTile& tile) {
             "\nproperty double x\nproperty double y\nproperty double z\n"
             "property uchar red\nproperty uchar green\nproperty uchar blue\n"
             "property int orbit\nproperty int offset_i\nproperty int offset_j\n";
-    if (!cells) text += "property int site\n";
+    if (!owned) text += "property int site\n";
     int most_corners = 0;
     for (int f = 0; f < tile.n_faces(); ++f)
         most_corners = std::max(most_corners, tile.face_size(f));
     text += "element face " + std::to_string(tile.n_faces()) + "\nproperty list ";
     text += most_corners <= kMostByUchar ? "uchar" : "int";
     text += " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
-    if (cells) text += "property int site\n";
+    if (owned) text += "property int site\n";
     return text + "end_header\n";
 }
 
 void append_vertices(std::string& text, const FlatTile& tile) {
-    const bool cells = tile.kind == TileKind::kCells;
-    const std::vector<int> valences = cells ? std::vector<int>() : vertex_valences(tile);
+    const bool owned = faces_have_sites(tile.kind);
+    const std::vector<int> valences = owned ? std::vector<int>() : vertex_valences(tile);
     std::vector<VertexPair> orbits;
     for (int v = 0; v < tile.n_vertices(); ++v) orbits.push_back({v, v, {}});
     for (const VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
@@ -67,25 +67,25 @@ void append_vertices(std::string& text, const FlatTile& tile) {
         append_word(text, tile.points[v].x());
         append_word(text, tile.points[v].y());
         append_word(text, 0);
-        append_colour(text, cells ? kPlain : side_colour(valences[v]));
+        append_colour(text, owned ? kPlain : side_colour(valences[v]));
         append_word(text, orbits[v].v);
         append_word(text, orbits[v].offset.i);
         append_word(text, orbits[v].offset.j);
-        if (!cells) append_word(text, tile.vertex_site[v]);
+        if (!owned) append_word(text, tile.vertex_site[v]);
         end_line(text);
     }
 }
 
 void append_faces(std::string& text, const FlatTile& tile) {
-    const bool cells = tile.kind == TileKind::kCells;
-    const std::vector<int> sides = cells ? cell_sides(tile) : std::vector<int>();
+    const bool owned = faces_have_sites(tile.kind);
+    const std::vector<int> sides = owned ? cell_sides(tile) : std::vector<int>();
     for (int f = 0; f < tile.n_faces(); ++f) {
         append_word(text, tile.face_size(f));
         for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
             append_word(text, tile.corners[c]);
         }
-        append_colour(text, cells ? side_colour(sides[f]) : kPlain);
-        if (cells) append_word(text, tile.face_site[f]);
+        append_colour(text, owned ? side_colour(sides[f]) : kPlain);
+        if (owned) append_word(text, tile.face_site[f]);
         end_line(text);
     }
 }

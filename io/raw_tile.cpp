@@ -59,7 +59,7 @@ TileKind guess_kind(const RawTile& raw) {
 }
 
 void check_sites(const RawTile& raw, TileKind kind) {
-    const bool of_faces = kind == TileKind::kCells;
+    const bool of_faces = faces_have_sites(kind);
     const std::size_t owners = of_faces ? raw.face_lines.size() : raw.points.size();
     if (raw.sites.empty() || raw.sites.size() == owners) return;
     refuse(raw, "there are " + std::to_string(raw.sites.size()) + " sites for " +
@@ -77,7 +77,7 @@ void RawTile::add_face(const std::vector<int>& vertices, int line) {
 
 void RawTile::take_kind(const LineScanner& scanner, const std::vector<std::string_view>& words) {
     const auto found = words.size() == 1 ? kind_of_word(words[0]) : std::nullopt;
-    if (!found || kind) scanner.refuse("the kind is unclear; name it once: cells or triangles");
+    if (!found || kind) scanner.refuse("the kind is unclear; name it once: cells, triangles or grains");
     kind = found;
 }
 
@@ -94,10 +94,20 @@ void RawTile::take_lattice(const LineScanner& scanner, const std::vector<std::st
     }
 }
 
-std::string kind_word(TileKind kind) { return kind == TileKind::kCells ? "cells" : "triangles"; }
+std::string kind_word(TileKind kind) {
+    switch (kind) {
+        case TileKind::kCells:
+            return "cells";
+        case TileKind::kTriangles:
+            return "triangles";
+        case TileKind::kGrains:
+            return "grains";
+    }
+    return "";
+}
 
 std::optional<TileKind> kind_of_word(std::string_view word) {
-    for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles}) {
+    for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles, TileKind::kGrains}) {
         if (word == kind_word(kind)) return kind;
     }
     return std::nullopt;
@@ -108,7 +118,7 @@ TileFile finish(RawTile raw, const std::optional<Lattice>& lattice, Precision pr
     if (raw.face_lines.empty()) refuse(raw, "there is no face; give the file of a tile");
     const TileKind kind = raw.kind.value_or(guess_kind(raw));
     const int n_faces = static_cast<int>(raw.face_lines.size());
-    for (int f = 0; f < n_faces; ++f) check_face(raw, f, kind == TileKind::kTriangles);
+    for (int f = 0; f < n_faces; ++f) check_face(raw, f, kind != TileKind::kCells);
     for (const VertexPair& p : raw.vertex_pairs) check_pair(raw, {p.v, p.w}, p.offset);
     for (const EdgePair& p : raw.edge_pairs) check_pair(raw, {p.v0, p.v1, p.w0, p.w1}, p.offset);
     check_sites(raw, kind);
@@ -125,7 +135,7 @@ TileFile finish(RawTile raw, const std::optional<Lattice>& lattice, Precision pr
                   {},
                   std::move(raw.vertex_pairs),
                   std::move(raw.edge_pairs)};
-    (kind == TileKind::kCells ? tile.face_site : tile.vertex_site) = std::move(raw.sites);
+    (faces_have_sites(kind) ? tile.face_site : tile.vertex_site) = std::move(raw.sites);
     return {std::move(tile), precision, has_vertex_pairs, has_edge_pairs};
 }
 

@@ -28,7 +28,7 @@ struct RawTile {
     std::vector<int> corners;
     /// The line of each face.
     std::vector<int> face_lines;
-    /// One a face of a cell tile, one a vertex of a triangle tile; empty where the file has none.
+    /// One a face of cells and grains, one a vertex of Delaunay triangles; empty where the file has none.
     std::vector<SiteId> sites;
     std::vector<VertexPair> vertex_pairs;
     std::vector<EdgePair> edge_pairs;
@@ -40,7 +40,7 @@ struct RawTile {
     void take_lattice(const LineScanner& scanner, const std::vector<std::string_view>& words);
 };
 
-/// `cells` or `triangles`, as the files spell it.
+/// `cells`, `triangles` or `grains`, as the files spell it.
 std::string kind_word(TileKind kind);
 std::optional<TileKind> kind_of_word(std::string_view word);
 

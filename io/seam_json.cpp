@@ -155,7 +155,7 @@ std::string encode_seam(const FlatTile& tile) {
     append_rows(text, "edge_pairs", tile.edge_pairs, [](const EdgePair& p) {
         return std::array{p.v0, p.v1, p.w0, p.w1, p.offset.i, p.offset.j};
     });
-    append_sites(text, tile.kind == TileKind::kCells ? tile.face_site : tile.vertex_site);
+    append_sites(text, faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site);
     return text + "}\n";
 }
 
@@ -167,7 +167,7 @@ Seam decode_seam(const std::string& name, std::string_view text) {
     if (decoder.at("index_base") != 0) decoder.refuse("its index base is not 0");
     const Json& word = decoder.at("kind");
     const auto kind = word.is_string() ? kind_of_word(word.get<std::string>()) : std::nullopt;
-    if (!kind) decoder.refuse("its kind is neither cells nor triangles");
+    if (!kind) decoder.refuse("its kind is none of cells, triangles and grains");
     Seam seam{*kind, decoder.lattice(), {}, {}, {}};
     for (const auto& [v, w, i, j] : decoder.rows<4>("vertex_pairs")) {
         seam.vertex_pairs.push_back({v, w, {i, j}});

@@ -28,6 +28,8 @@ struct TileFormat {
     /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
     TileFile (*decode)(const std::vector<EncodedFile>& files,
                        const std::optional<Lattice>& lattice);
+    /// encode() refuses tiles with polygons.
+    bool triangles_only = false;
     /// Whether `path` is a folder of files.
     bool is_folder = false;
 };

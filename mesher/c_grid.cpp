@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -47,10 +46,7 @@ class Halfedges {
                cells_.lattice.translation(cells_.frame_across(h)) - site(h);
     }
     /// From the site of its cell to the vertex that it leaves.
-    Vec2 to_vertex(int h) const {
-        return cells_.vertices[vertex(h)] + cells_.lattice.translation(cells_.corner_offset[h]) -
-               site(h);
-    }
+    Vec2 to_vertex(int h) const { return cells_.point(h) - site(h); }
     Vec2 along(int h) const { return to_vertex(next(h)) - to_vertex(h); }
 
    private:
@@ -60,9 +56,8 @@ class Halfedges {
 };
 
 std::string degrees(double cosine) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", std::acos(cosine) * 180 / std::numbers::pi);
-    return text;
+    const long tenths = std::lround(std::acos(cosine) * 1800 / std::numbers::pi);
+    return to_string(tenths / 10) + "." + to_string(tenths % 10);
 }
 
 /// The angle at the site of h's cell in the triangle dual to the vertex that h leaves.

@@ -6,7 +6,11 @@
 
 namespace pcvt {
 
-enum class TileKind { kCells, kTriangles };
+/// Voronoi cells or pieces of them; Delaunay triangles; triangles inside of cells, the grains.
+enum class TileKind { kCells, kTriangles, kGrains };
+
+/// Whether each face belongs to a site; else each vertex is one.
+constexpr bool faces_have_sites(TileKind kind) { return kind != TileKind::kTriangles; }
 
 /// position(w) = position(v) + translation(offset).
 struct VertexPair {
@@ -39,9 +43,9 @@ struct FlatTile {
     /// vertex indices, counter-clockwise.
     std::vector<int> face_begin;
     std::vector<int> corners;
-    /// Cells: one site a face. Triangles: empty.
+    /// Cells and grains: one site a face. Delaunay triangles: empty.
     std::vector<SiteId> face_site;
-    /// Triangles: one site a vertex. Cells: empty.
+    /// Delaunay triangles: one site a vertex. Else: empty.
     std::vector<SiteId> vertex_site;
     /// One pair for each vertex w that is not the representative v of its orbit, by rising w.
     /// The representative is the vertex of the orbit with the smallest index, so v < w.
@@ -50,6 +54,11 @@ struct FlatTile {
     std::vector<EdgePair> edge_pairs;
     /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
     std::vector<Vec2> site_points = {};
+    /// Pieces of cells and grains of a tile in memory: the sides of the whole cell that each face
+    /// is part of. Whole cells, Delaunay triangles and files: empty.
+    std::vector<int> whole_sides = {};
+    /// 2: triangles have a node in the middle of each edge as well (mesher/second_order.hpp).
+    int order = 1;
 
     int n_vertices() const { return static_cast<int>(points.size()); }
     int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }

@@ -19,6 +19,8 @@ void attach_all(Mesh& mesh, Identification& id) {
     attach_property(mesh, id.vertex_site, "pcvt_vertex_site");
     attach_property(mesh, id.site_point, "pcvt_site_point");
     mesh.property(id.site_point).set_persistent(false);
+    attach_property(mesh, id.whole_sides, "pcvt_whole_sides");
+    mesh.property(id.whole_sides).set_persistent(false);
     if (!mesh.get_property_handle(id.lattice, "pcvt_lattice")) {
         mesh.add_property(id.lattice, "pcvt_lattice");
     }

@@ -14,7 +14,7 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 
 /// Cells as polygons, z = 0.
 using CellMesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
-/// Delaunay triangles, z = 0.
+/// Delaunay triangles, or triangles inside of cells, z = 0.
 using TriangleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
 /// The pairing of a tile's boundary, as OpenMesh properties that `.om` files keep.
@@ -30,11 +30,15 @@ struct Identification {
     OpenMesh::VPropHandleT<int> orbit;
     /// position(vertex) = position(orbit) + translation.
     OpenMesh::VPropHandleT<OpenMesh::Vec2i> orbit_offset;
-    /// The site of a cell; -1 in a triangle mesh.
+    /// The site of a cell, or of the cell that a grain's triangle lies in; -1 in a mesh of Delaunay
+    /// triangles.
     OpenMesh::FPropHandleT<int> face_site;
-    /// Where that site stands; zero in a triangle mesh. The only property that `.om` does not keep.
+    /// Where the site of a cell stands; zero in a triangle mesh. `.om` does not keep it.
     OpenMesh::FPropHandleT<OpenMesh::Vec3d> site_point;
-    /// The site at a vertex of a triangle mesh; -1 in a cell mesh.
+    /// The sides of the whole cell that a piece or a grain's triangle is part of; else 0. `.om` does
+    /// not keep it.
+    OpenMesh::FPropHandleT<int> whole_sides;
+    /// The site at a vertex of a mesh of Delaunay triangles; else -1.
     OpenMesh::VPropHandleT<int> vertex_site;
     OpenMesh::MPropHandleT<std::vector<double>> lattice;
 

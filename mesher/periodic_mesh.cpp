@@ -1,5 +1,7 @@
 #include "mesher/periodic_mesh.hpp"
 
+#include "mesher/edge_matching.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -26,6 +28,8 @@ void append_copy(const PeriodicMesh& mesh, Offset here, int columns, int rows,
     for (const Vec2& p : mesh.site_points) cover.site_points.push_back(p + translation);
     for (const Vec2& v : mesh.vertices) cover.vertices.push_back(v + translation);
     cover.site.insert(cover.site.end(), mesh.site.begin(), mesh.site.end());
+    cover.whole_sides.insert(cover.whole_sides.end(), mesh.whole_sides.begin(),
+                             mesh.whole_sides.end());
     for (int f = 0; f < mesh.n_faces(); ++f) {
         cover.face_begin.push_back(first_corner + mesh.face_begin[f + 1]);
     }
@@ -40,6 +44,21 @@ void append_copy(const PeriodicMesh& mesh, Offset here, int columns, int rows,
 }
 
 }  // namespace
+
+void link_faces(PeriodicMesh& mesh) {
+    mesh.corner_face.clear();
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        mesh.corner_face.resize(static_cast<std::size_t>(mesh.face_begin[f + 1]), f);
+    }
+    std::vector<DirectedEdge> halfedges;
+    halfedges.reserve(mesh.corner_vertex.size());
+    for (int c = 0; c < mesh.n_corners(); ++c) {
+        const int next = mesh.next(c);
+        halfedges.push_back({mesh.corner_vertex[c], mesh.corner_vertex[next],
+                             mesh.corner_offset[next] - mesh.corner_offset[c]});
+    }
+    mesh.opposite = match_edges(halfedges);
+}
 
 PeriodicMesh repeated(const PeriodicMesh& mesh, int columns, int rows) {
     PeriodicMesh cover{

@@ -20,10 +20,14 @@ struct PeriodicMesh {
     std::vector<int> corner_face;
     /// The halfedge across; an involution without fixed points.
     std::vector<int> opposite;
-    /// Cells: the site of each face. Triangles: the site of each vertex.
+    /// Cells and grains: the site of each face. Delaunay triangles: the site of each vertex.
     std::vector<SiteId> site;
-    /// Cells: where the site of each face stands in the frame of the face. Triangles: empty.
+    /// Cells: where the site of each face stands in the frame of the face. Else: empty.
     std::vector<Vec2> site_points = {};
+
+    /// Pieces of cells and grains: the number of sides of the whole cell that a face is part of.
+    /// Whole cells and Delaunay triangles: empty.
+    std::vector<int> whole_sides = {};
 
     int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }
     int n_vertices() const { return static_cast<int>(vertices.size()); }
@@ -33,9 +37,17 @@ struct PeriodicMesh {
         const int f = corner_face[c];
         return c + 1 == face_begin[f + 1] ? face_begin[f] : c + 1;
     }
+    /// Where corner c stands in the frame of its face.
+    Vec2 point(int c) const {
+        return vertices[corner_vertex[c]] + lattice.translation(corner_offset[c]);
+    }
     /// What to add to an offset in the frame of the face across c to get it in that of c's face.
     Offset frame_across(int c) const { return corner_offset[c] - corner_offset[next(opposite[c])]; }
 };
+
+/// Fills `corner_face` and `opposite` from the corners of the faces.
+/// @throws InternalError unless every edge on the torus has exactly two sides.
+void link_faces(PeriodicMesh& mesh);
 
 /// The cover of `mesh` by columns x rows of its domains: a periodic mesh of
 /// mesh.lattice.repeated(). Face f of copy (i, j) is face (j columns + i) n_faces + f, and keeps

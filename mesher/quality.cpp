@@ -33,6 +33,7 @@ std::vector<int> cell_sides(const PeriodicMesh& cells) {
 }
 
 std::vector<int> cell_sides(const FlatTile& cells) {
+    if (!cells.whole_sides.empty()) return cells.whole_sides;
     return count_sides(cells.face_begin, cells.lattice.area(),
                        [&](int c) { return cells.points[cells.corners[c]]; });
 }

@@ -106,13 +106,18 @@ std::vector<HalfedgeHandle> add_faces(Tile<Mesh>& tile, const PeriodicMesh& peri
 template <class Mesh>
 void note_face_sites(Tile<Mesh>& tile, const PeriodicMesh& periodic,
                      const std::vector<Offset>& placement) {
-    const bool cells = periodic.kind == TileKind::kCells;
+    const Identification& id = tile.identification;
+    const bool owned = faces_have_sites(periodic.kind);
     for (const auto face : tile.mesh.faces()) {
         const int f = face.idx();
         Vec2 p(0, 0);
-        if (cells) p = periodic.site_points[f] + tile.lattice.translation(placement[f]);
-        tile.mesh.property(tile.identification.face_site, face) = cells ? periodic.site[f] : -1;
-        tile.mesh.property(tile.identification.site_point, face) = Vec3d(p.x(), p.y(), 0);
+        if (!periodic.site_points.empty()) {
+            p = periodic.site_points[f] + tile.lattice.translation(placement[f]);
+        }
+        tile.mesh.property(id.face_site, face) = owned ? periodic.site[f] : -1;
+        tile.mesh.property(id.site_point, face) = Vec3d(p.x(), p.y(), 0);
+        tile.mesh.property(id.whole_sides, face) =
+            periodic.whole_sides.empty() ? 0 : periodic.whole_sides[f];
     }
 }
 
@@ -141,7 +146,7 @@ void match_boundary(Tile<Mesh>& tile, const PeriodicMesh& periodic,
 template <class Mesh>
 AnyTile assemble(const PeriodicMesh& periodic, const std::vector<Offset>& placement) {
     // Built in place: OpenMesh's meshes copy when they are moved.
-    AnyTile any(std::in_place_type<Tile<Mesh>>, periodic.lattice);
+    AnyTile any(std::in_place_type<Tile<Mesh>>, periodic.lattice, periodic.kind);
     auto& tile = std::get<Tile<Mesh>>(any);
     const PlacedVertices placed = place_vertices(periodic, placement);
     tile.mesh.reserve(placed.vertices.size(), periodic.corner_vertex.size(), placement.size());
@@ -173,20 +178,24 @@ void flatten_seam(const Tile<Mesh>& tile, FlatTile& flat) {
 }
 
 template <class Mesh>
-FlatTile flatten_mesh(const Tile<Mesh>& tile, TileKind kind) {
+FlatTile flatten_mesh(const Tile<Mesh>& tile) {
     const Mesh& mesh = tile.mesh;
     const Identification& id = tile.identification;
-    FlatTile flat{tile.lattice, kind, {}, {0}, {}, {}, {}, {}, {}};
+    FlatTile flat{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}, {}};
+    flat.order = tile.order;
     for (const auto v : mesh.vertices()) {
         flat.points.emplace_back(mesh.point(v)[0], mesh.point(v)[1]);
-        if (kind == TileKind::kTriangles)
+        if (tile.kind == TileKind::kTriangles)
             flat.vertex_site.push_back(mesh.property(id.vertex_site, v));
     }
     for (const auto f : mesh.faces()) {
         for (const auto v : mesh.fv_ccw_range(f)) flat.corners.push_back(v.idx());
         flat.face_begin.push_back(static_cast<int>(flat.corners.size()));
-        if (kind != TileKind::kCells) continue;
+        if (tile.kind == TileKind::kTriangles) continue;
         flat.face_site.push_back(mesh.property(id.face_site, f));
+        const int whole_sides = mesh.property(id.whole_sides, f);
+        if (whole_sides > 0) flat.whole_sides.push_back(whole_sides);
+        if (tile.kind != TileKind::kCells) continue;
         const Vec3d& site = mesh.property(id.site_point, f);
         flat.site_points.emplace_back(site[0], site[1]);
     }
@@ -202,10 +211,7 @@ AnyTile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& place
 }
 
 FlatTile flatten(const AnyTile& tile) {
-    if (const auto* cells = std::get_if<CellTile>(&tile)) {
-        return flatten_mesh(*cells, TileKind::kCells);
-    }
-    return flatten_mesh(std::get<TriangleTile>(tile), TileKind::kTriangles);
+    return std::visit([](const auto& any) { return flatten_mesh(any); }, tile);
 }
 
 }  // namespace pcvt

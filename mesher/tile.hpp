@@ -1,5 +1,6 @@
 #pragma once
 
+#include <type_traits>
 #include <variant>
 
 #include "mesher/flat_tile.hpp"
@@ -19,14 +20,20 @@ namespace pcvt {
 ///   (5) The face areas sum to lattice.area().
 template <class Mesh>
 struct Tile {
+    static constexpr TileKind kUsualKind =
+        std::is_same_v<Mesh, CellMesh> ? TileKind::kCells : TileKind::kTriangles;
+
     /// An empty mesh with the properties attached and the lattice noted.
-    explicit Tile(const Lattice& period) : lattice(period) {
+    explicit Tile(const Lattice& period, TileKind of = kUsualKind) : lattice(period), kind(of) {
         identification.attach(mesh);
         mesh.property(identification.lattice) = {period.a().x(), period.a().y(), period.b().x(),
                                                  period.b().y()};
     }
 
     Lattice lattice;
+    TileKind kind;
+    /// 2: the triangles have a node in the middle of each edge as well (second_order.hpp).
+    int order = 1;
     Mesh mesh;
     Identification identification;
 };
@@ -37,7 +44,7 @@ using AnyTile = std::variant<CellTile, TriangleTile>;
 
 /// The tile of the faces of `periodic`, face f in the image placement[f].
 ///
-/// Each site of a triangle tile is a vertex, each site of a cell tile a face.
+/// Each site of a Delaunay tile is a vertex; faces of a tile of cells, or of grains, know theirs.
 /// @throws InternalError if the placed faces do not form a disc.
 AnyTile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& placement);
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
-#include "mesher/edge_matching.hpp"
 #include "mesher/error.hpp"
+#include "mesher/offset_union.hpp"
 #include "mesher/polygon.hpp"
 
 namespace pcvt {
@@ -28,52 +27,6 @@ Vec2 dual_vertex(const PeriodicDelaunay& delaunay, int triangle) {
     return sites.position(corner[0].site) + reduced.translation(corner[0].offset) +
            reduced.to_plane(centre);
 }
-
-/// Orbits joined into larger ones: each knows its root and its offset to it.
-class OffsetUnion {
-   public:
-    explicit OffsetUnion(int n) : parent_(n), offset_(n) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-
-    struct Root {
-        int orbit;
-        Offset offset;
-    };
-    /// The point t stands where root.orbit + offset stands.
-    Root root(int t) {
-        Offset offset;
-        while (parent_[t] != t) {
-            // Each visit halves the path for the next one.
-            const int parent = parent_[t];
-            offset_[t] = offset_[t] + offset_[parent];
-            parent_[t] = parent_[parent];
-            offset = offset + offset_[t];
-            t = parent_[t];
-        }
-        return {t, offset};
-    }
-    /// Says that t + offset stands where s stands. Returns false where they were joined before.
-    bool join(int s, int t, Offset offset) {
-        const Root rs = root(s);
-        const Root rt = root(t);
-        if (rs.orbit == rt.orbit) return false;
-        // The smaller index becomes the root, so that the result does not depend on the order.
-        const Offset t_to_s = rs.offset - (rt.offset + offset);
-        if (rs.orbit < rt.orbit) {
-            parent_[rt.orbit] = rs.orbit;
-            offset_[rt.orbit] = t_to_s;
-        } else {
-            parent_[rs.orbit] = rt.orbit;
-            offset_[rs.orbit] = -t_to_s;
-        }
-        return true;
-    }
-
-   private:
-    std::vector<int> parent_;
-    std::vector<Offset> offset_;
-};
 
 /// Voronoi vertices before and after merging.
 struct DualVertices {
@@ -138,8 +91,7 @@ void require_simple_cells(const PeriodicMesh& mesh) {
     for (int f = 0; f < mesh.n_faces(); ++f) {
         polygon.clear();
         for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
-            polygon.push_back(mesh.vertices[mesh.corner_vertex[c]] +
-                              mesh.lattice.translation(mesh.corner_offset[c]));
+            polygon.push_back(mesh.point(c));
         }
         if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, kCrossing * h)) {
             throw InvalidInput("the corners of the cell of site " + std::to_string(f) +
@@ -165,17 +117,7 @@ void wrap_vertices(PeriodicMesh& mesh, const Lattice& reduced) {
 /// Offsets into the user's basis, and the halfedges across.
 void finish(PeriodicMesh& mesh, const Reduction& reduction) {
     for (Offset& offset : mesh.corner_offset) offset = reduction.to_original(offset);
-    for (int f = 0; f < mesh.n_faces(); ++f) {
-        mesh.corner_face.resize(static_cast<std::size_t>(mesh.face_begin[f + 1]), f);
-    }
-    std::vector<DirectedEdge> halfedges;
-    halfedges.reserve(mesh.corner_vertex.size());
-    for (int c = 0; c < mesh.n_corners(); ++c) {
-        const int next = mesh.next(c);
-        halfedges.push_back({mesh.corner_vertex[c], mesh.corner_vertex[next],
-                             mesh.corner_offset[next] - mesh.corner_offset[c]});
-    }
-    mesh.opposite = match_edges(halfedges);
+    link_faces(mesh);
 }
 
 std::vector<int> outgoing_halfedges(const TorusTriangulation& t) {

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "io/mpas_writer.hpp"
 #include "io/site_writer.hpp"
+#include "mesher/c_grid.hpp"
 #include "mesher/outline.hpp"
 #include "mesher/quality.hpp"
+#include "mesher/short_edges.hpp"
 #include "mesher/tile.hpp"
 #include "mesher/voronoi.hpp"
 #include "plugin/job_files.hpp"
@@ -101,6 +104,9 @@ void check_job(const Job& job) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
     if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
+    if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
+        throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
+    }
     if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
     if (job.meshes.empty()) throw InvalidInput("no mesh is asked for; take voronoi or delaunay");
     if (n * job.columns * job.rows > kMostSites) {
@@ -122,8 +128,15 @@ CvtResult tessellate(const Job& job, Monitor& monitor) {
     return compute_cvt(job.lattice, std::move(points), options);
 }
 
+/// The mesh on the unrepeated torus, without the edges that are too short for the user.
+PeriodicMesh wanted_mesh(const Job& job, const CvtResult& result, TileKind kind) {
+    PeriodicMesh mesh = periodic_mesh(result, kind);
+    if (kind != TileKind::kCells || job.short_edges == 0) return mesh;
+    return without_short_edges(mesh, job.short_edges * result.delaunay.sites().spacing());
+}
+
 ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
-    const PeriodicMesh mesh = repeated(periodic_mesh(result, kind), job.columns, job.rows);
+    const PeriodicMesh mesh = repeated(wanted_mesh(job, result, kind), job.columns, job.rows);
     AnyTile tile = make_tile(mesh, whole_outline(mesh, job.origin));
     const TileProof proof = prove_own_tile(tile);
     return {std::move(tile),
@@ -171,6 +184,21 @@ void stage_sites(const std::string& path, const CvtResult& result, OutputSet& ou
     read_back(outputs, {encoded});
 }
 
+/// The C-grid of the whole torus, encoded, on the disk and proved there like a tile.
+void stage_c_grid(const std::string& path, const Job& job, const CvtResult& result,
+                  OutputSet& outputs) {
+    const PeriodicMesh cells =
+        repeated(periodic_mesh(result, TileKind::kCells), job.columns, job.rows);
+    EncodedFile encoded{path, {}};
+    try {
+        encoded.bytes = encode_mpas(c_grid(cells, job.origin));
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("-o " + path + ": " + error.what());
+    }
+    outputs.stage(path, encoded.bytes);
+    prove_c_grid_file(read_back(outputs, {encoded}).front());
+}
+
 void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
     for (const JobFile& file : files) {
         if (!file.folder.empty()) {
@@ -199,8 +227,10 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
            JobOutcome& outcome) {
     OutputSet outputs;
     for (const JobFile& file : files) {
-        if (file.format == nullptr) {
+        if (file.content == JobContent::kSites) {
             stage_sites(file.paths.front(), result, outputs);
+        } else if (file.content == JobContent::kCGrid) {
+            stage_c_grid(file.paths.front(), job, result, outputs);
         } else {
             stage_tile(file, tiles[static_cast<std::size_t>(file.mesh)].tile, job.origin, outputs);
         }

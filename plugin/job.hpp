@@ -12,6 +12,9 @@
 
 namespace pcvt {
 
+/// The most that Job::short_edges can be: an edge of a regular hexagon has 0.62 h.
+inline constexpr double kLongestShortEdge = 0.5;
+
 /// One run, as a plain description: what the command's options and the C ABI's options both fill.
 struct Job {
     Lattice lattice = Lattice::rectangle(1, 1);
@@ -26,6 +29,9 @@ struct Job {
     int max_iterations = -1;
     /// At least 1; the result does not depend on it.
     int n_threads = 1;
+
+    /// Voronoi edges shorter than this are removed from the cells, units of h; 0: none.
+    double short_edges = 0;
 
     /// At least one, each at most once. With several, -voronoi and -delaunay precede the extension.
     std::vector<TileKind> meshes = {TileKind::kCells};

@@ -9,8 +9,10 @@
 #include <filesystem>
 #include <optional>
 
+#include "io/mpas_reader.hpp"
 #include "io/text.hpp"
 #include "io/tile_formats.hpp"
+#include "mesher/c_grid_proof.hpp"
 #include "mesher/validate.hpp"
 #include "plugin/cli/console.hpp"
 #include "plugin/cli/option_values.hpp"
@@ -111,8 +113,31 @@ std::string pairs_text(const TileFile& file) {
     return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
 }
 
+bool is_mpas(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension == ".nc" || extension == ".NC";
+}
+
+/// The proof of an MPAS file as a line.
+std::string prove_mpas(const std::string& path, const Question& question) {
+    if (question.cvt_tolerance) {
+        throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
+    }
+    const CGrid grid = decode_mpas(path, read_whole_file(path));
+    if (question.lattice) {
+        compare_lattice(Lattice::rectangle(grid.x_period, grid.y_period), *question.lattice);
+    }
+    const CGridProof proof = prove_c_grid(grid);
+    return path + ": an MPAS mesh: " + std::to_string(grid.n_cells) + " cells, " +
+           std::to_string(grid.n_edges) + " edges, " + std::to_string(grid.n_vertices) +
+           " vertices, period " + figure(grid.x_period) + " x " + figure(grid.y_period) +
+           ", lengths and angles within " + figure(proof.geometry) + " h, areas within " +
+           figure(proof.areas) + ", TRiSK identity within " + figure(proof.trisk) + "\n";
+}
+
 /// The proof of one file as a line.
 std::string prove(const std::string& path, const Question& question) {
+    if (is_mpas(path)) return prove_mpas(path, question);
     const TileFile file = read_tile(path, question.lattice);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
     const TileProof proof = prove_tile(file.tile, file.precision);
@@ -134,7 +159,8 @@ bool check(const std::string& path, const Question& question) {
         print(prove(path, question));
         return true;
     } catch (const NotATile& error) {
-        std::fprintf(stderr, "%s: not a periodic tile: %s\n", path.c_str(), error.what());
+        std::fprintf(stderr, "%s: not %s: %s\n", path.c_str(),
+                     is_mpas(path) ? "an MPAS mesh" : "a periodic tile", error.what());
     } catch (const InvalidInput&) {
         std::fprintf(stderr, "%s\n", describe_failure(std::current_exception()).line.c_str());
     }

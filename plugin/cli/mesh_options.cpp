@@ -68,6 +68,8 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
         ->option_text("voronoi|delaunay")
         ->allow_extra_args(false);
     add(app, "--outline", options.outline, "whole", "no cell is cut [whole]");
+    add(app, "--short-edges", options.short_edges, "L",
+        "remove Voronoi edges under L h from the cells, for finite volumes [0]");
     add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
     app.add_option("-o", options.outputs,
                    "repeatable; none: only the summary; the extension decides:\n" +
@@ -165,6 +167,16 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
     if (app.count("--origin") > 0) job.origin = point("--origin", options.origin);
+    if (app.count("--short-edges") > 0) {
+        job.short_edges = positive_number("--short-edges", options.short_edges);
+        if (job.short_edges > kLongestShortEdge) {
+            throw InvalidInput("--short-edges " + options.short_edges +
+                               ": such edges are not short; take at most 0.5");
+        }
+        if (std::find(job.meshes.begin(), job.meshes.end(), TileKind::kCells) == job.meshes.end()) {
+            throw InvalidInput("--short-edges is for cells; take --mesh voronoi or leave it out");
+        }
+    }
     if (app.count("--repeat") > 0) {
         const Repetition times = repetition("--repeat", options.repeat);
         job.columns = times.columns;
@@ -181,8 +193,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_later_options(app);
     app.footer(std::string(kExamples) +
                "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
-               "--outline box, --density, " +
-               later_extensions() + "\n");
+               "--outline box, --density\n");
 }
 
 Job make_job(const CLI::App& app, const MeshOptions& options) {

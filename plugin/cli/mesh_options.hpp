@@ -24,6 +24,7 @@ struct MeshOptions {
     std::string max_iterations;
     std::vector<std::string> meshes;
     std::string outline;
+    std::string short_edges;
     std::string repeat;
     std::string origin;
     std::vector<std::string> outputs;

@@ -10,7 +10,7 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr const char* kLaterOptions[] = {"--density",       "--size",   "--order", "--short-edges",
+constexpr const char* kLaterOptions[] = {"--density",       "--size",   "--order",
                                          "--density-range", "--budget", "--shard"};
 
 }  // namespace
