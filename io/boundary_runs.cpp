@@ -71,8 +71,4 @@ std::vector<BoundaryRun> boundary_runs(const FlatTile& tile) {
     return runs;
 }
 
-std::string seam_name(Offset offset) {
-    return "seam_" + std::to_string(offset.i) + "_" + std::to_string(offset.j);
-}
-
 }  // namespace pcvt

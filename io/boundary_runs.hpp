@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "mesher/flat_tile.hpp"
@@ -28,9 +27,5 @@ struct BoundaryRun {
 /// @pre the tile has its edge_pairs.
 /// @throws InternalError where they do not form one loop.
 std::vector<BoundaryRun> boundary_runs(const FlatTile& tile);
-
-/// The name of the boundary that `offset` takes to its partners, in every format: `seam_1_0`,
-/// `seam_-1_0`.
-std::string seam_name(Offset offset);
 
 }  // namespace pcvt

@@ -257,7 +257,7 @@ double require_areas(const CGrid& g, const Rows& rows, double h) {
 std::vector<double> random_velocities(int n) {
     std::mt19937 random(1);
     std::vector<double> u(static_cast<std::size_t>(n));
-    for (double& speed : u) speed = random() * 0x1p-31 - 1;
+    for (double& speed : u) speed = static_cast<double>(random()) * 0x1p-31 - 1;
     return u;
 }
 

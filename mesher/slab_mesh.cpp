@@ -147,10 +147,6 @@ void add_seams(const FlatTile& tile, const std::vector<Side>& sides, SlabMesh& s
 
 }  // namespace
 
-std::string seam_name(Offset offset) {
-    return "seam_" + std::to_string(offset.i) + "_" + std::to_string(offset.j);
-}
-
 SlabMesh slab_mesh(const FlatTile& tile) {
     SlabMesh slab{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}};
     add_points(tile, slab);

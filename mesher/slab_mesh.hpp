@@ -55,7 +55,4 @@ struct SlabMesh {
 /// (I, J) > 0; then "back" and "front".
 SlabMesh slab_mesh(const FlatTile& tile);
 
-/// The patch name of one side of the seam.
-std::string seam_name(Offset offset);
-
 }  // namespace pcvt
