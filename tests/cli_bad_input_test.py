@@ -97,7 +97,7 @@ class BadOption(CliTest):
             for option in ("--density", "--size", "--order", "--short-edges", "--density-range",
                            "--budget", "--shard")
         ]
-        rows += [(e, *mesh, "-o", "t." + e) for e in ("msh", "inp", "vtu", "nc", "foam")]
+        rows += [(e, *mesh, "-o", "t." + e) for e in ("nc", "foam")]
         self.refuse_all(2, [(what + ".* not available yet", *row) for what, *row in rows])
 
     def test_unknown_choices_are_refused(self):
