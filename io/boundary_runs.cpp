@@ -11,13 +11,18 @@ struct Step {
     /// Where the edge's partner begins.
     int partner = -1;
     Offset offset;
+    int middle = -1;
 };
 
-std::vector<Step> boundary_steps(const FlatTile& tile) {
+std::vector<Step> boundary_steps(const FlatTile& tile, const SecondOrder& middles) {
     std::vector<Step> steps(tile.points.size());
-    for (const EdgePair& pair : tile.edge_pairs) {
+    for (std::size_t k = 0; k < tile.edge_pairs.size(); ++k) {
+        const EdgePair& pair = tile.edge_pairs[k];
         steps[pair.v0] = {pair.v1, pair.w1, pair.offset};
-        steps[pair.w1] = {pair.w0, pair.v0, {-pair.offset.i, -pair.offset.j}};
+        steps[pair.w1] = {pair.w0, pair.v0, -pair.offset};
+        if (middles.of_edge_pair.empty()) continue;
+        steps[pair.v0].middle = middles.of_edge_pair[k][0];
+        steps[pair.w1].middle = middles.of_edge_pair[k][1];
     }
     return steps;
 }
@@ -45,8 +50,9 @@ std::vector<BoundaryRun> walk(const std::vector<Step>& steps, std::size_t n_edge
             throw InternalError("the boundary of the tile is not one loop");
         }
         if (runs.empty() || runs.back().offset != step.offset)
-            runs.push_back({step.offset, {v}, -1});
+            runs.push_back({step.offset, {v}, {}, -1});
         runs.back().vertices.push_back(step.to);
+        if (step.middle >= 0) runs.back().middles.push_back(step.middle);
         v = step.to;
     }
     return runs;
@@ -64,8 +70,8 @@ void find_partners(const std::vector<Step>& steps, std::vector<BoundaryRun>& run
 
 }  // namespace
 
-std::vector<BoundaryRun> boundary_runs(const FlatTile& tile) {
-    const std::vector<Step> steps = boundary_steps(tile);
+std::vector<BoundaryRun> boundary_runs(const FlatTile& tile, const SecondOrder& middles) {
+    const std::vector<Step> steps = boundary_steps(tile, middles);
     std::vector<BoundaryRun> runs = walk(steps, 2 * tile.edge_pairs.size());
     find_partners(steps, runs);
     return runs;

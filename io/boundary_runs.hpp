@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mesher/flat_tile.hpp"
+#include "mesher/second_order.hpp"
 
 namespace pcvt {
 
@@ -12,8 +12,10 @@ struct BoundaryRun {
     Offset offset;
     /// Along the boundary, the tile on the left; both ends included, so two or more.
     std::vector<int> vertices;
+    /// Of order 2 the nodes between them: middles[k] after vertices[k].
+    std::vector<int> middles;
     /// Index of the run that it is glued to, which runs the other way: vertex k of this one and
-    /// vertex size - 1 - k of that one are partners.
+    /// vertex size - 1 - k of that one are partners, likewise the middles.
     int partner;
 };
 
@@ -24,8 +26,9 @@ struct BoundaryRun {
 ///   (2) Every boundary edge lies in one run; a run's neighbours have other offsets than it has.
 ///   (3) The ends of runs are closed under identification: a vertex on the orbit of an end is one.
 ///
+/// @param middles  of a tile of order 2; else empty.
 /// @pre the tile has its edge_pairs.
 /// @throws InternalError where they do not form one loop.
-std::vector<BoundaryRun> boundary_runs(const FlatTile& tile);
+std::vector<BoundaryRun> boundary_runs(const FlatTile& tile, const SecondOrder& middles);
 
 }  // namespace pcvt

@@ -15,7 +15,8 @@ using Words = std::vector<std::string_view>;
 
 constexpr const char* kCellSet = "CELL_";
 constexpr std::size_t kTerms = 4;
-const std::array<const char*, 2> kTypes{"CPE3", "CPS3"};
+/// The types of plane triangles; a name ends with the number of nodes.
+const std::array<const char*, 4> kTypes{"CPE3", "CPS3", "CPE6", "CPS6"};
 
 /// Upper case, without blanks: what a line means to the solver.
 std::string compact(const Words& words) {
@@ -131,8 +132,9 @@ class InpParser {
             const std::string type = parameter(fields, "TYPE");
             if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) {
                 scanner_.refuse("elements of type " + in_quotes(type) +
-                                " are no plane triangles; give CPE3 or CPS3");
+                                " are no plane triangles; give CPE3 or CPE6");
             }
+            n_element_nodes_ = static_cast<std::size_t>(type.back() - '0');
             handler_ = &InpParser::parse_element;
         } else if (card == "*ELSET") {
             set_ = parameter(fields, "ELSET");
@@ -161,7 +163,7 @@ class InpParser {
     }
 
     void parse_element(const Words& fields) {
-        require_fields(fields, 4, 4);
+        require_fields(fields, 1 + n_element_nodes_, 1 + n_element_nodes_);
         std::vector<int> nodes;
         for (std::size_t k = 1; k < fields.size(); ++k)
             nodes.push_back(scanner_.integer(fields[k]));
@@ -261,6 +263,7 @@ class InpParser {
     Handler handler_ = nullptr;
     /// The set that the current card fills, empty where it has no name.
     std::string set_;
+    std::size_t n_element_nodes_ = 3;
     std::array<std::optional<int>, 2> controls_;
     std::vector<Equation> equations_;
     int n_pending_ = 0;

@@ -9,6 +9,7 @@
 #include "io/finite.hpp"
 #include "io/narrow_numbers.hpp"
 #include "io/raw_tile.hpp"
+#include "io/solver_nodes.hpp"
 #include "io/text.hpp"
 #include "io/triangle_elements.hpp"
 #include "mesher/error.hpp"
@@ -40,7 +41,10 @@ double largest_number(const FlatTile& tile) {
 class InpText {
    public:
     InpText(const FlatTile& tile, std::string path)
-        : tile_(tile), path_(std::move(path)), numbers_(largest_number(tile)) {}
+        : tile_(tile),
+          nodes_(solver_nodes(tile)),
+          path_(std::move(path)),
+          numbers_(largest_number(tile)) {}
 
     std::string write() {
         append_comments();
@@ -53,7 +57,7 @@ class InpText {
     }
 
    private:
-    int control(int k) const { return tile_.n_vertices() + k; }
+    int control(int k) const { return nodes_.n_nodes() + k; }
 
     void append_real(double value) {
         if (numbers_.append(text_, value)) return;
@@ -90,7 +94,7 @@ class InpText {
 
     void append_nodes() {
         text_ += "*NODE,NSET=NALL\n";
-        for (int v = 0; v < tile_.n_vertices(); ++v) append_node(v + 1, tile_.points[v]);
+        for (int v = 0; v < nodes_.n_nodes(); ++v) append_node(v + 1, nodes_.points[v]);
         text_ += "*NODE,NSET=CONTROL_1\n";
         append_node(control(1), tile_.points[0]);
         text_ += "*NODE,NSET=CONTROL_2\n";
@@ -98,12 +102,13 @@ class InpText {
     }
 
     void append_elements() {
-        text_ += "*ELEMENT,TYPE=CPE3,ELSET=EALL\n";
+        text_ += tile_.order == 2 ? "*ELEMENT,TYPE=CPE6,ELSET=EALL\n"
+                                  : "*ELEMENT,TYPE=CPE3,ELSET=EALL\n";
         for (int f = 0; f < tile_.n_faces(); ++f) {
             append_number(text_, f + 1);
-            for (int c = tile_.face_begin[f]; c < tile_.face_begin[f + 1]; ++c) {
+            for (const int v : element_nodes(tile_, nodes_, f)) {
                 text_ += ',';
-                append_number(text_, tile_.corners[c] + 1);
+                append_number(text_, v + 1);
             }
             text_ += '\n';
         }
@@ -128,8 +133,9 @@ class InpText {
 
     void append_node_sets() {
         std::map<Offset, std::set<int>> seams;
-        for (const BoundaryRun& run : boundary_runs(tile_)) {
+        for (const BoundaryRun& run : boundary_runs(tile_, nodes_.middles)) {
             for (const int v : run.vertices) seams[run.offset].insert(v + 1);
+            for (const int v : run.middles) seams[run.offset].insert(v + 1);
         }
         for (const auto& [offset, ids] : seams) {
             text_ += "*NSET,NSET=" + seam_name(offset) + "\n";
@@ -160,13 +166,14 @@ class InpText {
 
     void append_equations() {
         text_ += "*EQUATION\n";
-        for (const VertexPair& pair : tile_.vertex_pairs) {
+        for (const VertexPair& pair : nodes_.pairs) {
             append_equation(pair, 1);
             append_equation(pair, 2);
         }
     }
 
     const FlatTile& tile_;
+    SolverNodes nodes_;
     std::string path_;
     NarrowNumbers numbers_;
     std::string text_;

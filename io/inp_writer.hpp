@@ -7,8 +7,8 @@
 
 namespace pcvt {
 
-/// The mesh part of an Abaqus or CalculiX input, to be included by a job: triangles CPE3, node
-/// v + 1 is vertex v, element f + 1 is face f.
+/// The mesh part of an Abaqus or CalculiX input, to be included by a job: triangles CPE3
+/// (CPE6 for order 2), node v + 1 is vertex v, element f + 1 is face f.
 ///
 /// Sets: elements `EALL` and `CELL_s`, one a cell with the site s (element_cells()); nodes `NALL`;
 /// `SEAM_I_J`, the boundary nodes that I a + J b takes to others; `FIXED`, one representative, to

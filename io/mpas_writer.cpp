@@ -15,8 +15,8 @@ namespace {
 
 /// The format counts the bytes of a variable in 32 bits.
 constexpr double kMostBytes = 0x1p32 - 4;
-/// The library enlarges its memory when it needs more.
-constexpr std::size_t kFirstBytes = std::size_t{1} << 20;
+/// What the memory begins with stays in the file, so it begins with nothing and grows.
+constexpr std::size_t kFirstBytes = 0;
 
 void require(int status) {
     if (status != NC_NOERR) throw InternalError(std::string("netCDF: ") + nc_strerror(status));
@@ -25,7 +25,10 @@ void require(int status) {
 /// A file that is written into memory.
 class MemoryFile {
    public:
-    MemoryFile() { require(nc_create_mem("mesh.nc", NC_64BIT_OFFSET, kFirstBytes, &id_)); }
+    MemoryFile() {
+        require(nc_create_mem("mesh.nc", NC_64BIT_OFFSET, kFirstBytes, &id_));
+        require(nc_set_fill(id_, NC_NOFILL, nullptr));
+    }
     ~MemoryFile() {
         if (open_) nc_abort(id_);
     }

@@ -14,8 +14,27 @@ using Words = std::vector<std::string_view>;
 
 constexpr int kLine = 1;
 constexpr int kTriangle = 2;
+constexpr int kLine3 = 8;
+constexpr int kTriangle6 = 9;
 constexpr int kPoint = 15;
 constexpr int kCurves = 1;
+/// Nodes of an element of a type; 0 for types that have no place in a tile.
+std::size_t n_nodes(int type) {
+    switch (type) {
+        case kPoint:
+            return 1;
+        case kLine:
+            return 2;
+        case kLine3:
+        case kTriangle:
+            return 3;
+        case kTriangle6:
+            return 6;
+        default:
+            return 0;
+    }
+}
+
 /// Numbers of an affine map, a 4 x 4 matrix row by row.
 constexpr int kAffine = 16;
 
@@ -24,6 +43,7 @@ struct LineElement {
     int curve;
     int from;
     int to;
+    std::optional<int> middle;
     int line;
 };
 
@@ -168,7 +188,7 @@ class MshParser {
             const int dimension = integer(0);
             const int entity = integer(1);
             const int type = integer(2);
-            if (type != kPoint && type != kLine && type != kTriangle) {
+            if (n_nodes(type) == 0) {
                 scanner_.refuse("elements of type " + std::to_string(type) +
                                 " are no triangles; give a mesh of triangles");
             }
@@ -178,12 +198,16 @@ class MshParser {
     }
 
     void parse_element(int type, int curve) {
-        row(type == kTriangle ? 4 : type == kLine ? 3 : 2);
-        if (type == kTriangle) {
-            tile_.triangles.push_back(
-                {integer(0), scanner_.line(), {integer(1), integer(2), integer(3)}});
-        } else if (type == kLine && curve >= 0) {
-            lines_.push_back({curve, integer(1), integer(2), scanner_.line()});
+        const std::size_t n = n_nodes(type);
+        row(1 + n);
+        if (type == kTriangle || type == kTriangle6) {
+            std::vector<int> nodes;
+            for (std::size_t k = 1; k <= n; ++k) nodes.push_back(integer(k));
+            tile_.triangles.push_back({integer(0), scanner_.line(), std::move(nodes)});
+        } else if (type != kPoint && curve >= 0) {
+            std::optional<int> middle;
+            if (type == kLine3) middle = integer(3);
+            lines_.push_back({curve, integer(1), integer(2), middle, scanner_.line()});
         }
     }
 
@@ -257,6 +281,7 @@ class MshParser {
                               "again with pcvt");
             }
             tile_.edges.push_back({{element.from, element.to, from->second, to->second},
+                                   element.middle,
                                    element.line,
                                    -curve->second.translation});
         }

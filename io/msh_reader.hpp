@@ -8,7 +8,8 @@
 namespace pcvt {
 
 /// Reads an ASCII MSH 4.1 as pcvt or Gmsh writes it: one entry a line; nodes in the plane z = 0,
-/// triangles, and lines and points, which are passed over.
+/// triangles of three nodes, or of six with straight sides, and lines and points, which are passed
+/// over.
 ///
 /// Vertex pairs come from $Periodic, whose affine maps must be translations; edge pairs from the
 /// lines of curves that it links, in a file whose $Comments are ours. Sites come from $NodeData or

@@ -7,14 +7,16 @@
 #include "io/boundary_runs.hpp"
 #include "io/finite.hpp"
 #include "io/raw_tile.hpp"
+#include "io/solver_nodes.hpp"
 #include "io/text.hpp"
 #include "io/triangle_elements.hpp"
 
 namespace pcvt {
 namespace {
 
-constexpr int kLine = 1;
-constexpr int kTriangle = 2;
+/// Gmsh's element types by the order of the tile.
+constexpr int kLine[] = {0, 1, 8};
+constexpr int kTriangle[] = {0, 2, 9};
 constexpr int kPoints = 0;
 constexpr int kCurves = 1;
 constexpr int kSurfaces = 2;
@@ -45,8 +47,8 @@ struct Seam {
     int surface_group() const { return static_cast<int>(groups.size()) + 1; }
 };
 
-Seam make_seam(const FlatTile& tile) {
-    Seam seam{boundary_runs(tile), {}};
+Seam make_seam(const FlatTile& tile, const SolverNodes& nodes) {
+    Seam seam{boundary_runs(tile, nodes.middles), {}};
     for (const BoundaryRun& run : seam.runs) seam.groups[run.offset] = 0;
     int n = 0;
     for (auto& [offset, group] : seam.groups) group = ++n;
@@ -103,38 +105,50 @@ void append_entities(std::string& text, const FlatTile& tile, const Seam& seam) 
 }
 
 /// One block of nodes; nothing for an entity without any of its own.
-void append_block(std::string& text, const FlatTile& tile, int dimension, int entity,
-                  const std::vector<int>& vertices) {
-    if (vertices.empty()) return;
-    append_line(text, {dimension, entity, 0, static_cast<int>(vertices.size())});
-    for (const int v : vertices) append_line(text, {v + 1});
-    for (const int v : vertices) {
-        append_line(text, {tile.points[v].x(), tile.points[v].y(), 0.0});
+void append_block(std::string& text, const SolverNodes& nodes, int dimension, int entity,
+                  const std::vector<int>& block) {
+    if (block.empty()) return;
+    append_line(text, {dimension, entity, 0, static_cast<int>(block.size())});
+    for (const int v : block) append_line(text, {v + 1});
+    for (const int v : block) {
+        append_line(text, {nodes.points[v].x(), nodes.points[v].y(), 0.0});
     }
 }
 
-void append_nodes(std::string& text, const FlatTile& tile, const Seam& seam) {
-    std::vector<bool> inside(tile.points.size(), true);
-    int n_blocks = seam.n_runs();
+/// The nodes of a curve without its ends.
+std::vector<int> inner_nodes(const BoundaryRun& run) {
+    std::vector<int> inner(run.vertices.begin() + 1, run.vertices.end() - 1);
+    inner.insert(inner.end(), run.middles.begin(), run.middles.end());
+    return inner;
+}
+
+/// The nodes of the surface, on no curve.
+std::vector<int> surface_nodes(const SolverNodes& nodes, const Seam& seam) {
+    std::vector<bool> inside(nodes.points.size(), true);
     for (const BoundaryRun& run : seam.runs) {
-        if (run.vertices.size() > 2) ++n_blocks;
         for (const int v : run.vertices) inside[v] = false;
+        for (const int v : run.middles) inside[v] = false;
     }
     std::vector<int> inner;
-    for (int v = 0; v < tile.n_vertices(); ++v) {
+    for (int v = 0; v < nodes.n_nodes(); ++v) {
         if (inside[v]) inner.push_back(v);
     }
-    if (!inner.empty()) ++n_blocks;
+    return inner;
+}
+
+void append_nodes(std::string& text, const SolverNodes& nodes, const Seam& seam) {
+    const std::vector<int> surface = surface_nodes(nodes, seam);
+    int n_blocks = seam.n_runs() + (surface.empty() ? 0 : 1);
+    for (const BoundaryRun& run : seam.runs) n_blocks += inner_nodes(run).empty() ? 0 : 1;
     text += "$Nodes\n";
-    append_line(text, {n_blocks, tile.n_vertices(), 1, tile.n_vertices()});
+    append_line(text, {n_blocks, nodes.n_nodes(), 1, nodes.n_nodes()});
     for (int k = 0; k < seam.n_runs(); ++k) {
-        append_block(text, tile, kPoints, k + 1, {seam.begin(k)});
+        append_block(text, nodes, kPoints, k + 1, {seam.begin(k)});
     }
     for (int k = 0; k < seam.n_runs(); ++k) {
-        const std::vector<int>& run = seam.runs[k].vertices;
-        append_block(text, tile, kCurves, k + 1, {run.begin() + 1, run.end() - 1});
+        append_block(text, nodes, kCurves, k + 1, inner_nodes(seam.runs[k]));
     }
-    append_block(text, tile, kSurfaces, kSurface, inner);
+    append_block(text, nodes, kSurfaces, kSurface, surface);
     text += "$EndNodes\n";
 }
 
@@ -144,22 +158,27 @@ int n_lines(const Seam& seam) {
     return n;
 }
 
-void append_elements(std::string& text, const FlatTile& tile, const Seam& seam) {
+void append_elements(std::string& text, const FlatTile& tile, const SolverNodes& nodes,
+                     const Seam& seam) {
     const int n_elements = tile.n_faces() + n_lines(seam);
     text += "$Elements\n";
     append_line(text, {seam.n_runs() + 1, n_elements, 1, n_elements});
     int element = tile.n_faces();
     for (int k = 0; k < seam.n_runs(); ++k) {
-        const std::vector<int>& run = seam.runs[k].vertices;
-        append_line(text, {kCurves, k + 1, kLine, static_cast<int>(run.size()) - 1});
-        for (std::size_t e = 0; e + 1 < run.size(); ++e) {
-            append_line(text, {++element, run[e] + 1, run[e + 1] + 1});
+        const BoundaryRun& run = seam.runs[k];
+        const std::size_t n = run.vertices.size() - 1;
+        append_line(text, {kCurves, k + 1, kLine[tile.order], static_cast<int>(n)});
+        for (std::size_t e = 0; e < n; ++e) {
+            append_words(text, {++element, run.vertices[e] + 1, run.vertices[e + 1] + 1});
+            if (!run.middles.empty()) append_words(text, {run.middles[e] + 1});
+            text.back() = '\n';
         }
     }
-    append_line(text, {kSurfaces, kSurface, kTriangle, tile.n_faces()});
+    append_line(text, {kSurfaces, kSurface, kTriangle[tile.order], tile.n_faces()});
     for (int f = 0; f < tile.n_faces(); ++f) {
-        const int* corners = &tile.corners[tile.face_begin[f]];
-        append_line(text, {f + 1, corners[0] + 1, corners[1] + 1, corners[2] + 1});
+        append_words(text, {f + 1});
+        for (const int v : element_nodes(tile, nodes, f)) append_words(text, {v + 1});
+        text.back() = '\n';
     }
     text += "$EndElements\n";
 }
@@ -179,11 +198,15 @@ void append_link(std::string& text, const FlatTile& tile, int dimension, int sla
 void append_curve_link(std::string& text, const FlatTile& tile, const Seam& seam, int k) {
     const BoundaryRun& slave = seam.runs[k];
     const BoundaryRun& master = seam.runs[slave.partner];
-    const std::size_t n = slave.vertices.size();
-    append_link(text, tile, kCurves, k + 1, slave.partner + 1, master.offset, n);
-    for (std::size_t v = 0; v < n; ++v) {
-        append_line(text, {slave.vertices[v] + 1, master.vertices[n - 1 - v] + 1});
-    }
+    const auto append_pairs = [&](const std::vector<int>& slaves, const std::vector<int>& masters) {
+        for (std::size_t v = 0; v < slaves.size(); ++v) {
+            append_line(text, {slaves[v] + 1, masters[slaves.size() - 1 - v] + 1});
+        }
+    };
+    append_link(text, tile, kCurves, k + 1, slave.partner + 1, master.offset,
+                slave.vertices.size() + slave.middles.size());
+    append_pairs(slave.vertices, master.vertices);
+    append_pairs(slave.middles, master.middles);
 }
 
 void append_periodic(std::string& text, const FlatTile& tile, const Seam& seam) {
@@ -222,12 +245,13 @@ void append_data(std::string& text, const char* section, const std::vector<int>&
 std::vector<EncodedFile> encode_msh(const FlatTile& tile, const std::string& path) {
     require_triangles(tile.kind, path);
     require_finite(tile);
-    const Seam seam = make_seam(tile);
+    const SolverNodes nodes = solver_nodes(tile);
+    const Seam seam = make_seam(tile, nodes);
     std::string text;
     append_head(text, tile, seam);
     append_entities(text, tile, seam);
-    append_nodes(text, tile, seam);
-    append_elements(text, tile, seam);
+    append_nodes(text, nodes, seam);
+    append_elements(text, tile, nodes, seam);
     append_periodic(text, tile, seam);
     append_data(text, "ElementData", element_cells(tile), n_lines(seam));
     if (!tile.vertex_site.empty()) append_data(text, "NodeData", tile.vertex_site, 0);

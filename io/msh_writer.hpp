@@ -7,7 +7,8 @@
 
 namespace pcvt {
 
-/// Gmsh MSH 4.1, ASCII, double precision: triangles, with their periodicity.
+/// Gmsh MSH 4.1, ASCII, double precision: triangles, of six nodes for order 2, with their
+/// periodicity.
 ///
 /// Node v + 1 is vertex v, element f + 1 is face f; line elements follow. Entities: a curve for
 /// each boundary run, a point where two runs meet, one surface; a node stands in the block of the

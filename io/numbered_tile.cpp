@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "io/middle_nodes.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -81,11 +83,47 @@ class Resolver {
         }
         take_sites();
         if (raw_.lattice) take_pairs();
+        if (is_second_order()) {
+            require_middles_of_edges();
+            take_off_middles(raw_, std::nullopt, Precision::kDouble);
+        }
     }
 
    private:
     int node(int number, int line) const {
         return place(numbered_.nodes, number, raw_.name, line, "node");
+    }
+
+    /// All triangles have six nodes; refused where only some have.
+    bool is_second_order() const {
+        const auto& triangles = numbered_.triangles;
+        const auto other =
+            std::find_if(triangles.begin(), triangles.end(), [&](const NumberedTile::Triangle& t) {
+                return t.nodes.size() != triangles.front().nodes.size();
+            });
+        if (other != triangles.end()) {
+            refuse(raw_.name, other->line, "triangles of two orders; give a mesh of one order");
+        }
+        return !triangles.empty() && triangles.front().nodes.size() == 6;
+    }
+
+    void require_middles_of_edges() const {
+        const std::vector<MiddleNode> edges = middle_nodes(raw_);
+        for (const NumberedTile::Edge& edge : numbered_.edges) {
+            const auto [low, high] =
+                std::minmax({node(edge.nodes[0], edge.line), node(edge.nodes[1], edge.line)});
+            const auto found =
+                std::lower_bound(edges.begin(), edges.end(), std::make_pair(low, high),
+                                 [](const MiddleNode& e, const std::pair<int, int>& ends) {
+                                     return std::make_pair(e.low, e.high) < ends;
+                                 });
+            if (found != edges.end() && found->low == low && found->high == high && edge.middle &&
+                found->node == node(*edge.middle, edge.line)) {
+                continue;
+            }
+            refuse(raw_.name, edge.line,
+                   "the line is no edge of a triangle with its middle node; correct its nodes");
+        }
     }
 
     void take_sites() {

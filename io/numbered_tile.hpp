@@ -32,6 +32,8 @@ struct NumberedTile {
     /// A boundary edge, the tile on its left, and the nodes that its partner joins: as EdgePair.
     struct Edge {
         std::array<int, 4> nodes;
+        /// The node in its middle; nothing for order 1.
+        std::optional<int> middle;
         int line;
         Vec2 translation;
     };
@@ -54,7 +56,8 @@ struct NumberedTile {
     std::vector<SiteOf> triangle_sites;
 };
 
-/// Vertices and faces in the order of their numbers, as a tile.
+/// Vertices and faces in the order of their numbers, as a tile; of six-node triangles the nodes in
+/// the middle of edges are proved and left out.
 /// @param lattice  stands in for one that the file lacks.
 /// @throws BadFile  with the line: a number given twice or used but not given; a translation that
 ///                  is no lattice vector within 4 ulps; and what finish() of a RawTile refuses.

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "io/middle_nodes.hpp"
 #include "io/raw_tile.hpp"
 #include "io/text.hpp"
 #include "io/xml_scanner.hpp"
@@ -16,6 +17,7 @@ using Event = XmlScanner::Event;
 
 constexpr int kVtkTriangle = 5;
 constexpr int kVtkPolygon = 7;
+constexpr int kVtkQuadraticTriangle = 22;
 
 /// A DataArray that the tile needs.
 struct Array {
@@ -180,13 +182,14 @@ class VtuTile {
     VtuTile(const std::string& name, const VtuArrays& arrays)
         : arrays_(arrays), raw_{name, 0, {}, {}, {}, {0}, {}, {}, {}, {}, {}} {}
 
-    RawTile make() {
+    RawTile make(const std::optional<Lattice>& lattice, Precision precision) {
         take_points();
         take_faces();
-        if (const Array* lattice = arrays_.find("FieldData/PeriodicLattice"))
-            take_lattice(*lattice);
+        if (const Array* periods = arrays_.find("FieldData/PeriodicLattice"))
+            take_lattice(*periods);
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
-        take_sites();
+        take_kind_and_sites();
+        if (type_ == kVtkQuadraticTriangle) take_off_middles(raw_, lattice, precision);
         return std::move(raw_);
     }
 
@@ -216,9 +219,10 @@ class VtuTile {
                 refuse(ends.lines[f],
                        "the offsets do not rise within the connectivity; correct them");
             }
-            take_kind(types.integer(f), types.lines[f]);
+            take_type(types.integer(f), types.lines[f]);
             std::vector<int> face;
             for (std::size_t c = begin; c < end; ++c) face.push_back(corners.integer(c));
+            require_nodes(face, corners.lines[begin]);
             raw_.add_face(face, corners.lines[begin]);
             begin = end;
         }
@@ -228,13 +232,29 @@ class VtuTile {
         }
     }
 
-    void take_kind(int type, int line) {
-        const TileKind kind = type == kVtkPolygon ? TileKind::kCells : TileKind::kTriangles;
-        if ((type != kVtkPolygon && type != kVtkTriangle) || raw_.kind.value_or(kind) != kind) {
+    /// One type for all faces.
+    void take_type(int type, int line) {
+        const bool known =
+            type == kVtkPolygon || type == kVtkTriangle || type == kVtkQuadraticTriangle;
+        if (!known || type_.value_or(type) != type) {
             refuse(line,
-                   "the faces are not all polygons (7) or all triangles (5); give such a grid");
+                   "the faces are not all polygons (7), all triangles (5) or all quadratic "
+                   "triangles (22); give such a grid");
         }
-        raw_.kind = kind;
+        type_ = type;
+    }
+
+    void require_nodes(const std::vector<int>& face, int line) const {
+        if (type_ == kVtkPolygon) return;
+        const std::size_t wanted = type_ == kVtkTriangle ? 3 : 6;
+        if (face.size() != wanted) {
+            refuse(line, "a triangle here has " + std::to_string(wanted) + " points, not " +
+                             std::to_string(face.size()) + "; correct the offsets");
+        }
+        for (const int v : face) {
+            if (v >= 0 && v < arrays_.n_points()) continue;
+            refuse(line, "point " + std::to_string(v) + " does not exist; correct the index");
+        }
     }
 
     void take_lattice(const Array& array) {
@@ -268,18 +288,25 @@ class VtuTile {
         }
     }
 
-    /// Sites are of the faces of cells and of the points of Delaunay triangles.
-    void take_sites() {
-        const bool of_cells = raw_.kind == TileKind::kCells;
-        const std::string key = of_cells ? "CellData/CellId" : "PointData/CellId";
+    /// Of triangles the points have sites, or each one lies in a cell: grains. Without a lattice of
+    /// ours the arrays mean something else.
+    void take_kind_and_sites() {
+        const bool of_points = arrays_.find("PointData/CellId") != nullptr;
+        const bool of_faces = arrays_.find("CellData/CellId") != nullptr && !of_points;
+        raw_.kind = type_ == kVtkPolygon       ? TileKind::kCells
+                    : of_faces && raw_.lattice ? TileKind::kGrains
+                                               : TileKind::kTriangles;
+        const bool owned = faces_have_sites(*raw_.kind);
+        const std::string key = owned ? "CellData/CellId" : "PointData/CellId";
         if (arrays_.find(key) == nullptr || !raw_.lattice) return;
         const Array& sites =
-            arrays_.get(key, of_cells ? arrays_.n_cells() : arrays_.n_points(), 1, true);
+            arrays_.get(key, owned ? arrays_.n_cells() : arrays_.n_points(), 1, true);
         for (std::size_t k = 0; k < sites.size(); ++k) raw_.sites.push_back(sites.integer(k));
     }
 
     const VtuArrays& arrays_;
     RawTile raw_;
+    std::optional<int> type_;
 };
 
 }  // namespace
@@ -290,8 +317,8 @@ TileFile decode_vtu(const std::vector<EncodedFile>& files, const std::optional<L
     const VtuArrays arrays(vtu.path, vtu.bytes);
     const Array* points = arrays.find("Points/Points");
     const bool single = points != nullptr && points->type == "Float32";
-    return finish(VtuTile(vtu.path, arrays).make(), lattice,
-                  single ? Precision::kSingle : Precision::kDouble);
+    const Precision precision = single ? Precision::kSingle : Precision::kDouble;
+    return finish(VtuTile(vtu.path, arrays).make(lattice, precision), lattice, precision);
 }
 
 }  // namespace pcvt

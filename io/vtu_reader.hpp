@@ -8,7 +8,8 @@
 namespace pcvt {
 
 /// Reads a VTU with one piece and ASCII arrays: points in the plane z = 0, and either polygons or
-/// triangles. Points of type Float32 make the tile one of single precision.
+/// triangles, of three nodes or of six with straight sides. Points of type Float32 make the tile
+/// one of single precision.
 ///
 /// The lattice, the vertex pairs and the sites come from the arrays that encode_vtu() writes, where
 /// they are there: a file that lacks PeriodicPointIds stores no pairs. Other arrays are passed

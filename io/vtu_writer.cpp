@@ -1,6 +1,9 @@
 #include "io/vtu_writer.hpp"
 
+#include <numeric>
+
 #include "io/finite.hpp"
+#include "io/solver_nodes.hpp"
 #include "io/text.hpp"
 #include "io/triangle_elements.hpp"
 
@@ -9,6 +12,7 @@ namespace {
 
 constexpr int kVtkTriangle = 5;
 constexpr int kVtkPolygon = 7;
+constexpr int kVtkQuadraticTriangle = 22;
 
 template <class Number>
 void append_word(std::string& text, Number number) {
@@ -50,12 +54,12 @@ void append_lattice(std::string& text, const Lattice& lattice) {
     text += "</FieldData>\n";
 }
 
-void append_point_data(std::string& text, const FlatTile& tile) {
-    std::vector<int> ids(tile.points.size());
-    for (int v = 0; v < tile.n_vertices(); ++v) ids[v] = v;
+void append_point_data(std::string& text, const FlatTile& tile, const SolverNodes& nodes) {
+    std::vector<int> ids(nodes.points.size());
+    std::iota(ids.begin(), ids.end(), 0);
     std::vector<int> orbits = ids;
-    std::vector<Offset> offsets(tile.points.size());
-    for (const VertexPair& pair : tile.vertex_pairs) {
+    std::vector<Offset> offsets(nodes.points.size());
+    for (const VertexPair& pair : nodes.pairs) {
         orbits[pair.w] = pair.v;
         offsets[pair.w] = pair.offset;
     }
@@ -69,14 +73,18 @@ void append_point_data(std::string& text, const FlatTile& tile) {
         end_line(text);
     }
     close_array(text);
-    if (!tile.vertex_site.empty()) append_integers(text, "Int32", "CellId", tile.vertex_site);
+    if (!tile.vertex_site.empty()) {
+        std::vector<SiteId> sites = tile.vertex_site;
+        sites.resize(nodes.points.size(), -1);
+        append_integers(text, "Int32", "CellId", sites);
+    }
     text += "</PointData>\n";
 }
 
-void append_points(std::string& text, const FlatTile& tile) {
+void append_points(std::string& text, const std::vector<Vec2>& points) {
     text += "<Points>\n";
     open_array(text, "Float64", "Points", " NumberOfComponents=\"3\"");
-    for (const Vec2& p : tile.points) {
+    for (const Vec2& p : points) {
         append_word(text, p.x());
         append_word(text, p.y());
         append_word(text, 0);
@@ -86,20 +94,28 @@ void append_points(std::string& text, const FlatTile& tile) {
     text += "</Points>\n";
 }
 
-void append_cells(std::string& text, const FlatTile& tile) {
-    const int type = tile.kind == TileKind::kCells ? kVtkPolygon : kVtkTriangle;
+int vtk_type(const FlatTile& tile) {
+    if (tile.kind == TileKind::kCells) return kVtkPolygon;
+    return tile.order == 2 ? kVtkQuadraticTriangle : kVtkTriangle;
+}
+
+void append_cells(std::string& text, const FlatTile& tile, const SolverNodes& nodes) {
+    std::vector<int> ends;
+    int end = 0;
     text += "<Cells>\n";
     open_array(text, "Int64", "connectivity");
     for (int f = 0; f < tile.n_faces(); ++f) {
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            append_word(text, tile.corners[c]);
+        for (const int v : element_nodes(tile, nodes, f)) {
+            append_word(text, v);
+            ++end;
         }
         end_line(text);
+        ends.push_back(end);
     }
     close_array(text);
-    append_integers(text, "Int64", "offsets", {tile.face_begin.begin() + 1, tile.face_begin.end()});
+    append_integers(text, "Int64", "offsets", ends);
     append_integers(text, "UInt8", "types",
-                    std::vector<int>(static_cast<std::size_t>(tile.n_faces()), type));
+                    std::vector<int>(static_cast<std::size_t>(tile.n_faces()), vtk_type(tile)));
     text += "</Cells>\n";
 }
 
@@ -107,19 +123,20 @@ void append_cells(std::string& text, const FlatTile& tile) {
 
 std::vector<EncodedFile> encode_vtu(const FlatTile& tile, const std::string& path) {
     require_finite(tile);
+    const SolverNodes nodes = solver_nodes(tile);
     std::string text =
         "<?xml version=\"1.0\"?>\n<!-- A periodic tile, written by pcvt -->\n"
         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
         "<UnstructuredGrid>\n";
     append_lattice(text, tile.lattice);
-    text += "<Piece NumberOfPoints=\"" + std::to_string(tile.n_vertices()) + "\" NumberOfCells=\"" +
+    text += "<Piece NumberOfPoints=\"" + std::to_string(nodes.n_nodes()) + "\" NumberOfCells=\"" +
             std::to_string(tile.n_faces()) + "\">\n";
-    append_point_data(text, tile);
+    append_point_data(text, tile, nodes);
     text += "<CellData>\n";
     append_integers(text, "Int32", "CellId", element_cells(tile));
     text += "</CellData>\n";
-    append_points(text, tile);
-    append_cells(text, tile);
+    append_points(text, nodes.points);
+    append_cells(text, tile, nodes);
     text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
     return {{path, text}};
 }

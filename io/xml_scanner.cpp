@@ -89,7 +89,8 @@ void XmlScanner::read_attributes(std::string_view tag) {
     for (tag = without_blanks_before(tag); !tag.empty(); tag = without_blanks_before(tag)) {
         const std::size_t equals = tag.find('=');
         const char quote = equals + 1 < tag.size() ? tag[equals + 1] : '\0';
-        const bool begins = equals != std::string_view::npos && (quote == '"' || quote == '\'');
+        const bool begins = equals != std::string_view::npos && (quote == '"' || quote == '\'') &&
+                            tag.substr(0, equals).find_first_of(" \t\r\n<") == tag.npos;
         const std::size_t stop = begins ? tag.find(quote, equals + 2) : std::string_view::npos;
         if (stop == std::string_view::npos) {
             refuse(line_, "an attribute of " + in_quotes(element_) +
