@@ -52,7 +52,8 @@ TEST(DecayingFlow, ItsCurlDecaysWithTheRate) {
     for (const auto& [name, lattice] : lattices()) {
         const DecayingFlow flow(lattice);
         const Differences by_differences(flow, 1e-3 / std::sqrt(flow.rate()));
-        for (const Vec2 p : uniform_points(lattice, 20, 4).colwise()) {
+        const Points points = uniform_points(lattice, 20, 4);
+        for (const Vec2 p : points.colwise()) {
             const double wanted = -flow.rate() * by_differences.curl(p);
             EXPECT_NEAR(by_differences.laplacian_of_curl(p), wanted,
                         1e-4 * std::pow(flow.rate(), 1.5))
@@ -65,7 +66,8 @@ TEST(DecayingFlow, TheLargestSpeedIsOne) {
     for (const auto& [name, lattice] : lattices()) {
         const DecayingFlow flow(lattice);
         double largest = 0;
-        for (const Vec2 p : uniform_points(lattice, 4000, 5).colwise()) {
+        const Points points = uniform_points(lattice, 4000, 5);
+        for (const Vec2 p : points.colwise()) {
             largest = std::max(largest, flow.velocity(p).norm());
         }
         EXPECT_LE(largest, 1 + 1e-12) << name;

@@ -98,7 +98,7 @@ TEST(Foam, FaultsNameTheirFileAndLine) {
     EXPECT_THAT(fault_with("constant/polyMesh/points", "ascii", "binary"),
                 StartsWith("t.foam/constant/polyMesh/points:4: the format is not ascii; "));
     EXPECT_THAT(fault_with("constant/polyMesh/points", "\n(0 0 0)", "\n(0 zero 0)"),
-                StartsWith("t.foam/constant/polyMesh/points:11: 'zero' is not a number; "));
+                StartsWith("t.foam/constant/polyMesh/points:12: 'zero' is not a number; "));
     EXPECT_THAT(fault_with("constant/polyMesh/owner", "(\n", "(\nx"), HasSubstr("owner:13: "));
     EXPECT_THAT(fault_with("constant/polyMesh/faces", "\n(\n4(", "\n(\n9999(\n"),
                 HasSubstr("does not fit the file; give the whole file"));
