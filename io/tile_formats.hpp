@@ -30,8 +30,12 @@ struct TileFormat {
                        const std::optional<Lattice>& lattice);
     /// encode() refuses tiles with polygons.
     bool triangles_only = false;
+    /// Whether nodes in the middle of edges are written, where the tile has them.
+    bool second_order = false;
     /// Whether `path` is a folder of files.
     bool is_folder = false;
+    /// Pieces of cells are not for this format.
+    bool whole_cells_only = false;
 };
 
 const std::vector<TileFormat>& tile_formats();

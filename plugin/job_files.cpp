@@ -28,7 +28,23 @@ std::string lower_case_extension(const std::string& path) {
 }
 
 const char* kind_suffix(TileKind kind) {
-    return kind == TileKind::kCells ? "-voronoi" : "-delaunay";
+    switch (kind) {
+        case TileKind::kCells:
+            return "-voronoi";
+        case TileKind::kTriangles:
+            return "-delaunay";
+        case TileKind::kGrains:
+            return "-grains";
+    }
+    return "";
+}
+
+/// Pieces of cells are slivers where the box cuts a cell near its corner.
+void require_whole_cells(const Job& job, TileKind kind, const std::string& path) {
+    if (job.outline == Outline::kWhole || kind != TileKind::kCells) return;
+    throw InvalidInput("-o " + path +
+                       ": cells that the box cuts are too thin for finite volumes; take the whole "
+                       "outline, or the mesh grains");
 }
 
 /// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
@@ -54,6 +70,7 @@ void add_output(const Job& job, const std::string& path, std::vector<JobFile>& f
     const TileFormat* format = find_tile_format(path);
     if (format == nullptr) refuse_extension(path);
     for (std::size_t m = 0; m < job.meshes.size(); ++m) {
+        if (format->whole_cells_only) require_whole_cells(job, job.meshes[m], path);
         if (format->triangles_only) require_triangles(job.meshes[m], "-o " + path);
         const std::string suffix = job.meshes.size() > 1 ? kind_suffix(job.meshes[m]) : "";
         const std::string name = with_suffix(path, suffix);

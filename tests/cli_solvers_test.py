@@ -46,6 +46,12 @@ class CaseFolder(CliTest):
         self.refuse(3, "folder none: No such file", "mesh", "--sites", 3, "-o", "none/t.foam")
         self.refuse(2, "another output", "mesh", "--sites", 3, "-o", "t.foam", "-o", "./t.foam")
 
+    def test_grains_are_taken_and_cut_cells_are_not(self):
+        box = ("mesh", "--sites", 30, "--outline", "box", "-o", "t.foam")
+        self.refuse(2, "-o t.foam: cells that the box cuts .*; take the whole outline", *box)
+        self.succeed(*box, "--mesh", "grains", "--quiet")
+        self.assertIn("stored pairs agree", self.succeed("check", "t.foam"))
+
     def test_a_run_that_fails_leaves_no_folder(self):
         self.write("sites.txt", "0 0\n0.5 0\n0 0.5\n0.5 0.5\n")
         self.refuse(2, "90.0 degrees", "mesh", "--input", "sites.txt", "--max-iterations", 0, "-o",

@@ -68,7 +68,8 @@ TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
         for (const FlatTile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
-              testing::triangle_grid_tile(lattice, 2, 5)}) {
+              testing::triangle_grid_tile(lattice, 2, 5),
+              testing::grain_grid_tile(lattice, 2, 5)}) {
             const auto files = encode_obj(tile, "dir/t.obj");
             const TileFile file = decode_obj(files, std::nullopt);
             testing::expect_same_tile(file.tile, tile);

@@ -25,6 +25,8 @@ struct MeshOptions {
     std::vector<std::string> meshes;
     std::string outline;
     std::string short_edges;
+    std::string size;
+    std::string order;
     std::string repeat;
     std::string origin;
     std::vector<std::string> outputs;

@@ -10,8 +10,7 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr const char* kLaterOptions[] = {"--density",       "--size",   "--order",
-                                         "--density-range", "--budget", "--shard"};
+constexpr const char* kLaterOptions[] = {"--density", "--density-range", "--budget", "--shard"};
 
 }  // namespace
 
