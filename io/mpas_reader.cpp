@@ -62,6 +62,26 @@ class MpasInput {
         require(nc_get_var_double(id_, number(variable), values.data()), variable.name);
     }
 
+    /// The ids of the file are its indices.
+    void require_ids(const std::string& name, int n) const {
+        int variable = 0;
+        int dimension = 0;
+        int n_dimensions = 0;
+        std::size_t length = 0;
+        require(nc_inq_varid(id_, name.c_str(), &variable), name);
+        require(nc_inq_varndims(id_, variable, &n_dimensions), name);
+        if (n_dimensions == 1) {
+            require(nc_inq_vardimid(id_, variable, &dimension), name);
+            require(nc_inq_dimlen(id_, dimension, &length), name);
+        }
+        std::vector<int> ids(static_cast<std::size_t>(n));
+        if (length == ids.size()) require(nc_get_var_int(id_, variable, ids.data()), name);
+        for (int k = 0; k < n; ++k) {
+            if (ids[k] == k + 1) continue;
+            refuse(name + " does not count from 1; give the whole file, or number it anew");
+        }
+    }
+
    private:
     void require(int status, const std::string& what) const {
         if (status == NC_NOERR) return;
@@ -123,6 +143,9 @@ CGrid decode_mpas(const std::string& path, const std::string& bytes) {
             file.read(variable, grid, grid.*variable.numbers);
         }
     }
+    file.require_ids("indexToCellID", grid.n_cells);
+    file.require_ids("indexToEdgeID", grid.n_edges);
+    file.require_ids("indexToVertexID", grid.n_vertices);
     return grid;
 }
 

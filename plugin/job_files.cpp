@@ -119,6 +119,10 @@ std::string readable_extensions() {
     return all + ".nc";
 }
 
+std::string without_slash(const std::string& path) {
+    return path.ends_with(".foam/") ? path.substr(0, path.size() - 1) : path;
+}
+
 std::string with_suffix(const std::string& path, const std::string& suffix) {
     const std::size_t extension = fs::path(path).extension().string().size();
     return path.substr(0, path.size() - extension) + suffix + path.substr(path.size() - extension);
@@ -126,7 +130,7 @@ std::string with_suffix(const std::string& path, const std::string& suffix) {
 
 std::vector<JobFile> plan_files(const Job& job) {
     std::vector<JobFile> files;
-    for (const std::string& path : job.outputs) add_output(job, path, files);
+    for (const std::string& path : job.outputs) add_output(job, without_slash(path), files);
     PathBook book;
     for (const std::string& path : job.inputs) book.add_input(path);
     for (const JobFile& file : files) {

@@ -32,6 +32,9 @@ std::vector<JobFile> plan_files(const Job& job);
 std::string output_extensions();
 std::string readable_extensions();
 
+/// `path` without the slash that shells append to the name of a case folder: t.foam/ -> t.foam.
+std::string without_slash(const std::string& path);
+
 /// `path` with `suffix` before its extension: tile.obj, -voronoi -> tile-voronoi.obj.
 std::string with_suffix(const std::string& path, const std::string& suffix);
 

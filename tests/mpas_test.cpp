@@ -59,6 +59,13 @@ TEST(Mpas, OtherFilesAreRefused) {
     }
 }
 
+TEST(Mpas, IdsThatDoNotCountFromOneAreRefused) {
+    std::string bytes = encode_mpas(example());
+    ASSERT_EQ(bytes.back(), 48);
+    bytes.back() = 47;
+    EXPECT_THAT(fault_of(bytes), StartsWith("t.nc: indexToVertexID does not count from 1; "));
+}
+
 TEST(Mpas, ATruncatedFileIsRefused) {
     const std::string bytes = encode_mpas(example());
     for (std::size_t length = 0; length < bytes.size(); length += 97) {

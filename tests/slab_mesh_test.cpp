@@ -152,7 +152,7 @@ TEST(SlabMesh, FalseSeamsAreRefused) {
                 HasSubstr("do not answer each other"));
     EXPECT_THAT(fault_after([](SlabMesh& s) {
                     const auto first = s.corners.begin() + s.face_begin[s.patches[0].first_face];
-                    std::rotate(first, first + 3, first + 4);
+                    std::rotate(first, first + 1, first + 4);
                 }),
                 HasSubstr("do not begin at points that answer each other"));
 }

@@ -58,6 +58,7 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     if (period) question.lattice = rectangle_lattice("--period", options.period);
     if (vectors) question.lattice = vector_lattice("--lattice", options.lattice);
     read_cvt(app, options, question);
+    for (std::string& path : question.files) path = without_slash(path);
     if (question.files.empty()) throw InvalidInput("no file to check; give one or more");
     return question;
 }
