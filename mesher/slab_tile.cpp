@@ -116,10 +116,15 @@ void read_faces(const SlabMesh& slab, FlatTile& tile) {
     const int above = slab.n_points() / 2;
     const std::vector<int> back = lids(slab, patch_named(slab, "back"));
     const std::vector<int> front = lids(slab, patch_named(slab, "front"));
-    if (back.size() != front.size()) refuse(kOrder, "back and front differ in size");
+    const int n_cells = *std::max_element(slab.owner.begin(), slab.owner.end()) + 1;
+    if (back.size() != front.size() || static_cast<int>(back.size()) != n_cells) {
+        refuse(kOrder, "back and front have " + to_string(back.size()) + " and " +
+                           to_string(front.size()) + " faces for " + to_string(n_cells) + " cells");
+    }
     for (std::size_t cell = 0; cell < back.size(); ++cell) {
         std::vector<int> face = turned_face(slab, back[cell]);
-        if (!face.empty()) std::reverse(face.begin() + 1, face.end());
+        if (face.size() < 3) refuse(kPlanes, "a face of the back has fewer than 3 points");
+        std::reverse(face.begin() + 1, face.end());
         std::vector<int> raised = face;
         for (int& p : raised) p += above;
         const bool low = std::all_of(face.begin(), face.end(), [&](int p) { return p < above; });

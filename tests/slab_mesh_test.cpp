@@ -134,6 +134,13 @@ TEST(SlabMesh, FacesOutOfOrderAreRefused) {
                 HasSubstr("out of order"));
     EXPECT_THAT(fault_after([](SlabMesh& s) { ++s.neighbour[0]; }), HasSubstr("law (2) of slabs"));
     EXPECT_THAT(fault_after([](SlabMesh& s) { s.owner.back() = 99; }), HasSubstr("law (2)"));
+    EXPECT_THAT(fault_after([](SlabMesh& s) { s.owner[s.patches[0].first_face] = 12; }),
+                HasSubstr("12 and 12 faces for 13 cells"));
+    EXPECT_THAT(fault_after([](SlabMesh& s) {
+                    s.face_begin[s.face_begin.size() - 13] -= 4;
+                    s.face_begin[s.face_begin.size() - 14] = s.face_begin[s.face_begin.size() - 13];
+                }),
+                HasSubstr("law ("));
     EXPECT_THAT(fault_after([](SlabMesh& s) { s.corners[5] = -1; }), HasSubstr("point -1"));
     EXPECT_THAT(fault_after([](SlabMesh& s) {
                     std::rotate(s.corners.begin(), s.corners.begin() + 1, s.corners.begin() + 4);
