@@ -57,6 +57,13 @@ int create_temporary(const std::string& path, std::string& temporary) {
     }
 }
 
+/// In a folder that nobody else knows of, where the name itself is free.
+int create_new(const std::string& path, const std::string& temporary) {
+    const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0) refuse(path, reason_of(errno));
+    return file;
+}
+
 /// 0, or the error that stopped it.
 int write_all(int file, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -84,6 +91,14 @@ int rename_to_free_name(const std::string& from, const std::string& to) {
     return 0;
 }
 
+/// As above, for folders; where the file system knows no such rename, one that is empty is
+/// replaced.
+int rename_folder(const std::string& from, const std::string& to) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+    if (errno != EINVAL && errno != ENOSYS) return errno;
+    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
 /// Gives what stands at `target` a second name, so that it can come back. 0, or the error.
 int keep(const std::string& target, const std::string& backup) {
     struct stat status {};
@@ -96,8 +111,16 @@ int keep(const std::string& target, const std::string& backup) {
 
 }  // namespace
 
-OutputSet::~OutputSet() {
+OutputSet::~OutputSet() { remove_staged(); }
+
+void OutputSet::remove_staged() {
     for (const Staged& file : staged_) ::unlink(file.temporary.c_str());
+    for (const Folder& folder : folders_) {
+        // Folders into which somebody else has put a file stay.
+        for (auto path = folder.created.rbegin(); path != folder.created.rend(); ++path) {
+            ::rmdir(path->c_str());
+        }
+    }
 }
 
 void OutputSet::require_writable(const std::string& path, bool force) {
@@ -119,9 +142,63 @@ void OutputSet::require_writable(const std::string& path, bool force) {
     }
 }
 
+void OutputSet::require_writable_folder(const std::string& folder,
+                                        const std::vector<std::string>& paths, bool force) {
+    struct stat status {};
+    if (::lstat(folder.c_str(), &status) != 0) {
+        require_writable(folder, force);
+        return;
+    }
+    if (::stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
+        refuse(folder, "it exists and is not a folder; take another name");
+    }
+    if (!force) refuse(folder, "it exists; use --force to replace the files in it");
+    for (const std::string& path : paths) {
+        std::string inner = folder_of(path);
+        // What is missing will be created in the innermost folder that is there.
+        while (inner.size() > folder.size() && ::lstat(inner.c_str(), &status) != 0) {
+            inner = folder_of(inner);
+        }
+        require_writable(inner == folder_of(path) ? path : inner + "/new", force);
+    }
+}
+
+void OutputSet::stage_folder(const std::string& folder) {
+    folders_.push_back({folder, {}, {}});
+    struct stat status {};
+    if (::lstat(folder.c_str(), &status) == 0) return;
+    Folder& entry = folders_.back();
+    do {
+        entry.temporary = temporary_name(folder);
+        if (::mkdir(entry.temporary.c_str(), 0777) == 0) {
+            entry.created.push_back(entry.temporary);
+        } else if (errno != EEXIST) {
+            refuse(folder, reason_of(errno));
+        }
+    } while (entry.created.empty());
+}
+
+/// Creates what is missing of `innermost`, which lies below the folder or is the folder.
+void OutputSet::make_folders(Folder& folder, const std::string& innermost) {
+    struct stat status {};
+    if (::stat(innermost.c_str(), &status) == 0) return;
+    make_folders(folder, folder_of(innermost));
+    if (::mkdir(innermost.c_str(), 0777) != 0) refuse(innermost, reason_of(errno));
+    folder.created.push_back(innermost);
+}
+
 void OutputSet::stage(const std::string& path, const std::string& bytes) {
     Staged entry{path, {}, {}};
-    const int file = create_temporary(path, entry.temporary);
+    for (Folder& folder : folders_) {
+        if (!path.starts_with(folder.target + "/")) continue;
+        entry.moves_with_folder = !folder.temporary.empty();
+        if (entry.moves_with_folder) {
+            entry.temporary = folder.temporary + path.substr(folder.target.size());
+        }
+        make_folders(folder, folder_of(entry.moves_with_folder ? entry.temporary : path));
+    }
+    const int file = entry.moves_with_folder ? create_new(path, entry.temporary)
+                                             : create_temporary(path, entry.temporary);
     staged_.push_back(entry);
     int error = write_all(file, bytes);
     if (error == 0) error = sync(file);
@@ -151,27 +228,49 @@ void OutputSet::put(Staged& file, bool force) {
     }
 }
 
+void OutputSet::put_all(bool force, std::size_t& n_put) {
+    for (; n_put < staged_.size(); ++n_put) {
+        if (!staged_[n_put].moves_with_folder) put(staged_[n_put], force);
+    }
+    for (Folder& folder : folders_) {
+        if (folder.temporary.empty()) continue;
+        if (const int error = rename_folder(folder.temporary, folder.target)) {
+            refuse(folder.target,
+                   error == EEXIST ? "it exists; use --force to replace it" : reason_of(error));
+        }
+        folder.moved = true;
+    }
+}
+
+void OutputSet::take_back(std::size_t n_put) {
+    for (const Folder& folder : folders_) {
+        if (folder.moved) ::rename(folder.target.c_str(), folder.temporary.c_str());
+    }
+    for (std::size_t k = 0; k < staged_.size(); ++k) {
+        const Staged& file = staged_[k];
+        if (!file.backup.empty()) {
+            ::rename(file.backup.c_str(), file.target.c_str());
+            // Between two names of one file, rename does nothing.
+            ::unlink(file.backup.c_str());
+        } else if (k < n_put && !file.moves_with_folder) {
+            ::unlink(file.target.c_str());
+        }
+    }
+}
+
 void OutputSet::commit(bool force) {
     std::size_t n_put = 0;
     try {
-        for (; n_put < staged_.size(); ++n_put) put(staged_[n_put], force);
+        put_all(force, n_put);
     } catch (const OutputError&) {
-        for (std::size_t k = 0; k < staged_.size(); ++k) {
-            const Staged& file = staged_[k];
-            if (!file.backup.empty()) {
-                ::rename(file.backup.c_str(), file.target.c_str());
-                // Between two names of one file, rename does nothing.
-                ::unlink(file.backup.c_str());
-            } else if (k < n_put) {
-                ::unlink(file.target.c_str());
-            }
-        }
+        take_back(n_put);
         throw;
     }
     for (const Staged& file : staged_) {
         if (!file.backup.empty()) ::unlink(file.backup.c_str());
     }
     staged_.clear();
+    folders_.clear();
 }
 
 }  // namespace pcvt

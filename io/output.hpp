@@ -13,11 +13,13 @@ class OutputError : public Error {
     using Error::Error;
 };
 
-/// Files that appear together and complete, or not at all.
+/// Files, and folders of files, that appear together and complete, or not at all.
 ///
 /// stage() writes a hidden temporary file in the folder of its target and checks every byte down to
 /// the disk (fsync, close); commit() renames them all. Whatever is staged and not committed is
 /// removed by the destructor; a commit that fails half way takes back the files it had put there.
+/// A folder that does not exist yet is filled under a hidden name and renamed as a whole; in one
+/// that exists, files are replaced one by one and all others stay.
 class OutputSet {
    public:
     OutputSet() = default;
@@ -31,6 +33,14 @@ class OutputSet {
     ///         or not writable: to be asked for every target before any computing.
     static void require_writable(const std::string& path, bool force);
 
+    /// The same for a folder and the files in it that are to be staged; `force` lets files in a
+    /// folder that exists be replaced.
+    static void require_writable_folder(const std::string& folder,
+                                        const std::vector<std::string>& paths, bool force);
+
+    /// Says that paths below `folder`, staged later, belong to it.
+    /// @throws OutputError with path and reason.
+    void stage_folder(const std::string& folder);
     /// @throws OutputError with path and reason.
     void stage(const std::string& path, const std::string& bytes);
     /// The staged bytes of `path`, read back from the disk.
@@ -44,10 +54,25 @@ class OutputSet {
         std::string temporary;
         /// While commit() is under way: where the file that it replaces is kept.
         std::string backup;
+        /// It stands in a folder that is renamed as a whole.
+        bool moves_with_folder = false;
     };
+    struct Folder {
+        std::string target;
+        /// Where it is filled; empty if the target existed.
+        std::string temporary;
+        /// Every folder that was created on the way, outer ones first.
+        std::vector<std::string> created;
+        bool moved = false;
+    };
+    void make_folders(Folder& folder, const std::string& innermost);
+    void put_all(bool force, std::size_t& n_put);
+    void take_back(std::size_t n_put);
+    void remove_staged();
     static void put(Staged& file, bool force);
 
     std::vector<Staged> staged_;
+    std::vector<Folder> folders_;
 };
 
 }  // namespace pcvt

@@ -135,6 +135,7 @@ TileFile finish(RawTile raw, const std::optional<Lattice>& lattice, Precision pr
                   {},
                   std::move(raw.vertex_pairs),
                   std::move(raw.edge_pairs)};
+    tile.order = raw.order;
     (faces_have_sites(kind) ? tile.face_site : tile.vertex_site) = std::move(raw.sites);
     return {std::move(tile), precision, has_vertex_pairs, has_edge_pairs};
 }

@@ -32,6 +32,8 @@ struct RawTile {
     std::vector<SiteId> sites;
     std::vector<VertexPair> vertex_pairs;
     std::vector<EdgePair> edge_pairs;
+    /// As FlatTile::order; the nodes in the middle of edges are not among the points.
+    int order = 1;
 
     void add_face(const std::vector<int>& vertices, int line);
     /// Take the words after the key of our comments `kind ...` and `lattice ax ay bx by`.

@@ -3,8 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/foam_reader.hpp"
+#include "io/foam_writer.hpp"
 #include "io/gltf_reader.hpp"
 #include "io/gltf_writer.hpp"
+#include "io/inp_reader.hpp"
+#include "io/inp_writer.hpp"
+#include "io/msh_reader.hpp"
+#include "io/msh_writer.hpp"
 #include "io/obj_reader.hpp"
 #include "io/obj_writer.hpp"
 #include "io/om_reader.hpp"
@@ -12,6 +18,8 @@
 #include "io/ply_reader.hpp"
 #include "io/ply_writer.hpp"
 #include "io/svg_writer.hpp"
+#include "io/vtu_reader.hpp"
+#include "io/vtu_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -35,7 +43,15 @@ const std::vector<TileFormat>& tile_formats() {
         {".glb", "glTF 2.0, one binary file", only, encode_glb, decode_gltf},
         {".gltf", "glTF 2.0, one text file", only, encode_gltf, decode_gltf},
         {".om", "OpenMesh, with the identification as properties", only, encode_om, decode_om},
+        {".msh", "Gmsh MSH 4.1 with $Periodic, triangles only", only, encode_msh, decode_msh, true,
+         true},
+        {".inp", "Abaqus and CalculiX with *EQUATION, triangles only", only, encode_inp, decode_inp,
+         true, true},
+        {".vtu", "VTK unstructured grid, ASCII, with double coordinates", only, encode_vtu,
+         decode_vtu, false, true},
         {".svg", "a picture", only, encode_svg, nullptr},
+        {".foam", "OpenFOAM, a case folder that icoFoam runs", foam_paths, encode_foam, decode_foam,
+         false, false, true, true},
     };
     return formats;
 }

@@ -19,16 +19,23 @@ struct TileFormat {
     /// With the dot: ".obj".
     std::string extension;
     std::string description;
-    /// The paths that encode() will fill for `path`, the file itself first.
+    /// The paths that encode() will fill for `path`, the file itself first; of a folder those in
+    /// it.
     std::vector<std::string> (*paths)(const std::string& path);
-    /// Turns a tile into bytes; the first entry is `path` itself.
+    /// Turns a tile into bytes, one entry for each of the paths.
     std::vector<EncodedFile> (*encode)(const AnyTile& tile, const std::string& path);
     /// Reads `files` (the file itself first, companions where there are any) back. A lattice given
     /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
     TileFile (*decode)(const std::vector<EncodedFile>& files,
                        const std::optional<Lattice>& lattice);
+    /// encode() refuses tiles with polygons.
+    bool triangles_only = false;
     /// Whether nodes in the middle of edges are written, where the tile has them.
     bool second_order = false;
+    /// Whether `path` is a folder of files.
+    bool is_folder = false;
+    /// Pieces of cells are not for this format.
+    bool whole_cells_only = false;
 };
 
 const std::vector<TileFormat>& tile_formats();

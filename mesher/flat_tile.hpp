@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mesher/sites.hpp"
@@ -30,6 +31,12 @@ struct EdgePair {
     Offset offset;
     friend constexpr auto operator<=>(const EdgePair&, const EdgePair&) = default;
 };
+
+/// The name of the part of a boundary that `offset` takes to its partners, in every format:
+/// `seam_1_0`, `seam_-1_0`.
+inline std::string seam_name(Offset offset) {
+    return "seam_" + std::to_string(offset.i) + "_" + std::to_string(offset.j);
+}
 
 /// A tile as plain arrays: what writers take and readers give back.
 ///

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "io/mpas_writer.hpp"
 #include "io/site_writer.hpp"
+#include "mesher/c_grid.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/voronoi.hpp"
 #include "plugin/job_files.hpp"
@@ -133,6 +135,9 @@ void check_job(const Job& job) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
     if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
+    if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
+        throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
+    }
     if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
     check_meshes(job);
     if (n * job.columns * job.rows > kMostSites) {
@@ -189,7 +194,9 @@ Points wrapped_sites(const CvtResult& result) {
 
 /// Encodes a tile, lets it reach the disk under a hidden name and proves what stands there.
 void stage_tile(const JobFile& file, const AnyTile& tile, const Vec2& origin, OutputSet& outputs) {
-    const std::vector<EncodedFile> encoded = file.format->encode(tile, file.paths.front());
+    const std::string& name = file.folder.empty() ? file.paths.front() : file.folder;
+    if (!file.folder.empty()) outputs.stage_folder(file.folder);
+    const std::vector<EncodedFile> encoded = file.format->encode(tile, name);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     const std::vector<EncodedFile> written = read_back(outputs, encoded);
     if (file.format->decode != nullptr) prove_files(*file.format, written, tile, origin);
@@ -201,8 +208,27 @@ void stage_sites(const std::string& path, const CvtResult& result, OutputSet& ou
     read_back(outputs, {encoded});
 }
 
+/// The C-grid of the whole torus, encoded, on the disk and proved there like a tile.
+void stage_c_grid(const std::string& path, const Job& job, const CvtResult& result,
+                  OutputSet& outputs) {
+    const PeriodicMesh cells =
+        repeated(periodic_mesh(result, TileKind::kCells), job.columns, job.rows);
+    EncodedFile encoded{path, {}};
+    try {
+        encoded.bytes = encode_mpas(c_grid(cells, job.origin));
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("-o " + path + ": " + error.what());
+    }
+    outputs.stage(path, encoded.bytes);
+    prove_c_grid_file(read_back(outputs, {encoded}).front());
+}
+
 void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
     for (const JobFile& file : files) {
+        if (!file.folder.empty()) {
+            OutputSet::require_writable_folder(file.folder, file.paths, job.force);
+            continue;
+        }
         for (const std::string& path : file.paths) OutputSet::require_writable(path, job.force);
     }
     if (!job.report.empty()) OutputSet::require_writable(job.report, job.force);
@@ -225,12 +251,18 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
            JobOutcome& outcome) {
     OutputSet outputs;
     for (const JobFile& file : files) {
-        if (file.format == nullptr) {
+        if (file.content == JobContent::kSites) {
             stage_sites(file.paths.front(), result, outputs);
+        } else if (file.content == JobContent::kCGrid) {
+            stage_c_grid(file.paths.front(), job, result, outputs);
         } else {
             stage_tile(file, tiles[static_cast<std::size_t>(file.mesh)].tile, job.origin, outputs);
         }
-        outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
+        if (file.folder.empty()) {
+            outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
+        } else {
+            outcome.files.push_back(file.folder);
+        }
         monitor.between_stages();
     }
     watch.stop(&JobSeconds::write);

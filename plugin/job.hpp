@@ -21,6 +21,9 @@ enum class Start { kRandom, kCoarse, kLattice, kBest };
 /// No cell is cut, or cells are cut along the parallelogram of the period vectors.
 enum class Outline { kWhole, kBox };
 
+/// The most that Job::short_edges can be: an edge of a regular hexagon has 0.62 h.
+inline constexpr double kLongestShortEdge = 0.5;
+
 /// One run, as a plain description: what the command's options and the C ABI's options both fill.
 struct Job {
     Lattice lattice = Lattice::rectangle(1, 1);
@@ -39,6 +42,10 @@ struct Job {
     int max_iterations = -1;
     /// At least 1; the result does not depend on it.
     int n_threads = 1;
+
+    /// Voronoi edges shorter than this are removed from cells and grains, units of h; 0: none, but
+    /// for the shortest ones of grains (mesher/grains.hpp).
+    double short_edges = 0;
 
     /// At least one, each at most once. With several, -voronoi, -delaunay and -grains precede
     /// the extension. Delaunay triangles have no box outline.
@@ -130,7 +137,7 @@ struct JobOutcome {
     int n_hexagons = 0;
     /// One entry a mesh of the job.
     std::vector<TileFigures> tiles;
-    /// Every file written but the report, in the order of the outputs.
+    /// Every file or folder written but the report, in the order of the outputs.
     std::vector<std::string> files;
     /// Where the start looked for it.
     std::optional<PatternOutcome> pattern;

@@ -6,6 +6,9 @@
 
 #include "plugin/path_book.hpp"
 
+#include "io/triangle_elements.hpp"
+#include "mesher/c_grid.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -20,12 +23,9 @@ std::string lower_case_extension(const std::string& path) {
 
 [[noreturn]] void refuse_extension(const std::string& path) {
     const std::string extension = lower_case_extension(path);
-    const bool later =
-        !extension.empty() && (later_extensions() + " ").find(extension + " ") != std::string::npos;
-    const std::string what = later ? "the format " + extension + " is not available yet"
-                             : extension.empty() ? "no extension"
-                                                 : "unknown extension " + extension;
-    throw InvalidInput("-o " + path + ": " + what + "; take one of " + output_extensions());
+    throw InvalidInput("-o " + path + ": " +
+                       (extension.empty() ? "no extension" : "unknown extension " + extension) +
+                       "; take one of " + output_extensions());
 }
 
 const char* kind_suffix(TileKind kind) {
@@ -40,16 +40,43 @@ const char* kind_suffix(TileKind kind) {
     return "";
 }
 
+/// Pieces of cells are slivers where the box cuts a cell near its corner.
+void require_whole_cells(const Job& job, TileKind kind, const std::string& path) {
+    if (job.outline == Outline::kWhole || kind != TileKind::kCells) return;
+    throw InvalidInput("-o " + path +
+                       ": cells that the box cuts are too thin for finite volumes; take the whole "
+                       "outline, or the mesh grains");
+}
+
+/// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
+void require_c_grid(const Job& job, const std::string& path) {
+    if (job.short_edges > 0) {
+        throw InvalidInput("-o " + path +
+                           ": MPAS needs every Voronoi edge; leave --short-edges out");
+    }
+    try {
+        rectangular_periods(job.lattice.repeated(job.columns, job.rows));
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("-o " + path + ": " + error.what());
+    }
+}
+
 void add_output(const Job& job, const std::string& path, std::vector<JobFile>& files) {
-    if (lower_case_extension(path) == ".txt") {
-        files.push_back({{path}, nullptr, -1});
+    const std::string extension = lower_case_extension(path);
+    if (extension == ".txt" || extension == ".nc") {
+        if (extension == ".nc") require_c_grid(job, path);
+        files.push_back({{path}, extension == ".nc" ? JobContent::kCGrid : JobContent::kSites});
         return;
     }
     const TileFormat* format = find_tile_format(path);
     if (format == nullptr) refuse_extension(path);
     for (std::size_t m = 0; m < job.meshes.size(); ++m) {
+        if (format->whole_cells_only) require_whole_cells(job, job.meshes[m], path);
+        if (format->triangles_only) require_triangles(job.meshes[m], "-o " + path);
         const std::string suffix = job.meshes.size() > 1 ? kind_suffix(job.meshes[m]) : "";
-        files.push_back({format->paths(with_suffix(path, suffix)), format, static_cast<int>(m)});
+        const std::string name = with_suffix(path, suffix);
+        files.push_back({format->paths(name), JobContent::kTile, format, static_cast<int>(m),
+                         format->is_folder ? name : std::string()});
     }
 }
 
@@ -58,19 +85,21 @@ void add_output(const Job& job, const std::string& path, std::vector<JobFile>& f
 std::string output_extensions() {
     std::string all;
     for (const TileFormat& format : tile_formats()) all += format.extension + " ";
-    return all + ".txt";
+    return all + ".nc .txt";
 }
 
 std::string readable_extensions() {
     std::string all;
     for (const TileFormat& format : tile_formats()) {
         if (format.decode == nullptr) continue;
-        all += (all.empty() ? "" : " ") + format.extension;
+        all += format.extension + " ";
     }
-    return all;
+    return all + ".nc";
 }
 
-std::string later_extensions() { return ".msh .inp .vtu .nc .foam"; }
+std::string without_slash(const std::string& path) {
+    return path.ends_with(".foam/") ? path.substr(0, path.size() - 1) : path;
+}
 
 std::string with_suffix(const std::string& path, const std::string& suffix) {
     const std::size_t extension = fs::path(path).extension().string().size();
@@ -79,7 +108,7 @@ std::string with_suffix(const std::string& path, const std::string& suffix) {
 
 std::vector<JobFile> plan_files(const Job& job) {
     std::vector<JobFile> files;
-    for (const std::string& path : job.outputs) add_output(job, path, files);
+    for (const std::string& path : job.outputs) add_output(job, without_slash(path), files);
     PathBook book;
     for (const std::string& path : job.inputs) book.add_input(path);
     for (const JobFile& file : files) {

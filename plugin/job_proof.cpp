@@ -5,6 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "io/mpas_reader.hpp"
+#include "mesher/c_grid_proof.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -84,6 +87,14 @@ void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files
         throw InternalError(path + " breaks a law of tiles: " + error.what());
     } catch (const BadFile& error) {
         throw InternalError(std::string("a file is not read back: ") + error.what());
+    }
+}
+
+void prove_c_grid_file(const EncodedFile& file) {
+    try {
+        prove_c_grid(decode_mpas(file.path, file.bytes));
+    } catch (const InvalidInput& error) {
+        throw InternalError(file.path + " breaks a law of C-grids: " + error.what());
     }
 }
 

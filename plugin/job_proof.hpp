@@ -26,4 +26,8 @@ std::vector<EncodedFile> read_back(const OutputSet& outputs,
 void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files,
                  const AnyTile& original, const Vec2& origin);
 
+/// Proves the C-grid in an MPAS file of ours.
+/// @throws InternalError  a law is broken: a fault of pcvt.
+void prove_c_grid_file(const EncodedFile& file);
+
 }  // namespace pcvt

@@ -1,5 +1,6 @@
 #include "plugin/job_tiles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -51,10 +52,10 @@ LaidOut mesh_cells(const Job& job, const LaidOut& cells, double h, TileFigures& 
     return {std::move(grains.triangles), std::move(placement)};
 }
 
-PeriodicMesh without_shortest(PeriodicMesh cells, double h) {
+PeriodicMesh without_shortest(PeriodicMesh cells, double shortest) {
     // What a cell's sides are is told by the cell as it was.
     cells.whole_sides = cell_sides(cells);
-    return without_short_edges(cells, kShortGrainEdge * h);
+    return without_short_edges(cells, shortest);
 }
 
 }  // namespace
@@ -64,7 +65,11 @@ ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
     const bool grains = kind == TileKind::kGrains;
     const TileKind source = grains ? TileKind::kCells : kind;
     PeriodicMesh mesh = repeated(periodic_mesh(result, source), job.columns, job.rows);
-    if (grains) mesh = without_shortest(std::move(mesh), h);
+    if (grains) {
+        mesh = without_shortest(std::move(mesh), std::max(kShortGrainEdge, job.short_edges) * h);
+    } else if (kind == TileKind::kCells && job.short_edges > 0) {
+        mesh = without_short_edges(mesh, job.short_edges * h);
+    }
     TileFigures figures{kind, 0, 0, {}, {}, {}};
     LaidOut laid_out = lay_out(job, std::move(mesh), h, figures);
     if (grains) laid_out = mesh_cells(job, laid_out, h, figures);

@@ -90,10 +90,20 @@ class BadOption(CliTest):
         ]
         rows += [
             (option, *mesh, option, 1)
-            for option in ("--density", "--short-edges", "--density-range", "--shard")
+            for option in ("--density", "--density-range")
         ]
-        rows += [(e, *mesh, "-o", "t." + e) for e in ("msh", "inp", "vtu", "nc", "foam")]
         self.refuse_all(2, [(what + ".* not available yet", *row) for what, *row in rows])
+
+    def test_polygons_for_a_format_of_triangles_say_what_to_ask_for(self):
+        rows = [(e, "mesh", "--sites", 3, "-o", "t." + e) for e in ("msh", "inp")]
+        rows += [(e, "mesh", "--sites", 3, "--mesh", "delaunay", "--mesh", "voronoi", "-o", "t." + e)
+                 for e in ("msh", "inp")]
+        self.refuse_all(2, [(rf"t\.{e}: .* no polygons; take --mesh delaunay", *row)
+                            for e, *row in rows])
+
+    def test_a_tile_too_small_for_its_format_names_the_remedy(self):
+        self.refuse(2, r"t\.inp: .* 20 characters .*; take a unit of length", "mesh", "--sites", 30,
+                    "--period", "1e-6,1e-6", "--mesh", "delaunay", "-o", "t.inp")
 
     def test_unknown_choices_are_refused(self):
         mesh = ("mesh", "--sites", 3)

@@ -6,7 +6,8 @@ import unittest
 
 from support.cli import CliTest, main
 
-READABLE = ("obj", "ply", "glb", "gltf", "om")
+READABLE = ("obj", "ply", "glb", "gltf", "om", "vtu")
+TRIANGLES = ("msh", "inp")
 OBLIQUE = ("--lattice", "1,0,0.37,0.81")
 
 
@@ -27,12 +28,31 @@ class Check(CliTest):
                 if not name.endswith(("glb", "gltf")):
                     self.assertIn(f" {faces} faces, ", line)
 
+    def test_formats_of_solvers_are_proved(self):
+        outputs = [word for e in TRIANGLES for word in ("-o", f"t.{e}")]
+        self.mesh("--sites", 40, *OBLIQUE, "--mesh", "delaunay", *outputs)
+        for line in self.succeed("check", *(f"t.{e}" for e in TRIANGLES), "--cvt").splitlines():
+            self.assertRegex(line, r" 80 faces, .*genus 1 after gluing.*pairs agree.*Delaunay within")
+
+    def test_a_moved_node_and_a_wrong_tie_are_refused(self):
+        self.mesh("--sites", 30, "--mesh", "delaunay", "-o", "t.msh", "-o", "t.inp", "-o", "t.vtu")
+        for name, pattern, other in (("t.msh", r"^(-?0\.\d+) (-?0\.\d+) 0$", r"0.5 \2 0"),
+                                     ("t.inp", r"^(\d+),1,1,(\d+),1,-1,", r"\1,1,1,3,1,-1,"),
+                                     ("t.vtu", r"^1 0$", "0 1")):
+            text = self.path(name).read_text()
+            damaged = re.sub(pattern, other, text, count=1, flags=re.M)
+            self.assertNotEqual(damaged, text)
+            self.write(name, damaged)
+            self.refuse(2, rf"^{name}", "check", name)
+
     def test_smallest_tiles_are_proved(self):
         for n in (1, 2, 3):
             self.mesh("--sites", n, "--mesh", "voronoi", "--mesh", "delaunay", "-o", f"t{n}.obj", "-o",
-                      f"t{n}.glb")
-        names = [f"t{n}-{k}.{e}" for n in (1, 2, 3) for k in ("voronoi", "delaunay")
-                 for e in ("obj", "glb")]
+                      f"t{n}.glb", "-o", f"t{n}.vtu")
+            self.mesh("--sites", n, "--mesh", "delaunay", "-o", f"s{n}.msh", "-o", f"s{n}.inp")
+        names = [f"s{n}.{e}" for n in (1, 2, 3) for e in TRIANGLES]
+        names += [f"t{n}-{k}.{e}" for n in (1, 2, 3) for k in ("voronoi", "delaunay")
+                  for e in ("obj", "glb", "vtu")]
         self.assertEqual(len(self.succeed("check", *names).splitlines()), len(names))
 
     def test_a_moved_vertex_is_refused(self):
@@ -60,9 +80,10 @@ class Check(CliTest):
         self.refuse(2, r"^t\.gltf: ", "check", "t.gltf")
 
     def test_damaged_files_are_refused(self):
-        outputs = [word for e in READABLE for word in ("-o", f"t.{e}")]
-        self.mesh("--sites", 30, *outputs)
-        for e in READABLE:
+        for mesh, extensions in (("voronoi", READABLE), ("delaunay", TRIANGLES)):
+            outputs = [word for e in extensions for word in ("-o", f"t.{e}")]
+            self.mesh("--sites", 30, "--mesh", mesh, *outputs)
+        for e in READABLE + TRIANGLES:
             whole = self.path(f"t.{e}").read_bytes()
             for name, damaged in (("half", whole[:len(whole) // 2]), ("empty", b""),
                                   ("noise", bytes(range(256)) * 8)):

@@ -167,6 +167,85 @@ TEST(Output, NamesAsLongAsAFolderAllowsAreWritten) {
     EXPECT_THAT(folder.names(), ElementsAre(name));
 }
 
+TEST(Output, AFolderAppearsAsAWhole) {
+    const TemporaryFolder folder;
+    OutputSet set;
+    set.stage_folder(folder / "c");
+    set.stage(folder / "c/x/y/a", "first");
+    set.stage(folder / "c/x/b", "second");
+    ASSERT_EQ(folder.names().size(), 1U);
+    EXPECT_THAT(folder.names()[0], StartsWith(".c.pcvt-"));
+    EXPECT_EQ(set.read_back(folder / "c/x/b"), "second");
+    set.commit(false);
+    EXPECT_THAT(folder.names(), ElementsAre("c"));
+    EXPECT_EQ(bytes_of(folder / "c/x/y/a"), "first");
+}
+
+TEST(Output, AFolderThatIsNotCommittedLeavesNothing) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "old");
+    {
+        OutputSet set;
+        for (const char* name : {"new", "old"}) {
+            set.stage_folder(folder / name);
+            set.stage((folder / name) + "/x/a", "x");
+        }
+    }
+    EXPECT_THAT(folder.names(), ElementsAre("old"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "old"));
+}
+
+TEST(Output, AFolderThatAppearsMeanwhileStaysAndTheOtherFilesAreTakenBack) {
+    const TemporaryFolder folder;
+    {
+        OutputSet set;
+        set.stage(folder / "a", "x");
+        for (const char* name : {"c", "d"}) {
+            set.stage_folder(folder / name);
+            set.stage((folder / name) + "/b", "x");
+        }
+        std::filesystem::create_directory(folder / "d");
+        EXPECT_EQ(fault_of([&] { set.commit(false); }),
+                  (folder / "d") + ": cannot write: it exists; use --force to replace it");
+    }
+    EXPECT_THAT(folder.names(), ElementsAre("d"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "d"));
+}
+
+TEST(Output, InAFolderThatExistsOnlyTheStagedFilesAreReplaced) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "c/x");
+    write_bytes(folder / "c/x/a", "old");
+    write_bytes(folder / "c/x/mine", "mine");
+    OutputSet set;
+    set.stage_folder(folder / "c");
+    set.stage(folder / "c/x/a", "new");
+    set.stage(folder / "c/y/b", "new");
+    EXPECT_EQ(bytes_of(folder / "c/x/a"), "old");
+    set.commit(true);
+    EXPECT_EQ(bytes_of(folder / "c/x/a"), "new");
+    EXPECT_EQ(bytes_of(folder / "c/y/b"), "new");
+    EXPECT_EQ(bytes_of(folder / "c/x/mine"), "mine");
+}
+
+TEST(Output, UnwritableFoldersAreRefusedBeforeAnyWork) {
+    const TemporaryFolder folder;
+    const auto fault = [&](const std::string& name, bool force) {
+        const std::vector<std::string> paths = {folder / (name + "/x/a")};
+        return fault_of([&] { OutputSet::require_writable_folder(folder / name, paths, force); });
+    };
+    EXPECT_EQ(fault("new", false), "");
+    std::filesystem::create_directory(folder / "old");
+    EXPECT_EQ(fault("old", true), "");
+    EXPECT_THAT(fault("old", false),
+                HasSubstr("it exists; use --force to replace the files in it"));
+    write_bytes(folder / "old/x", "a file where a folder is needed");
+    EXPECT_THAT(fault("old", true), HasSubstr("Not a directory"));
+    write_bytes(folder / "file", "x");
+    EXPECT_THAT(fault("file", true), HasSubstr("it exists and is not a folder"));
+    EXPECT_THAT(fault("none/new", false), HasSubstr("none: No such file or directory"));
+}
+
 TEST(Output, WhatWasNotStagedCannotBeReadBack) {
     EXPECT_THROW(OutputSet().read_back("a"), InternalError);
 }

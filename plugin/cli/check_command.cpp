@@ -9,8 +9,10 @@
 #include <filesystem>
 #include <optional>
 
+#include "io/mpas_reader.hpp"
 #include "io/text.hpp"
 #include "io/tile_formats.hpp"
+#include "mesher/c_grid_proof.hpp"
 #include "mesher/validate.hpp"
 #include "plugin/cli/console.hpp"
 #include "plugin/cli/option_values.hpp"
@@ -56,6 +58,7 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     if (period) question.lattice = rectangle_lattice("--period", options.period);
     if (vectors) question.lattice = vector_lattice("--lattice", options.lattice);
     read_cvt(app, options, question);
+    for (std::string& path : question.files) path = without_slash(path);
     if (question.files.empty()) throw InvalidInput("no file to check; give one or more");
     return question;
 }
@@ -72,8 +75,8 @@ const TileFormat& readable_format(const std::string& path) {
 /// The file and those of its companions that stand beside it.
 TileFile read_tile(const std::string& path, const std::optional<Lattice>& lattice) {
     const TileFormat& format = readable_format(path);
-    std::vector<EncodedFile> files = {{path, read_whole_file(path)}};
     const std::vector<std::string> paths = format.paths(path);
+    std::vector<EncodedFile> files = {{paths[0], read_whole_file(paths[0])}};
     for (std::size_t p = 1; p < paths.size(); ++p) {
         if (std::filesystem::exists(paths[p])) {
             files.push_back({paths[p], read_whole_file(paths[p])});
@@ -111,8 +114,31 @@ std::string pairs_text(const TileFile& file) {
     return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
 }
 
+bool is_mpas(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension == ".nc" || extension == ".NC";
+}
+
+/// The proof of an MPAS file as a line.
+std::string prove_mpas(const std::string& path, const Question& question) {
+    if (question.cvt_tolerance) {
+        throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
+    }
+    const CGrid grid = decode_mpas(path, read_whole_file(path));
+    if (question.lattice) {
+        compare_lattice(Lattice::rectangle(grid.x_period, grid.y_period), *question.lattice);
+    }
+    const CGridProof proof = prove_c_grid(grid);
+    return path + ": an MPAS mesh: " + std::to_string(grid.n_cells) + " cells, " +
+           std::to_string(grid.n_edges) + " edges, " + std::to_string(grid.n_vertices) +
+           " vertices, period " + figure(grid.x_period) + " x " + figure(grid.y_period) +
+           ", lengths and angles within " + figure(proof.geometry) + " h, areas within " +
+           figure(proof.areas) + ", TRiSK identity within " + figure(proof.trisk) + "\n";
+}
+
 /// The proof of one file as a line.
 std::string prove(const std::string& path, const Question& question) {
+    if (is_mpas(path)) return prove_mpas(path, question);
     const TileFile file = read_tile(path, question.lattice);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
     const TileProof proof = prove_tile(file.tile, file.precision);
@@ -134,7 +160,8 @@ bool check(const std::string& path, const Question& question) {
         print(prove(path, question));
         return true;
     } catch (const NotATile& error) {
-        std::fprintf(stderr, "%s: not a periodic tile: %s\n", path.c_str(), error.what());
+        std::fprintf(stderr, "%s: not %s: %s\n", path.c_str(),
+                     is_mpas(path) ? "an MPAS mesh" : "a periodic tile", error.what());
     } catch (const InvalidInput&) {
         std::fprintf(stderr, "%s\n", describe_failure(std::current_exception()).line.c_str());
     }

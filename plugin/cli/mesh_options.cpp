@@ -80,6 +80,8 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     add(app, "--size", options.size, "H", "length of the edges of grains [h / 3]");
     add(app, "--order", options.order, "1|2",
         "2: grains with nodes in the middle of edges, in formats that hold them [1]");
+    add(app, "--short-edges", options.short_edges, "L",
+        "remove Voronoi edges under L h from the cells, for finite volumes [0]");
     add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
     app.add_option("-o", options.outputs,
                    "repeatable; none: only the summary; the extension decides:\n" +
@@ -201,6 +203,17 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.origin = point("--origin", options.origin);
         job.finds_origin = false;
     }
+    if (app.count("--short-edges") > 0) {
+        job.short_edges = positive_number("--short-edges", options.short_edges);
+        if (job.short_edges > kLongestShortEdge) {
+            throw InvalidInput("--short-edges " + options.short_edges +
+                               ": such edges are not short; take at most 0.5");
+        }
+        if (job.meshes == std::vector<TileKind>{TileKind::kTriangles}) {
+            throw InvalidInput(
+                "--short-edges is for cells and grains; take --mesh voronoi or leave it out");
+        }
+    }
     if (app.count("--repeat") > 0) {
         const Repetition times = repetition("--repeat", options.repeat);
         job.columns = times.columns;
@@ -215,8 +228,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_solver_options(app, options);
     add_output_options(app, options);
     add_later_options(app);
-    app.footer(std::string(kExamples) + "\nNot available yet: --density, " + later_extensions() +
-               "\n");
+    app.footer(std::string(kExamples) + "\nNot available yet: --density\n");
 }
 
 Job make_job(const CLI::App& app, const MeshOptions& options) {

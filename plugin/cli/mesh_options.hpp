@@ -25,6 +25,7 @@ struct MeshOptions {
     std::string max_iterations;
     std::vector<std::string> meshes;
     std::string outline;
+    std::string short_edges;
     std::string size;
     std::string order;
     std::string repeat;

@@ -10,8 +10,7 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr const char* kLaterOptions[] = {"--density", "--short-edges", "--density-range",
-                                         "--shard"};
+constexpr const char* kLaterOptions[] = {"--density", "--density-range"};
 
 }  // namespace
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "io/tile_file.hpp"
+
+namespace pcvt::testing {
+
+/// Tiles of triangles on awkward lattices: Delaunay triangles and grains, of order 1 and 2.
+std::vector<FlatTile> solver_tiles(const std::vector<Lattice>& lattices);
+
+/// A tile that was read has the points, faces, sites and order of `written`, bit for bit, and
+/// stores pairs that say the same as those that follow from its positions.
+void expect_read_back(const TileFile& file, const FlatTile& written);
+
+}  // namespace pcvt::testing
