@@ -119,6 +119,25 @@ TEST(BoxOutline, CutsCellsThatAreNotConvex) {
     }
 }
 
+// One cell with a bend in its lower side, which the cut touches from below.
+TEST(BoxOutline, CutsACellAtItsReflexCorner) {
+    PeriodicMesh cell{Lattice::rectangle(1, 1),
+                      TileKind::kCells,
+                      {{0, 0}, {0.5, 0.2}},
+                      {0, 6},
+                      {0, 1, 0, 0, 1, 0},
+                      {{0, 0}, {0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 1}},
+                      {},
+                      {},
+                      {0},
+                      {{0.5, 0.7}}};
+    link_faces(cell);
+    for (const double x : {0.1, 0.5, 0.9}) {
+        expect_cut(cell, {x, 0.2});
+        expect_cut(cell, {x, 0.0});
+    }
+}
+
 TEST(BoxOutline, IsProvedForRandomSmallInputs) {
     std::mt19937_64 random(8);
     for (int k = 0; k < 100; ++k) {

@@ -83,6 +83,27 @@ TEST(ShortEdges, OfACellThatWouldVanishStay) {
     EXPECT_GE(count_short(left, 0.1), 3);
 }
 
+double area(const PeriodicMesh& mesh, int f) {
+    Polygon polygon;
+    for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+        polygon.push_back(mesh.point(c));
+    }
+    return polygon_area(polygon);
+}
+
+TEST(ShortEdges, EachLeaveHalfOfACell) {
+    const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 3000, 8);
+    const PeriodicMesh left = without_short_edges(cells, 0.4 * spacing(cells));
+    const auto n_corners = [](const PeriodicMesh& mesh, int f) {
+        return mesh.face_begin[f + 1] - mesh.face_begin[f];
+    };
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        // A neighbour's edge that goes takes no corner, but some area, too.
+        const int n_gone = 3 + n_corners(cells, f) - n_corners(left, f);
+        EXPECT_GT(area(left, f), std::pow(0.5, n_gone) * area(cells, f)) << f;
+    }
+}
+
 // Law 3.
 TEST(ShortEdges, MoveNothingButTheirOwnEnds) {
     const PeriodicMesh cells = random_cells(Lattice({1, 0}, {0.37, 0.81}), 300, 6);
