@@ -117,8 +117,7 @@ class PlyParser {
 
     /// `site` means something only in a file of ours, in the element that owns the sites.
     void require_sites(const PlyElement& element, bool of_faces) {
-        has_sites_ =
-            raw_.kind && faces_have_sites(*raw_.kind) == of_faces && element.find("site");
+        has_sites_ = raw_.kind && faces_have_sites(*raw_.kind) == of_faces && element.find("site");
         if (has_sites_) require(element, "site", Type::kInteger);
     }
 

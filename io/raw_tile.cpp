@@ -77,7 +77,8 @@ void RawTile::add_face(const std::vector<int>& vertices, int line) {
 
 void RawTile::take_kind(const LineScanner& scanner, const std::vector<std::string_view>& words) {
     const auto found = words.size() == 1 ? kind_of_word(words[0]) : std::nullopt;
-    if (!found || kind) scanner.refuse("the kind is unclear; name it once: cells, triangles or grains");
+    if (!found || kind)
+        scanner.refuse("the kind is unclear; name it once: cells, triangles or grains");
     kind = found;
 }
 

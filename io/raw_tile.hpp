@@ -28,7 +28,8 @@ struct RawTile {
     std::vector<int> corners;
     /// The line of each face.
     std::vector<int> face_lines;
-    /// One a face of cells and grains, one a vertex of Delaunay triangles; empty where the file has none.
+    /// One a face of cells and grains, one a vertex of Delaunay triangles; empty where the file has
+    /// none.
     std::vector<SiteId> sites;
     std::vector<VertexPair> vertex_pairs;
     std::vector<EdgePair> edge_pairs;

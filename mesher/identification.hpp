@@ -35,8 +35,8 @@ struct Identification {
     OpenMesh::FPropHandleT<int> face_site;
     /// Where the site of a cell stands; zero in a triangle mesh. `.om` does not keep it.
     OpenMesh::FPropHandleT<OpenMesh::Vec3d> site_point;
-    /// The sides of the whole cell that a piece or a grain's triangle is part of; else 0. `.om` does
-    /// not keep it.
+    /// The sides of the whole cell that a piece or a grain's triangle is part of; else 0. `.om`
+    /// does not keep it.
     OpenMesh::FPropHandleT<int> whole_sides;
     /// The site at a vertex of a mesh of Delaunay triangles; else -1.
     OpenMesh::VPropHandleT<int> vertex_site;

@@ -9,8 +9,8 @@ namespace pcvt {
 /// Edges shorter than this, in units of h = sqrt(area / n_faces), do not count as sides of a cell.
 inline constexpr double kShortEdge = 1e-5;
 
-/// For each cell the number of its edges longer than kShortEdge h; for each piece of a cell and each
-/// triangle of a grain that of the whole cell, where the mesh knows it.
+/// For each cell the number of its edges longer than kShortEdge h; for each piece of a cell and
+/// each triangle of a grain that of the whole cell, where the mesh knows it.
 std::vector<int> cell_sides(const PeriodicMesh& cells);
 std::vector<int> cell_sides(const FlatTile& cells);
 

@@ -119,6 +119,30 @@ TEST(BoxOutline, CutsCellsThatAreNotConvex) {
     }
 }
 
+// One cell with two teeth in its lower side, and so on its upper one: the cut touches the lower
+// tooth from below and from above while it crosses the higher one.
+TEST(BoxOutline, CutsACellAtACornerThatOnlyTouches) {
+    PeriodicMesh cell{
+        Lattice::rectangle(1, 1),
+        TileKind::kCells,
+        {{0, 0}, {0.25, 0.2}, {0.5, 0}, {0.75, 0.4}},
+        {0, 10},
+        {0, 1, 2, 3, 0, 0, 3, 2, 1, 0},
+        {{0, 0}, {0, 0}, {0, 0}, {0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 1}},
+        {},
+        {},
+        {0},
+        {{0.5, 0.7}}};
+    link_faces(cell);
+    for (const double x : {0.1, 0.25, 0.4, 0.9}) {
+        for (const double y : {0.0, 0.2, 0.3, 0.4}) {
+            SCOPED_TRACE(std::to_string(x) + " " + std::to_string(y));
+            expect_cut(cell, {x, y});
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
 TEST(BoxOutline, IsProvedForRandomSmallInputs) {
     std::mt19937_64 random(8);
     for (int k = 0; k < 100; ++k) {

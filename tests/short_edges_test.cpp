@@ -83,6 +83,24 @@ TEST(ShortEdges, OfACellThatWouldVanishStay) {
     EXPECT_GE(count_short(left, 0.1), 3);
 }
 
+double area(const PeriodicMesh& mesh, int f) {
+    Polygon polygon;
+    for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+        polygon.push_back(mesh.point(c));
+    }
+    return polygon_area(polygon);
+}
+
+TEST(ShortEdges, SquashNoCell) {
+    const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 3000, 8);
+    const PeriodicMesh left = without_short_edges(cells, 0.4 * spacing(cells));
+    double least = 1;
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        least = std::min(least, area(left, f) / area(cells, f));
+    }
+    EXPECT_GT(least, 0.1);
+}
+
 // Law 3.
 TEST(ShortEdges, MoveNothingButTheirOwnEnds) {
     const PeriodicMesh cells = random_cells(Lattice({1, 0}, {0.37, 0.81}), 300, 6);
