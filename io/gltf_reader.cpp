@@ -7,6 +7,7 @@
 #include <map>
 
 #include "io/gltf_document.hpp"
+#include "io/raw_tile.hpp"
 
 namespace pcvt {
 namespace {
@@ -260,7 +261,10 @@ void check_copies(const Finding& finding, const Json& copies) {
 
 TileKind tile_kind(const Finding& finding) {
     const auto unknown = std::count(finding.face_site.begin(), finding.face_site.end(), -1);
-    if (unknown == 0) return TileKind::kCells;
+    const Json& kind = finding.periodic_member("kind");
+    const bool grains =
+        kind.is_string() && kind_of_word(kind.get<std::string>()) == TileKind::kGrains;
+    if (unknown == 0) return grains ? TileKind::kGrains : TileKind::kCells;
     if (unknown < std::ssize(finding.face_site)) {
         finding.document.refuse(
             "some triangles belong to a cell and some do not; keep the tile only");
@@ -285,7 +289,7 @@ TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<
     for (int k = 0; k <= std::ssize(finding.corners); k += 3) tile.face_begin.push_back(k);
     tile.points = std::move(finding.points);
     tile.corners = std::move(finding.corners);
-    if (tile.kind == TileKind::kCells) {
+    if (faces_have_sites(tile.kind)) {
         tile.face_site = std::move(finding.face_site);
     } else if (all_known(finding.vertex_site)) {
         tile.vertex_site = std::move(finding.vertex_site);

@@ -1,6 +1,8 @@
 #include "io/gltf_surface.hpp"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "io/palette.hpp"
 #include "mesher/error.hpp"
@@ -84,6 +86,36 @@ Surface joined_cells(const FlatTile& tile, const std::string& path) {
     return surface;
 }
 
+/// Triangles that share vertices within their grain: the first grain at a vertex keeps it, each
+/// other one gets a copy.
+Surface grains(const FlatTile& tile, const std::string& path) {
+    Surface surface;
+    surface.points = single_precision(tile, path);
+    surface.face_begin = tile.face_begin;
+    surface.vertex_site.assign(surface.points.size(), -1);
+    surface.vertex_colour.assign(surface.points.size(), {});
+    const std::vector<int> sides = cell_sides(tile);
+    std::map<std::pair<int, SiteId>, int> copies;
+    for (std::size_t c = 0; c < tile.corners.size(); ++c) {
+        const int v = tile.corners[c];
+        const SiteId site = tile.face_site[c / 3];
+        const bool is_first = surface.vertex_site[v] < 0;
+        const bool owns = is_first || surface.vertex_site[v] == static_cast<float>(site);
+        const int next = static_cast<int>(surface.points.size());
+        const int own = owns ? v : copies.try_emplace({v, site}, next).first->second;
+        if (own == next) {
+            surface.copies.push_back(v);
+            surface.points.push_back(surface.points[v]);
+            surface.vertex_site.push_back(-1);
+            surface.vertex_colour.emplace_back();
+        }
+        surface.vertex_site[own] = static_cast<float>(site);
+        surface.vertex_colour[own] = linear_point(side_colour(sides[c / 3]));
+        surface.indices.push_back(own);
+    }
+    return surface;
+}
+
 Surface triangles(const FlatTile& tile, const std::string& path) {
     Surface surface;
     surface.points = single_precision(tile, path);
@@ -100,6 +132,7 @@ Surface triangles(const FlatTile& tile, const std::string& path) {
 
 Surface make_surface(const FlatTile& tile, int max_shared, const std::string& path) {
     if (tile.kind == TileKind::kTriangles) return triangles(tile, path);
+    if (tile.kind == TileKind::kGrains) return grains(tile, path);
     return tile.n_faces() <= max_shared ? separate_cells(tile, path) : joined_cells(tile, path);
 }
 

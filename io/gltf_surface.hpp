@@ -25,7 +25,7 @@ struct Surface {
 
 /// Cells: vertices are shared while `max_shared` allows that many faces, else each cell has its own
 /// (the first cell at a vertex keeps it, each other one gets a copy) with the site and the colour
-/// of the cell. Triangles: vertices are shared, with site and colour of the vertex.
+/// of the cell. Grains: the same, with vertices shared within a grain. Delaunay triangles: vertices are shared, with site and colour of the vertex.
 /// @throws InvalidInput naming the path where float32 cannot hold a coordinate or the area of a
 /// cell.
 Surface make_surface(const FlatTile& tile, int max_shared, const std::string& path);

@@ -11,6 +11,7 @@
 #include "io/finite.hpp"
 #include "io/gltf_surface.hpp"
 #include "io/palette.hpp"
+#include "io/raw_tile.hpp"
 #include "mesher/quality.hpp"
 
 namespace pcvt {
@@ -164,6 +165,7 @@ tinygltf::Value periodic_extras(const FlatTile& tile, const Surface& surface) {
     periodic.emplace("lattice",
                      tinygltf::Value::Array{numbers(tile.lattice.a()), numbers(tile.lattice.b())});
     periodic.emplace("vertexPairs", std::move(pairs));
+    if (tile.kind == TileKind::kGrains) periodic.emplace("kind", kind_word(tile.kind));
     if (!surface.copies.empty()) periodic.emplace("vertexCopies", numbers(surface.copies));
     tinygltf::Value::Object extras;
     extras.emplace("periodic", std::move(periodic));
@@ -194,7 +196,7 @@ void add_surface(const FlatTile& tile, const Surface& surface, ModelBuilder& bui
         }
         return;
     }
-    const bool cells = tile.kind == TileKind::kCells;
+    const bool cells = faces_have_sites(tile.kind);
     primitive.attributes["COLOR_0"] =
         builder.add_vertex_data(surface.vertex_colour, TINYGLTF_TYPE_VEC3);
     primitive.attributes[cells ? "_CELL_ID" : "_SITE_ID"] =
@@ -253,7 +255,7 @@ enum class Container { kText, kBinary };
 tinygltf::Model make_model(const FlatTile& tile, const std::string& path) {
     require_finite(tile);
     const std::vector<SiteId>& sites =
-        tile.kind == TileKind::kCells ? tile.face_site : tile.vertex_site;
+        faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     if (*std::max_element(sites.begin(), sites.end()) >= kMaxSite) {
         throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }

@@ -20,12 +20,24 @@ std::string word(const std::string& value) {
     return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+std::string word(const Vec2& v) { return "[" + word(v.x()) + ", " + word(v.y()) + "]"; }
+
+std::string word(const Report::Grains& grains) {
+    std::string corners;
+    for (const Report::SharpCorner& corner : grains.sharp_corners) {
+        corners += corners.empty() ? "[" : ", ";
+        corners += "[" + word(corner.site) + ", " + word(corner.point.x()) + ", " +
+                   word(corner.point.y()) + ", " + word(corner.angle) + "]";
+    }
+    return "{\"triangles\": " + word(grains.triangles) +
+           ", \"smallest_angle\": " + word(grains.smallest_angle) +
+           ", \"sharp_corners\": " + (corners.empty() ? "[]" : corners + "]") + "}";
+}
+
 template <class Number>
 std::string word(const std::optional<Number>& value) {
     return value ? word(*value) : "null";
 }
-
-std::string word(const Vec2& v) { return "[" + word(v.x()) + ", " + word(v.y()) + "]"; }
 
 std::string word(const std::map<int, int>& counts) {
     std::string text;
@@ -50,7 +62,7 @@ std::string word(const Report::Seconds& s) {
 }  // namespace
 
 std::string encode_report(const Report& report) {
-    const std::vector<std::pair<std::string, std::string>> entries{
+    std::vector<std::pair<std::string, std::string>> entries{
         {"version", word(report.version)},
         {"sites", std::to_string(report.sites)},
         {"lattice", "[" + word(report.lattice.a()) + ", " + word(report.lattice.b()) + "]"},
@@ -70,6 +82,10 @@ std::string encode_report(const Report& report) {
         {"seconds", word(report.seconds)},
         {"files", word(report.files)},
     };
+    if (report.box_shortest_edge) {
+        entries.emplace_back("box_shortest_edge", word(*report.box_shortest_edge));
+    }
+    if (report.grains) entries.emplace_back("grains", word(*report.grains));
     std::string text;
     for (const auto& [key, value] : entries) {
         text += (text.empty() ? "{\n  \"" : ",\n  \"") + key + "\": " + value;

@@ -19,6 +19,19 @@ struct Report {
         double total;
     };
 
+    /// A corner of a cell that is too sharp for the angles of grains.
+    struct SharpCorner {
+        int site;
+        Vec2 point;
+        double angle;
+    };
+    struct Grains {
+        int triangles;
+        /// Degrees, of all angles but those in the sharp corners.
+        double smallest_angle;
+        std::vector<SharpCorner> sharp_corners;
+    };
+
     std::string version;
     int sites;
     Lattice lattice;
@@ -40,6 +53,9 @@ struct Report {
     int threads;
     Seconds seconds;
     std::vector<std::string> files;
+    /// Keys of runs with the box outline alone, in units of h, and of runs with grains alone.
+    std::optional<double> box_shortest_edge = {};
+    std::optional<Grains> grains = {};
 };
 
 /// The report as JSON: one key a line, numbers as the shortest decimals that read back, text as

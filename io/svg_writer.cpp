@@ -11,7 +11,9 @@
 #include "io/finite.hpp"
 #include "io/palette.hpp"
 #include "io/svg_canvas.hpp"
+#include "io/svg_domain.hpp"
 #include "io/svg_legend.hpp"
+#include "mesher/polygon.hpp"
 #include "mesher/quality.hpp"
 
 namespace pcvt {
@@ -25,9 +27,6 @@ constexpr const char* kDomainColour = "#1c1f26";
 constexpr std::array kSeamColours{"#0a8f63", "#8a36b5", "#d9187f", "#6f7600", "#0099a8", "#5d4037"};
 /// Below this spacing in pixels dots would only grey the picture.
 constexpr double kLeastDottedSpacing = 9;
-/// The domain is drawn in the typed basis unless its diagonal is longer than the reduced one times
-/// this.
-constexpr double kOblique = 1.5;
 constexpr int kRegular = 6;
 
 /// One drawing: the tile, where it goes, and the spacing h of its sites in pixels.
@@ -43,36 +42,13 @@ struct Drawing {
     }
 };
 
+/// Sites, or what stands for them: pieces of cells and grains count once for each site.
 int count_sites(const FlatTile& tile) {
-    return tile.kind == TileKind::kCells
-               ? tile.n_faces()
-               : tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());
-}
-
-double longest_diagonal(const Lattice& lattice) {
-    return std::max((lattice.a() + lattice.b()).norm(), (lattice.a() - lattice.b()).norm());
-}
-
-struct Domain {
-    std::vector<Vec2> corners;
-    std::string label;
-};
-
-/// The parallelogram at the lattice point where it covers the tile best.
-Domain choose_domain(const FlatTile& tile) {
-    const Lattice reduced = reduce(tile.lattice).reduced;
-    const bool oblique = longest_diagonal(tile.lattice) > kOblique * longest_diagonal(reduced);
-    const Lattice& basis = oblique ? reduced : tile.lattice;
-    Vec2 low = tile.points[0];
-    Vec2 high = low;
-    for (const Vec2& p : tile.points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
+    if (tile.kind == TileKind::kTriangles) {
+        return tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());
     }
-    const Vec2 middle = basis.to_lattice(low + (high - low) / 2);
-    const Vec2 corner = basis.to_plane((middle - Vec2(0.5, 0.5)).array().round().matrix());
-    return {{corner, corner + basis.a(), corner + basis.a() + basis.b(), corner + basis.b()},
-            oblique ? "reduced domain" : "domain"};
+    if (tile.whole_sides.empty()) return tile.n_faces();
+    return static_cast<int>(std::set<SiteId>(tile.face_site.begin(), tile.face_site.end()).size());
 }
 
 /// (i, j) and (-i, -j) name the same translation class.
@@ -106,6 +82,19 @@ void add_face(const FlatTile& tile, int face, SvgPath& path) {
     path.close();
 }
 
+/// Of the pieces of a cell some do not hold its site.
+bool holds_site(const FlatTile& tile, int face) {
+    if (tile.whole_sides.empty()) return true;
+    const Vec2& site = tile.site_points[face];
+    const Vec2* from = &tile.points[tile.corners[tile.face_begin[face + 1] - 1]];
+    for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
+        const Vec2& to = tile.points[tile.corners[c]];
+        if (cross(to - *from, site - *from) < 0) return false;
+        from = &to;
+    }
+    return true;
+}
+
 std::string draw_cells(const Drawing& drawing) {
     const FlatTile& tile = drawing.tile;
     std::map<std::string, SvgPath> by_colour;
@@ -115,7 +104,9 @@ std::string draw_cells(const Drawing& drawing) {
         const auto entry = by_colour.try_emplace(hex(side_colour(sides[f])), drawing.frame).first;
         add_face(tile, f, entry->second);
     }
-    for (const Vec2& site : tile.site_points) dots.dot(site);
+    for (int f = 0; f < tile.n_faces() && !tile.site_points.empty(); ++f) {
+        if (holds_site(tile, f)) dots.dot(tile.site_points[f]);
+    }
     std::string svg;
     const std::string edge = stroke(kEdgeColour, drawing.width(0.03, 0.06, 1.6));
     for (const auto& [colour, path] : by_colour) {
@@ -127,12 +118,56 @@ std::string draw_cells(const Drawing& drawing) {
     return svg;
 }
 
+/// Edges between triangles of two sites.
+SvgPath grain_boundaries(const Drawing& drawing) {
+    const FlatTile& tile = drawing.tile;
+    std::map<std::pair<int, int>, SiteId> site_at;
+    SvgPath path(drawing.frame);
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        int v = tile.corners[tile.face_begin[f + 1] - 1];
+        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; v = tile.corners[c++]) {
+            const int w = tile.corners[c];
+            const auto [edge, is_new] = site_at.try_emplace(std::minmax(v, w), tile.face_site[f]);
+            if (is_new || edge->second == tile.face_site[f]) continue;
+            path.move(tile.points[v]).line(tile.points[w]);
+        }
+    }
+    return path;
+}
+
+std::string draw_grains(const Drawing& drawing) {
+    const FlatTile& tile = drawing.tile;
+    const std::vector<int> sides = cell_sides(tile);
+    std::map<std::string, SvgPath> by_colour;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        const auto entry = by_colour.try_emplace(hex(side_colour(sides[f])), drawing.frame).first;
+        add_face(tile, f, entry->second);
+    }
+    std::string svg;
+    const std::string edge = stroke(kTriangleEdgeColour, drawing.width(0.01, 0.03, 0.8));
+    for (const auto& [colour, path] : by_colour) svg += path.element(fill(colour).append(edge));
+    return svg +
+           grain_boundaries(drawing).element(stroke(kEdgeColour, drawing.width(0.04, 0.08, 2)));
+}
+
 std::string draw_triangles(const Drawing& drawing) {
     const FlatTile& tile = drawing.tile;
     SvgPath faces(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) add_face(tile, f, faces);
     return faces.element(fill(hex(side_colour(kRegular))) +
                          stroke(kTriangleEdgeColour, drawing.width(0.03, 0.05, 1.6)));
+}
+
+std::string draw_faces(const Drawing& drawing) {
+    switch (drawing.tile.kind) {
+        case TileKind::kCells:
+            return draw_cells(drawing);
+        case TileKind::kTriangles:
+            return draw_triangles(drawing);
+        case TileKind::kGrains:
+            return draw_grains(drawing);
+    }
+    return "";
 }
 
 /// Over the seam, so that a mark on the boundary is seen whole.
@@ -196,18 +231,27 @@ std::string counted(int n, const std::string& noun) {
 
 std::string caption(const FlatTile& tile) {
     const int n = count_sites(tile);
-    return tile.kind == TileKind::kCells ? "Periodic Voronoi tile, " + counted(n, "cell")
-                                         : "Periodic Delaunay tile, " + counted(n, "site") + ", " +
-                                               counted(tile.n_faces(), "triangle");
+    const std::string triangles = counted(tile.n_faces(), "triangle");
+    switch (tile.kind) {
+        case TileKind::kCells:
+            return "Periodic Voronoi tile, " +
+                   (tile.whole_sides.empty() ? counted(n, "cell")
+                                             : counted(tile.n_faces(), "piece") + " of cells");
+        case TileKind::kTriangles:
+            return "Periodic Delaunay tile, " + counted(n, "site") + ", " + triangles;
+        case TileKind::kGrains:
+            return "Periodic grains, " + triangles;
+    }
+    return "";
 }
 
-Legend make_legend(const FlatTile& tile, const Domain& domain) {
-    const bool cells = tile.kind == TileKind::kCells;
+Legend make_legend(const FlatTile& tile, const SvgDomain& domain) {
+    const bool cells = faces_have_sites(tile.kind);
     Legend legend{caption(tile), {}};
     for (const auto& [sides, count] : histogram(cells ? cell_sides(tile) : site_valences(tile))) {
-        const std::string label =
-            (cells ? counted(sides, "side") : "valence " + std::to_string(sides)) + ": " +
-            std::to_string(count);
+        std::string label = cells ? counted(sides, "side") : "valence " + std::to_string(sides);
+        // Parts of cells are not what is counted.
+        if (tile.whole_sides.empty()) label += ": " + std::to_string(count);
         const bool plain = !cells && sides == kRegular;
         legend.entries.push_back({cells ? LegendEntry::Mark::kPatch : LegendEntry::Mark::kDisc,
                                   plain ? kDotColour : hex(side_colour(sides)), label});
@@ -233,22 +277,21 @@ std::string head(const std::string& title, double width, double height) {
 
 std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
     require_finite(tile);
-    const Domain domain = choose_domain(tile);
+    const SvgDomain domain = drawn_domain(tile);
     std::vector<Vec2> drawn = tile.points;
     drawn.insert(drawn.end(), domain.corners.begin(), domain.corners.end());
     const SvgFrame frame(drawn);
     const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_sites(tile));
     const Drawing drawing{tile, frame, spacing};
-    const bool cells = tile.kind == TileKind::kCells;
     const Legend legend = make_legend(tile, domain);
     const PlacedLegend placed = place_legend(legend, frame);
 
     std::string svg = head(legend.caption, placed.width, placed.height);
     svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-    svg += cells ? draw_cells(drawing) : draw_triangles(drawing);
+    svg += draw_faces(drawing);
     svg += draw_domain(domain.corners, drawing);
     svg += draw_seam(drawing);
-    if (!cells) svg += draw_valences(drawing);
+    if (tile.kind == TileKind::kTriangles) svg += draw_valences(drawing);
     svg += "</g>\n<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#1c1f26\">\n";
     svg += placed.svg + "</g>\n</svg>\n";
     return {{path, std::move(svg)}};

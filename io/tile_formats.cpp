@@ -41,11 +41,12 @@ const std::vector<TileFormat>& tile_formats() {
         {".glb", "glTF 2.0, one binary file", only, encode_glb, decode_gltf},
         {".gltf", "glTF 2.0, one text file", only, encode_gltf, decode_gltf},
         {".om", "OpenMesh, with the identification as properties", only, encode_om, decode_om},
-        {".msh", "Gmsh MSH 4.1 with $Periodic, triangles only", only, encode_msh, decode_msh, true},
-        {".inp", "Abaqus and CalculiX with *EQUATION, triangles only", only, encode_inp, decode_inp,
+        {".msh", "Gmsh MSH 4.1 with $Periodic, triangles only", only, encode_msh, decode_msh, true,
          true},
+        {".inp", "Abaqus and CalculiX with *EQUATION, triangles only", only, encode_inp, decode_inp,
+         true, true},
         {".vtu", "VTK unstructured grid, ASCII, with double coordinates", only, encode_vtu,
-         decode_vtu},
+         decode_vtu, false, true},
         {".svg", "a picture", only, encode_svg, nullptr},
     };
     return formats;

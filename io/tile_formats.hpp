@@ -29,6 +29,8 @@ struct TileFormat {
                        const std::optional<Lattice>& lattice);
     /// encode() refuses tiles with polygons.
     bool triangles_only = false;
+    /// Whether nodes in the middle of edges are written, where the tile has them.
+    bool second_order = false;
 };
 
 const std::vector<TileFormat>& tile_formats();

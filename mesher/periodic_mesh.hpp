@@ -26,7 +26,7 @@ struct PeriodicMesh {
     std::vector<Vec2> site_points = {};
 
     /// Pieces of cells and grains: the number of sides of the whole cell that a face is part of.
-    /// Whole cells and Delaunay triangles: empty.
+    /// Whole cells: that before short edges were removed, or empty. Delaunay triangles: empty.
     std::vector<int> whole_sides = {};
 
     int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }

@@ -26,6 +26,7 @@ std::vector<int> count_sides(const std::vector<int>& face_begin, double area, Co
 }  // namespace
 
 std::vector<int> cell_sides(const PeriodicMesh& cells) {
+    if (!cells.whole_sides.empty()) return cells.whole_sides;
     return count_sides(cells.face_begin, cells.lattice.area(), [&](int c) {
         return Vec2(cells.vertices[cells.corner_vertex[c]] +
                     cells.lattice.translation(cells.corner_offset[c]));

@@ -10,7 +10,7 @@ namespace pcvt {
 inline constexpr double kShortEdge = 1e-5;
 
 /// For each cell the number of its edges longer than kShortEdge h; for each piece of a cell and each
-/// triangle of a grain that of the whole cell, where the tile knows it.
+/// triangle of a grain that of the whole cell, where the mesh knows it.
 std::vector<int> cell_sides(const PeriodicMesh& cells);
 std::vector<int> cell_sides(const FlatTile& cells);
 

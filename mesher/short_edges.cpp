@@ -73,6 +73,7 @@ class Shrinking {
     PeriodicMesh result() {
         PeriodicMesh mesh{mesh_.lattice, mesh_.kind, {}, {0}, {}, {}, {}, {}, mesh_.site};
         mesh.site_points = mesh_.site_points;
+        mesh.whole_sides = mesh_.whole_sides;
         std::vector<int> number(position_.size(), -1);
         for (int v = 0; v < mesh_.n_vertices(); ++v) {
             if (joined_.root(v).orbit != v) continue;

@@ -75,6 +75,7 @@ void compare_edge_pairs(const FlatTile& tile, const TileProof& proof);
 ///                   h = sqrt(area / number of cells or of vertex orbits).
 /// @returns the largest such distance found, in units of h; 0 where no corner lies inside.
 /// @throws NotATile naming the face and the amount.
+/// @throws InvalidInput for grains.
 double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolerance);
 
 }  // namespace pcvt

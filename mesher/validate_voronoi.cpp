@@ -172,6 +172,11 @@ void require_triangles(const ProvenFaces& faces) {
 }  // namespace
 
 double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolerance) {
+    if (tile.kind == TileKind::kGrains) {
+        throw InvalidInput(
+            "grains are neither Voronoi cells nor Delaunay triangles; ask for the "
+            "Voronoi property of a tile of cells");
+    }
     const ProvenFaces faces(tile, proof);
     if (tile.kind == TileKind::kCells) {
         const double h = std::sqrt(tile.lattice.area() / faces.glued().n_faces());

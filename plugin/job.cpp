@@ -6,13 +6,12 @@
 #include <limits>
 
 #include "io/site_writer.hpp"
-#include "mesher/outline.hpp"
 #include "mesher/quality.hpp"
-#include "mesher/tile.hpp"
 #include "mesher/voronoi.hpp"
 #include "plugin/job_files.hpp"
 #include "plugin/job_proof.hpp"
 #include "plugin/job_report.hpp"
+#include "plugin/job_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -22,6 +21,9 @@ constexpr double kLargestOffset = 1 << 28;
 
 /// Coordinates of the origin are rounded by this many ulps at most on their way into a file.
 constexpr double kUlps = 4;
+
+/// So many squares of the size of grains: three triangles each stay below the end of int.
+constexpr double kMostGrainSquares = 1 << 27;
 
 struct Cancelled {};
 
@@ -67,11 +69,6 @@ class Monitor {
     bool built_ = false;
 };
 
-struct ProvedTile {
-    AnyTile tile;
-    SeamSize seam;
-};
-
 Reduction reduce_repeated(const Job& job) {
     reduce(job.lattice);
     try {
@@ -97,12 +94,46 @@ void check_origin(const Job& job, const Reduction& repeated, double n_sites) {
     }
 }
 
+bool asks_for(const Job& job, TileKind kind) {
+    return std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end();
+}
+
+void check_meshes(const Job& job) {
+    if (job.meshes.empty()) {
+        throw InvalidInput("no mesh is asked for; take voronoi, delaunay or grains");
+    }
+    if (job.outline == Outline::kBox && asks_for(job, TileKind::kTriangles)) {
+        throw InvalidInput(
+            "the box outline would cut Delaunay triangles, and cut ones are none; "
+            "take the mesh grains with the box outline, or the whole outline");
+    }
+    if (job.order != 1 && job.order != 2) throw InvalidInput("the order of grains is 1 or 2");
+    if (!asks_for(job, TileKind::kGrains)) return;
+    const double squares =
+        job.lattice.area() * job.columns * job.rows / (job.grain_size * job.grain_size);
+    if (job.grain_size > 0 && squares > kMostGrainSquares) {
+        throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
+    }
+}
+
+/// Formats without nodes in the middle of edges hold the corners alone, but one must have them.
+void check_order(const Job& job, const std::vector<JobFile>& files) {
+    if (job.order == 1 || files.empty()) return;
+    const bool held = std::any_of(files.begin(), files.end(), [](const JobFile& file) {
+        return file.format != nullptr && file.format->second_order;
+    });
+    if (held) return;
+    throw InvalidInput(
+        "none of the files asked for holds the mid-side nodes of order 2; add one of "
+        ".msh, .inp, .vtu, or take order 1");
+}
+
 void check_job(const Job& job) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
     if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
     if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
-    if (job.meshes.empty()) throw InvalidInput("no mesh is asked for; take voronoi or delaunay");
+    check_meshes(job);
     if (n * job.columns * job.rows > kMostSites) {
         throw LimitExceeded("more than " + std::to_string(kMostSites) +
                             " cells in one tile; take fewer sites or repeat less often");
@@ -122,14 +153,6 @@ CvtResult tessellate(const Job& job, Monitor& monitor) {
     return compute_cvt(job.lattice, std::move(points), options);
 }
 
-ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
-    const PeriodicMesh mesh = repeated(periodic_mesh(result, kind), job.columns, job.rows);
-    AnyTile tile = make_tile(mesh, whole_outline(mesh, job.origin));
-    const TileProof proof = prove_own_tile(tile);
-    return {std::move(tile),
-            {kind, proof.n_boundary_edges, static_cast<int>(proof.edge_pairs.size())}};
-}
-
 JobOutcome describe(const CvtResult& result, const std::vector<ProvedTile>& tiles) {
     JobOutcome outcome;
     outcome.stop = result.stop;
@@ -144,7 +167,7 @@ JobOutcome describe(const CvtResult& result, const std::vector<ProvedTile>& tile
     outcome.valences = histogram(cell_sides(periodic_mesh(result, TileKind::kCells)));
     const auto hexagons = outcome.valences.find(6);
     outcome.n_hexagons = hexagons == outcome.valences.end() ? 0 : hexagons->second;
-    for (const ProvedTile& tile : tiles) outcome.seams.push_back(tile.seam);
+    for (const ProvedTile& tile : tiles) outcome.tiles.push_back(tile.figures);
     return outcome;
 }
 
@@ -244,6 +267,7 @@ const char* stop_name(Stop stop) {
 JobOutcome run_job(const Job& job, const JobCallback& callback) {
     check_job(job);
     const std::vector<JobFile> files = plan_files(job);
+    check_order(job, files);
     require_all_writable(job, files);
     try {
         return run(job, files, callback);

@@ -12,6 +12,9 @@
 
 namespace pcvt {
 
+/// No cell is cut, or cells are cut along the parallelogram of the period vectors.
+enum class Outline { kWhole, kBox };
+
 /// One run, as a plain description: what the command's options and the C ABI's options both fill.
 struct Job {
     Lattice lattice = Lattice::rectangle(1, 1);
@@ -27,13 +30,21 @@ struct Job {
     /// At least 1; the result does not depend on it.
     int n_threads = 1;
 
-    /// At least one, each at most once. With several, -voronoi and -delaunay precede the extension.
+    /// At least one, each at most once. With several, -voronoi, -delaunay and -grains precede
+    /// the extension. Delaunay triangles have no box outline.
     std::vector<TileKind> meshes = {TileKind::kCells};
+    Outline outline = Outline::kWhole;
+    /// Edges of grains, length units; 0: h / 3, h = sqrt(area / number of sites).
+    double grain_size = 0;
+    /// 2: grains are six-node triangles, in the formats that hold them.
+    int order = 1;
     /// The tile covers columns x rows domains and is a tile of that lattice.
     int columns = 1;
     int rows = 1;
     /// Corner of the domain, length units.
     Vec2 origin = Vec2::Zero();
+    /// The box outline stands where its shortest edge comes out longest, and not at `origin`.
+    bool finds_origin = true;
 
     /// Files to write, the format by extension; `.txt` takes the sites.
     std::vector<std::string> outputs;
@@ -52,11 +63,30 @@ struct JobSeconds {
     double total = 0;
 };
 
-/// The seam of one tile.
-struct SeamSize {
+/// A corner of a cell or piece that is too sharp for the angles of its grains.
+struct SharpGrainCorner {
+    SiteId site;
+    Vec2 point;
+    /// Degrees.
+    double angle;
+};
+
+struct GrainFigures {
+    int n_triangles;
+    /// Degrees, of all angles but those in the sharp corners.
+    double smallest_angle;
+    std::vector<SharpGrainCorner> sharp_corners;
+};
+
+/// What there is to tell of one tile: its seam, its outline, its grains.
+struct TileFigures {
     TileKind kind;
     int n_boundary_edges;
     int n_edge_pairs;
+    /// The box outline: its corner, and the shortest edge that the cut has made, in units of h.
+    std::optional<Vec2> box_origin;
+    std::optional<double> box_shortest_edge;
+    std::optional<GrainFigures> grains;
 };
 
 /// What came out, beside the files.
@@ -77,7 +107,7 @@ struct JobOutcome {
     std::map<int, int> valences;
     int n_hexagons = 0;
     /// One entry a mesh of the job.
-    std::vector<SeamSize> seams;
+    std::vector<TileFigures> tiles;
     /// Every file written but the report, in the order of the outputs.
     std::vector<std::string> files;
     JobSeconds seconds;

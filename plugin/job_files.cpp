@@ -30,7 +30,15 @@ std::string lower_case_extension(const std::string& path) {
 }
 
 const char* kind_suffix(TileKind kind) {
-    return kind == TileKind::kCells ? "-voronoi" : "-delaunay";
+    switch (kind) {
+        case TileKind::kCells:
+            return "-voronoi";
+        case TileKind::kTriangles:
+            return "-delaunay";
+        case TileKind::kGrains:
+            return "-grains";
+    }
+    return "";
 }
 
 void add_output(const Job& job, const std::string& path, std::vector<JobFile>& files) {

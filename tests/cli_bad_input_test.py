@@ -88,14 +88,12 @@ class BadOption(CliTest):
         mesh = ("mesh", "--sites", 3, "-o", "t.obj")
         rows = [
             ("pattern", "pattern", "-n", 7), ("study", "study"),
-            ("newton", *mesh, "--solver", "newton"), ("box", *mesh, "--outline", "box"),
-            ("grains", *mesh, "--mesh", "grains"),
+            ("newton", *mesh, "--solver", "newton"),
         ]
         rows += [(start, *mesh, "--start", start) for start in ("coarse", "lattice", "best")]
         rows += [
             (option, *mesh, option, 1)
-            for option in ("--density", "--size", "--order", "--short-edges", "--density-range",
-                           "--budget", "--shard")
+            for option in ("--density", "--short-edges", "--density-range", "--budget", "--shard")
         ]
         rows += [(e, *mesh, "-o", "t." + e) for e in ("nc", "foam")]
         self.refuse_all(2, [(what + ".* not available yet", *row) for what, *row in rows])

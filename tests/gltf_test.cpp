@@ -17,6 +17,7 @@ using ::testing::AllOf;
 using testing::awkward_lattices;
 using ::testing::Each;
 using testing::Glb;
+using testing::grain_grid_tile;
 using testing::grid_tile;
 using ::testing::HasSubstr;
 using testing::split_glb;
@@ -43,8 +44,10 @@ std::string fault_of(const std::string& bytes) {
 /// Tiles of both kinds, the cells with few nodes and with one; the same number of faces a site
 /// each.
 std::vector<FlatTile> tiles_of(const Lattice& lattice) {
-    return {grid_tile(lattice, 1, 1), grid_tile(lattice, 5, 6), grid_tile(lattice, 41, 50),
-            triangle_grid_tile(lattice, 1, 1), triangle_grid_tile(lattice, 5, 6)};
+    return {grid_tile(lattice, 1, 1),          grid_tile(lattice, 5, 6),
+            grid_tile(lattice, 41, 50),        triangle_grid_tile(lattice, 1, 1),
+            triangle_grid_tile(lattice, 5, 6), grain_grid_tile(lattice, 1, 1),
+            grain_grid_tile(lattice, 5, 6)};
 }
 
 /// The fault of a small file with one JSON value exchanged.
@@ -104,6 +107,15 @@ TEST(Gltf, TriangleTilesKeepTheirFacesAndSites) {
     EXPECT_EQ(back.face_begin, tile.face_begin);
     EXPECT_EQ(back.vertex_site, tile.vertex_site);
     EXPECT_TRUE(back.face_site.empty());
+}
+
+TEST(Gltf, TrianglesOfAGrainShareTheirVertices) {
+    const FlatTile tile = grain_grid_tile(kOblique, 5, 6);
+    const FlatTile back = read(glb(tile)).tile;
+    EXPECT_EQ(back.face_site, tile.face_site);
+    // Four corners a grain, and none that no grain has.
+    EXPECT_EQ(std::set<int>(back.corners.begin(), back.corners.end()).size(), 4 * 30U);
+    EXPECT_EQ(back.n_vertices(), 4 * 30);
 }
 
 TEST(Gltf, ReadsAsATileOnEveryLattice) {

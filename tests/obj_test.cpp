@@ -68,7 +68,8 @@ TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
         for (const FlatTile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
-              testing::triangle_grid_tile(lattice, 2, 5)}) {
+              testing::triangle_grid_tile(lattice, 2, 5),
+              testing::grain_grid_tile(lattice, 2, 5)}) {
             const auto files = encode_obj(tile, "dir/t.obj");
             const TileFile file = decode_obj(files, std::nullopt);
             testing::expect_same_tile(file.tile, tile);
@@ -223,7 +224,7 @@ TEST(Obj, FaultsOfTheSidecarNameIt) {
     EXPECT_THAT(fault_with("\"version\": 1", "\"version\": 2"), HasSubstr("its version is not 1"));
     EXPECT_THAT(fault_with("pcvt seam", "seam"), HasSubstr("it is not a seam of pcvt"));
     EXPECT_THAT(fault_with("\"index_base\": 0", "\"index_base\": 1"), HasSubstr("index base"));
-    EXPECT_THAT(fault_with("\"cells\"", "7"), HasSubstr("neither cells nor triangles"));
+    EXPECT_THAT(fault_with("\"cells\"", "7"), HasSubstr("none of cells, triangles and grains"));
     EXPECT_THAT(fault_with("\"sites\"", "\"site\""), HasSubstr("\"sites\" is missing"));
     EXPECT_THAT(fault_with("[[1, 0], [0, 1]]", "[[1, 0]]"), HasSubstr("\"lattice\" is not"));
     EXPECT_THAT(fault_with("[[1, 0], [0, 1]]", "[[1, 0], [2, 0]]"), StartsWith("t.seam.json: "));

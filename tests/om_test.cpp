@@ -21,11 +21,15 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// The Voronoi cells or the Delaunay triangles of n random sites.
+/// The Voronoi cells or the Delaunay triangles of n random sites; the latter stand for grains, too.
 AnyTile tile_of(const Lattice& lattice, int n, TileKind kind) {
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
     const bool cells = kind == TileKind::kCells;
-    const PeriodicMesh mesh = cells ? cell_mesh(delaunay) : triangle_mesh(delaunay);
+    PeriodicMesh mesh = cells ? cell_mesh(delaunay) : triangle_mesh(delaunay);
+    if (kind == TileKind::kGrains) {
+        mesh.kind = kind;
+        mesh.site.resize(static_cast<std::size_t>(mesh.n_faces()), 3);
+    }
     return make_tile(mesh, whole_outline(mesh, Vec2(0, 0)));
 }
 
@@ -59,7 +63,7 @@ FlatTile read_with_openmesh(const std::string& bytes, const Lattice& lattice) {
 
 TEST(Om, TilesReadBackExactlyWithTheirSeam) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles}) {
+        for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles, TileKind::kGrains}) {
             for (const int n : {1, 2, 40, 3000}) {
                 const AnyTile tile = tile_of(lattice, n, kind);
                 const TileFile file = decode_om(encode_om(tile, "t.om"), std::nullopt);

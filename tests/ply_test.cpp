@@ -61,7 +61,8 @@ std::string fault_with(const std::string& piece, const std::string& other) {
 TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
         for (FlatTile tile : {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
-                              testing::triangle_grid_tile(lattice, 2, 5)}) {
+                              testing::triangle_grid_tile(lattice, 2, 5),
+                              testing::grain_grid_tile(lattice, 2, 5)}) {
             const auto files = encode_ply(tile, "dir/t.ply");
             ASSERT_EQ(files.size(), 1U);
             EXPECT_EQ(files[0].path, "dir/t.ply");

@@ -89,6 +89,26 @@ TEST(Svg, CellsHaveTheColourOfTheirSides) {
     EXPECT_THAT(picture, HasSubstr("<title>Periodic Voronoi tile, 6 cells</title>"));
 }
 
+TEST(Svg, GrainsHaveABoundaryBetweenSites) {
+    FlatTile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 3, 2);
+    tile.whole_sides.assign(std::size_t(tile.n_faces()), 5);
+    const std::string picture = svg(tile);
+    EXPECT_THAT(picture, HasSubstr("<title>Periodic grains, 12 triangles</title>"));
+    EXPECT_THAT(picture, HasSubstr("5 sides<"));
+    const auto fills = all_matches(picture, R"re(<path fill="([^"]+)")re");
+    EXPECT_THAT(fills, ::testing::ElementsAre(hex(side_colour(5))));
+    tile.face_site.assign(std::size_t(tile.n_faces()), 0);
+    EXPECT_LT(path_points(svg(tile)).size(), path_points(picture).size());
+}
+
+TEST(Svg, PiecesWithoutTheirSiteHaveNoDot) {
+    FlatTile tile = grid_tile(Lattice::rectangle(1, 1), 2, 1);
+    tile.site_points = {{0.25, 0.5}, {0.25, 0.5}};
+    const std::size_t both = path_points(svg(tile)).size();
+    tile.whole_sides = {4, 4};
+    EXPECT_EQ(path_points(svg(tile)).size(), both - 1);
+}
+
 TEST(Svg, TheSeamOfEachTranslationHasOneColour) {
     FlatTile tile = grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
     for (std::size_t k = 0; k < tile.edge_pairs.size(); k += 2) {

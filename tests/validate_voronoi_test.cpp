@@ -176,5 +176,11 @@ TEST(ProveDelaunay, CellsOfMoreThanThreeCornersAreRefused) {
                 ThrowsMessage<NotATile>(HasSubstr("face 0 has 4 corners, not 3")));
 }
 
+TEST(Voronoi, GrainsAreNotAskedFor) {
+    const FlatTile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    const TileProof proof = prove_tile(tile, Precision::kDouble);
+    EXPECT_THROW(prove_voronoi(tile, proof, 1), InvalidInput);
+}
+
 }  // namespace
 }  // namespace pcvt

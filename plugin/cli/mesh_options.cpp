@@ -62,12 +62,17 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
 void add_output_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Output");
     app.add_option("--mesh", options.meshes,
-                   "repeatable [voronoi]; with both, -voronoi and -delaunay\n"
-                   "precede the extension")
+                   "repeatable [voronoi]; grains: triangles inside of cells; with\n"
+                   "several, -voronoi, -delaunay, -grains precede the extension")
         ->type_name("KIND")
-        ->option_text("voronoi|delaunay")
+        ->option_text("voronoi|delaunay|grains")
         ->allow_extra_args(false);
-    add(app, "--outline", options.outline, "whole", "no cell is cut [whole]");
+    add(app, "--outline", options.outline, "whole|box",
+        "whole: no cell is cut; box: cut along the period vectors, where\n"
+        "the shortest edge comes out longest unless --origin is given [whole]");
+    add(app, "--size", options.size, "H", "length of the edges of grains [h / 3]");
+    add(app, "--order", options.order, "1|2",
+        "2: grains with nodes in the middle of edges, in formats that hold them [1]");
     add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
     app.add_option("-o", options.outputs,
                    "repeatable; none: only the summary; the extension decides:\n" +
@@ -116,10 +121,10 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
 }
 
 TileKind mesh_kind(const std::string& name) {
-    refuse_later_value("--mesh", name, {"grains"});
     if (name == "voronoi") return TileKind::kCells;
     if (name == "delaunay") return TileKind::kTriangles;
-    throw InvalidInput("--mesh " + name + ": unknown; take voronoi or delaunay");
+    if (name == "grains") return TileKind::kGrains;
+    throw InvalidInput("--mesh " + name + ": unknown; take voronoi, delaunay or grains");
 }
 
 void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
@@ -138,7 +143,6 @@ void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
 void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
     refuse_later_value("--start", options.start, {"coarse", "lattice", "best"});
     refuse_later_value("--solver", options.solver, {"newton"});
-    refuse_later_value("--outline", options.outline, {"box"});
     const auto choose = [&app](const char* name, const std::string& value,
                                std::initializer_list<const char*> known, const char* choices) {
         if (app.count(name) == 0) return;
@@ -148,8 +152,20 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
     };
     choose("--start", options.start, {"random"}, "random");
     choose("--solver", options.solver, {"lbfgs", "lloyd"}, "lbfgs or lloyd");
-    choose("--outline", options.outline, {"whole"}, "whole");
+    choose("--outline", options.outline, {"whole", "box"}, "whole or box");
+    if (options.outline == "box") job.outline = Outline::kBox;
     if (options.solver == "lloyd") job.solver = Solver::kLloyd;
+}
+
+void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
+    for (const char* name : {"--size", "--order"}) {
+        const bool grains =
+            std::find(job.meshes.begin(), job.meshes.end(), TileKind::kGrains) != job.meshes.end();
+        if (app.count(name) == 0 || grains) continue;
+        throw InvalidInput(std::string(name) + " is for grains; add --mesh grains or leave it out");
+    }
+    if (app.count("--size") > 0) job.grain_size = positive_number("--size", options.size);
+    if (app.count("--order") > 0) job.order = whole_number("--order", options.order, 1, 2);
 }
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
@@ -164,7 +180,10 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--threads") > 0) {
         job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
-    if (app.count("--origin") > 0) job.origin = point("--origin", options.origin);
+    if (app.count("--origin") > 0) {
+        job.origin = point("--origin", options.origin);
+        job.finds_origin = false;
+    }
     if (app.count("--repeat") > 0) {
         const Repetition times = repetition("--repeat", options.repeat);
         job.columns = times.columns;
@@ -180,8 +199,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_output_options(app, options);
     add_later_options(app);
     app.footer(std::string(kExamples) +
-               "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
-               "--outline box, --density, " +
+               "\nNot available yet: --start coarse|lattice|best, --solver newton, --density,\n" +
                later_extensions() + "\n");
 }
 
@@ -192,6 +210,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_site_source(app, options, job);
     read_choices(app, options, job);
     read_meshes(app, options, job);
+    read_grains(app, options, job);
     read_numbers(app, options, job);
     job.outputs = options.outputs;
     if (app.count("--report") > 0 && !options.report.ends_with(".json")) {

@@ -24,6 +24,8 @@ struct MeshOptions {
     std::string max_iterations;
     std::vector<std::string> meshes;
     std::string outline;
+    std::string size;
+    std::string order;
     std::string repeat;
     std::string origin;
     std::vector<std::string> outputs;

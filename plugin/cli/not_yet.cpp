@@ -10,8 +10,8 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr const char* kLaterOptions[] = {"--density",       "--size",   "--order", "--short-edges",
-                                         "--density-range", "--budget", "--shard"};
+constexpr const char* kLaterOptions[] = {"--density", "--short-edges", "--density-range",
+                                         "--budget", "--shard"};
 
 }  // namespace
 

@@ -27,13 +27,37 @@ std::string valence_text(const JobOutcome& outcome) {
     return text;
 }
 
-std::string seam_lines(const JobOutcome& outcome) {
+const char* kind_text(TileKind kind) {
+    switch (kind) {
+        case TileKind::kCells:
+            return "voronoi";
+        case TileKind::kTriangles:
+            return "delaunay";
+        case TileKind::kGrains:
+            return "grains";
+    }
+    return "";
+}
+
+std::string grain_text(const GrainFigures& grains) {
+    const std::size_t n_sharp = grains.sharp_corners.size();
+    return std::to_string(grains.n_triangles) + " triangles, angles from " +
+           figure(grains.smallest_angle) + " degrees on" +
+           (n_sharp == 0 ? "" : " but in " + std::to_string(n_sharp) + " sharp corners of pieces");
+}
+
+std::string tile_lines(const JobOutcome& outcome) {
     std::string text;
-    for (const SeamSize& seam : outcome.seams) {
-        text +=
-            line("seam", std::string(seam.kind == TileKind::kCells ? "voronoi" : "delaunay") +
-                             ", " + std::to_string(seam.n_boundary_edges) + " boundary edges in " +
-                             std::to_string(seam.n_edge_pairs) + " pairs");
+    for (const TileFigures& tile : outcome.tiles) {
+        text += line("seam", std::string(kind_text(tile.kind)) + ", " +
+                                 std::to_string(tile.n_boundary_edges) + " boundary edges in " +
+                                 std::to_string(tile.n_edge_pairs) + " pairs");
+        if (tile.box_origin) {
+            text += line("box", "corner at " + vector_text(*tile.box_origin) +
+                                    ", shortest edge of the cut " +
+                                    figure(*tile.box_shortest_edge) + " h");
+        }
+        if (tile.grains) text += line("grains", grain_text(*tile.grains));
     }
     return text;
 }
@@ -52,7 +76,7 @@ std::string summary(const Job& job, const JobOutcome& outcome) {
                                " of the hexagonal bound");
     text += line("residual", figure(outcome.residual));
     text += line("hexagons", valence_text(outcome));
-    text += seam_lines(outcome);
+    text += tile_lines(outcome);
     for (const std::string& file : outcome.files) text += line("file", file);
     if (!job.report.empty()) text += line("report", job.report);
     text += line("seconds", figure(outcome.seconds.total));

@@ -73,4 +73,12 @@ FlatTile triangle_grid_tile(const Lattice& lattice, int columns, int rows) {
     return tile;
 }
 
+FlatTile grain_grid_tile(const Lattice& lattice, int columns, int rows) {
+    FlatTile tile = triangle_grid_tile(lattice, columns, rows);
+    tile.kind = TileKind::kGrains;
+    tile.vertex_site.clear();
+    for (int f = 0; f < tile.n_faces(); ++f) tile.face_site.push_back(f / 2);
+    return tile;
+}
+
 }  // namespace pcvt::testing

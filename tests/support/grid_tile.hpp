@@ -11,4 +11,7 @@ FlatTile grid_tile(const Lattice& lattice, int columns, int rows);
 /// The same with each parallelogram cut into two triangles; sites are the grid points.
 FlatTile triangle_grid_tile(const Lattice& lattice, int columns, int rows);
 
+/// The same two triangles a parallelogram, which is their grain.
+FlatTile grain_grid_tile(const Lattice& lattice, int columns, int rows);
+
 }  // namespace pcvt::testing
