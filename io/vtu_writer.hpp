@@ -13,13 +13,13 @@ namespace pcvt {
 ///
 /// PointData: `GlobalIds`, counted from 0; `PeriodicPointIds`, the id of the representative, i.e.
 /// the smallest on the orbit; `PeriodicOffset` (i, j), position = position(representative)
-/// + i a + j b; of Delaunay triangles also `CellId`, the site there, -1 in
-/// the middle of an edge. CellData: `CellId`, the site
-/// of each cell, of triangles element_cells(). FieldData: `PeriodicLattice`, the vectors a and b.
+/// + i a + j b; of Delaunay triangles also `CellId`, the site there, -1 in the middle of an edge.
+/// CellData: `CellId`, the site of each cell, of triangles element_cells(). FieldData:
+/// `PeriodicLattice`, the vectors a and b.
 ///
 /// ASCII, because the shortest decimals that round-trip are exact, take no more room than the same
-/// arrays in raw binary (12.7 MB for the triangles of 1e5 sites, against 12.6), and let a reader name
-/// a fault by its line.
+/// arrays in raw binary (12.7 MB for the triangles of 1e5 sites, against 12.6), and let a reader
+/// name a fault by its line.
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_vtu(const FlatTile& tile, const std::string& path);
 std::vector<EncodedFile> encode_vtu(const AnyTile& tile, const std::string& path);

@@ -32,7 +32,16 @@ class Check(CliTest):
         outputs = [word for e in TRIANGLES for word in ("-o", f"t.{e}")]
         self.mesh("--sites", 40, *OBLIQUE, "--mesh", "delaunay", *outputs)
         for line in self.succeed("check", *(f"t.{e}" for e in TRIANGLES), "--cvt").splitlines():
-            self.assertRegex(line, r" 80 faces, .*genus 1 after gluing.*pairs agree.*Delaunay within")
+            self.assertRegex(line, r" 80 faces, .*genus 1.*pairs agree.*Delaunay within")
+
+    def test_grains_of_second_order_are_proved_in_formats_that_hold_them(self):
+        names = [f"t.{e}" for e in ("msh", "inp", "vtu")]
+        outputs = [word for name in names for word in ("-o", name)]
+        for outline in ("whole", "box"):
+            self.mesh("--sites", 12, *OBLIQUE, "--mesh", "grains", "--order", 2, "--force",
+                      "--outline", outline, "--tolerance", "1e-3", *outputs)
+            for line in self.succeed("check", *names).splitlines():
+                self.assertRegex(line, r"genus 1 after gluing, area 0\.81.*pairs agree")
 
     def test_a_moved_node_and_a_wrong_tie_are_refused(self):
         self.mesh("--sites", 30, "--mesh", "delaunay", "-o", "t.msh", "-o", "t.inp", "-o", "t.vtu")
