@@ -184,8 +184,8 @@ BlockMatrix chain(int n, double hold) {
 
 TEST(ConjugateGradients, SolveTheSystemToTheResidualAskedFor) {
     BlockMatrix h = chain(50, 1);
-    for (BlockMatrix::Block& block : h.diagonal) block[1] = block[2] = 0.01;
-    for (BlockMatrix::Block& block : h.diagonal) block[0] += 0.1, block[3] += 0.1;
+    for (auto& block : h.diagonal) block[1] = block[2] = 0.01;
+    for (auto& block : h.diagonal) block[0] += 0.1, block[3] += 0.1;
     const VectorXd g = VectorXd::LinSpaced(100, -1, 3).array().sin();
     Workers workers(1);
     ConjugateGradients cg(100, workers);
