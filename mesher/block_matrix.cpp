@@ -2,27 +2,29 @@
 
 #include <algorithm>
 
+#include "mesher/vector_clones.hpp"
+
 namespace pcvt {
 namespace {
 
 constexpr int kRowsPerTask = 1 << 13;
 
 /// Rows begin ... end - 1 of y = A x; returns their part of x.y.
-double multiply_rows(const BlockMatrix& a, const double* x, double* y, int begin, int end) {
-    using Pair = Eigen::Vector2d;
-    using Pairs = Eigen::Map<const Pair>;
+PCVT_VECTOR_CLONES double multiply_rows(const BlockMatrix& a, const double* x, double* y, int begin,
+                                        int end) {
     double dot = 0;
     for (int i = begin; i < end; ++i) {
-        const double* own = a.diagonal[i].data();
-        const Pair at(Pairs(x + 2 * std::size_t(i)));
-        Pair sum = Pairs(own) * at[0] + Pairs(own + 2) * at[1];
+        const double* at = x + 2 * std::size_t(i);
+        double sum[4];
+        for (int m = 0; m < 4; ++m) sum[m] = a.diagonal[i][m] * at[m / 2];
         for (int k = a.row_begin[i]; k < a.row_begin[i + 1]; ++k) {
             const double* there = x + 2 * std::size_t(a.column[k]);
-            const double* block = a.block[k].data();
-            sum += Pairs(block) * there[0] + Pairs(block + 2) * there[1];
+            const float* block = a.block[k].data();
+            for (int m = 0; m < 4; ++m) sum[m] += double(block[m]) * there[m / 2];
         }
-        Eigen::Map<Pair>(y + 2 * std::size_t(i)) = sum;
-        dot += at.dot(sum);
+        y[2 * std::size_t(i)] = sum[0] + sum[2];
+        y[2 * std::size_t(i) + 1] = sum[1] + sum[3];
+        dot += at[0] * (sum[0] + sum[2]) + at[1] * (sum[1] + sum[3]);
     }
     return dot;
 }

@@ -15,10 +15,12 @@ namespace pcvt {
 /// column may occur more than once in it, and its blocks add up. Both triangles are stored, so that
 /// each row of a product is computed on its own.
 struct BlockMatrix {
-    /// (0, 0), (1, 0), (0, 1), (1, 1).
-    using Block = std::array<double, 4>;
+    /// (0, 0), (1, 0), (0, 1), (1, 1). Beside the diagonal in single precision: of large matrices a
+    /// product waits for memory.
+    using DiagonalBlock = std::array<double, 4>;
+    using Block = std::array<float, 4>;
 
-    std::vector<Block> diagonal;
+    std::vector<DiagonalBlock> diagonal;
     /// Entries row_begin[i] ... row_begin[i + 1] - 1 belong to row i.
     std::vector<int> row_begin;
     std::vector<int> column;

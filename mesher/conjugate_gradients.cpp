@@ -15,20 +15,23 @@ constexpr double kLeastDeterminant = 1e-3;
 using Pair = Eigen::Vector2d;
 
 /// The inverse of `block`, or of what stands in for it; `usual_trace` for a trace not positive.
-BlockMatrix::Block safe_inverse(const BlockMatrix::Block& block, double usual_trace) {
+BlockMatrix::Block safe_inverse(const BlockMatrix::DiagonalBlock& block, double usual_trace) {
     const auto [xx, yx, xy, yy] = block;
     const double trace = xx + yy;
     const double determinant = xx * yy - xy * yx;
     if (trace > 0 && determinant > kLeastDeterminant * trace * trace) {
-        return {yy / determinant, -yx / determinant, -xy / determinant, xx / determinant};
+        const auto mixed = static_cast<float>(-xy / determinant);
+        return {static_cast<float>(yy / determinant), mixed, mixed,
+                static_cast<float>(xx / determinant)};
     }
-    const double scale = 2 / (trace > 0 ? trace : usual_trace);
+    const auto scale = static_cast<float>(2 / (trace > 0 ? trace : usual_trace));
     return {scale, 0, 0, scale};
 }
 
-double mean_size(const std::vector<BlockMatrix::Block>& blocks) {
+double mean_size(const std::vector<BlockMatrix::DiagonalBlock>& blocks) {
     double sum = 0;
-    for (const BlockMatrix::Block& block : blocks) sum += std::abs(block[0]) + std::abs(block[3]);
+    for (const BlockMatrix::DiagonalBlock& block : blocks)
+        sum += std::abs(block[0]) + std::abs(block[3]);
     return sum > 0 ? sum / static_cast<double>(blocks.size()) : 1;
 }
 

@@ -51,7 +51,8 @@ BlockMatrix::Block edge_block(const Vec2& d, double left, double right) {
     const double xx = d.x() * d.x();
     const double yy = d.y() * d.y();
     const double mixed = (along - across) * (d.x() * d.y());
-    return {along * xx + across * yy, mixed - twist, mixed + twist, along * yy + across * xx};
+    return {static_cast<float>(along * xx + across * yy), static_cast<float>(mixed - twist),
+            static_cast<float>(mixed + twist), static_cast<float>(along * yy + across * xx)};
 }
 
 /// One halfedge that leaves each site, and the number of halfedges to other sites.
@@ -71,7 +72,7 @@ struct Stars {
 void fill_row(const MovingDelaunay& delaunay, const std::vector<double>& cotangent, SiteId site,
               int first, BlockMatrix& hessian) {
     const TorusTriangulation& t = delaunay.triangulation();
-    BlockMatrix::Block& diagonal = hessian.diagonal[site];
+    BlockMatrix::DiagonalBlock& diagonal = hessian.diagonal[site];
     diagonal = {};
     int entry = hessian.row_begin[site];
     int h = first;
@@ -87,7 +88,7 @@ void fill_row(const MovingDelaunay& delaunay, const std::vector<double>& cotange
         }
         h = t.next_round_site(h);
     } while (h != first);
-    // The twists of a row sum to zero but for rounding.
+    // Symmetric but for rounding: the twists of a row sum to zero.
     diagonal[1] = diagonal[2] = 0.5 * (diagonal[1] + diagonal[2]);
 }
 

@@ -15,9 +15,9 @@ namespace pcvt {
 ///   H_ij  =  2 / |x_j - x_i| integral over the edge of (p - x_i) (p - x_j)^T
 ///   H_ii  =  2 m_i 1 - sum 2 / |x_j - x_i| integral over the edge of (p - x_i) (p - x_i)^T
 ///
-/// With d = x_j - x_i, d' = d turned by +90 degrees and l = |d|^2, the edge runs from the point
-/// (d - c' d') / 2 beyond x_i to (d + c d') / 2, where c is the cotangent opposite to d in the
-/// triangle on the left of it, c' in that on its right, and the integrals are
+/// With d = x_j - x_i, d' = d turned by +90 degrees and l = |d|^2, the edge runs from
+/// x_i + (d - c' d') / 2 to x_i + (d + c d') / 2, where c is the cotangent opposite to d in the
+/// triangle on its left and c' in that on its right, and the first integral is
 ///
 ///   H_ij  =  e (-d d^T / 4 + q d' d'^T / 12 + (c - c') (d d'^T - d' d^T) / 8)
 ///   e = c + c',  q = c^2 - c c' + c'^2
@@ -26,9 +26,10 @@ namespace pcvt {
 /// one site adds nothing. F does not change under translations, so H_ii = - sum H_ij, which is how
 /// it is computed. F is twice continuously differentiable where no two sites coincide: the Hessian,
 /// too, does not jump where an edge flips. Laws, tested by number:
-///   (1) It is the derivative of the gradient (energy.hpp).
+///   (1) It is the derivative of the gradient (energy.hpp), rounded to single precision beside the
+///       diagonal.
 ///   (2) H_ji is H_ij^T, and H_ii is symmetric, to the last bit.
-///   (3) The blocks of a row sum to zero.
+///   (3) The blocks of a row sum to zero, but for the rounding of their antisymmetric parts.
 ///
 /// @param delaunay  restored and, where it was moved, settled.
 void assemble_hessian(const MovingDelaunay& delaunay, Workers& workers, BlockMatrix& hessian);

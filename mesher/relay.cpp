@@ -19,7 +19,8 @@ constexpr Eigen::Index kMostAfterLbfgs = 5000;
 constexpr double kNearAtFirst = 0.1;
 /// What L-BFGS has to gain before Newton's method, once stuck, begins again.
 constexpr double kGain = 1.0 / 3;
-constexpr int kMostTruncated = 8;
+/// Truncated steps in a row after which L-BFGS reaches the minimum in less time.
+constexpr int kMostTruncated = 4;
 
 class Relay {
    public:

@@ -20,7 +20,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 SparseMatrix lower_triangle(const BlockMatrix& h) {
     std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&entries](int row, int column, const BlockMatrix::Block& block) {
+    const auto add = [&entries](int row, int column, const auto& block) {
         for (int k = 0; k < 4; ++k) {
             const int r = 2 * row + k % 2;
             const int c = 2 * column + k / 2;
@@ -89,10 +89,9 @@ Minimum stability(const BlockMatrix& hessian) {
     if (hessian.n_rows() == 1) return Minimum::kYes;
     const double threshold = kThreshold * largest_eigenvalue(hessian);
     Inertia inertia(lower_triangle(hessian));
+    if (inertia.n_below(threshold) == kTranslations) return Minimum::kYes;
     const auto n_negative = inertia.n_below(-threshold);
-    if (n_negative && *n_negative > 0) return Minimum::kNo;
-    const auto n_small = inertia.n_below(threshold);
-    return n_small == kTranslations ? Minimum::kYes : Minimum::kUnknown;
+    return n_negative && *n_negative > 0 ? Minimum::kNo : Minimum::kUnknown;
 }
 
 Minimum stability(const Sites& sites) {

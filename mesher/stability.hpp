@@ -13,12 +13,12 @@ enum class Minimum { kYes, kNo, kUnknown };
 /// "yes", "no", "unknown".
 const char* minimum_name(Minimum minimum);
 
-/// Sites up to which the factorisations take less than a second.
-inline constexpr int kMostSitesForStability = 20'000;
+/// Sites up to which the answer, where it is yes, takes less than half a second.
+inline constexpr int kMostSitesForStability = 10'000;
 
 /// By Sylvester's law of inertia: the number of negative pivots of H - s is the number of
-/// eigenvalues of H below s. Two sparse factorisations, about n^1.5; one state modulo translations,
-/// n = 1, is a minimum.
+/// eigenvalues of H below s. One sparse factorisation where the answer is yes, else two, each of
+/// the order n^1.5. One site has one state modulo translations: a minimum.
 /// @param hessian  annihilates translations.
 Minimum stability(const BlockMatrix& hessian);
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "mesher/error.hpp"
 #include "tests/support/energy_at.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/nearest_site.hpp"
+#include "tests/support/sublattice.hpp"
 
 namespace pcvt {
 namespace {
@@ -175,7 +177,7 @@ int evaluations_to_rms(Solver solver, std::uint64_t seed) {
 TEST(SlowCvt, LbfgsNeedsFewEvaluationsAndLloydMany) {
     std::vector<int> evaluations;
     for (std::uint64_t seed = 0; seed < 9; ++seed) {
-        evaluations.push_back(evaluations_to_rms(Solver::kLbfgs, seed));
+        evaluations.push_back(evaluations_to_rms(Solver::kPlainLbfgs, seed));
     }
     std::sort(evaluations.begin(), evaluations.end());
     RecordProperty("lbfgs_median", evaluations[4]);
@@ -183,6 +185,62 @@ TEST(SlowCvt, LbfgsNeedsFewEvaluationsAndLloydMany) {
     const int lloyd = evaluations_to_rms(Solver::kLloyd, 0);
     RecordProperty("lloyd", lloyd);
     EXPECT_GT(lloyd, 2000);
+}
+
+CvtResult to_machine_precision(Solver solver, int n, std::uint64_t seed) {
+    CvtOptions options = to_tolerance(1e-10);
+    options.solver = solver;
+    CvtResult result = run(Lattice::rectangle(1, 1), n, seed, options);
+    EXPECT_EQ(result.stop, Stop::kConverged);
+    return result;
+}
+
+TEST(Cvt, NewtonFinishesInFewEvaluations) {
+    std::vector<int> evaluations;
+    for (std::uint64_t seed = 0; seed < 9; ++seed) {
+        const CvtResult result = to_machine_precision(Solver::kLbfgs, 1000, seed);
+        evaluations.push_back(result.evaluations);
+        EXPECT_GT(result.cg_products, result.hessians);
+    }
+    std::sort(evaluations.begin(), evaluations.end());
+    RecordProperty("median", evaluations[4]);
+    EXPECT_LE(evaluations[4], 230);
+    EXPECT_LE(to_machine_precision(Solver::kNewton, 1000, 0).evaluations, 400);
+    const CvtResult plain = to_machine_precision(Solver::kPlainLbfgs, 1000, 1);
+    EXPECT_EQ(plain.hessians, 0);
+    EXPECT_GT(plain.evaluations, 300);
+}
+
+TEST(SlowCvt, NewtonFinishesTenThousandSites) {
+    for (const std::uint64_t seed : {0, 1, 2}) {
+        EXPECT_LE(to_machine_precision(Solver::kLbfgs, 10000, seed).evaluations, 500);
+    }
+}
+
+/// The best lattice of the unit square, each coordinate moved by a normal deviate times 0.1 h.
+Points noisy_lattice(const testing::SublatticeBasis& basis, std::uint64_t seed) {
+    Points points = testing::sublattice_points(Lattice::rectangle(1, 1), basis);
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal(0, 0.1 / std::sqrt(double(points.cols())));
+    for (double& x : points.reshaped()) x += normal(random);
+    return points;
+}
+
+TEST(Cvt, NewtonBeginsAtOnceNearALattice) {
+    for (const std::uint64_t seed : {0, 1, 2}) {
+        const CvtResult result = compute_cvt(
+            Lattice::rectangle(1, 1), noisy_lattice({2000, 702, 5}, seed), to_tolerance(1e-10));
+        EXPECT_EQ(result.stop, Stop::kConverged);
+        EXPECT_LE(result.evaluations, 10);
+        EXPECT_NEAR(result.energy / result.energy_bound, 1.00001712, 1e-8);
+    }
+}
+
+TEST(SlowCvt, NewtonBeginsAtOnceNearALargeLattice) {
+    const CvtResult result = compute_cvt(Lattice::rectangle(1, 1),
+                                         noisy_lattice({4000, 1223, 25}, 0), to_tolerance(1e-10));
+    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_LE(result.evaluations, 10);
 }
 
 TEST(Cvt, LloydNeverRaisesTheEnergy) {
@@ -253,6 +311,9 @@ TEST(Cvt, TheNumberOfThreadsDoesNotMatter) {
     expect_same_bits_for_threads(40000, few_iterations);
     few_iterations.solver = Solver::kLloyd;
     few_iterations.max_iterations = 2;
+    expect_same_bits_for_threads(40000, few_iterations);
+    few_iterations.solver = Solver::kNewton;
+    few_iterations.max_iterations = 4;
     expect_same_bits_for_threads(40000, few_iterations);
 }
 

@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 
 MatrixXd dense(const BlockMatrix& h) {
     MatrixXd matrix = MatrixXd::Zero(2 * h.n_rows(), 2 * h.n_rows());
-    const auto add = [&matrix](int i, int j, const BlockMatrix::Block& block) {
-        matrix.block<2, 2>(2 * i, 2 * j) += Eigen::Map<const Eigen::Matrix2d>(block.data());
+    const auto add = [&matrix](int i, int j, const auto& block) {
+        for (int k = 0; k < 4; ++k) matrix(2 * i + k % 2, 2 * j + k / 2) += block[k];
     };
     for (int i = 0; i < h.n_rows(); ++i) {
         add(i, i, h.diagonal[i]);
@@ -114,7 +114,7 @@ TEST(Hessian, IsSymmetricAndItsRowsSumToZero) {
                       n < 10 ? 1e-15 * matrix.cwiseAbs().maxCoeff() : 0)
                 << name << n;
             EXPECT_LT((matrix * VectorXd::Unit(2, 0).replicate(n, 1)).norm(),
-                      1e-13 * matrix.norm() + 1e-300);
+                      1e-7 * matrix.norm() + 1e-300);
         }
     }
 }
@@ -146,10 +146,10 @@ TEST(Hessian, OfTheSquareGrid) {
     const MatrixXd h = dense(Engine(grid).hessian());
     for (Eigen::Index k = 0; k < h.rows(); ++k) {
         const VectorXd row = h.row(k) / h(0, 0) * (2.0 / 3);
-        EXPECT_NEAR(row[k], 1 - 1.0 / 3, 1e-12);
-        EXPECT_NEAR(row.minCoeff(), -0.5, 1e-12);
-        EXPECT_NEAR(row.cwiseAbs().sum(), 1 - 1.0 / 3 + 1 + 1.0 / 3, 1e-12);
-        EXPECT_EQ((row.array().abs() > 1e-12).count(), 5);
+        EXPECT_NEAR(row[k], 1 - 1.0 / 3, 1e-7);
+        EXPECT_NEAR(row.minCoeff(), -0.5, 1e-7);
+        EXPECT_NEAR(row.cwiseAbs().sum(), 1 - 1.0 / 3 + 1 + 1.0 / 3, 1e-7);
+        EXPECT_EQ((row.array().abs() > 1e-7).count(), 5);
     }
 }
 

@@ -109,8 +109,8 @@ TEST(Relay, GoesOnByLbfgsWhereNewtonIsStuck) {
     PlainObjective objective = from(0.3);
     objective.mislead_hessian([&](BlockMatrix& h) {
         ++n_hessians;
-        for (BlockMatrix::Block& block : h.diagonal) block = {1e12, 0, 0, 1e12};
-        for (BlockMatrix::Block& block : h.block) block = {};
+        for (auto& block : h.diagonal) block = {1e12, 0, 0, 1e12};
+        for (auto& block : h.block) block = {};
     });
     const OptimizerResult result = relay(objective, 1e-9, NewtonStart::kNear);
     EXPECT_EQ(result.stop, Stop::kConverged);

@@ -81,14 +81,14 @@ TEST(Stability, AgreesWithAllEigenvalues) {
 }
 
 /// Pairs on springs to their neighbours in a ring of n: eigenvalues 2 - 2 cos(2 pi k / n), twice.
-BlockMatrix ring_of_springs(int n, double stiffness_of_one) {
+BlockMatrix ring_of_springs(int n, float stiffness_of_one) {
     BlockMatrix h;
     h.resize(std::vector<int>(static_cast<std::size_t>(n), 2));
     h.annihilates_translations = true;
     h.diagonal.assign(h.diagonal.size(), {});
     for (int i = 0; i < n; ++i) {
         const int j = (i + 1) % n;
-        const double k = i == 0 ? stiffness_of_one : 1;
+        const float k = i == 0 ? stiffness_of_one : 1;
         h.column[2 * i] = j;
         h.column[2 * j + 1] = i;
         h.block[2 * i] = h.block[2 * j + 1] = {-k, 0, 0, -k};

@@ -79,10 +79,12 @@ inline void PlainObjective::hessian(BlockMatrix& hessian) const {
                 (gradient_at(point_ + e) - gradient_at(point_ - e)) / (2 * kDifference);
         }
         for (int i = 0; i < n_rows; ++i) {
+            const Eigen::Matrix2d block = columns.middleRows<2>(2 * i);
             const int entry = hessian.row_begin[i] + (j < i ? j : j - 1);
-            BlockMatrix::Block& block = i == j ? hessian.diagonal[i] : hessian.block[entry];
-            Eigen::Map<Eigen::Matrix2d>(block.data()) = columns.middleRows<2>(2 * i);
-            if (i != j) hessian.column[entry] = j;
+            if (i == j) std::copy_n(block.data(), 4, hessian.diagonal[i].begin());
+            if (i == j) continue;
+            hessian.column[entry] = j;
+            Eigen::Map<Eigen::Matrix2f>(hessian.block[entry].data()) = block.cast<float>();
         }
     }
     if (change_hessian_) change_hessian_(hessian);
