@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mesher/density.hpp"
@@ -42,13 +43,11 @@ class CellQuadrature {
     Moments operator()(const CellPolygon& cell, const Vec2& site, int q, DensityProbe& probe) const;
 
    private:
-    /// Coordinates in [0, 1), 0 among them, rising; and then again in every period.
-    using Breaks = std::vector<double>;
+    /// @param period  the period that the site lies in.
+    bool is_crossed(const CellPolygon& cell, const Vec2& period) const;
 
-    bool is_crossed(const CellPolygon& cell) const;
-    static std::vector<double> between(const Breaks& breaks, double low, double high);
-
-    Breaks breaks_[2];
+    /// Coordinates in [0, 1), 0 among them, rising.
+    std::array<std::vector<double>, 2> breaks_;
 };
 
 }  // namespace pcvt

@@ -18,6 +18,17 @@ std::string digits(double value) {
     return {text.data(), end.ptr};
 }
 
+[[noreturn]] void refuse_first(std::span<const DensityPoint> points, const double* rho) {
+    std::size_t k = 0;
+    while (rho[k] >= kLeastDensity && rho[k] <= kGreatestDensity) ++k;
+    const DensityPoint& p = points[k];
+    const bool positive = std::isfinite(rho[k]) && rho[k] > 0;
+    throw BadDensity(
+        "the density is " + digits(rho[k]) + " at x = " + digits(p.x) + ", y = " + digits(p.y) +
+        " (u = " + digits(p.u) + ", v = " + digits(p.v) + "); " +
+        (positive ? "keep it between 1e-60 and 1e60" : "make it positive and finite everywhere"));
+}
+
 }  // namespace
 
 Density shared_density(DensityFunction function) {
@@ -36,12 +47,21 @@ void DensityRange::require_contrast() const {
                      ", a contrast above 1e12; raise its least value");
 }
 
-void DensityProbe::refuse(const DensityPoint& point, double rho) {
-    const bool in_limits = std::isfinite(rho) && rho > 0;
-    throw BadDensity(
-        "the density is " + digits(rho) + " at x = " + digits(point.x) + ", y = " +
-        digits(point.y) + " (u = " + digits(point.u) + ", v = " + digits(point.v) + "); " +
-        (in_limits ? "keep it between 1e-60 and 1e60" : "make it positive and finite everywhere"));
+std::span<const double> DensityProbe::ask(std::span<const DensityPoint> points) {
+    if (rho_.size() < points.size()) rho_.resize(points.size());
+    double* const rho = rho_.data();
+    for (std::size_t k = 0; k < points.size(); ++k) rho[k] = function_(points[k]);
+    double least = range_.least;
+    double greatest = range_.greatest;
+    bool in_limits = true;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        in_limits &= rho[k] >= kLeastDensity && rho[k] <= kGreatestDensity;
+        least = std::min(least, rho[k]);
+        greatest = std::max(greatest, rho[k]);
+    }
+    if (!in_limits) refuse_first(points, rho);
+    range_ = {least, greatest, range_.n_evaluations + static_cast<std::int64_t>(points.size())};
+    return {rho, points.size()};
 }
 
 std::unique_ptr<DensityProbe> DensityProbes::take() {

@@ -4,6 +4,8 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "mesher/error.hpp"
@@ -65,18 +67,19 @@ class DensityProbe {
     DensityProbe(const Lattice& lattice, DensityFunction function)
         : a_(lattice.a()), b_(lattice.b()), function_(std::move(function)) {}
 
-    /// rho at lattice coordinates in [0, 1], where 1 counts as the double below it.
-    /// @throws BadDensity naming the place where it is not a number in [1e-60, 1e60].
-    double operator()(double u, double v) {
+    /// The point at lattice coordinates in [0, 1], where 1 counts as the double below it.
+    DensityPoint point(double u, double v) const {
         u = u < kBelowOne ? u : kBelowOne;
         v = v < kBelowOne ? v : kBelowOne;
-        const DensityPoint point{a_.x() * u + b_.x() * v, a_.y() * u + b_.y() * v, u, v};
-        const double rho = function_(point);
-        if (!(rho >= kLeastDensity && rho <= kGreatestDensity)) refuse(point, rho);
-        ++range_.n_evaluations;
-        if (rho < range_.least) range_.least = rho;
-        if (rho > range_.greatest) range_.greatest = rho;
-        return rho;
+        return {a_.x() * u + b_.x() * v, a_.y() * u + b_.y() * v, u, v};
+    }
+    /// rho at many points; stays until the next call.
+    /// @throws BadDensity naming the first place where it is not a number in [1e-60, 1e60].
+    std::span<const double> ask(std::span<const DensityPoint> points);
+    /// Room for n points, to be filled and asked.
+    std::span<DensityPoint> room(std::size_t n) {
+        if (points_.size() < n) points_.resize(n);
+        return {points_.data(), n};
     }
     /// What was asked since the last call.
     DensityRange take_range() { return std::exchange(range_, {}); }
@@ -84,12 +87,12 @@ class DensityProbe {
    private:
     static constexpr double kBelowOne = 1 - 0x1p-53;
 
-    [[noreturn]] static void refuse(const DensityPoint& point, double rho);
-
     Vec2 a_;
     Vec2 b_;
     DensityFunction function_;
     DensityRange range_;
+    std::vector<DensityPoint> points_;
+    std::vector<double> rho_;
 };
 
 /// The probes of one density, lent to tasks: as many as run at once.

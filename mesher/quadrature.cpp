@@ -11,11 +11,15 @@ TriangleRule conical_product(int q) {
     const GaussRule radial = gauss_rule(q, 1);
     const GaussRule across = gauss_rule(q, 0);
     TriangleRule rule;
+    rule.weights.resize(6, q * q);
     for (int i = 0; i < q; ++i) {
         for (int j = 0; j < q; ++j) {
-            rule.along_p.push_back(radial.nodes[i] * (1 - across.nodes[j]));
-            rule.along_r.push_back(radial.nodes[i] * across.nodes[j]);
-            rule.weight.push_back(radial.weights[i] * across.weights[j]);
+            const double a = radial.nodes[i] * (1 - across.nodes[j]);
+            const double b = radial.nodes[i] * across.nodes[j];
+            const double w = radial.weights[i] * across.weights[j];
+            rule.along_p.push_back(a);
+            rule.along_r.push_back(b);
+            rule.weights.col(i * q + j) << w, w * a, w * b, w * a * a, w * a * b, w * b * b;
         }
     }
     return rule;

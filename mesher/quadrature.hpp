@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 namespace pcvt {
@@ -20,15 +21,17 @@ GaussRule gauss_rule(int q, int power);
 /// A rule of q x q points for triangles (0, p, r): the conical product of Gauss rules (A. H. Stroud
 /// 1971, section 2.4; also known as Duffy's transformation, M. G. Duffy 1982).
 ///
-///   integral of f = cross(p, r) sum_k weight[k] f(along_p[k] p + along_r[k] r)
+///   integral of f = cross(p, r) sum_k weight_k f(along_p[k] p + along_r[k] r)
 ///
 /// Exact for polynomials of degree 2 q - 1. All weights are positive and sum to 1/2.
 struct TriangleRule {
     std::vector<double> along_p;
     std::vector<double> along_r;
-    std::vector<double> weight;
+    /// In column k, with a = along_p[k] and b = along_r[k], the weight times 1, a, b, a^2, a b,
+    /// b^2: what f = rho times a polynomial of second degree asks for.
+    Eigen::Matrix<double, 6, Eigen::Dynamic> weights;
 
-    int n_points() const { return static_cast<int>(weight.size()); }
+    int n_points() const { return static_cast<int>(weights.cols()); }
 };
 
 /// @param q  kLeastOrder ... kGreatestOrder.

@@ -1,6 +1,8 @@
 #include "mesher/weighted_energy.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 
@@ -43,7 +45,7 @@ WeightedPass::WeightedPass(MovingDelaunay& delaunay, Workers& workers, const Lat
       probes_(lattice, density),
       per_unit_(1 / density_unit),
       leaving_(delaunay.n_sites()),
-      centre_(2 * std::size_t(delaunay.n_sites())),
+      centre_(6 * std::size_t(delaunay.n_sites())),
       order_(delaunay.n_sites(), kLeastOrder),
       tasks_((delaunay.n_sites() + kSitesPerTask - 1) / kSitesPerTask) {
     const Reduction reduction = reduce(lattice);
@@ -64,23 +66,33 @@ void WeightedPass::locate_centre(int triangle) {
     const Vec2 p = difference(at[0], at[1]);
     const Vec2 q = difference(at[0], at[2]);
     const MovingDelaunay::Frame& frame = delaunay_.frame();
+    const Vec2 d = frame.to_plane(p);
+    const Vec2 e = frame.to_plane(q);
+    const auto set = [&](const Vec2& centre) {
+        centre_[3 * triangle] = centre;
+        centre_[3 * triangle + 1] = centre - d;
+        centre_[3 * triangle + 2] = centre - e;
+    };
     const double product = cross(p, q);
     if (!(product > kThin * detail::cross_bound(p, q))) {
         const Gram gram{frame.ax * frame.ax, frame.ax * frame.bx,
                         frame.bx * frame.bx + frame.by * frame.by};
-        centre_[triangle] = frame.to_plane(circumcentre(gram, at[0], at[1], at[2]));
+        set(frame.to_plane(circumcentre(gram, at[0], at[1], at[2])));
         return;
     }
-    const Vec2 d = frame.to_plane(p);
-    const Vec2 e = frame.to_plane(q);
     const Vec2 weighted = d.squaredNorm() * e - e.squaredNorm() * d;
-    centre_[triangle] = Vec2(weighted.y(), -weighted.x()) / (2 * product * frame.ax * frame.by);
+    set(Vec2(weighted.y(), -weighted.x()) / (2 * product * frame.ax * frame.by));
 }
 
 void WeightedPass::locate_cells() {
     const TorusTriangulation& t = delaunay_.triangulation();
-    const std::span<const SiteId> corner_site = t.corner_sites();
-    for (int h = t.n_halfedges(); h-- > 0;) leaving_[corner_site[h]] = h;
+    const DelaunayCounts& counts = delaunay_.counts();
+    if (counts.n_flips != n_flips_ || counts.n_rebuilds != n_rebuilds_) {
+        const std::span<const SiteId> corner_site = t.corner_sites();
+        for (int h = t.n_halfedges(); h-- > 0;) leaving_[corner_site[h]] = h;
+        n_flips_ = counts.n_flips;
+        n_rebuilds_ = counts.n_rebuilds;
+    }
     const int n = t.n_triangles();
     workers_.for_each((n + kTrianglesPerTask - 1) / kTrianglesPerTask, [&](int task) {
         const int end = std::min((task + 1) * kTrianglesPerTask, n);
@@ -96,20 +108,11 @@ Vec2 WeightedPass::user_coordinates(SiteId site) const {
 
 void WeightedPass::unwrap_cell(SiteId site, CellPolygon& cell) const {
     const TorusTriangulation& t = delaunay_.triangulation();
-    const MovingDelaunay::Frame& frame = delaunay_.frame();
     const Vec2 origin = user_coordinates(site);
     cell.clear();
     int h = leaving_[site];
     do {
-        Vec2 corner = centre_[h / 3];
-        if (h % 3 != 0) {
-            const Corner first = t.corner(h - h % 3);
-            const Corner here = t.corner(h);
-            corner -=
-                frame.to_plane(difference(image(delaunay_.coordinates(), first.site, first.offset),
-                                          image(delaunay_.coordinates(), here.site, here.offset)));
-        }
-        cell.push_back({corner, origin + from_frame_ * corner});
+        cell.push_back({centre_[h], origin + from_frame_ * centre_[h]});
         h = t.next_round_site(h);
     } while (h != leaving_[site]);
 }

@@ -77,9 +77,12 @@ class WeightedPass {
     /// Lattice coordinates of the user's basis by those of the reduced one, and by the frame.
     Eigen::Matrix2d from_reduced_;
     Eigen::Matrix2d from_frame_;
-    /// For each site a halfedge that leaves it; for each triangle its circumcentre relative to its
-    /// corner 0, frame, units.
+    /// For each site a halfedge that leaves it, found after so many flips and rebuilds.
     std::vector<int> leaving_;
+    std::int64_t n_flips_ = -1;
+    int n_rebuilds_ = -1;
+    /// For each halfedge the circumcentre of its triangle relative to the site that it leaves;
+    /// frame, units.
     std::vector<Vec2> centre_;
     std::vector<std::uint8_t> order_;
     std::vector<Task> tasks_;
