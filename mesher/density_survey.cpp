@@ -63,6 +63,13 @@ double DensitySurvey::unit() const {
     return std::ldexp(1.0, exponent);
 }
 
+double DensitySurvey::mean_root_squared() const {
+    double sum = 0;
+    for (const double rho : rho_) sum += std::sqrt(rho);
+    const double mean = sum / double(rho_.size());
+    return mean * mean;
+}
+
 double DensitySurvey::majorant(int i, int j) const {
     const auto at = [&](int column, int row) {
         return rho_[(row % resolution_) * resolution_ + column % resolution_];
@@ -99,6 +106,11 @@ Points DensitySurvey::draw(int n, std::uint64_t seed) {
         }
     }
     return points;
+}
+
+Points graded_points(const Lattice& lattice, const Density& density, int n, std::uint64_t seed) {
+    const int resolution = std::clamp(2 * static_cast<int>(std::sqrt(n)), kSurveyResolution, 1024);
+    return DensitySurvey(lattice, density, resolution).draw(n, seed);
 }
 
 double integral(const Lattice& lattice, const Density& density) {

@@ -7,6 +7,9 @@
 
 namespace pcvt {
 
+/// Enough points along each direction to know a density's scale.
+inline constexpr int kSurveyResolution = 256;
+
 /// A density on a grid over the domain: what is known before there are cells.
 class DensitySurvey {
    public:
@@ -17,6 +20,9 @@ class DensitySurvey {
     const DensityRange& range() const { return range_; }
     /// A power of two near the mean.
     double unit() const;
+    /// The square of the mean of rho^(1/2): F of many optimal cells is so many times that for
+    /// rho = 1.
+    double mean_root_squared() const;
 
     /// n sites drawn from rho^(1/2), the site density that optimal cells tend to: by rejection
     /// under a majorant that is constant on each square of the grid. Where the grid misses a peak,
@@ -33,6 +39,9 @@ class DensitySurvey {
     std::vector<double> rho_;
     DensityRange range_;
 };
+
+/// Sites drawn from a survey that is fine enough for n of them.
+Points graded_points(const Lattice& lattice, const Density& density, int n, std::uint64_t seed);
 
 /// The integral of rho over the domain, by product Gauss rules on a grid that keeps to the break
 /// lines; without cells.

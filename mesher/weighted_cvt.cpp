@@ -12,7 +12,6 @@
 namespace pcvt {
 namespace {
 
-constexpr int kSurveyResolution = 256;
 /// Residuals at the ends of the rounds, until the tolerance is reached.
 constexpr double kFirstTarget = 0.1;
 constexpr double kNextTarget = 0.01;
