@@ -20,6 +20,7 @@ namespace pcvt {
 namespace {
 
 constexpr const char* kEdgeColour = "#565c68";
+constexpr const char* kGradedEdgeColour = "#262a33";
 constexpr const char* kTriangleEdgeColour = "#8b919c";
 constexpr const char* kDotColour = "#30343c";
 constexpr const char* kDomainColour = "#1c1f26";
@@ -188,7 +189,8 @@ std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool 
     }
     for (const Vec2& site : tile.site_points) dots.dot(site);
     std::string svg;
-    const std::string edge = stroke(kEdgeColour, drawing.width(0.03, 0.06, 1.6));
+    const std::string edge =
+        stroke(dotted ? kEdgeColour : kGradedEdgeColour, drawing.width(0.03, 0.06, 1.6));
     for (const auto& [colour, path] : by_colour) {
         svg += path.element(fill(colour).append(edge));
     }

@@ -161,7 +161,7 @@ RuleCheck WeightedPass::choose_orders(double accuracy, bool lower) {
     run_tasks([&](SiteId s, DensityProbe& probe, Task& task) {
         unwrap_cell(s, task.cell);
         const Vec2 origin = user_coordinates(s);
-        int q = lower ? kLeastOrder : order_[s];
+        int q = lower ? kLeastOrder : std::min<int>(order_[s], kGreatestOrder - 1);
         Moments moments = quadrature_(task.cell, origin, q, probe);
         double error = 0;
         for (;;) {
