@@ -33,9 +33,9 @@ constexpr double kLeastDottedSpacing = 9;
 constexpr double kOblique = 1.5;
 constexpr int kRegular = 6;
 
-/// Pictures by size have at most so many classes; the finest is a quarter of an octave.
+/// Pictures by size have at most so many classes; the finest is a sixteenth of an octave.
 constexpr int kMostClasses = 9;
-constexpr double kFinestClass = 0.25;
+constexpr double kFinestClass = 1.0 / 16;
 /// Stands for areas that rounding made zero.
 constexpr double kLeastShare = 1e-12;
 
@@ -151,7 +151,7 @@ double face_area(const FlatTile& tile, int face) {
     return polygon_area(polygon);
 }
 
-/// Classes of sqrt(area) / h with equal ratios, 2^(1/4) or a power of it, so that there are few.
+/// Classes of sqrt(area) / h with equal ratios, 2^(1/16) or a power of it, so that there are few.
 CellColours colours_by_size(const FlatTile& tile) {
     const double area = tile.lattice.area() / tile.n_faces();
     std::vector<double> octaves;

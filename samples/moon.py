@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the picture that the samples take for a density: craters in slanting light, without a seam.
+"""Draws the picture that the samples take for a density: a half-lit moon with craters.
 
     samples/moon.py moon.png
 
@@ -13,45 +13,47 @@ import sys
 import zlib
 
 SIZE = 256
-CRATERS = 14
-LIGHT = (-0.62, 0.55, 0.56)
-
-
-def wrapped(difference):
-    """The shortest way round a torus of side 1."""
-    return difference - round(difference)
+RADIUS = 0.42
+CRATERS = 26
+LIGHT = (-0.62, 0.50, 0.60)
 
 
 def make_craters():
-    """Position, radius and depth; few large ones and many small ones."""
-    source = random.Random(7)
+    """Position, radius; few large ones and many small ones, all on the disc."""
+    source = random.Random(11)
     craters = []
-    for _ in range(CRATERS):
-        radius = 0.04 * (1 - source.random()) ** -0.7
-        craters.append((source.random(), source.random(), min(radius, 0.2)))
-    return sorted(craters, key=lambda crater: -crater[2])
+    while len(craters) < CRATERS:
+        x, y = source.uniform(-RADIUS, RADIUS), source.uniform(-RADIUS, RADIUS)
+        if math.hypot(x, y) < 0.9 * RADIUS:
+            craters.append((x, y, min(0.022 * (1 - source.random()) ** -0.7, 0.11)))
+    return craters
 
 
 def height(craters, x, y):
-    """A rolling plain with bowls in it, each with a raised rim."""
-    turn = 2 * math.pi
-    level = 0.010 * math.sin(turn * (x + 2 * y)) + 0.008 * math.cos(turn * (3 * x - y))
+    """Bowls, each with a raised rim; the globe itself is in the shading."""
+    level = 0.004 * math.sin(23 * x + 11 * y) * math.cos(17 * y - 9 * x)
     for cx, cy, radius in craters:
-        r = math.hypot(wrapped(x - cx), wrapped(y - cy)) / radius
+        r = math.hypot(x - cx, y - cy) / radius
         if r < 2.2:
-            bowl = 0.30 * radius * (min(r, 1.0) ** 2 - 1)
-            rim = 0.09 * radius * math.exp(-((r - 1) / 0.28) ** 2)
-            level += bowl + rim
+            level += 0.24 * radius * (min(r, 1.0) ** 2 - 1)
+            level += 0.09 * radius * math.exp(-((r - 1) / 0.28) ** 2)
     return level
 
 
-def shade(heights, column, row):
-    """Lambert's cosine of the light's angle, 0 to 1."""
-    across = (heights[row][(column + 1) % SIZE] - heights[row][column - 1]) * SIZE / 2
-    down = (heights[(row + 1) % SIZE][column] - heights[row - 1][column]) * SIZE / 2
-    length = math.sqrt(across**2 + down**2 + 1)
-    light = (-across * LIGHT[0] + down * LIGHT[1] + LIGHT[2]) / length
-    return min(1.0, max(0.0, 0.04 + 1.1 * light))
+def shade(craters, x, y):
+    """Lambert's cosine of the light's angle, 0 to 1; the sky is black."""
+    rest = RADIUS**2 - x * x - y * y
+    if rest <= 0:
+        return 0.0
+    step = 1 / SIZE
+    across = (height(craters, x + step, y) - height(craters, x - step, y)) / (2 * step)
+    up = (height(craters, x, y + step) - height(craters, x, y - step)) / (2 * step)
+    normal = (x / RADIUS - across, y / RADIUS - up, math.sqrt(rest) / RADIUS)
+    length = math.sqrt(sum(part * part for part in normal))
+    light = sum(part * ray for part, ray in zip(normal, LIGHT)) / length
+    # A rim that fades over two pixels.
+    fade = min(1.0, (RADIUS - math.hypot(x, y)) * SIZE / 2)
+    return fade * min(1.0, max(0.015, 1.15 * light))
 
 
 def chunk(kind, data):
@@ -61,10 +63,9 @@ def chunk(kind, data):
 
 def main(path):
     craters = make_craters()
-    centres = [(k + 0.5) / SIZE for k in range(SIZE)]
-    heights = [[height(craters, x, y) for x in centres] for y in centres]
-    rows = b"".join(b"\0" + bytes(round(255 * shade(heights, c, r)) for c in range(SIZE))
-                    for r in range(SIZE))
+    centres = [(k + 0.5) / SIZE - 0.5 for k in range(SIZE)]
+    rows = b"".join(b"\0" + bytes(round(255 * shade(craters, x, -y)) for x in centres)
+                    for y in centres)
     header = struct.pack(">IIBBBBB", SIZE, SIZE, 8, 0, 0, 0, 0)
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +

@@ -78,8 +78,8 @@ double independent_residual(const CvtResult& result, const Density& density, int
 TEST(WeightedCvt, CellsAreThoseOfTheirCentroidsByAnotherQuadrature) {
     const Lattice oblique({1, 0}, {0.37, 0.81});
     for (const Density& density : {testing::smooth_density(), testing::ridge_density()}) {
-        const CvtResult result = optimise(oblique, density, 400, 1e-7);
-        EXPECT_LT(independent_residual(result, density, 5), 1e-6);
+        const CvtResult result = optimise(oblique, density, 300, 1e-7);
+        EXPECT_LT(independent_residual(result, density, 4), 1e-6);
         // The centroids of rho = 1 are others.
         const Density one = shared_density([](const DensityPoint&) { return 1.0; });
         EXPECT_GT(independent_residual(result, one, 0), 1e-3);
@@ -190,13 +190,13 @@ TEST(WeightedCvt, LloydsIterationEndsWhereItsStepsEnd) {
     const Points points = graded_points(kSquare, *options.density, 60, 3);
     const CvtResult result = compute_cvt(kSquare, points, options);
     EXPECT_EQ(result.stop, Stop::kConverged);
-    EXPECT_LT(independent_residual(result, *options.density, 5), 1.1e-5);
+    EXPECT_LT(independent_residual(result, *options.density, 4), 1.2e-5);
 }
 
 TEST(WeightedCvt, SmallNumbersOfSitesConverge) {
     for (const auto& [name, lattice] : testing::lattices()) {
-        for (const int n : {1, 2, 3, 5, 8}) {
-            const CvtResult result = optimise(lattice, testing::smooth_density(), n, 1e-7);
+        for (const int n : {1, 2, 5, 20}) {
+            const CvtResult result = optimise(lattice, testing::smooth_density(), n, 1e-6);
             EXPECT_EQ(result.stop, Stop::kConverged) << name << " n = " << n;
         }
     }

@@ -83,7 +83,7 @@ TEST(WeightedEnergy, MassesSumToTheIntegralOfTheDensity) {
 /// The largest difference between the gradient and central differences of fourth order, over the
 /// cell's mass times its spacing.
 double gradient_error(Walk& walk) {
-    const double step = 2e-3 * walk.delaunay.spacing();
+    const double step = 5e-4 * walk.delaunay.spacing();
     double largest = 0;
     for (int k = 0; k < 2 * walk.delaunay.n_sites(); k += 97) {
         const double far = walk.value_at(k, 2 * step) - walk.value_at(k, -2 * step);
