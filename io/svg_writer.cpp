@@ -151,7 +151,7 @@ double face_area(const FlatTile& tile, int face) {
     return polygon_area(polygon);
 }
 
-/// Classes of sqrt(area) / h with equal ratios, 2^(1/16) or a power of it, so that there are few.
+/// Classes of sqrt(area) / h with equal ratios, a power of 2^(1/16), so that there are few.
 CellColours colours_by_size(const FlatTile& tile) {
     const double area = tile.lattice.area() / tile.n_faces();
     std::vector<double> octaves;
@@ -160,7 +160,7 @@ CellColours colours_by_size(const FlatTile& tile) {
     }
     const auto [least, most] = std::minmax_element(octaves.begin(), octaves.end());
     double width = kFinestClass;
-    while (*most - *least > width * (kMostClasses - 1)) width *= 2;
+    while (*most - *least > width * (kMostClasses - 1)) width += kFinestClass;
     const int lowest = static_cast<int>(std::floor(*least / width));
     const int last = static_cast<int>(std::floor(*most / width)) - lowest;
     std::vector<int> count(static_cast<std::size_t>(last) + 1, 0);
