@@ -1,11 +1,16 @@
 #include "io/density_image.hpp"
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 
 #include "io/text.hpp"
 
 namespace pcvt {
 namespace {
+
+/// More than kMostPixels in 64 bits each, not compressed.
+constexpr std::uintmax_t kMostBytes = 1U << 28;
 
 /// The two pixels beside a coordinate, and the share of the second one.
 struct Between {
@@ -50,6 +55,11 @@ Density image_density(GreyImage image, const GreyRange& range) {
 }
 
 Density png_density(const std::string& path, const GreyRange& range) {
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    if (!unknown && size > kMostBytes) {
+        throw LimitExceeded(path + ": more than 256 MiB; scale the picture down");
+    }
     return image_density(decode_png(path, read_whole_file(path)), range);
 }
 

@@ -143,7 +143,11 @@ class BadDensity(CliTest):
             self.skipTest("this build does not start in so little memory")
         self.write("huge.png", png(100000, 100000, [[0]]))
         self.write("bare.png", png(4096, 4096, [[0]], colour=3))
+        with self.path("long.png").open("wb") as file:
+            file.truncate(1 << 30)
         mesh = ("mesh", "--sites", 20, "--density")
+        self.refuse(4, r"long\.png: more than 256 MiB", *mesh, "long.png", preexec_fn=little)
+        self.path("long.png").unlink()
         self.refuse(4, r"huge\.png: 100000 x 100000 pixels", *mesh, "huge.png",
                     preexec_fn=little)
         self.refuse(2, "without its palette", *mesh, "bare.png", preexec_fn=little)
