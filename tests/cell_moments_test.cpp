@@ -78,6 +78,22 @@ TEST(CellMoments, AreThoseOfEachTranslate) {
     }
 }
 
+/// A smooth density, moved by a part of a period.
+Density wave(double shift) {
+    return shared_density([shift](const DensityPoint& p) {
+        EXPECT_TRUE(p.u >= 0 && p.u < 1 && p.v >= 0 && p.v < 1);
+        return 2 + std::cos(2 * M_PI * (p.u + shift)) * std::sin(2 * M_PI * (p.v + shift));
+    });
+}
+
+TEST(CellMoments, AcrossTheSeamAreThoseOfACellInTheMiddle) {
+    for (const Vec2& site : {Vec2(0.98, 0.5), Vec2(0.02, 0.01), Vec2(0.51, 0.99)}) {
+        const Moments here = moments(kOblique, wave(0), site, 0.2, 8);
+        const Vec2 moved = site - Vec2::Constant(0.45);
+        expect_near(moments(kOblique, wave(0.45), moved, 0.2, 8), here, 1e-11);
+    }
+}
+
 /// Bilinear between the lines u = (k + 1/2) / n, v = (k + 1/2) / n.
 double pixels(const DensityPoint& p, int n) {
     const auto saw = [n](double t) { return std::abs(2 * (n * t - std::floor(n * t)) - 1); };
