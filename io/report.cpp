@@ -103,6 +103,19 @@ std::string encode_report(const Report& report) {
         entries.emplace_back("box_shortest_edge", word(*report.box_shortest_edge));
     }
     if (report.grains) entries.emplace_back("grains", word(*report.grains));
+    if (report.density) {
+        const Report::Density& density = *report.density;
+        entries.insert(entries.end(), {{"density", word(density.name)},
+                                       {"density_least", word(density.least)},
+                                       {"density_greatest", word(density.greatest)},
+                                       {"density_evaluations", word(density.evaluations_per_site)},
+                                       {"mass", word(density.mass)},
+                                       {"mass_deviation", word(density.mass_deviation)},
+                                       {"expected_energy", word(density.expected_energy)},
+                                       {"spacing_deviation", word(density.spacing_deviation)},
+                                       {"quadrature_error", word(density.quadrature_error)},
+                                       {"rough_cells", word(density.rough_cells)}});
+    }
     std::string text;
     for (const auto& [key, value] : entries) {
         text += (text.empty() ? "{\n  \"" : ",\n  \"") + key + "\": " + value;

@@ -43,6 +43,26 @@ struct Report {
         double smallest_angle;
         std::vector<SharpCorner> sharp_corners;
     };
+    /// Of runs with a density.
+    struct Density {
+        /// The formula or the file.
+        std::string name;
+        /// Extremes wherever it was asked.
+        double least;
+        double greatest;
+        /// In one evaluation of the energy.
+        double evaluations_per_site;
+        /// Density x length^2, and its relative difference from the integral without cells.
+        double mass;
+        double mass_deviation;
+        /// What the energy tends to for many sites, density x length^4.
+        double expected_energy;
+        /// Median of |h_i / l_i - 1| over the cells, l_i by rho^(-1/4).
+        double spacing_deviation;
+        /// Of a centroid, in spacings of its cell.
+        double quadrature_error;
+        int rough_cells;
+    };
 
     std::string version;
     int sites;
@@ -77,6 +97,8 @@ struct Report {
     /// Keys of runs with the box outline alone, in units of h, and of runs with grains alone.
     std::optional<double> box_shortest_edge = {};
     std::optional<Grains> grains = {};
+    /// Its keys are left out where there is none.
+    std::optional<Density> density = {};
 };
 
 /// The report as JSON: one key a line, numbers as the shortest decimals that read back, text as

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "io/cell_colours.hpp"
 #include "io/finite.hpp"
 #include "io/palette.hpp"
 #include "io/svg_canvas.hpp"
@@ -20,6 +22,7 @@ namespace pcvt {
 namespace {
 
 constexpr const char* kEdgeColour = "#565c68";
+constexpr const char* kGradedEdgeColour = "#262a33";
 constexpr const char* kTriangleEdgeColour = "#8b919c";
 constexpr const char* kDotColour = "#30343c";
 constexpr const char* kDomainColour = "#1c1f26";
@@ -95,24 +98,23 @@ bool holds_site(const FlatTile& tile, int face) {
     return true;
 }
 
-std::string draw_cells(const Drawing& drawing) {
+std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool dotted) {
     const FlatTile& tile = drawing.tile;
     std::map<std::string, SvgPath> by_colour;
     SvgPath dots(drawing.frame);
-    const std::vector<int> sides = cell_sides(tile);
     for (int f = 0; f < tile.n_faces(); ++f) {
-        const auto entry = by_colour.try_emplace(hex(side_colour(sides[f])), drawing.frame).first;
-        add_face(tile, f, entry->second);
+        add_face(tile, f, by_colour.try_emplace(colours.of_face[f], drawing.frame).first->second);
     }
     for (int f = 0; f < tile.n_faces() && !tile.site_points.empty(); ++f) {
         if (holds_site(tile, f)) dots.dot(tile.site_points[f]);
     }
     std::string svg;
-    const std::string edge = stroke(kEdgeColour, drawing.width(0.03, 0.06, 1.6));
+    const std::string edge =
+        stroke(dotted ? kEdgeColour : kGradedEdgeColour, drawing.width(0.03, 0.06, 1.6));
     for (const auto& [colour, path] : by_colour) {
         svg += path.element(fill(colour).append(edge));
     }
-    if (drawing.spacing >= kLeastDottedSpacing) {
+    if (dotted && drawing.spacing >= kLeastDottedSpacing) {
         svg += dots.element(stroke(kDotColour, drawing.width(0.09, 0.6, 6)));
     }
     return svg;
@@ -135,13 +137,11 @@ SvgPath grain_boundaries(const Drawing& drawing) {
     return path;
 }
 
-std::string draw_grains(const Drawing& drawing) {
+std::string draw_grains(const Drawing& drawing, const CellColours& colours) {
     const FlatTile& tile = drawing.tile;
-    const std::vector<int> sides = cell_sides(tile);
     std::map<std::string, SvgPath> by_colour;
     for (int f = 0; f < tile.n_faces(); ++f) {
-        const auto entry = by_colour.try_emplace(hex(side_colour(sides[f])), drawing.frame).first;
-        add_face(tile, f, entry->second);
+        add_face(tile, f, by_colour.try_emplace(colours.of_face[f], drawing.frame).first->second);
     }
     std::string svg;
     const std::string edge = stroke(kTriangleEdgeColour, drawing.width(0.01, 0.03, 0.8));
@@ -158,14 +158,14 @@ std::string draw_triangles(const Drawing& drawing) {
                          stroke(kTriangleEdgeColour, drawing.width(0.03, 0.05, 1.6)));
 }
 
-std::string draw_faces(const Drawing& drawing) {
+std::string draw_faces(const Drawing& drawing, const CellColours& colours, bool dotted) {
     switch (drawing.tile.kind) {
         case TileKind::kCells:
-            return draw_cells(drawing);
+            return draw_cells(drawing, colours, dotted);
         case TileKind::kTriangles:
             return draw_triangles(drawing);
         case TileKind::kGrains:
-            return draw_grains(drawing);
+            return draw_grains(drawing, colours);
     }
     return "";
 }
@@ -213,6 +213,10 @@ std::string draw_seam(const Drawing& drawing) {
     return svg;
 }
 
+std::string counted(int n, const std::string& noun) {
+    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
 /// Valences of the representatives only: one a site.
 std::vector<int> site_valences(const FlatTile& tile) {
     std::vector<int> valences = vertex_valences(tile);
@@ -223,10 +227,6 @@ std::vector<int> site_valences(const FlatTile& tile) {
         if (!is_copy[v]) result.push_back(valences[v]);
     }
     return result;
-}
-
-std::string counted(int n, const std::string& noun) {
-    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
 std::string caption(const FlatTile& tile) {
@@ -245,17 +245,20 @@ std::string caption(const FlatTile& tile) {
     return "";
 }
 
-Legend make_legend(const FlatTile& tile, const SvgDomain& domain) {
-    const bool cells = faces_have_sites(tile.kind);
-    Legend legend{caption(tile), {}};
-    for (const auto& [sides, count] : histogram(cells ? cell_sides(tile) : site_valences(tile))) {
-        std::string label = cells ? counted(sides, "side") : "valence " + std::to_string(sides);
-        // Parts of cells are not what is counted.
-        if (tile.whole_sides.empty()) label += ": " + std::to_string(count);
-        const bool plain = !cells && sides == kRegular;
-        legend.entries.push_back({cells ? LegendEntry::Mark::kPatch : LegendEntry::Mark::kDisc,
-                                  plain ? kDotColour : hex(side_colour(sides)), label});
+std::vector<LegendEntry> valence_entries(const FlatTile& tile) {
+    std::vector<LegendEntry> entries;
+    for (const auto& [valence, count] : histogram(site_valences(tile))) {
+        const std::string label = "valence " + std::to_string(valence) + ": ";
+        entries.push_back({LegendEntry::Mark::kDisc,
+                           valence == kRegular ? kDotColour : hex(side_colour(valence)),
+                           label + std::to_string(count)});
     }
+    return entries;
+}
+
+Legend make_legend(const FlatTile& tile, const SvgDomain& domain,
+                   std::vector<LegendEntry> entries) {
+    Legend legend{caption(tile), std::move(entries)};
     for (const auto& [offset, colour] : seam_colours(tile)) {
         const std::string pair = std::to_string(offset.i) + ", " + std::to_string(offset.j);
         legend.entries.push_back({LegendEntry::Mark::kStroke, colour, "seam (" + pair + ")"});
@@ -264,9 +267,7 @@ Legend make_legend(const FlatTile& tile, const SvgDomain& domain) {
     return legend;
 }
 
-}  // namespace
-
-std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
+std::string encode(const FlatTile& tile, bool by_size) {
     require_finite(tile);
     const SvgDomain domain = drawn_domain(tile);
     std::vector<Vec2> drawn = tile.points;
@@ -274,22 +275,39 @@ std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& pat
     const SvgFrame frame(drawn);
     const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_sites(tile));
     const Drawing drawing{tile, frame, spacing};
-    const Legend legend = make_legend(tile, domain);
+    const bool coloured = faces_have_sites(tile.kind);
+    CellColours colours;
+    if (coloured) colours = by_size ? colours_by_size(tile) : colours_by_sides(tile);
+    Legend legend = make_legend(tile, domain, coloured ? colours.meaning : valence_entries(tile));
+    if (coloured && by_size) legend.caption += " by size; h = sqrt(area / n)";
     const PlacedLegend placed = place_legend(legend, frame);
 
     std::string svg = svg_head(legend.caption, placed.width, placed.height);
     svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-    svg += draw_faces(drawing);
+    svg += draw_faces(drawing, colours, !by_size);
     svg += draw_domain(domain.corners, drawing);
     svg += draw_seam(drawing);
     if (tile.kind == TileKind::kTriangles) svg += draw_valences(drawing);
     svg += "</g>\n<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#1c1f26\">\n";
-    svg += placed.svg + "</g>\n</svg>\n";
-    return {{path, std::move(svg)}};
+    return svg + placed.svg + "</g>\n</svg>\n";
+}
+
+}  // namespace
+
+std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
+    return {{path, encode(tile, false)}};
 }
 
 std::vector<EncodedFile> encode_svg(const AnyTile& tile, const std::string& path) {
     return encode_svg(flatten(tile), path);
+}
+
+std::vector<EncodedFile> encode_graded_svg(const FlatTile& tile, const std::string& path) {
+    return {{path, encode(tile, true)}};
+}
+
+std::vector<EncodedFile> encode_graded_svg(const AnyTile& tile, const std::string& path) {
+    return encode_graded_svg(flatten(tile), path);
 }
 
 }  // namespace pcvt

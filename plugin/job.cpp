@@ -7,6 +7,7 @@
 
 #include "io/mpas_writer.hpp"
 #include "io/site_writer.hpp"
+#include "io/svg_writer.hpp"
 #include "mesher/c_grid.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/voronoi.hpp"
@@ -131,7 +132,19 @@ void check_order(const Job& job, const std::vector<JobFile>& files) {
         ".msh, .inp, .vtu, or take order 1");
 }
 
+/// Starts and solvers that know no density.
+void check_density(const Job& job) {
+    if (!job.density) return;
+    if (job.start.value_or(Start::kRandom) != Start::kRandom) {
+        throw InvalidInput("only random sites can begin with a density; leave the start out");
+    }
+    if (job.solver == Solver::kNewton) {
+        throw InvalidInput("newton knows no density; take lbfgs");
+    }
+}
+
 void check_job(const Job& job) {
+    check_density(job);
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
     if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
@@ -154,13 +167,15 @@ CvtResult tessellate(const Job& job, JobStart& start, Monitor& monitor) {
     options.tolerance = job.tolerance;
     options.max_iterations = job.max_iterations;
     options.n_threads = job.n_threads;
+    options.density = job.density;
     options.progress = [&monitor](const Progress& progress) { return monitor.iteration(progress); };
     return compute_cvt(job.lattice, std::move(start.points), options);
 }
 
 std::optional<Minimum> minimum_of(const CvtResult& result) {
     const Sites& sites = result.delaunay.sites();
-    if (result.stop != Stop::kConverged || sites.n_sites() > kMostSitesForStability) return {};
+    const bool few = sites.n_sites() <= kMostSitesForStability;
+    if (result.stop != Stop::kConverged || result.density || !few) return {};
     return stability(sites);
 }
 
@@ -173,7 +188,8 @@ JobOutcome describe(const CvtResult& result, const std::vector<ProvedTile>& tile
     outcome.hessians = result.hessians;
     outcome.cg_products = result.cg_products;
     outcome.energy = result.energy;
-    outcome.energy_bound = result.energy_bound;
+    if (!result.density) outcome.energy_bound = result.energy_bound;
+    outcome.density = result.density;
     outcome.residual = result.residual;
     outcome.rms_residual = result.rms_residual;
     outcome.minimum = minimum_of(result);
@@ -192,14 +208,21 @@ Points wrapped_sites(const CvtResult& result) {
     return points;
 }
 
+/// Pictures of a graded mesh show the sizes of its cells.
+std::vector<EncodedFile> encode(const Job& job, const JobFile& file, const AnyTile& tile) {
+    if (job.density && file.format->extension == ".svg") {
+        return encode_graded_svg(tile, file.paths.front());
+    }
+    return file.format->encode(tile, file.folder.empty() ? file.paths.front() : file.folder);
+}
+
 /// Encodes a tile, lets it reach the disk under a hidden name and proves what stands there.
-void stage_tile(const JobFile& file, const AnyTile& tile, const Vec2& origin, OutputSet& outputs) {
-    const std::string& name = file.folder.empty() ? file.paths.front() : file.folder;
+void stage_tile(const Job& job, const JobFile& file, const AnyTile& tile, OutputSet& outputs) {
     if (!file.folder.empty()) outputs.stage_folder(file.folder);
-    const std::vector<EncodedFile> encoded = file.format->encode(tile, name);
+    const std::vector<EncodedFile> encoded = encode(job, file, tile);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     const std::vector<EncodedFile> written = read_back(outputs, encoded);
-    if (file.format->decode != nullptr) prove_files(*file.format, written, tile, origin);
+    if (file.format->decode != nullptr) prove_files(*file.format, written, tile, job.origin);
 }
 
 void stage_sites(const std::string& path, const CvtResult& result, OutputSet& outputs) {
@@ -256,7 +279,7 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
         } else if (file.content == JobContent::kCGrid) {
             stage_c_grid(file.paths.front(), job, result, outputs);
         } else {
-            stage_tile(file, tiles[static_cast<std::size_t>(file.mesh)].tile, job.origin, outputs);
+            stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)].tile, outputs);
         }
         if (file.folder.empty()) {
             outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());

@@ -30,7 +30,8 @@ struct Job {
     /// The sites, 2 x n, length units; without columns `n_sites` sites begin at `start`.
     Points points;
     int n_sites = 0;
-    /// Nothing: coarse from 1000 sites on that are to be optimised, else random.
+    /// Nothing: coarse from 1000 sites on that are to be optimised without a density,
+    /// else random.
     std::optional<Start> start;
     /// Evaluations that the global search may spend; 0: default_search_budget(n_sites).
     int budget = 0;
@@ -42,6 +43,10 @@ struct Job {
     int max_iterations = -1;
     /// At least 1; the result does not depend on it.
     int n_threads = 1;
+    /// Nothing: rho = 1. With one, sites that are drawn are drawn from rho^(1/2).
+    std::optional<Density> density;
+    /// The formula or file that it came from, for the report.
+    std::string density_name;
 
     /// Voronoi edges shorter than this are removed from cells and grains, units of h; 0: none, but
     /// for the shortest ones of grains (mesher/grains.hpp).
@@ -123,9 +128,9 @@ struct JobOutcome {
     /// Of Newton's method, not counted among the evaluations: Hessians, and products with them.
     int hessians = 0;
     int cg_products = 0;
-    /// length^4, as energy_bound.
+    /// length^4, as energy_bound, which is nothing with a density.
     double energy = 0;
-    double energy_bound = 0;
+    std::optional<double> energy_bound;
     double residual = 0;
     double rms_residual = 0;
     /// Of a run that converged, up to kMostSitesForStability sites.
@@ -135,6 +140,8 @@ struct JobOutcome {
     /// Cells by their number of sides, on the unrepeated torus; edges under 1e-5 h do not count.
     std::map<int, int> valences;
     int n_hexagons = 0;
+    /// Of jobs with a density.
+    std::optional<DensityFigures> density;
     /// One entry a mesh of the job.
     std::vector<TileFigures> tiles;
     /// Every file or folder written but the report, in the order of the outputs.

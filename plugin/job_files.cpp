@@ -4,10 +4,9 @@
 #include <cctype>
 #include <filesystem>
 
-#include "plugin/path_book.hpp"
-
 #include "io/triangle_elements.hpp"
 #include "mesher/c_grid.hpp"
+#include "plugin/path_book.hpp"
 
 namespace pcvt {
 namespace {

@@ -54,6 +54,21 @@ std::optional<Report::Grains> report_grains(const JobOutcome& outcome) {
     return std::nullopt;
 }
 
+std::optional<Report::Density> report_density(const Job& job, const JobOutcome& outcome) {
+    if (!outcome.density) return std::nullopt;
+    const DensityFigures& figures = *outcome.density;
+    return Report::Density{.name = job.density_name,
+                           .least = figures.least,
+                           .greatest = figures.greatest,
+                           .evaluations_per_site = figures.evaluations_per_site,
+                           .mass = figures.mass,
+                           .mass_deviation = figures.mass_deviation,
+                           .expected_energy = figures.expected_energy,
+                           .spacing_deviation = figures.spacing_deviation,
+                           .quadrature_error = figures.quadrature_error,
+                           .rough_cells = figures.n_rough_cells};
+}
+
 }  // namespace
 
 std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
@@ -85,6 +100,7 @@ std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
         .pattern = report_pattern(outcome.pattern),
         .box_shortest_edge = shortest_box_edge(outcome),
         .grains = report_grains(outcome),
+        .density = report_density(job, outcome),
     });
 }
 

@@ -1,6 +1,7 @@
 #include "plugin/job_start.hpp"
 
 #include "mesher/coarse_start.hpp"
+#include "mesher/density_survey.hpp"
 #include "mesher/global_search.hpp"
 
 namespace pcvt {
@@ -11,13 +12,14 @@ constexpr int kFewestForCoarse = 1000;
 
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
-    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0;
+    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0 && !job.density;
     return coarse ? Start::kCoarse : Start::kRandom;
 }
 
 JobStart drawn_start(const Job& job) {
     JobStart start;
-    start.points = uniform_points(job.lattice, job.n_sites, job.seed);
+    start.points = job.density ? graded_points(job.lattice, *job.density, job.n_sites, job.seed)
+                               : uniform_points(job.lattice, job.n_sites, job.seed);
     return start;
 }
 

@@ -84,16 +84,6 @@ class BadOption(CliTest):
             ],
         )
 
-    def test_what_comes_later_says_so(self):
-        mesh = ("mesh", "--sites", 3, "-o", "t.obj")
-        rows = [
-        ]
-        rows += [
-            (option, *mesh, option, 1)
-            for option in ("--density", "--density-range")
-        ]
-        self.refuse_all(2, [(what + ".* not available yet", *row) for what, *row in rows])
-
     def test_polygons_for_a_format_of_triangles_say_what_to_ask_for(self):
         rows = [(e, "mesh", "--sites", 3, "-o", "t." + e) for e in ("msh", "inp")]
         rows += [(e, "mesh", "--sites", 3, "--mesh", "delaunay", "--mesh", "voronoi", "-o", "t." + e)

@@ -84,5 +84,17 @@ TEST(Palette, HexSpellsBytes) {
     EXPECT_EQ(hex({-1, 2, 0.5 / 255}), "#00ff01");
 }
 
+TEST(Palette, SizesAreLighterTheLargerTheyAre) {
+    double before = -1;
+    for (int k = 0; k <= 20; ++k) {
+        const Colour c = linear(size_colour(k / 20.0));
+        const double luminance = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+        EXPECT_GT(luminance, before);
+        before = luminance;
+    }
+    EXPECT_EQ(hex(size_colour(-1)), hex(size_colour(0)));
+    EXPECT_EQ(hex(size_colour(2)), hex(size_colour(1)));
+}
+
 }  // namespace
 }  // namespace pcvt

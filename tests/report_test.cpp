@@ -88,6 +88,27 @@ TEST(Report, PatternStandsAtTheEndWhereThereIsOne) {
               "\"minimum\":\"no\",\"smallest_eigenvalue\":null}");
 }
 
+TEST(Report, KeysOfADensityAreThereWithOneAlone) {
+    Report report = example();
+    EXPECT_FALSE(Json::parse(encode_report(report)).contains("density"));
+    report.density = Report::Density{.name = "1 + \"u\"",
+                                     .least = 0.01,
+                                     .greatest = 1,
+                                     .evaluations_per_site = 54.25,
+                                     .mass = 0.3,
+                                     .mass_deviation = -1e-12,
+                                     .expected_energy = 2e-7,
+                                     .spacing_deviation = 0.0125,
+                                     .quadrature_error = 1e-9,
+                                     .rough_cells = 3};
+    const Json json = Json::parse(encode_report(report));
+    EXPECT_EQ(json["density"].get<std::string>(), "1 + \"u\"");
+    EXPECT_EQ(json["density_evaluations"].get<double>(), 54.25);
+    EXPECT_EQ(json["mass_deviation"].get<double>(), -1e-12);
+    EXPECT_EQ(json["rough_cells"].get<int>(), 3);
+    EXPECT_EQ(json.size(), 28u);
+}
+
 TEST(Report, NumbersThatAreNotFiniteAreOurFault) {
     Report report = example();
     report.energy = std::nan("");

@@ -168,5 +168,33 @@ TEST(Svg, NumbersArePlainDecimals) {
     }
 }
 
+/// A grid whose columns become wider to the right, by the ratio 1:3.
+FlatTile graded_tile() {
+    FlatTile tile = grid_tile(Lattice::rectangle(1, 1), 8, 8);
+    for (Vec2& p : tile.points) p.x() = (p.x() + p.x() * p.x()) / 2;
+    return tile;
+}
+
+TEST(Svg, OfAGradedTileShowsSizesFromBlueToYellow) {
+    const std::string picture = encode_graded_svg(graded_tile(), "t.svg").at(0).bytes;
+    EXPECT_THAT(picture, HasSubstr("64 cells by size; h = sqrt(area / n)"));
+    EXPECT_THAT(picture, Not(HasSubstr("sides")));
+    EXPECT_THAT(picture, HasSubstr("fill=\"" + hex(size_colour(0)) + "\""));
+    EXPECT_THAT(picture, HasSubstr("fill=\"" + hex(size_colour(1)) + "\""));
+    int n_cells = 0;
+    for (const std::string& count : all_matches(picture, R"( h: (\d+)<)"))
+        n_cells += std::stoi(count);
+    EXPECT_EQ(n_cells, 64);
+    const auto classes = all_matches(picture, R"(>[\d.]+ to ([\d.]+) h: )");
+    EXPECT_THAT(classes.size(), Ge(4u));
+    EXPECT_THAT(classes.size(), Le(9u));
+}
+
+TEST(Svg, OfEqualCellsBySizeHasOneClass) {
+    const std::string picture =
+        encode_graded_svg(grid_tile(Lattice::rectangle(1, 1), 4, 4), "t.svg").at(0).bytes;
+    EXPECT_THAT(all_matches(picture, R"( h: (\d+)<)").size(), Le(2u));
+}
+
 }  // namespace
 }  // namespace pcvt

@@ -7,7 +7,7 @@
 #include <limits>
 #include <thread>
 
-#include "plugin/cli/not_yet.hpp"
+#include "plugin/cli/density_option.hpp"
 #include "plugin/cli/option_values.hpp"
 #include "plugin/job_files.hpp"
 
@@ -29,7 +29,9 @@ constexpr const char* kExamples =
     "  pcvt mesh --input sites.txt --max-iterations 0 -o tile.obj\n"
     "      the periodic Voronoi diagram of the sites as given\n"
     "  pcvt mesh --sites 30 --repeat 2x3 --strict --report run.json -o tile.om -o sites.txt\n"
-    "      a tile of 2 x 3 domains; exit code 5 if the tolerance was not reached\n";
+    "      a tile of 2 x 3 domains; exit code 5 if the tolerance was not reached\n"
+    "  pcvt mesh --sites 2000 --density '1 + 99 * exp(-((v - 0.5) / 0.1)^2)' -o ridge.svg\n"
+    "      a graded mesh, fine along the line v = 0.5\n";
 
 CLI::Option* add(CLI::App& app, const char* name, std::string& value, const char* form,
                  const std::string& description) {
@@ -45,6 +47,12 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY", "any two independent period vectors");
     add(app, "--origin", options.origin, "X,Y", "corner of the domain [0,0]");
+    add(app, "--density", options.density, "EXPR|FILE.png",
+        "cells are small where it is large: a formula in x, y (length) and\n"
+        "u, v (0 to 1 along the period vectors), or a picture laid over\n"
+        "the domain; random sites are then drawn from its square root [1]");
+    add(app, "--density-range", options.density_range, "LO,HI",
+        "densities of black and of white pixels [0.01,1]");
 }
 
 void add_solver_options(CLI::App& app, MeshOptions& options) {
@@ -181,6 +189,16 @@ void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--order") > 0) job.order = whole_number("--order", options.order, 1, 2);
 }
 
+void read_density(const CLI::App& app, const MeshOptions& options, Job& job) {
+    if (app.count("--density") == 0) {
+        if (app.count("--density-range") == 0) return;
+        throw InvalidInput("--density-range is for --density FILE.png; give one");
+    }
+    job.density = density_option(options.density, options.density_range, job.lattice);
+    job.density_name = options.density;
+    if (names_picture(options.density)) job.inputs.push_back(options.density);
+}
+
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--tolerance") > 0) {
         job.tolerance = positive_number("--tolerance", options.tolerance);
@@ -227,12 +245,10 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_site_options(app, options);
     add_solver_options(app, options);
     add_output_options(app, options);
-    add_later_options(app);
-    app.footer(std::string(kExamples) + "\nNot available yet: --density\n");
+    app.footer(kExamples);
 }
 
 Job make_job(const CLI::App& app, const MeshOptions& options) {
-    refuse_later_options(app);
     Job job;
     job.lattice = chosen_lattice(app, options);
     read_site_source(app, options, job);
@@ -240,6 +256,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_meshes(app, options, job);
     read_grains(app, options, job);
     read_numbers(app, options, job);
+    read_density(app, options, job);
     job.outputs = options.outputs;
     if (app.count("--report") > 0 && !options.report.ends_with(".json")) {
         throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");

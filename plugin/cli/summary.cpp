@@ -80,6 +80,33 @@ std::string pattern_lines(const PatternOutcome& pattern) {
            line("stability", stability_text(pattern.stability));
 }
 
+std::string energy_text(const JobOutcome& outcome) {
+    std::string text = figure(outcome.energy);
+    if (outcome.energy_bound) {
+        text += ", " + figure(outcome.energy / *outcome.energy_bound) + " of the hexagonal bound";
+    }
+    if (outcome.density) {
+        text += ", " + figure(outcome.energy / outcome.density->expected_energy) +
+                " of what many cells of this density tend to";
+    }
+    return text;
+}
+
+std::string density_lines(const DensityFigures& density) {
+    std::string text =
+        line("density", "from " + figure(density.least) + " to " + figure(density.greatest) + ", " +
+                            figure(density.evaluations_per_site) + " evaluations a site");
+    text += line("mass", figure(density.mass) + ", off the integral of the density by " +
+                             figure(density.mass_deviation));
+    text += line("spacing", "off the law density^(-1/4) by " +
+                                figure(100 * density.spacing_deviation) + " % (median)");
+    if (density.n_rough_cells == 0) return text;
+    return text + line("rough", std::to_string(density.n_rough_cells) +
+                                    " cells where the density is not smooth: their centroids are "
+                                    "known to " +
+                                    figure(density.quadrature_error) + " of their spacing");
+}
+
 }  // namespace
 
 std::string summary(const Job& job, const JobOutcome& outcome) {
@@ -93,14 +120,13 @@ std::string summary(const Job& job, const JobOutcome& outcome) {
         text += line("newton", std::to_string(outcome.hessians) + " Hessians, " +
                                    std::to_string(outcome.cg_products) + " products with them");
     }
-    text += line("energy", figure(outcome.energy) + ", " +
-                               figure(outcome.energy / outcome.energy_bound) +
-                               " of the hexagonal bound");
+    text += line("energy", energy_text(outcome));
     text += line("residual", figure(outcome.residual));
     if (outcome.minimum) text += line("minimum", minimum_name(*outcome.minimum));
     text += line("hexagons", valence_text(outcome));
     if (!outcome.found.empty()) text += line("found", outcome.found);
     if (outcome.pattern) text += pattern_lines(*outcome.pattern);
+    if (outcome.density) text += density_lines(*outcome.density);
     text += tile_lines(outcome);
     for (const std::string& file : outcome.files) text += line("file", file);
     if (!job.report.empty()) text += line("report", job.report);
