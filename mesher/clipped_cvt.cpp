@@ -236,10 +236,6 @@ class ClippedObjective final : public Objective {
         }
     }
 
-    void hessian(BlockMatrix&) const override {
-        throw InternalError("the clipped CVT has no second derivatives");
-    }
-
    private:
     Polygon domain_;
     Points point_;

@@ -78,6 +78,7 @@ class CvtObjective final : public Objective {
         }
     }
 
+    bool has_hessian() const override { return true; }
     void hessian(BlockMatrix& hessian) const override {
         assemble_hessian(delaunay_, workers_, hessian);
     }

@@ -40,8 +40,10 @@ class Objective {
     virtual bool precondition(Evaluation&) { return false; }
     /// The fixed-point step at the point evaluated last: the point + it is the next Lloyd iterate.
     virtual void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const = 0;
+    /// Whether `hessian` tells something.
+    virtual bool has_hessian() const { return false; }
     /// The second derivatives at the point, which must be what was evaluated last.
-    virtual void hessian(BlockMatrix& hessian) const = 0;
+    virtual void hessian(BlockMatrix& /*hessian*/) const {}
 };
 
 enum class Stop { kConverged, kIterationLimit, kStalled, kCancelled };

@@ -88,6 +88,7 @@ bool Relay::newton(int most_truncated) {
 
 OptimizerResult minimize_relay(Objective& objective, const OptimizerOptions& options,
                                NewtonStart start, Workers& workers) {
+    if (!objective.has_hessian()) return minimize_lbfgs(objective, options, workers);
     Relay relay(objective, options, workers);
     const bool at_once = start == NewtonStart::kAtOnce;
     const int most_truncated = at_once ? std::numeric_limits<int>::max() : kMostTruncated;

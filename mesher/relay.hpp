@@ -15,7 +15,8 @@ enum class NewtonStart { kNear, kAtOnce };
 /// stand near a lattice. Where it gets stuck, or from `kNear` on is often stopped by its trust
 /// region, L-BFGS takes over until the RMS residual has fallen to a third, and so on; it then
 /// evaluates its first point once more. Iterations and evaluations are those of all legs. It ends
-/// `stalled` where L-BFGS does.
+/// `stalled` where L-BFGS does. Of an objective without a
+/// Hessian all is left to L-BFGS.
 OptimizerResult minimize_relay(Objective& objective, const OptimizerOptions& options,
                                NewtonStart start, Workers& workers);
 

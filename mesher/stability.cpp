@@ -54,9 +54,7 @@ double largest_eigenvalue(const BlockMatrix& h) {
 /// Counts the eigenvalues of a matrix below a shift.
 class Inertia {
    public:
-    explicit Inertia(SparseMatrix lower) : lower_(std::move(lower)) {
-        ldlt_.analyzePattern(lower_);
-    }
+    explicit Inertia(const SparseMatrix& lower) : lower_(lower) { ldlt_.analyzePattern(lower_); }
 
     /// Nothing where a pivot is zero.
     std::optional<Eigen::Index> n_below(double shift) {

@@ -40,6 +40,15 @@ TEST(Relay, LeavesToLbfgsWhatIsNotNearAMinimum) {
     EXPECT_GT(relay(again, 1e-2, NewtonStart::kAtOnce).hessians, 0);
 }
 
+TEST(Relay, LeavesAllToLbfgsWithoutAHessian) {
+    PlainObjective objective = from(0.3);
+    objective.forget_hessian();
+    const OptimizerResult result = relay(objective, 1e-9, NewtonStart::kAtOnce);
+    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_EQ(result.hessians, 0);
+    EXPECT_EQ(result.evaluations, objective.n_evaluations());
+}
+
 TEST(Relay, FinishesByNewtonAndAtOnceWhereTheFirstPointIsNear) {
     PlainObjective far = from(0.3);
     const OptimizerResult finished = relay(far, 1e-12, NewtonStart::kNear);

@@ -42,6 +42,8 @@ class PlainObjective final : public Objective {
         point_ = evaluated_;
         looked_at_point_ = true;
     }
+    bool has_hessian() const override { return has_hessian_; }
+    void forget_hessian() { has_hessian_ = false; }
     /// By differences of the gradient: of one row of blocks, all of which is stored.
     void hessian(BlockMatrix& hessian) const override;
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
@@ -60,6 +62,7 @@ class PlainObjective final : public Objective {
 
     Function function_;
     std::function<void(BlockMatrix&)> change_hessian_;
+    bool has_hessian_ = true;
     double rate_;
     Eigen::VectorXd point_;
     Eigen::VectorXd evaluated_;
