@@ -156,13 +156,12 @@ OptimizerResult minimize_by(Solver solver, Objective& objective, const Optimizer
 OptimizerResult minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
                          const CvtOptions& options, std::optional<DensityFigures>& figures) {
     Workers workers(options.n_threads);
-    WeightedResult result =
-        minimize_weighted(delaunay, workers, lattice, density,
-                          {options.solver == Solver::kLloyd,
-                           {.tolerance = options.tolerance,
-                            .max_iterations = options.max_iterations,
-                            .max_move = kLargestMove * delaunay.spacing(),
-                            .progress = options.progress}});
+    WeightedResult result = minimize_weighted(delaunay, workers, lattice, density,
+                                              {options.solver == Solver::kLloyd,
+                                               {.tolerance = options.tolerance,
+                                                .max_iterations = options.max_iterations,
+                                                .max_move = kLargestMove * delaunay.spacing(),
+                                                .progress = options.progress}});
     figures = result.figures;
     return std::move(result.run);
 }
@@ -172,11 +171,10 @@ OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
     Workers workers(std::min(options.n_threads, n_tasks));
     CvtObjective objective(delaunay, workers);
     const bool plain = options.solver == Solver::kPlainLbfgs;
-    OptimizerOptions optimizer{
-        .tolerance = options.tolerance,
-        .max_iterations = options.max_iterations,
-        .max_move = kLargestMove * delaunay.spacing(),
-        .precondition_below = plain ? 0 : options.precondition_below};
+    OptimizerOptions optimizer{.tolerance = options.tolerance,
+                               .max_iterations = options.max_iterations,
+                               .max_move = kLargestMove * delaunay.spacing(),
+                               .precondition_below = plain ? 0 : options.precondition_below};
     if (options.progress) {
         optimizer.progress = [&](Progress progress) {
             progress.value *= std::pow(delaunay.unit(), 4);

@@ -72,11 +72,11 @@ struct OptimizerOptions {
     int max_iterations = -1;
     /// No variable pair (x_2i, x_2i+1) moves further than this in one step; length units.
     double max_move = 0;
-    /// The root mean square residual below which the objective is asked to precondition.
-    double precondition_below = 0;
     ProgressCallback progress = {};
     /// Stops as converged also where this says so.
     ProgressTest enough = {};
+    /// The root mean square residual below which the objective is asked to precondition.
+    double precondition_below = 0;
 };
 
 /// Where an optimiser ended and why; the point itself is in the objective, perhaps behind a trial

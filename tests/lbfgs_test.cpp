@@ -39,7 +39,7 @@ bool valley(const VectorXd& x, Evaluation& e) {
 }
 
 OptimizerOptions options(double tolerance, double max_move) {
-    return {tolerance, -1, max_move, 0, {}};
+    return {tolerance, -1, max_move, {}};
 }
 
 OptimizerResult lbfgs(Objective& objective, const OptimizerOptions& options) {
