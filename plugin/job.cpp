@@ -8,7 +8,6 @@
 #include "io/site_writer.hpp"
 #include "mesher/outline.hpp"
 #include "mesher/quality.hpp"
-#include "mesher/tile.hpp"
 #include "mesher/voronoi.hpp"
 #include "plugin/job_files.hpp"
 #include "plugin/job_proof.hpp"
@@ -65,11 +64,6 @@ class Monitor {
     Stopwatch& watch_;
     Progress last_;
     bool built_ = false;
-};
-
-struct ProvedTile {
-    AnyTile tile;
-    SeamSize seam;
 };
 
 Reduction reduce_repeated(const Job& job) {
@@ -130,7 +124,7 @@ ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
             {kind, proof.n_boundary_edges, static_cast<int>(proof.edge_pairs.size())}};
 }
 
-JobOutcome describe(const CvtResult& result, const std::vector<ProvedTile>& tiles) {
+JobOutcome describe(const CvtResult& result, std::span<const ProvedTile> tiles) {
     JobOutcome outcome;
     outcome.stop = result.stop;
     outcome.n_sites = result.delaunay.sites().n_sites();
@@ -189,7 +183,7 @@ std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
 
 /// Stages every file and then, last, commits them all: the one moment that cannot be cancelled.
 void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& result,
-           const std::vector<ProvedTile>& tiles, const Monitor& monitor, Stopwatch& watch,
+           std::span<const ProvedTile> tiles, const Monitor& monitor, Stopwatch& watch,
            JobOutcome& outcome) {
     OutputSet outputs;
     for (const JobFile& file : files) {
@@ -239,6 +233,30 @@ const char* stop_name(Stop stop) {
             return "cancelled";
     }
     return "";
+}
+
+JobResult compute_job(const Job& job, const JobCallback& callback) {
+    check_job(job);
+    Stopwatch watch;
+    Monitor monitor(callback, watch);
+    CvtResult cvt = tessellate(job, monitor);
+    watch.stop(&JobSeconds::optimize);
+    return {std::move(cvt), watch.seconds()};
+}
+
+ProvedTile make_job_tile(const Job& job, const CvtResult& result, TileKind kind) {
+    return build_tile(job, result, kind);
+}
+
+JobOutcome write_job(const Job& job, const CvtResult& result, std::span<const ProvedTile> tiles) {
+    const std::vector<JobFile> files = plan_files(job);
+    require_all_writable(job, files);
+    Stopwatch watch;
+    const JobCallback no_callback;
+    JobOutcome outcome = describe(result, tiles);
+    write(job, files, result, tiles, Monitor(no_callback, watch), watch, outcome);
+    outcome.seconds = watch.seconds();
+    return outcome;
 }
 
 JobOutcome run_job(const Job& job, const JobCallback& callback) {

@@ -4,11 +4,13 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "mesher/cvt.hpp"
 #include "mesher/error.hpp"
+#include "mesher/tile.hpp"
 
 namespace pcvt {
 
@@ -59,6 +61,19 @@ struct SeamSize {
     int n_edge_pairs;
 };
 
+/// A tile of a job that keeps its laws.
+struct ProvedTile {
+    AnyTile tile;
+    SeamSize seam;
+};
+
+/// What a job computes before it makes tiles and files.
+struct JobResult {
+    CvtResult cvt;
+    /// Of the computing alone.
+    JobSeconds seconds;
+};
+
 /// What came out, beside the files.
 struct JobOutcome {
     /// kCancelled: no file was written, and nothing below is filled.
@@ -96,6 +111,14 @@ using JobCallback = ProgressCallback;
 /// @throws LimitExceeded  too many sites or faces.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.
 JobOutcome run_job(const Job& job, const JobCallback& callback);
+
+/// The steps of run_job one by one, for a host that keeps the result in memory; errors as there.
+/// The tessellation; cvt.stop is kCancelled where the callback returned false.
+JobResult compute_job(const Job& job, const JobCallback& callback);
+/// The tile of one kind, proved.
+ProvedTile make_job_tile(const Job& job, const CvtResult& result, TileKind kind);
+/// Writes job.outputs and job.report; tiles[k] is the one of job.meshes[k].
+JobOutcome write_job(const Job& job, const CvtResult& result, std::span<const ProvedTile> tiles);
 
 /// The stop as contract words: "converged", "iteration-limit", "stalled", "cancelled".
 const char* stop_name(Stop stop);
