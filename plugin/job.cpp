@@ -27,6 +27,8 @@ struct Cancelled {};
 /// Adds up the seconds of each stage.
 class Stopwatch {
    public:
+    explicit Stopwatch(const JobSeconds& before = {}) : seconds_(before) {}
+
     /// The time since the last stop belongs to `stage`.
     void stop(double JobSeconds::*stage) {
         const Clock::time_point now = Clock::now();
@@ -142,13 +144,6 @@ JobOutcome describe(const CvtResult& result, std::span<const ProvedTile> tiles) 
     return outcome;
 }
 
-Points wrapped_sites(const CvtResult& result) {
-    const Sites& sites = result.delaunay.sites();
-    Points points(2, sites.n_sites());
-    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
-    return points;
-}
-
 /// Encodes a tile, lets it reach the disk under a hidden name and proves what stands there.
 void stage_tile(const JobFile& file, const AnyTile& tile, const Vec2& origin, OutputSet& outputs) {
     const std::vector<EncodedFile> encoded = file.format->encode(tile, file.paths.front());
@@ -244,17 +239,24 @@ JobResult compute_job(const Job& job, const JobCallback& callback) {
     return {std::move(cvt), watch.seconds()};
 }
 
+Points wrapped_sites(const CvtResult& result) {
+    const Sites& sites = result.delaunay.sites();
+    Points points(2, sites.n_sites());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
+    return points;
+}
+
 ProvedTile make_job_tile(const Job& job, const CvtResult& result, TileKind kind) {
     return build_tile(job, result, kind);
 }
 
-JobOutcome write_job(const Job& job, const CvtResult& result, std::span<const ProvedTile> tiles) {
+JobOutcome write_job(const Job& job, const JobResult& result, std::span<const ProvedTile> tiles) {
     const std::vector<JobFile> files = plan_files(job);
     require_all_writable(job, files);
-    Stopwatch watch;
+    Stopwatch watch(result.seconds);
     const JobCallback no_callback;
-    JobOutcome outcome = describe(result, tiles);
-    write(job, files, result, tiles, Monitor(no_callback, watch), watch, outcome);
+    JobOutcome outcome = describe(result.cvt, tiles);
+    write(job, files, result.cvt, tiles, Monitor(no_callback, watch), watch, outcome);
     outcome.seconds = watch.seconds();
     return outcome;
 }

@@ -113,12 +113,17 @@ using JobCallback = ProgressCallback;
 JobOutcome run_job(const Job& job, const JobCallback& callback);
 
 /// The steps of run_job one by one, for a host that keeps the result in memory; errors as there.
+///
 /// The tessellation; cvt.stop is kCancelled where the callback returned false.
 JobResult compute_job(const Job& job, const JobCallback& callback);
 /// The tile of one kind, proved.
 ProvedTile make_job_tile(const Job& job, const CvtResult& result, TileKind kind);
-/// Writes job.outputs and job.report; tiles[k] is the one of job.meshes[k].
-JobOutcome write_job(const Job& job, const CvtResult& result, std::span<const ProvedTile> tiles);
+/// The optimised sites, 2 x n, wrapped into the reduced domain at the origin: what `.txt` files
+/// hold.
+Points wrapped_sites(const CvtResult& result);
+/// Writes job.outputs and job.report; tiles[k] is the one of job.meshes[k], and need not be there
+/// where no output is a tile.
+JobOutcome write_job(const Job& job, const JobResult& result, std::span<const ProvedTile> tiles);
 
 /// The stop as contract words: "converged", "iteration-limit", "stalled", "cancelled".
 const char* stop_name(Stop stop);
