@@ -148,8 +148,7 @@ TEST(Output, UnwritableTargetsAreRefusedBeforeAnyWork) {
     };
     EXPECT_EQ(fault(folder / "new"), "");
     EXPECT_EQ(fault(folder / "old", true), "");
-    EXPECT_EQ(fault(folder / "old"),
-              (folder / "old") + ": cannot write: it exists");
+    EXPECT_EQ(fault(folder / "old"), (folder / "old") + ": cannot write: it exists");
     std::filesystem::create_directory(folder / "d");
     EXPECT_EQ(fault(folder / "d", true), (folder / "d") + ": cannot write: Is a directory");
     EXPECT_THAT(fault(folder / "none/x"), HasSubstr("none: No such file or directory"));
