@@ -14,6 +14,7 @@ typedef pcvt_status (*init_function)(pcvt_options*, size_t, uint32_t);
 typedef pcvt_status (*generate_function)(const pcvt_options*, pcvt_result**);
 typedef pcvt_status (*tile_function)(const pcvt_result*, int32_t, int32_t, pcvt_tile*, size_t);
 typedef void (*free_function)(pcvt_result*);
+typedef const char* (*error_function)(void);
 
 static void fail(const char* what) {
     printf("%s\n", what);
@@ -32,6 +33,7 @@ static void cycle(const char* path) {
     generate_function generate;
     tile_function get_tile;
     free_function free_result;
+    error_function last_error;
     pcvt_options options;
     pcvt_result* result;
     pcvt_tile tile;
@@ -41,13 +43,15 @@ static void cycle(const char* path) {
     find(library, "pcvt_generate", &generate);
     find(library, "pcvt_get_tile", &get_tile);
     find(library, "pcvt_free", &free_result);
+    find(library, "pcvt_last_error", &last_error);
     if (init(&options, sizeof options, PCVT_ABI_VERSION) != PCVT_OK) fail("init failed");
     options.n_sites = 9;
     options.n_threads = 2;
     if (generate(&options, &result) != PCVT_OK) fail("generate failed");
     if (get_tile(result, PCVT_VORONOI, PCVT_WHOLE, &tile, sizeof tile) != PCVT_OK) fail("no tile");
     free_result(result);
-    if (generate(NULL, NULL) != PCVT_ERROR_ARGUMENT) fail("null was taken");
+    if (generate(NULL, NULL) != PCVT_ERROR_ARGUMENT || *last_error() == '\0')
+        fail("null was taken");
     if (dlclose(library) != 0) fail(dlerror());
 }
 
