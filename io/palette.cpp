@@ -19,6 +19,11 @@ constexpr std::array<Colour, 7> kBySides{from_bytes(0x14, 0x21, 0x5c), from_byte
                                          from_bytes(0xf2, 0xa2, 0x3c), from_bytes(0xcb, 0x4b, 0x1e),
                                          from_bytes(0x70, 0x15, 0x18)};
 
+/// From small to large, each lighter than the one before.
+constexpr std::array<Colour, 5> kBySize{from_bytes(0x1b, 0x1f, 0x5e), from_bytes(0x3b, 0x5b, 0x9c),
+                                        from_bytes(0x4a, 0x9b, 0xa0), from_bytes(0x9c, 0xcf, 0x8f),
+                                        from_bytes(0xfb, 0xf3, 0xc4)};
+
 /// The decoding curve of IEC 61966-2-1.
 double linear_light(double component) {
     return component <= 0.04045 ? component / 12.92 : std::pow((component + 0.055) / 1.055, 2.4);
@@ -38,6 +43,16 @@ std::string hex(Colour colour) {
         text += "0123456789abcdef"[byte % 16];
     }
     return text;
+}
+
+Colour size_colour(double share) {
+    const double place = std::clamp(share, 0.0, 1.0) * (kBySize.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(place), kBySize.size() - 2);
+    const double part = place - static_cast<double>(below);
+    const Colour& from = kBySize[below];
+    const Colour& to = kBySize[below + 1];
+    return {from.r + part * (to.r - from.r), from.g + part * (to.g - from.g),
+            from.b + part * (to.b - from.b)};
 }
 
 Colour side_colour(int sides) {

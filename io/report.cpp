@@ -50,7 +50,7 @@ std::string word(const Report::Seconds& s) {
 }  // namespace
 
 std::string encode_report(const Report& report) {
-    const std::vector<std::pair<std::string, std::string>> entries{
+    std::vector<std::pair<std::string, std::string>> entries{
         {"version", word(report.version)},
         {"sites", std::to_string(report.sites)},
         {"lattice", "[" + word(report.lattice.a()) + ", " + word(report.lattice.b()) + "]"},
@@ -70,6 +70,19 @@ std::string encode_report(const Report& report) {
         {"seconds", word(report.seconds)},
         {"files", word(report.files)},
     };
+    if (report.density) {
+        const Report::Density& density = *report.density;
+        entries.insert(entries.end(), {{"density", word(density.name)},
+                                       {"density_least", word(density.least)},
+                                       {"density_greatest", word(density.greatest)},
+                                       {"density_evaluations", word(density.evaluations_per_site)},
+                                       {"mass", word(density.mass)},
+                                       {"mass_deviation", word(density.mass_deviation)},
+                                       {"expected_energy", word(density.expected_energy)},
+                                       {"spacing_deviation", word(density.spacing_deviation)},
+                                       {"quadrature_error", word(density.quadrature_error)},
+                                       {"rough_cells", word(density.rough_cells)}});
+    }
     std::string text;
     for (const auto& [key, value] : entries) {
         text += (text.empty() ? "{\n  \"" : ",\n  \"") + key + "\": " + value;

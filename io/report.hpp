@@ -19,6 +19,27 @@ struct Report {
         double total;
     };
 
+    /// Of runs with a density.
+    struct Density {
+        /// The formula or the file.
+        std::string name;
+        /// Extremes wherever it was asked.
+        double least;
+        double greatest;
+        /// In one evaluation of the energy.
+        double evaluations_per_site;
+        /// Density x length^2, and its relative difference from the integral without cells.
+        double mass;
+        double mass_deviation;
+        /// What the energy tends to for many sites, density x length^4.
+        double expected_energy;
+        /// Median of |h_i / l_i - 1| over the cells, l_i by rho^(-1/4).
+        double spacing_deviation;
+        /// Of a centroid, in spacings of its cell.
+        double quadrature_error;
+        int rough_cells;
+    };
+
     std::string version;
     int sites;
     Lattice lattice;
@@ -40,6 +61,8 @@ struct Report {
     int threads;
     Seconds seconds;
     std::vector<std::string> files;
+    /// Its keys are left out where there is none.
+    std::optional<Density> density = {};
 };
 
 /// The report as JSON: one key a line, numbers as the shortest decimals that read back, text as

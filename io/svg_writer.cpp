@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -12,6 +13,7 @@
 #include "io/palette.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/svg_legend.hpp"
+#include "mesher/polygon.hpp"
 #include "mesher/quality.hpp"
 
 namespace pcvt {
@@ -29,6 +31,23 @@ constexpr double kLeastDottedSpacing = 9;
 /// this.
 constexpr double kOblique = 1.5;
 constexpr int kRegular = 6;
+
+/// Pictures by size have at most so many classes; the finest is a quarter of an octave.
+constexpr int kMostClasses = 9;
+constexpr double kFinestClass = 0.25;
+/// Stands for areas that rounding made zero.
+constexpr double kLeastShare = 1e-12;
+
+std::string counted(int n, const std::string& noun) {
+    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+std::string two_digits(double value) {
+    std::array<char, 32> text;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2);
+    return {text.data(), end.ptr};
+}
 
 /// One drawing: the tile, where it goes, and the spacing h of its sites in pixels.
 struct Drawing {
@@ -106,14 +125,66 @@ void add_face(const FlatTile& tile, int face, SvgPath& path) {
     path.close();
 }
 
-std::string draw_cells(const Drawing& drawing) {
+/// The colour of each face and what the colours mean.
+struct CellColours {
+    std::vector<std::string> of_face;
+    std::vector<LegendEntry> meaning;
+};
+
+CellColours colours_by_sides(const FlatTile& tile) {
+    CellColours colours;
+    const std::vector<int> sides = cell_sides(tile);
+    for (const int n : sides) colours.of_face.push_back(hex(side_colour(n)));
+    for (const auto& [n, count] : histogram(sides)) {
+        colours.meaning.push_back({LegendEntry::Mark::kPatch, hex(side_colour(n)),
+                                   counted(n, "side") + ": " + std::to_string(count)});
+    }
+    return colours;
+}
+
+double face_area(const FlatTile& tile, int face) {
+    Polygon polygon;
+    for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
+        polygon.push_back(tile.points[tile.corners[c]]);
+    }
+    return polygon_area(polygon);
+}
+
+/// Classes of sqrt(area) / h with equal ratios, 2^(1/4) or a power of it, so that there are few.
+CellColours colours_by_size(const FlatTile& tile) {
+    const double area = tile.lattice.area() / tile.n_faces();
+    std::vector<double> octaves;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        octaves.push_back(std::log2(std::max(face_area(tile, f) / area, kLeastShare)) / 2);
+    }
+    const auto [least, most] = std::minmax_element(octaves.begin(), octaves.end());
+    double width = kFinestClass;
+    while (*most - *least > width * (kMostClasses - 1)) width *= 2;
+    const int lowest = static_cast<int>(std::floor(*least / width));
+    const int last = static_cast<int>(std::floor(*most / width)) - lowest;
+    std::vector<int> count(static_cast<std::size_t>(last) + 1, 0);
+    const auto colour = [&](int k) { return hex(size_colour(last == 0 ? 1 : double(k) / last)); };
+    CellColours colours;
+    for (const double octave : octaves) {
+        const int k = static_cast<int>(std::floor(octave / width)) - lowest;
+        colours.of_face.push_back(colour(k));
+        ++count[k];
+    }
+    for (int k = 0; k <= last; ++k) {
+        const std::string label = two_digits(std::exp2((lowest + k) * width)) + " to " +
+                                  two_digits(std::exp2((lowest + k + 1) * width)) +
+                                  " h: " + std::to_string(count[k]);
+        colours.meaning.push_back({LegendEntry::Mark::kPatch, colour(k), label});
+    }
+    return colours;
+}
+
+std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool dotted) {
     const FlatTile& tile = drawing.tile;
     std::map<std::string, SvgPath> by_colour;
     SvgPath dots(drawing.frame);
-    const std::vector<int> sides = cell_sides(tile);
     for (int f = 0; f < tile.n_faces(); ++f) {
-        const auto entry = by_colour.try_emplace(hex(side_colour(sides[f])), drawing.frame).first;
-        add_face(tile, f, entry->second);
+        add_face(tile, f, by_colour.try_emplace(colours.of_face[f], drawing.frame).first->second);
     }
     for (const Vec2& site : tile.site_points) dots.dot(site);
     std::string svg;
@@ -121,7 +192,7 @@ std::string draw_cells(const Drawing& drawing) {
     for (const auto& [colour, path] : by_colour) {
         svg += path.element(fill(colour).append(edge));
     }
-    if (drawing.spacing >= kLeastDottedSpacing) {
+    if (dotted && drawing.spacing >= kLeastDottedSpacing) {
         svg += dots.element(stroke(kDotColour, drawing.width(0.09, 0.6, 6)));
     }
     return svg;
@@ -190,10 +261,6 @@ std::vector<int> site_valences(const FlatTile& tile) {
     return result;
 }
 
-std::string counted(int n, const std::string& noun) {
-    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
-
 std::string caption(const FlatTile& tile) {
     const int n = count_sites(tile);
     return tile.kind == TileKind::kCells ? "Periodic Voronoi tile, " + counted(n, "cell")
@@ -201,17 +268,19 @@ std::string caption(const FlatTile& tile) {
                                                counted(tile.n_faces(), "triangle");
 }
 
-Legend make_legend(const FlatTile& tile, const Domain& domain) {
-    const bool cells = tile.kind == TileKind::kCells;
-    Legend legend{caption(tile), {}};
-    for (const auto& [sides, count] : histogram(cells ? cell_sides(tile) : site_valences(tile))) {
-        const std::string label =
-            (cells ? counted(sides, "side") : "valence " + std::to_string(sides)) + ": " +
-            std::to_string(count);
-        const bool plain = !cells && sides == kRegular;
-        legend.entries.push_back({cells ? LegendEntry::Mark::kPatch : LegendEntry::Mark::kDisc,
-                                  plain ? kDotColour : hex(side_colour(sides)), label});
+std::vector<LegendEntry> valence_entries(const FlatTile& tile) {
+    std::vector<LegendEntry> entries;
+    for (const auto& [valence, count] : histogram(site_valences(tile))) {
+        const std::string label = "valence " + std::to_string(valence) + ": ";
+        entries.push_back({LegendEntry::Mark::kDisc,
+                           valence == kRegular ? kDotColour : hex(side_colour(valence)),
+                           label + std::to_string(count)});
     }
+    return entries;
+}
+
+Legend make_legend(const FlatTile& tile, const Domain& domain, std::vector<LegendEntry> entries) {
+    Legend legend{caption(tile), std::move(entries)};
     for (const auto& [offset, colour] : seam_colours(tile)) {
         const std::string pair = std::to_string(offset.i) + ", " + std::to_string(offset.j);
         legend.entries.push_back({LegendEntry::Mark::kStroke, colour, "seam (" + pair + ")"});
@@ -229,9 +298,7 @@ std::string head(const std::string& title, double width, double height) {
     return text + "\">\n<title>" + title + "</title>\n<rect" + size + " fill=\"#ffffff\"/>\n";
 }
 
-}  // namespace
-
-std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
+std::string encode(const FlatTile& tile, bool by_size) {
     require_finite(tile);
     const Domain domain = choose_domain(tile);
     std::vector<Vec2> drawn = tile.points;
@@ -240,22 +307,38 @@ std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& pat
     const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_sites(tile));
     const Drawing drawing{tile, frame, spacing};
     const bool cells = tile.kind == TileKind::kCells;
-    const Legend legend = make_legend(tile, domain);
+    CellColours colours;
+    if (cells) colours = by_size ? colours_by_size(tile) : colours_by_sides(tile);
+    Legend legend = make_legend(tile, domain, cells ? colours.meaning : valence_entries(tile));
+    if (cells && by_size) legend.caption += " by size; h = sqrt(area / n)";
     const PlacedLegend placed = place_legend(legend, frame);
 
     std::string svg = head(legend.caption, placed.width, placed.height);
     svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-    svg += cells ? draw_cells(drawing) : draw_triangles(drawing);
+    svg += cells ? draw_cells(drawing, colours, !by_size) : draw_triangles(drawing);
     svg += draw_domain(domain.corners, drawing);
     svg += draw_seam(drawing);
     if (!cells) svg += draw_valences(drawing);
     svg += "</g>\n<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#1c1f26\">\n";
-    svg += placed.svg + "</g>\n</svg>\n";
-    return {{path, std::move(svg)}};
+    return svg + placed.svg + "</g>\n</svg>\n";
+}
+
+}  // namespace
+
+std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
+    return {{path, encode(tile, false)}};
 }
 
 std::vector<EncodedFile> encode_svg(const AnyTile& tile, const std::string& path) {
     return encode_svg(flatten(tile), path);
+}
+
+std::vector<EncodedFile> encode_graded_svg(const FlatTile& tile, const std::string& path) {
+    return {{path, encode(tile, true)}};
+}
+
+std::vector<EncodedFile> encode_graded_svg(const AnyTile& tile, const std::string& path) {
+    return encode_graded_svg(flatten(tile), path);
 }
 
 }  // namespace pcvt

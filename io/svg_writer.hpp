@@ -15,4 +15,9 @@ namespace pcvt {
 std::vector<EncodedFile> encode_svg(const AnyTile& tile, const std::string& path);
 std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path);
 
+/// The same picture with cells filled by their size, sqrt(area of the cell) / h on a logarithmic
+/// scale, and without dots; triangles as above.
+std::vector<EncodedFile> encode_graded_svg(const AnyTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_graded_svg(const FlatTile& tile, const std::string& path);
+
 }  // namespace pcvt

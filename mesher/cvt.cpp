@@ -115,6 +115,19 @@ void CvtObjective::measure(Evaluation& evaluation) const {
     evaluation.rms_residual = std::sqrt(total.sum / n) / (2 * delaunay_.spacing());
 }
 
+/// With a density; fills in `figures`.
+OptimizerResult minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
+                         const CvtOptions& options, std::optional<DensityFigures>& figures) {
+    Workers workers(options.n_threads);
+    WeightedResult result =
+        minimize_weighted(delaunay, workers, lattice, density,
+                          {options.solver == Solver::kLloyd,
+                           {options.tolerance, options.max_iterations,
+                            kLargestMove * delaunay.spacing(), options.progress}});
+    figures = result.figures;
+    return std::move(result.run);
+}
+
 OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.n_threads, n_tasks));
@@ -145,7 +158,10 @@ CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& o
     MovingDelaunay delaunay = triangulate(lattice, std::move(points));
     require_distinct(delaunay);
     const double value_unit = std::pow(delaunay.unit(), 4);
-    const OptimizerResult run = minimize(delaunay, options);
+    std::optional<DensityFigures> figures;
+    const OptimizerResult run =
+        options.density ? minimize(delaunay, lattice, *options.density, options, figures)
+                        : minimize(delaunay, options);
     const DelaunayCounts counts = delaunay.counts();
     auto [sites, triangulation] = delaunay.release();
     const double bound = hexagonal_bound(lattice.area(), sites.n_sites());
@@ -153,11 +169,12 @@ CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& o
             .stop = run.stop,
             .iterations = run.iterations,
             .evaluations = run.evaluations,
-            .energy = run.evaluation.value * value_unit,
+            .energy = figures ? run.evaluation.value : run.evaluation.value * value_unit,
             .energy_bound = bound,
             .residual = run.evaluation.residual,
             .rms_residual = run.evaluation.rms_residual,
-            .counts = counts};
+            .counts = counts,
+            .density = figures};
 }
 
 PeriodicMesh periodic_mesh(const CvtResult& result, TileKind kind) {

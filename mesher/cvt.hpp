@@ -4,6 +4,7 @@
 #include "mesher/objective.hpp"
 #include "mesher/periodic_delaunay.hpp"
 #include "mesher/periodic_mesh.hpp"
+#include "mesher/weighted_cvt.hpp"
 
 namespace pcvt {
 
@@ -17,6 +18,8 @@ struct CvtOptions {
     int max_iterations = -1;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
+    /// Nothing: rho = 1.
+    std::optional<Density> density = {};
     ProgressCallback progress;
 };
 
@@ -26,18 +29,21 @@ struct CvtResult {
     Stop stop;
     int iterations;
     int evaluations;
-    /// F of Eq. 3 for rho = 1, length^4.
+    /// F of Eq. 3, length^4, with a density times its unit.
     double energy;
-    /// 5 A^2 / (18 sqrt(3) n), the hexagonal lower bound, length^4.
+    /// 5 A^2 / (18 sqrt(3) n), the hexagonal lower bound for rho = 1, length^4.
     double energy_bound;
     /// max and root mean square of |x_i - g_i| / h.
     double residual;
     double rms_residual;
     DelaunayCounts counts;
+    /// Of runs with a density.
+    std::optional<DensityFigures> density = {};
 };
 
 /// Optimises the sites; points are 2 x n, length units, and need not be wrapped.
-/// @throws InvalidInput, DuplicateSites as Sites does; DuplicateSites also for two sites nearer to
+/// @throws BadDensity as minimize_weighted does; InvalidInput, DuplicateSites as Sites does;
+/// DuplicateSites also for two sites nearer to
 ///         each other than kSameVertex h (voronoi.hpp).
 CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options);
 

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "io/site_writer.hpp"
+#include "io/svg_writer.hpp"
+#include "mesher/density_survey.hpp"
 #include "mesher/outline.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/voronoi.hpp"
@@ -106,14 +108,21 @@ void check_job(const Job& job) {
     check_origin(job, reduce_repeated(job), n);
 }
 
+/// The sites before they are optimised.
+Points first_sites(const Job& job) {
+    if (job.points.cols() > 0) return job.points;
+    if (!job.density) return uniform_points(job.lattice, job.n_sites, job.seed);
+    return graded_points(job.lattice, *job.density, job.n_sites, job.seed);
+}
+
 CvtResult tessellate(const Job& job, Monitor& monitor) {
-    Points points =
-        job.points.cols() > 0 ? job.points : uniform_points(job.lattice, job.n_sites, job.seed);
+    Points points = first_sites(job);
     CvtOptions options;
     options.solver = job.solver;
     options.tolerance = job.tolerance;
     options.max_iterations = job.max_iterations;
     options.n_threads = job.n_threads;
+    options.density = job.density;
     options.progress = [&monitor](const Progress& progress) { return monitor.iteration(progress); };
     return compute_cvt(job.lattice, std::move(points), options);
 }
@@ -133,7 +142,8 @@ JobOutcome describe(const CvtResult& result, std::span<const ProvedTile> tiles) 
     outcome.iterations = result.iterations;
     outcome.evaluations = result.evaluations;
     outcome.energy = result.energy;
-    outcome.energy_bound = result.energy_bound;
+    if (!result.density) outcome.energy_bound = result.energy_bound;
+    outcome.density = result.density;
     outcome.residual = result.residual;
     outcome.rms_residual = result.rms_residual;
     outcome.n_mirrors = result.counts.n_mirrors;
@@ -144,12 +154,20 @@ JobOutcome describe(const CvtResult& result, std::span<const ProvedTile> tiles) 
     return outcome;
 }
 
+/// Pictures of a graded mesh show the sizes of its cells.
+std::vector<EncodedFile> encode(const Job& job, const JobFile& file, const AnyTile& tile) {
+    if (job.density && file.format->extension == ".svg") {
+        return encode_graded_svg(tile, file.paths.front());
+    }
+    return file.format->encode(tile, file.paths.front());
+}
+
 /// Encodes a tile, lets it reach the disk under a hidden name and proves what stands there.
-void stage_tile(const JobFile& file, const AnyTile& tile, const Vec2& origin, OutputSet& outputs) {
-    const std::vector<EncodedFile> encoded = file.format->encode(tile, file.paths.front());
+void stage_tile(const Job& job, const JobFile& file, const AnyTile& tile, OutputSet& outputs) {
+    const std::vector<EncodedFile> encoded = encode(job, file, tile);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     const std::vector<EncodedFile> written = read_back(outputs, encoded);
-    if (file.format->decode != nullptr) prove_files(*file.format, written, tile, origin);
+    if (file.format->decode != nullptr) prove_files(*file.format, written, tile, job.origin);
 }
 
 void stage_sites(const std::string& path, const CvtResult& result, OutputSet& outputs) {
@@ -185,7 +203,7 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
         if (file.format == nullptr) {
             stage_sites(file.paths.front(), result, outputs);
         } else {
-            stage_tile(file, tiles[static_cast<std::size_t>(file.mesh)].tile, job.origin, outputs);
+            stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)].tile, outputs);
         }
         outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
         monitor.between_stages();

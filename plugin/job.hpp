@@ -28,6 +28,10 @@ struct Job {
     int max_iterations = -1;
     /// At least 1; the result does not depend on it.
     int n_threads = 1;
+    /// Nothing: rho = 1. With one, sites that are drawn are drawn from rho^(1/2).
+    std::optional<Density> density;
+    /// The formula or file that it came from, for the report.
+    std::string density_name;
 
     /// At least one, each at most once. With several, -voronoi and -delaunay precede the extension.
     std::vector<TileKind> meshes = {TileKind::kCells};
@@ -81,9 +85,9 @@ struct JobOutcome {
     int n_sites = 0;
     int iterations = 0;
     int evaluations = 0;
-    /// length^4, as energy_bound.
+    /// length^4, as energy_bound, which is nothing with a density.
     double energy = 0;
-    double energy_bound = 0;
+    std::optional<double> energy_bound;
     double residual = 0;
     double rms_residual = 0;
     /// Nothing where the triangulation was built without mirrors.
@@ -91,6 +95,8 @@ struct JobOutcome {
     /// Cells by their number of sides, on the unrepeated torus; edges under 1e-5 h do not count.
     std::map<int, int> valences;
     int n_hexagons = 0;
+    /// Of jobs with a density.
+    std::optional<DensityFigures> density;
     /// One entry a mesh of the job.
     std::vector<SeamSize> seams;
     /// Every file written but the report, in the order of the outputs.

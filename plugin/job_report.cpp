@@ -4,6 +4,24 @@
 #include "plugin/version.hpp"
 
 namespace pcvt {
+namespace {
+
+std::optional<Report::Density> report_density(const Job& job, const JobOutcome& outcome) {
+    if (!outcome.density) return std::nullopt;
+    const DensityFigures& figures = *outcome.density;
+    return Report::Density{.name = job.density_name,
+                           .least = figures.least,
+                           .greatest = figures.greatest,
+                           .evaluations_per_site = figures.evaluations_per_site,
+                           .mass = figures.mass,
+                           .mass_deviation = figures.mass_deviation,
+                           .expected_energy = figures.expected_energy,
+                           .spacing_deviation = figures.spacing_deviation,
+                           .quadrature_error = figures.quadrature_error,
+                           .rough_cells = figures.n_rough_cells};
+}
+
+}  // namespace
 
 std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
     const JobSeconds& seconds = outcome.seconds;
@@ -26,6 +44,7 @@ std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
         .threads = job.n_threads,
         .seconds = {seconds.build, seconds.optimize, seconds.write, seconds.total},
         .files = outcome.files,
+        .density = report_density(job, outcome),
     });
 }
 

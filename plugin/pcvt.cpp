@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "plugin/abi/density.hpp"
 #include "plugin/abi/guard.hpp"
 #include "plugin/abi/options.hpp"
 #include "plugin/abi/result.hpp"
@@ -27,21 +28,14 @@ bool report_progress(const pcvt_options& options, double energy_bound, const Pro
                              .energy_bound = energy_bound,
                              .residual = progress.residual,
                              .rms_residual = progress.rms_residual};
-    const FloatEnvironment environment(&host);
-    try {
-        return options.progress(&view, options.progress_data) == 0;
-    } catch (const __cxxabiv1::__forced_unwind&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw CallbackFault(std::string("the progress callback threw: ") + error.what());
-    } catch (...) {
-        throw CallbackFault("the progress callback threw what is no std::exception");
-    }
+    return call_host("progress", host,
+                     [&] { return options.progress(&view, options.progress_data); }) == 0;
 }
 
 JobCallback job_callback(const pcvt_options& options, const Job& job, const std::fenv_t& host) {
     if (options.progress == nullptr) return {};
-    const double bound = hexagonal_bound(job.lattice.area(), options.n_sites);
+    const double bound = job.density ? std::numeric_limits<double>::quiet_NaN()
+                                     : hexagonal_bound(job.lattice.area(), options.n_sites);
     return [&options, &host, bound](const Progress& progress) {
         return report_progress(options, bound, progress, host);
     };
@@ -60,12 +54,15 @@ pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std:
     *result = nullptr;
     const pcvt_options options = read_struct("pcvt_options", given);
     Job job = make_job(options);
+    set_density(options, host, job);
     JobResult computed = compute_job(job, job_callback(options, job, host));
     if (computed.cvt.stop == Stop::kCancelled) {
         set_last_error("cancelled by the progress callback");
         return PCVT_CANCELLED;
     }
     const pcvt_status status = status_of(job, computed.cvt);
+    // The callback ends with this call.
+    if (job.density) job.density = Density{};
     *result = new pcvt_result{{std::move(job), std::move(computed)}};
     return status;
 }

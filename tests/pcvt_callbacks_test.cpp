@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <pcvt.h>
 
+#include <algorithm>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -44,6 +45,32 @@ TEST(Callbacks, WhatTheyThrowBecomesAStatus) {
     EXPECT_EQ(generate([](const pcvt_progress*, void*) -> int { throw std::bad_alloc(); }),
               PCVT_ERROR_DOMAIN);
     EXPECT_EQ(generate(nullptr), PCVT_OK);
+}
+
+TEST(Callbacks, ADensityMayThrowToo) {
+    pcvt_options options = options_for(100);
+    options.density = [](const double*, std::size_t, double*, void*) -> int {
+        throw std::runtime_error("ouch");
+    };
+    pcvt_result* result = nullptr;
+    EXPECT_EQ(pcvt_generate(&options, &result), PCVT_ERROR_DOMAIN);
+    EXPECT_EQ(result, nullptr);
+    EXPECT_THAT(pcvt_last_error(), StrEq("the density callback threw: ouch"));
+}
+
+TEST(Callbacks, ADensityIsAskedOnTheCallingThreadAlone) {
+    std::thread::id caller = std::this_thread::get_id();
+    pcvt_options options = options_for(40000);
+    options.n_threads = 4;
+    options.max_iterations = 1;
+    options.density_data = &caller;
+    options.density = [](const double*, std::size_t n, double* values, void* data) {
+        std::fill(values, values + n, 1.0);
+        return static_cast<int>(*static_cast<std::thread::id*>(data) != std::this_thread::get_id());
+    };
+    pcvt_result* result = nullptr;
+    EXPECT_GE(pcvt_generate(&options, &result), PCVT_OK) << pcvt_last_error();
+    pcvt_free(result);
 }
 
 TEST(Callbacks, RunOnTheCallingThreadAlone) {

@@ -357,10 +357,52 @@ static int always_nan(const double* points, size_t n_points, double* values, voi
     return 0;
 }
 
-static void a_density_is_refused_until_there_is_one(void) {
+static int unwilling(const double* points, size_t n_points, double* values, void* data) {
+    (void)points, (void)n_points, (void)values, (void)data;
+    return 9;
+}
+
+static int ridge(const double* points, size_t n_points, double* values, void* data) {
+    *(int*)data = fegetround();
+    for (size_t k = 0; k < n_points; ++k) {
+        values[k] = 1 + 3 * (points[2 * k] > 0.25 && points[2 * k] < 0.75);
+    }
+    return 0;
+}
+
+static void a_density_that_misbehaves_is_outside_of_the_domain(void) {
     pcvt_options options = options_for(20);
     options.density = always_nan;
-    REFUSED(&options, PCVT_ERROR_ARGUMENT, "not available yet");
+    REFUSED(&options, PCVT_ERROR_DOMAIN, "density");
+    options.density = unwilling;
+    REFUSED(&options, PCVT_ERROR_DOMAIN, "returned 9");
+    options.density_source = "1 + u";
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "density_source");
+    options.density = NULL;
+    options.density_source = "1 + ";
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "character");
+    options.density_source = "-1";
+    REFUSED(&options, PCVT_ERROR_DOMAIN, "density");
+}
+
+static void a_density_grades_the_cells(void) {
+    pcvt_options options = options_for(100);
+    pcvt_result* result = NULL;
+    pcvt_sites sites;
+    pcvt_statistics figures;
+    int rounding = -1, n_inside = 0;
+    options.density = ridge;
+    options.density_data = &rounding;
+    options.tolerance = 1e-3;
+    CHECK(pcvt_generate(&options, &result) >= 0 && rounding == FE_TONEAREST);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    CHECK(pcvt_get_statistics(result, &figures, sizeof figures) == PCVT_OK);
+    CHECK(isnan(figures.energy_bound) && figures.n_threads == 1);
+    for (int k = 0; k < 100; ++k) {
+        n_inside += sites.points[2 * k] > 0.25 && sites.points[2 * k] < 0.75;
+    }
+    CHECK(n_inside > 60 && n_inside < 73); /* two thirds: as the square root of the density */
+    pcvt_free(result);
 }
 
 static void files_are_written_once_unless_replaced(void) {
@@ -408,7 +450,8 @@ int main(void) {
     values_out_of_range_are_refused();
     unknown_tiles_are_refused();
     coincident_sites_are_named();
-    a_density_is_refused_until_there_is_one();
+    a_density_that_misbehaves_is_outside_of_the_domain();
+    a_density_grades_the_cells();
     files_are_written_once_unless_replaced();
     every_status_has_a_text_of_its_own();
     printf("%d claims failed\n", n_failed);

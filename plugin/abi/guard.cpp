@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/output.hpp"
+#include "mesher/density.hpp"
 
 namespace pcvt::abi {
 namespace {
@@ -38,6 +39,8 @@ pcvt_status note_failure(const std::exception_ptr& exception) {
     } catch (const AbiMismatch& error) {
         return note(PCVT_ERROR_ABI, error.what());
     } catch (const CallbackFault& error) {
+        return note(PCVT_ERROR_DOMAIN, error.what());
+    } catch (const BadDensity& error) {
         return note(PCVT_ERROR_DOMAIN, error.what());
     } catch (const BadGeometry& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());

@@ -4,6 +4,7 @@
 
 #include <cfenv>
 #include <exception>
+#include <string>
 
 #include "mesher/error.hpp"
 #include "plugin/pcvt.h"
@@ -46,13 +47,30 @@ class FloatEnvironment {
     std::fenv_t left_;
 };
 
+/// Calls a callback of the host in the host's floating-point environment.
+/// @param name  what the callback is called in a message.
+/// @throws CallbackFault where it throws. Only the end of a thread passes through.
+template <class Callback>
+int call_host(const char* name, const std::fenv_t& host, const Callback& callback) {
+    const FloatEnvironment environment(&host);
+    try {
+        return callback();
+    } catch (const __cxxabiv1::__forced_unwind&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw CallbackFault("the " + std::string(name) + " callback threw: " + error.what());
+    } catch (...) {
+        throw CallbackFault("the " + std::string(name) + " callback threw no std::exception");
+    }
+}
+
 /// The text of the last error of this thread; cut where it is very long.
 const char* last_error();
 void set_last_error(const char* text);
 
 /// Notes the exception as this thread's last error. Laws, tested by number:
 ///   (1) AbiMismatch                                  PCVT_ERROR_ABI
-///   (2) CallbackFault                                PCVT_ERROR_DOMAIN
+///   (2) CallbackFault, BadDensity                    PCVT_ERROR_DOMAIN
 ///   (3) DuplicateSites, BadGeometry                  PCVT_ERROR_GEOMETRY
 ///   (4) every other InvalidInput                     PCVT_ERROR_ARGUMENT
 ///   (5) OutputError                                  PCVT_ERROR_IO

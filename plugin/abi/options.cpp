@@ -56,9 +56,6 @@ Solver solver(std::int32_t value) {
 void check_later_fields(const pcvt_options& options) {
     refuse_later(options.grain_order != 0 || options.grain_size != 0, "grain_order, grain_size");
     refuse_later(options.short_edges != 0, "short_edges");
-    refuse_later(options.density != nullptr || options.density_source != nullptr ||
-                     options.density_range[0] != 0 || options.density_range[1] != 0,
-                 "a density");
 }
 
 int threads(std::int32_t wanted) {

@@ -1,6 +1,7 @@
 #include "plugin/abi/result.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "mesher/quality.hpp"
 #include "plugin/abi/guard.hpp"
@@ -64,6 +65,10 @@ std::vector<int> counts_by_sides(const PeriodicMesh& cells) {
     return counts;
 }
 
+double energy_bound(const Job& job, const CvtResult& cvt) {
+    return job.density ? std::numeric_limits<double>::quiet_NaN() : cvt.energy_bound;
+}
+
 std::int32_t kind_number(TileKind kind) {
     return kind == TileKind::kCells ? PCVT_VORONOI : PCVT_DELAUNAY;
 }
@@ -109,7 +114,7 @@ pcvt_statistics Result::statistics() const {
         valences_.get([&] { return counts_by_sides(periodic(TileKind::kCells)); });
     const CvtResult& cvt = computed_.cvt;
     return {.energy = cvt.energy,
-            .energy_bound = cvt.energy_bound,
+            .energy_bound = energy_bound(job_, cvt),
             .residual = cvt.residual,
             .rms_residual = cvt.rms_residual,
             .seconds_build = computed_.seconds.build,

@@ -5,6 +5,7 @@
 
 #include "io/output.hpp"
 #include "io/site_reader.hpp"
+#include "mesher/density_survey.hpp"
 #include "plugin/cli/cancel_signal.hpp"
 #include "plugin/cli/console.hpp"
 #include "plugin/cli/progress_display.hpp"
@@ -13,10 +14,17 @@
 namespace pcvt::cli {
 namespace {
 
+/// What the display divides energies by.
+double expected_energy(const Job& job, int n) {
+    const double bound = hexagonal_bound(job.lattice.area(), n);
+    if (!job.density) return bound;
+    return bound * DensitySurvey(job.lattice, *job.density, kSurveyResolution).mean_root_squared();
+}
+
 /// Runs the job under the signals and the progress display.
 JobOutcome run_watched(const Job& job, bool quiet) {
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
-    ProgressDisplay display(hexagonal_bound(job.lattice.area(), n), job.tolerance, !quiet);
+    ProgressDisplay display(expected_energy(job, n), job.tolerance, !quiet);
     catch_cancel_signals();
     return run_job(job, [&display](const Progress& progress) {
         display.show(progress);

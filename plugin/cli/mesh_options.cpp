@@ -5,10 +5,13 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <thread>
 
+#include "io/text.hpp"
 #include "plugin/cli/not_yet.hpp"
 #include "plugin/cli/option_values.hpp"
+#include "plugin/job_density.hpp"
 #include "plugin/job_files.hpp"
 
 namespace pcvt::cli {
@@ -28,7 +31,9 @@ constexpr const char* kExamples =
     "  pcvt mesh --input sites.txt --max-iterations 0 -o tile.obj\n"
     "      the periodic Voronoi diagram of the sites as given\n"
     "  pcvt mesh --sites 30 --repeat 2x3 --strict --report run.json -o tile.om -o sites.txt\n"
-    "      a tile of 2 x 3 domains; exit code 5 if the tolerance was not reached\n";
+    "      a tile of 2 x 3 domains; exit code 5 if the tolerance was not reached\n"
+    "  pcvt mesh --sites 2000 --density '1 + 99 * exp(-((v - 0.5) / 0.1)^2)' -o ridge.svg\n"
+    "      a graded mesh, fine along the line v = 0.5\n";
 
 CLI::Option* add(CLI::App& app, const char* name, std::string& value, const char* form,
                  const std::string& description) {
@@ -44,6 +49,12 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY", "any two independent period vectors");
     add(app, "--origin", options.origin, "X,Y", "corner of the domain [0,0]");
+    add(app, "--density", options.density, "EXPR|FILE.png",
+        "cells are small where it is large: a formula in x, y (length) and\n"
+        "u, v (0 to 1 along the period vectors), or a picture laid over\n"
+        "the domain; random sites are then drawn from its square root [1]");
+    add(app, "--density-range", options.density_range, "LO,HI",
+        "densities of black and of white pixels [0.01,1]");
 }
 
 void add_solver_options(CLI::App& app, MeshOptions& options) {
@@ -152,6 +163,38 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (options.solver == "lloyd") job.solver = Solver::kLloyd;
 }
 
+GreyRange grey_range(const std::string& text) {
+    const Vec2 range = point("--density-range", text);
+    for (const double limit : {range.x(), range.y()}) {
+        if (!(limit >= kLeastDensity && limit <= kGreatestDensity)) {
+            throw InvalidInput("--density-range " + text +
+                               ": not from 1e-60 to 1e60; give two positive densities LO,HI");
+        }
+    }
+    return {range.x(), range.y()};
+}
+
+void read_density(const CLI::App& app, const MeshOptions& options, Job& job) {
+    const bool has_range = app.count("--density-range") > 0;
+    if (has_range && !names_picture(options.density)) {
+        throw InvalidInput("--density-range is for --density FILE.png; remove it");
+    }
+    if (app.count("--density") == 0) return;
+    job.density_name = options.density;
+    if (names_picture(options.density)) {
+        std::optional<GreyRange> range;
+        if (has_range) range = grey_range(options.density_range);
+        job.density = source_density(options.density, range);
+        job.inputs.push_back(options.density);
+        return;
+    }
+    try {
+        job.density = source_density(options.density, {});
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("--density " + in_quotes(options.density) + ": " + error.what());
+    }
+}
+
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--tolerance") > 0) {
         job.tolerance = positive_number("--tolerance", options.tolerance);
@@ -181,7 +224,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_later_options(app);
     app.footer(std::string(kExamples) +
                "\nNot available yet: --start coarse|lattice|best, --solver newton, --mesh grains,\n"
-               "--outline box, --density, " +
+               "--outline box, " +
                later_extensions() + "\n");
 }
 
@@ -193,6 +236,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_choices(app, options, job);
     read_meshes(app, options, job);
     read_numbers(app, options, job);
+    read_density(app, options, job);
     job.outputs = options.outputs;
     if (app.count("--report") > 0 && !options.report.ends_with(".json")) {
         throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");

@@ -18,6 +18,8 @@ struct MeshOptions {
     std::string input;
     std::string period;
     std::string lattice;
+    std::string density;
+    std::string density_range;
     std::string start;
     std::string solver;
     std::string tolerance;

@@ -10,8 +10,8 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr const char* kLaterOptions[] = {"--density",       "--size",   "--order", "--short-edges",
-                                         "--density-range", "--budget", "--shard"};
+constexpr const char* kLaterOptions[] = {"--size", "--order", "--short-edges", "--budget",
+                                         "--shard"};
 
 }  // namespace
 

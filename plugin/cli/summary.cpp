@@ -38,6 +38,33 @@ std::string seam_lines(const JobOutcome& outcome) {
     return text;
 }
 
+std::string energy_text(const JobOutcome& outcome) {
+    std::string text = figure(outcome.energy);
+    if (outcome.energy_bound) {
+        text += ", " + figure(outcome.energy / *outcome.energy_bound) + " of the hexagonal bound";
+    }
+    if (outcome.density) {
+        text += ", " + figure(outcome.energy / outcome.density->expected_energy) +
+                " of what many cells of this density tend to";
+    }
+    return text;
+}
+
+std::string density_lines(const DensityFigures& density) {
+    std::string text =
+        line("density", "from " + figure(density.least) + " to " + figure(density.greatest) + ", " +
+                            figure(density.evaluations_per_site) + " evaluations a site");
+    text += line("mass", figure(density.mass) + ", off the integral of the density by " +
+                             figure(density.mass_deviation));
+    text += line("spacing", "off the law density^(-1/4) by " +
+                                figure(100 * density.spacing_deviation) + " % (median)");
+    if (density.n_rough_cells == 0) return text;
+    return text + line("rough", std::to_string(density.n_rough_cells) +
+                                    " cells where the density is not smooth: their centroids are "
+                                    "known to " +
+                                    figure(density.quadrature_error) + " of their spacing");
+}
+
 }  // namespace
 
 std::string summary(const Job& job, const JobOutcome& outcome) {
@@ -47,11 +74,10 @@ std::string summary(const Job& job, const JobOutcome& outcome) {
     text += line("stop", std::string(stop_name(outcome.stop)) + " after " +
                              std::to_string(outcome.iterations) + " iterations, " +
                              std::to_string(outcome.evaluations) + " evaluations");
-    text += line("energy", figure(outcome.energy) + ", " +
-                               figure(outcome.energy / outcome.energy_bound) +
-                               " of the hexagonal bound");
+    text += line("energy", energy_text(outcome));
     text += line("residual", figure(outcome.residual));
     text += line("hexagons", valence_text(outcome));
+    if (outcome.density) text += density_lines(*outcome.density);
     text += seam_lines(outcome);
     for (const std::string& file : outcome.files) text += line("file", file);
     if (!job.report.empty()) text += line("report", job.report);

@@ -1,0 +1,83 @@
+#include "mesher/density.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace pcvt {
+namespace {
+
+std::string digits(double value) {
+    if (std::isnan(value)) return "not a number";
+    std::array<char, 32> text;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
+    return {text.data(), end.ptr};
+}
+
+[[noreturn]] void refuse_first(std::span<const DensityPoint> points, const double* rho) {
+    std::size_t k = 0;
+    while (rho[k] >= kLeastDensity && rho[k] <= kGreatestDensity) ++k;
+    const DensityPoint& p = points[k];
+    const bool positive = std::isfinite(rho[k]) && rho[k] > 0;
+    throw BadDensity(
+        "the density is " + digits(rho[k]) + " at x = " + digits(p.x) + ", y = " + digits(p.y) +
+        " (u = " + digits(p.u) + ", v = " + digits(p.v) + "); " +
+        (positive ? "keep it between 1e-60 and 1e60" : "make it positive and finite everywhere"));
+}
+
+}  // namespace
+
+Density shared_density(DensityFunction function) {
+    return {[function = std::move(function)] { return function; }};
+}
+
+void DensityRange::add(const DensityRange& other) {
+    least = std::min(least, other.least);
+    greatest = std::max(greatest, other.greatest);
+    n_evaluations += other.n_evaluations;
+}
+
+void DensityRange::require_contrast() const {
+    if (!(greatest > kMostContrast * least)) return;
+    throw BadDensity("the density ranges from " + digits(least) + " to " + digits(greatest) +
+                     ", a contrast above 1e12; raise its least value");
+}
+
+std::span<const double> DensityProbe::ask(std::span<const DensityPoint> points) {
+    if (rho_.size() < points.size()) rho_.resize(points.size());
+    double* const rho = rho_.data();
+    for (std::size_t k = 0; k < points.size(); ++k) rho[k] = function_(points[k]);
+    double least = range_.least;
+    double greatest = range_.greatest;
+    bool in_limits = true;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        in_limits &= rho[k] >= kLeastDensity && rho[k] <= kGreatestDensity;
+        least = std::min(least, rho[k]);
+        greatest = std::max(greatest, rho[k]);
+    }
+    if (!in_limits) refuse_first(points, rho);
+    range_ = {least, greatest, range_.n_evaluations + static_cast<std::int64_t>(points.size())};
+    return {rho, points.size()};
+}
+
+std::unique_ptr<DensityProbe> DensityProbes::take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<DensityProbe>(lattice_, density_.make_function());
+    auto probe = std::move(idle_.back());
+    idle_.pop_back();
+    return probe;
+}
+
+void DensityProbes::lend(const std::function<void(DensityProbe&)>& work) {
+    std::unique_ptr<DensityProbe> probe = take();
+    work(*probe);
+    const std::lock_guard lock(mutex_);
+    range_.add(probe->take_range());
+    idle_.push_back(std::move(probe));
+}
+
+}  // namespace pcvt

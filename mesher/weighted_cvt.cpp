@@ -1,0 +1,226 @@
+#include "mesher/weighted_cvt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesher/density_survey.hpp"
+#include "mesher/lbfgs.hpp"
+#include "mesher/lloyd.hpp"
+#include "mesher/spacing_law.hpp"
+#include "mesher/weighted_energy.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Residuals at the ends of the rounds, until the tolerance is reached.
+constexpr double kFirstTarget = 0.1;
+constexpr double kNextTarget = 0.01;
+/// Quadrature errors over the residual that they must not disturb: the difference between the
+/// gradient and that of the quadratured F is about 20 times as large.
+constexpr double kAccuracyPerTarget = 1.0 / 200;
+/// Below this the difference of two rules is rounding.
+constexpr double kBestAccuracy = 1e-11;
+constexpr int kMostRepetitions = 5;
+
+double accuracy_for(double residual) {
+    return std::max(kAccuracyPerTarget * residual, kBestAccuracy);
+}
+
+/// The energy as a function of scaled variables z_i = scale_i x_i.
+class WeightedObjective final : public Objective {
+   public:
+    WeightedObjective(MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice,
+                      const Density& density, double density_unit)
+        : delaunay_(delaunay),
+          workers_(workers),
+          pass_(delaunay, workers, lattice, density, density_unit),
+          scale_(Eigen::VectorXd::Ones(delaunay.n_sites())) {}
+
+    Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
+    bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override;
+    void accept() override { delaunay_.settle(); }
+    void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override;
+
+    /// Chooses rules and scales at the point.
+    void begin_round(double accuracy);
+    /// Raises the order of rules that miss the accuracy at the point.
+    RuleCheck check_rules(double accuracy);
+    /// Evaluates at the point and tells how things stand there.
+    DensityFigures figures();
+
+   private:
+    /// Takes the triangulation back from a trial that was not accepted.
+    bool go_back() {
+        if (delaunay_.settled()) return true;
+        delaunay_.step_back();
+        return pass_.restore();
+    }
+    bool go(const Eigen::VectorXf& direction, double t);
+    void measure(Evaluation& evaluation) const;
+
+    MovingDelaunay& delaunay_;
+    Workers& workers_;
+    WeightedPass pass_;
+    Energy energy_;
+    Eigen::VectorXd scale_;
+    /// The last direction, not scaled.
+    Eigen::VectorXf direction_;
+};
+
+bool WeightedObjective::evaluate(const Eigen::VectorXf& direction, double t,
+                                 Evaluation& evaluation) {
+    if (!go_back() || !go(direction, t)) return false;
+    measure(evaluation);
+    return true;
+}
+
+bool WeightedObjective::go(const Eigen::VectorXf& direction, double t) {
+    if (t != 0) {
+        direction_.resize(n_variables());
+        for (Eigen::Index s = 0; s < scale_.size(); ++s) {
+            direction_.segment<2>(2 * s) =
+                direction.segment<2>(2 * s) / static_cast<float>(scale_[s]);
+        }
+        if (!delaunay_.step(direction_, t, workers_)) return false;
+    }
+    return pass_.evaluate(energy_);
+}
+
+/// The residuals: grad_i = 2 m_i (x_i - g_i).
+void WeightedObjective::measure(Evaluation& evaluation) const {
+    const int n = delaunay_.n_sites();
+    evaluation.gradient.resize(n_variables());
+    double largest = 0;
+    double sum = 0;
+    for (Eigen::Index s = 0; s < n; ++s) {
+        const Vec2 gradient = energy_.gradient.segment<2>(2 * s);
+        const double square = gradient.squaredNorm() / (energy_.mass[s] * energy_.mass[s]);
+        largest = std::max(largest, square);
+        sum += square;
+        evaluation.gradient.segment<2>(2 * s) = gradient / scale_[s];
+    }
+    evaluation.value = energy_.value;
+    evaluation.residual = std::sqrt(largest) / (2 * delaunay_.spacing());
+    evaluation.rms_residual = std::sqrt(sum / n) / (2 * delaunay_.spacing());
+}
+
+void WeightedObjective::lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const {
+    direction.resize(n_variables());
+    for (Eigen::Index s = 0; s < scale_.size(); ++s) {
+        const double per_mass = scale_[s] * scale_[s] / (-2 * energy_.mass[s]);
+        direction.segment<2>(2 * s) =
+            (per_mass * evaluation.gradient.segment<2>(2 * s)).cast<float>();
+    }
+}
+
+void WeightedObjective::begin_round(double accuracy) {
+    go_back();
+    pass_.restore();
+    pass_.choose_orders(accuracy, true);
+    pass_.evaluate(energy_);
+    // The sum of (h / scale_i)^2 is the area where the sites follow the law.
+    scale_ = (energy_.mass.array() / pass_.areas().array()).pow(0.25);
+    scale_ *= std::sqrt(scale_.array().square().inverse().mean());
+}
+
+RuleCheck WeightedObjective::check_rules(double accuracy) {
+    go_back();
+    pass_.restore();
+    return pass_.choose_orders(accuracy, false);
+}
+
+DensityFigures WeightedObjective::figures() {
+    go_back();
+    pass_.evaluate(energy_);
+    const SpacingLaw law = compare_spacing(energy_.mass, pass_.areas());
+    return {.least = pass_.range().least,
+            .greatest = pass_.range().greatest,
+            .evaluations_per_site = pass_.evaluations_per_site(),
+            .mass = energy_.mass.sum(),
+            .spacing_deviation = law.median_deviation,
+            .expected_energy = law.energy};
+}
+
+/// Counts over rounds, and passes progress on with the counts of all of them.
+class Rounds {
+   public:
+    Rounds(WeightedObjective& objective, Workers& workers, const WeightedOptions& options,
+           double value_unit)
+        : objective_(objective), workers_(workers), options_(options), value_unit_(value_unit) {}
+
+    /// @returns false where nothing is left to do: cancelled, or out of iterations.
+    bool run(double target) {
+        OptimizerOptions round = options_.optimizer;
+        round.tolerance = target;
+        if (round.max_iterations >= 0) round.max_iterations -= total_.iterations;
+        if (round.progress) {
+            round.progress = [&](const Progress& progress) { return report(progress); };
+        }
+        const int iterations = total_.iterations;
+        const int evaluations = total_.evaluations;
+        total_ = options_.lloyd ? minimize_lloyd(objective_, round)
+                                : minimize_lbfgs(objective_, round, workers_);
+        total_.iterations += iterations;
+        total_.evaluations += evaluations;
+        first_ = false;
+        return total_.stop == Stop::kConverged || total_.stop == Stop::kStalled;
+    }
+    OptimizerResult& total() { return total_; }
+
+   private:
+    bool report(Progress progress) const {
+        if (!first_ && progress.iteration == 0) return true;
+        if (!first_) {
+            progress.iteration += total_.iterations;
+            progress.evaluations += total_.evaluations;
+        }
+        progress.value *= value_unit_;
+        return options_.optimizer.progress(progress);
+    }
+
+    WeightedObjective& objective_;
+    Workers& workers_;
+    const WeightedOptions& options_;
+    double value_unit_;
+    OptimizerResult total_{};
+    bool first_ = true;
+};
+
+/// The last check of the rules.
+RuleCheck run_rounds(WeightedObjective& objective, Rounds& rounds,
+                     const OptimizerOptions& options) {
+    const double accuracy = accuracy_for(options.tolerance);
+    if (options.max_iterations != 0) {
+        for (double target = kFirstTarget; target > options.tolerance; target *= kNextTarget) {
+            objective.begin_round(accuracy_for(target));
+            if (!rounds.run(target)) return objective.check_rules(accuracy);
+        }
+    }
+    objective.begin_round(accuracy);
+    for (int repetition = 0;; ++repetition) {
+        const bool done = !rounds.run(options.tolerance);
+        const RuleCheck check = objective.check_rules(accuracy);
+        if (done || check.n_raised == 0 || repetition == kMostRepetitions) return check;
+    }
+}
+
+}  // namespace
+
+WeightedResult minimize_weighted(MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice,
+                                 const Density& density, const WeightedOptions& options) {
+    const double unit = DensitySurvey(lattice, density, kSurveyResolution).unit();
+    const double area_unit = delaunay.unit() * delaunay.unit() * unit;
+    WeightedObjective objective(delaunay, workers, lattice, density, unit);
+    Rounds rounds(objective, workers, options, area_unit * delaunay.unit() * delaunay.unit());
+    const RuleCheck check = run_rounds(objective, rounds, options.optimizer);
+    WeightedResult result{std::move(rounds.total()), objective.figures()};
+    result.figures.n_rough_cells = check.n_rough;
+    result.figures.quadrature_error = check.largest_error;
+    result.figures.mass *= area_unit;
+    result.figures.mass_deviation = result.figures.mass / integral(lattice, density) - 1;
+    result.figures.expected_energy *= area_unit * delaunay.unit() * delaunay.unit();
+    result.run.evaluation.value *= area_unit * delaunay.unit() * delaunay.unit();
+    return result;
+}
+
+}  // namespace pcvt
