@@ -248,6 +248,13 @@ static void sizes_and_versions_that_do_not_fit_are_refused(void) {
     REFUSED(&options, PCVT_ERROR_ABI, "size");
 }
 
+static void the_interface_has_the_version_of_the_library(void) {
+    char version[32];
+    snprintf(version, sizeof version, "%u.%u.", (unsigned)(PCVT_ABI_VERSION >> 16),
+             (unsigned)(PCVT_ABI_VERSION & 0xFFFF));
+    CHECK(strncmp(pcvt_version(), version, strlen(version)) == 0);
+}
+
 static void a_longer_struct_is_taken_where_its_tail_is_zero(void) {
     struct newer_options {
         pcvt_options known;
@@ -443,6 +450,7 @@ int main(void) {
     the_iteration_limit_gives_a_result_that_is_not_converged();
     the_floating_point_environment_of_the_host_stays_and_does_not_matter();
     sizes_and_versions_that_do_not_fit_are_refused();
+    the_interface_has_the_version_of_the_library();
     a_longer_struct_is_taken_where_its_tail_is_zero();
     views_come_in_the_size_of_the_host();
     null_pointers_are_refused();

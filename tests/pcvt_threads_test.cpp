@@ -15,7 +15,7 @@ pcvt_result* generate(int n_sites, std::uint64_t seed, int n_threads) {
     options.n_sites = n_sites;
     options.seed = seed;
     options.n_threads = n_threads;
-    options.max_iterations = 5;
+    options.max_iterations = 3;
     pcvt_result* result = nullptr;
     EXPECT_EQ(pcvt_generate(&options, &result), PCVT_NOT_CONVERGED);
     return result;
@@ -36,7 +36,7 @@ void on_all_hosts(const Task& task) {
 
 TEST(Threads, GenerateAtOnceWhatEachWouldGenerateAlone) {
     // Enough sites for the library to start threads of its own.
-    constexpr int n_sites = 40000;
+    constexpr int n_sites = 17000;
     std::vector<std::vector<double>> together(kHosts);
     on_all_hosts([&](int k) {
         pcvt_result* result = generate(n_sites, static_cast<std::uint64_t>(k % 2), 2);
