@@ -20,8 +20,8 @@ constexpr std::array<Colour, 7> kBySides{from_bytes(0x14, 0x21, 0x5c), from_byte
                                          from_bytes(0x70, 0x15, 0x18)};
 
 /// From small to large, each lighter than the one before.
-constexpr std::array<Colour, 5> kBySize{from_bytes(0x1b, 0x1f, 0x5e), from_bytes(0x3b, 0x5b, 0x9c),
-                                        from_bytes(0x4a, 0x9b, 0xa0), from_bytes(0x9c, 0xcf, 0x8f),
+constexpr std::array<Colour, 5> kBySize{from_bytes(0x3a, 0x57, 0xa6), from_bytes(0x3f, 0x8c, 0xb8),
+                                        from_bytes(0x67, 0xbb, 0xa6), from_bytes(0xb7, 0xdc, 0x9c),
                                         from_bytes(0xfb, 0xf3, 0xc4)};
 
 /// The decoding curve of IEC 61966-2-1.

@@ -18,7 +18,7 @@ struct Colour {
 /// colour-blind. Three and fewer share a colour, and so do nine and more.
 Colour side_colour(int sides);
 
-/// The colour of a cell by its size: 0 is the smallest, dark blue, 1 the largest, pale yellow;
+/// The colour of a cell by its size: 0 is the smallest, blue, 1 the largest, pale yellow;
 /// lightness rises all the way.
 Colour size_colour(double share);
 

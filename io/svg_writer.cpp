@@ -20,6 +20,7 @@ namespace pcvt {
 namespace {
 
 constexpr const char* kEdgeColour = "#565c68";
+constexpr const char* kGradedEdgeColour = "#262a33";
 constexpr const char* kTriangleEdgeColour = "#8b919c";
 constexpr const char* kDotColour = "#30343c";
 constexpr const char* kDomainColour = "#1c1f26";
@@ -32,9 +33,9 @@ constexpr double kLeastDottedSpacing = 9;
 constexpr double kOblique = 1.5;
 constexpr int kRegular = 6;
 
-/// Pictures by size have at most so many classes; the finest is a quarter of an octave.
+/// Pictures by size have at most so many classes; the finest is a sixteenth of an octave.
 constexpr int kMostClasses = 9;
-constexpr double kFinestClass = 0.25;
+constexpr double kFinestClass = 1.0 / 16;
 /// Stands for areas that rounding made zero.
 constexpr double kLeastShare = 1e-12;
 
@@ -150,7 +151,7 @@ double face_area(const FlatTile& tile, int face) {
     return polygon_area(polygon);
 }
 
-/// Classes of sqrt(area) / h with equal ratios, 2^(1/4) or a power of it, so that there are few.
+/// Classes of sqrt(area) / h with equal ratios, 2^(1/16) or a power of it, so that there are few.
 CellColours colours_by_size(const FlatTile& tile) {
     const double area = tile.lattice.area() / tile.n_faces();
     std::vector<double> octaves;
@@ -188,7 +189,8 @@ std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool 
     }
     for (const Vec2& site : tile.site_points) dots.dot(site);
     std::string svg;
-    const std::string edge = stroke(kEdgeColour, drawing.width(0.03, 0.06, 1.6));
+    const std::string edge =
+        stroke(dotted ? kEdgeColour : kGradedEdgeColour, drawing.width(0.03, 0.06, 1.6));
     for (const auto& [colour, path] : by_colour) {
         svg += path.element(fill(colour).append(edge));
     }

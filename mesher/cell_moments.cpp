@@ -204,11 +204,12 @@ CellQuadrature::CellQuadrature(const Density& density)
     }
 }
 
-bool CellQuadrature::is_crossed(const CellPolygon& cell, const Vec2& period) const {
+bool CellQuadrature::is_cut(const CellPolygon& cell, const Vec2& site) const {
     const Box box = lattice_box(cell);
     for (const int axis : {0, 1}) {
-        const double low = box.low[axis] - period[axis];
-        const double high = box.high[axis] - period[axis];
+        const double period = std::floor(site[axis]);
+        const double low = box.low[axis] - period;
+        const double high = box.high[axis] - period;
         if (low < 0 || high > 1) return true;
         const std::vector<double>& breaks = breaks_[axis];
         if (breaks.size() == 1) continue;
@@ -220,8 +221,8 @@ bool CellQuadrature::is_crossed(const CellPolygon& cell, const Vec2& period) con
 
 Moments CellQuadrature::operator()(const CellPolygon& cell, const Vec2& site, int q,
                                    DensityProbe& probe) const {
-    const Vec2 period(std::floor(site.x()), std::floor(site.y()));
-    if (!is_crossed(cell, period)) {
+    if (!is_cut(cell, site)) {
+        const Vec2 period(std::floor(site.x()), std::floor(site.y()));
         return fan_moments(cell, {Vec2::Zero(), site}, period, triangle_rule(q), probe);
     }
     const GaussRule gauss = gauss_rule(q, 0);

@@ -42,10 +42,10 @@ class CellQuadrature {
     /// @throws BadDensity as the probe does.
     Moments operator()(const CellPolygon& cell, const Vec2& site, int q, DensityProbe& probe) const;
 
-   private:
-    /// @param period  the period that the site lies in.
-    bool is_crossed(const CellPolygon& cell, const Vec2& period) const;
+    /// Whether a break line or the seam crosses the cell.
+    bool is_cut(const CellPolygon& cell, const Vec2& site) const;
 
+   private:
     /// Coordinates in [0, 1), 0 among them, rising.
     std::array<std::vector<double>, 2> breaks_;
 };

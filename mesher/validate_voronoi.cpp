@@ -1,3 +1,5 @@
+#include "mesher/validate_voronoi.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -5,7 +7,6 @@
 #include "mesher/glued_faces.hpp"
 #include "mesher/polygon.hpp"
 #include "mesher/refusal.hpp"
-#include "mesher/validate.hpp"
 #include "mesher/vertex_orbits.hpp"
 
 namespace pcvt {
@@ -83,7 +84,8 @@ std::string against(double amount, double tolerance) {
 }
 
 /// Returns the centroids of the cells.
-std::vector<Vec2> require_convex_cells(const ProvenFaces& faces, double h, double tolerance) {
+std::vector<Vec2> require_convex_cells(const ProvenFaces& faces, double h, double tolerance,
+                                       const CentroidFunction& centroid) {
     std::vector<Vec2> centroids;
     for (int f = 0; f < faces.glued().n_faces(); ++f) {
         const Polygon polygon = faces.polygon(f);
@@ -95,7 +97,7 @@ std::vector<Vec2> require_convex_cells(const ProvenFaces& faces, double h, doubl
         if (!(polygon_area(polygon) > 0)) {
             refuse(kVoronoiLaw, faces.name(f) + " has no area, so no centroid");
         }
-        centroids.push_back(polygon_centroid(polygon));
+        centroids.push_back(centroid(polygon));
     }
     return centroids;
 }
@@ -109,8 +111,9 @@ double bisector_distance(const ProvenFaces& faces, int side, const Vec2& left, c
 }
 
 /// A convex cell holds its centroid, so the two centroids lie on the right sides of their edge.
-double require_voronoi_cells(const ProvenFaces& faces, double tolerance, double h) {
-    const std::vector<Vec2> centroids = require_convex_cells(faces, h, tolerance);
+double require_voronoi_cells(const ProvenFaces& faces, double tolerance, double h,
+                             const CentroidFunction& centroid) {
+    const std::vector<Vec2> centroids = require_convex_cells(faces, h, tolerance, centroid);
     const GluedFaces& glued = faces.glued();
     double largest = 0;
     for (int side = 0; side < glued.n_halfedges(); ++side) {
@@ -171,15 +174,20 @@ void require_triangles(const ProvenFaces& faces) {
 
 }  // namespace
 
-double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolerance) {
+double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolerance,
+                     const CentroidFunction& centroid) {
     const ProvenFaces faces(tile, proof);
     if (tile.kind == TileKind::kCells) {
         const double h = std::sqrt(tile.lattice.area() / faces.glued().n_faces());
-        return require_voronoi_cells(faces, tolerance, h);
+        return require_voronoi_cells(faces, tolerance, h, centroid);
     }
     require_triangles(faces);
     const double h = std::sqrt(tile.lattice.area() / proof.n_orbits);
     return require_delaunay_edges(faces, tolerance, h);
+}
+
+double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolerance) {
+    return prove_voronoi(tile, proof, tolerance, polygon_centroid);
 }
 
 }  // namespace pcvt

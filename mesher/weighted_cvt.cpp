@@ -22,6 +22,21 @@ constexpr double kAccuracyPerTarget = 1.0 / 200;
 constexpr double kBestAccuracy = 1e-11;
 constexpr int kMostRepetitions = 5;
 
+/// Where cells are longer than this, in periods, they are cut into parts of that length at most: a
+/// rule of the highest order could not follow the density over the whole of them.
+constexpr double kLongestPart = 1.0 / 8;
+
+/// The density with break lines for cells of size h.
+Density cut_for(const Lattice& lattice, Density density, double h) {
+    const auto add_lines = [&](std::vector<double>& breaks, double period_height) {
+        if (h / period_height <= kLongestPart) return;
+        for (double at = kLongestPart; at < 1; at += kLongestPart) breaks.push_back(at);
+    };
+    add_lines(density.u_breaks, lattice.area() / lattice.b().norm());
+    add_lines(density.v_breaks, lattice.area() / lattice.a().norm());
+    return density;
+}
+
 double accuracy_for(double residual) {
     return std::max(kAccuracyPerTarget * residual, kBestAccuracy);
 }
@@ -210,7 +225,8 @@ WeightedResult minimize_weighted(MovingDelaunay& delaunay, Workers& workers, con
                                  const Density& density, const WeightedOptions& options) {
     const double unit = DensitySurvey(lattice, density, kSurveyResolution).unit();
     const double area_unit = delaunay.unit() * delaunay.unit() * unit;
-    WeightedObjective objective(delaunay, workers, lattice, density, unit);
+    const Density cut = cut_for(lattice, density, delaunay.spacing() * delaunay.unit());
+    WeightedObjective objective(delaunay, workers, lattice, cut, unit);
     Rounds rounds(objective, workers, options, area_unit * delaunay.unit() * delaunay.unit());
     const RuleCheck check = run_rounds(objective, rounds, options.optimizer);
     WeightedResult result{std::move(rounds.total()), objective.figures()};

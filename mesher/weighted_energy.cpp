@@ -18,6 +18,10 @@ constexpr int kTrianglesPerTask = 1 << 13;
 /// A triangle thinner than this has its circumcentre computed in more digits.
 constexpr double kThin = 1e-4;
 
+/// An energy that jumps by so much, relatively, still counts as continuous: a hundredth of what the
+/// line search resolves.
+constexpr double kEnergyJump = 1e-14;
+
 /// How far the results of two rules lie apart, in units of the cell's own.
 double distance(const Moments& low, const Moments& high, double area) {
     const double mass = std::abs(high.mass - low.mass) / high.mass;
@@ -161,20 +165,22 @@ RuleCheck WeightedPass::choose_orders(double accuracy, bool lower) {
     run_tasks([&](SiteId s, DensityProbe& probe, Task& task) {
         unwrap_cell(s, task.cell);
         const Vec2 origin = user_coordinates(s);
-        int q = lower ? kLeastOrder : order_[s];
+        // The pieces of a cut cell come and go while it moves, and their errors with them.
+        const double jump = kEnergyJump * delaunay_.n_sites();
+        const bool is_cut = quadrature_.is_cut(task.cell, origin);
+        const double wanted = is_cut ? std::min(accuracy, jump) : accuracy;
+        int q = lower ? kLeastOrder : std::min<int>(order_[s], kGreatestOrder - 1);
         Moments moments = quadrature_(task.cell, origin, q, probe);
-        double error = 0;
+        double error = wanted + 1;
         for (;;) {
-            if (q == kGreatestOrder) {
-                ++task.check.n_rough;
-                break;
-            }
             const Moments finer = quadrature_(task.cell, origin, q + 1, probe);
             error = distance(moments, finer, areas()[s]);
-            if (error <= accuracy) break;
-            moments = finer;
+            if (error <= wanted) break;
             ++q;
+            if (q == kGreatestOrder) break;
+            moments = finer;
         }
+        task.check.n_rough += error > accuracy;
         task.check.n_raised += q > order_[s];
         task.check.largest_error = std::max(task.check.largest_error, error);
         order_[s] = static_cast<std::uint8_t>(q);

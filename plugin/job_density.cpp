@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "io/density_expression.hpp"
+#include "mesher/density_breaks.hpp"
 #include "mesher/error.hpp"
 
 namespace pcvt {
@@ -15,10 +16,11 @@ bool names_picture(const std::string& source) {
     return end == ".png";
 }
 
-Density source_density(const std::string& source, const std::optional<GreyRange>& range) {
+Density source_density(const std::string& source, const std::optional<GreyRange>& range,
+                       const Lattice& lattice) {
     if (!names_picture(source)) {
         if (range) throw InvalidInput("a range of densities is for pictures; leave it out");
-        return expression_density(source);
+        return with_axis_breaks(lattice, expression_density(source));
     }
     const GreyRange greys = range.value_or(GreyRange{});
     for (const double limit : {greys.black, greys.white}) {

@@ -94,8 +94,7 @@ class BadOption(CliTest):
         rows += [(start, *mesh, "--start", start) for start in ("coarse", "lattice", "best")]
         rows += [
             (option, *mesh, option, 1)
-            for option in ("--density", "--size", "--order", "--short-edges", "--density-range",
-                           "--budget", "--shard")
+            for option in ("--size", "--order", "--short-edges", "--budget", "--shard")
         ]
         rows += [(e, *mesh, "-o", "t." + e) for e in ("msh", "inp", "vtu", "nc", "foam")]
         self.refuse_all(2, [(what + ".* not available yet", *row) for what, *row in rows])

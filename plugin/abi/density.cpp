@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "mesher/density_breaks.hpp"
 #include "plugin/job_density.hpp"
 
 namespace pcvt::abi {
@@ -35,7 +36,7 @@ void set_density(const pcvt_options& options, const std::fenv_t& host, Job& job)
     }
     if (options.density == nullptr) {
         job.density_name = options.density_source;
-        job.density = source_density(job.density_name, range);
+        job.density = source_density(job.density_name, range, job.lattice);
         return;
     }
     if (options.density_source != nullptr || range) {
@@ -43,10 +44,11 @@ void set_density(const pcvt_options& options, const std::fenv_t& host, Job& job)
     }
     job.n_threads = 1;
     job.density_name = "callback";
-    job.density = Density{[&options, &host] {
+    const Density density{[&options, &host] {
         return
             [&options, &host](const DensityPoint& point) { return ask_host(options, host, point); };
     }};
+    job.density = with_axis_breaks(job.lattice, density);
 }
 
 }  // namespace pcvt::abi

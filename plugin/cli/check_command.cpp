@@ -11,8 +11,10 @@
 
 #include "io/text.hpp"
 #include "io/tile_formats.hpp"
-#include "mesher/validate.hpp"
+#include "mesher/validate_voronoi.hpp"
+#include "mesher/weighted_centroid.hpp"
 #include "plugin/cli/console.hpp"
+#include "plugin/cli/density_option.hpp"
 #include "plugin/cli/option_values.hpp"
 #include "plugin/job_files.hpp"
 
@@ -30,6 +32,9 @@ struct Question {
     std::optional<Lattice> lattice;
     /// In units of h; nothing: the Voronoi property is not asked for.
     std::optional<double> cvt_tolerance;
+    /// As typed; empty: rho = 1.
+    std::string density = {};
+    std::string density_range = {};
 };
 
 /// --cvt takes a tolerance or none; without one the command line parser hands it the next file.
@@ -46,6 +51,17 @@ void read_cvt(const CLI::App& app, const CheckOptions& options, Question& questi
     question.cvt_tolerance = positive_number("--cvt", options.cvt);
 }
 
+/// The density itself waits for the lattice of each file.
+void read_density(const CLI::App& app, const CheckOptions& options, Question& question) {
+    const bool given = app.count("--density") > 0;
+    if (given && !question.cvt_tolerance) throw InvalidInput("--density is for --cvt; add that");
+    if (!given && app.count("--density-range") > 0) {
+        throw InvalidInput("--density-range is for --density FILE.png; give one");
+    }
+    question.density = options.density;
+    question.density_range = options.density_range;
+}
+
 Question make_question(const CLI::App& app, const CheckOptions& options) {
     Question question{options.files, std::nullopt, std::nullopt};
     const bool period = app.count("--period") > 0;
@@ -56,6 +72,7 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     if (period) question.lattice = rectangle_lattice("--period", options.period);
     if (vectors) question.lattice = vector_lattice("--lattice", options.lattice);
     read_cvt(app, options, question);
+    read_density(app, options, question);
     if (question.files.empty()) throw InvalidInput("no file to check; give one or more");
     return question;
 }
@@ -98,10 +115,22 @@ double resolved(const TileFile& file, const TileProof& proof, double tolerance) 
     return std::max(tolerance, 2 * proof.tolerance / std::sqrt(file.tile.lattice.area() / n));
 }
 
-std::string prove_cvt(const TileFile& file, const TileProof& proof, double asked) {
+double prove_voronoi(const TileFile& file, const TileProof& proof, const Question& question,
+                     double tolerance) {
+    if (question.density.empty()) return prove_voronoi(file.tile, proof, tolerance);
+    const Lattice& lattice = file.tile.lattice;
+    const Density density = density_option(question.density, question.density_range, lattice);
+    const CellQuadrature quadrature(density);
+    DensityProbe probe(lattice, density.make_function());
+    return prove_voronoi(file.tile, proof, tolerance, [&](const Polygon& polygon) {
+        return weighted_centroid(lattice, quadrature, polygon, probe);
+    });
+}
+
+std::string prove_cvt(const TileFile& file, const TileProof& proof, const Question& question) {
     const bool cells = file.tile.kind == TileKind::kCells;
-    const double tolerance = resolved(file, proof, asked);
-    const double found = prove_voronoi(file.tile, proof, tolerance);
+    const double tolerance = resolved(file, proof, *question.cvt_tolerance);
+    const double found = prove_voronoi(file, proof, question, tolerance);
     return std::string(cells ? ", centroidal Voronoi within " : ", Delaunay within ") +
            figure(found) + " h (tolerance " + figure(tolerance) + " h)";
 }
@@ -124,7 +153,7 @@ std::string prove(const std::string& path, const Question& question) {
                        std::to_string(proof.edge_pairs.size()) + " pairs, genus 1 after gluing, " +
                        "area " + figure(proof.area) + " (tolerance " + figure(proof.tolerance) +
                        "), " + std::to_string(proof.n_merged) + " merged" + pairs_text(file);
-    if (question.cvt_tolerance) line += prove_cvt(file, proof, *question.cvt_tolerance);
+    if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
     return line + "\n";
 }
 
@@ -157,6 +186,11 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
                        figure(kCvtTolerance) + "]")
         ->option_text("[TOL]")
         ->expected(0, 1);
+    app.add_option("--density", options.density,
+                   "of the centroids of --cvt, as for `pcvt mesh`, in the file's lattice")
+        ->type_name("EXPR|FILE.png");
+    app.add_option("--density-range", options.density_range, "as for `pcvt mesh`")
+        ->type_name("LO,HI");
     app.footer(
         "Rebuilds the seam from positions and lattice alone and compares it with the stored one:\n"
         "each boundary edge has one reversed partner by one lattice vector, the tile is a disc,\n"

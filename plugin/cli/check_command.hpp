@@ -17,6 +17,8 @@ struct CheckOptions {
     std::string period;
     std::string lattice;
     std::string cvt;
+    std::string density;
+    std::string density_range;
 };
 
 /// Gives `app` the options, its description and its examples; parsing fills `options`.

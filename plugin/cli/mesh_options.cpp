@@ -5,10 +5,9 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <thread>
 
-#include "io/text.hpp"
+#include "plugin/cli/density_option.hpp"
 #include "plugin/cli/not_yet.hpp"
 #include "plugin/cli/option_values.hpp"
 #include "plugin/job_density.hpp"
@@ -163,36 +162,14 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (options.solver == "lloyd") job.solver = Solver::kLloyd;
 }
 
-GreyRange grey_range(const std::string& text) {
-    const Vec2 range = point("--density-range", text);
-    for (const double limit : {range.x(), range.y()}) {
-        if (!(limit >= kLeastDensity && limit <= kGreatestDensity)) {
-            throw InvalidInput("--density-range " + text +
-                               ": not from 1e-60 to 1e60; give two positive densities LO,HI");
-        }
-    }
-    return {range.x(), range.y()};
-}
-
 void read_density(const CLI::App& app, const MeshOptions& options, Job& job) {
-    const bool has_range = app.count("--density-range") > 0;
-    if (has_range && !names_picture(options.density)) {
-        throw InvalidInput("--density-range is for --density FILE.png; remove it");
+    if (app.count("--density") == 0) {
+        if (app.count("--density-range") == 0) return;
+        throw InvalidInput("--density-range is for --density FILE.png; give one");
     }
-    if (app.count("--density") == 0) return;
+    job.density = density_option(options.density, options.density_range, job.lattice);
     job.density_name = options.density;
-    if (names_picture(options.density)) {
-        std::optional<GreyRange> range;
-        if (has_range) range = grey_range(options.density_range);
-        job.density = source_density(options.density, range);
-        job.inputs.push_back(options.density);
-        return;
-    }
-    try {
-        job.density = source_density(options.density, {});
-    } catch (const InvalidInput& error) {
-        throw InvalidInput("--density " + in_quotes(options.density) + ": " + error.what());
-    }
+    if (names_picture(options.density)) job.inputs.push_back(options.density);
 }
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
