@@ -60,7 +60,7 @@ TEST(Callbacks, ADensityMayThrowToo) {
 
 TEST(Callbacks, ADensityIsAskedOnTheCallingThreadAlone) {
     std::thread::id caller = std::this_thread::get_id();
-    pcvt_options options = options_for(40000);
+    pcvt_options options = options_for(3000);
     options.n_threads = 4;
     options.max_iterations = 1;
     options.density_data = &caller;
