@@ -123,7 +123,8 @@ class Arrays(unittest.TestCase):
         self.assertEqual((figures.stop, figures.n_sites, figures.iterations),
                          ("iteration-limit", 100, 3))
         self.assertEqual((figures.valences.sum(), figures.valences[6]), (100, figures.n_hexagons))
-        self.assertEqual(pcvt.mesh(100, threads=1).statistics.stop, "converged")
+        alone = pcvt.mesh(100, threads=1).statistics
+        self.assertEqual((alone.stop, alone.n_threads), ("converged", 1))
 
 
 class Seam(unittest.TestCase):
@@ -156,9 +157,10 @@ class Seam(unittest.TestCase):
 class Files(CliTest):
     def test_the_command_writes_the_same_bytes(self):
         for extension in ("txt", "ply", "glb"):
-            self.succeed("mesh", "--sites", 200, "--seed", 3, "--lattice", "1,0,0.37,0.81", "-o",
-                         f"command.{extension}")
-            pcvt.mesh(200, OBLIQUE, seed=3).write(self.path(f"python.{extension}"))
+            self.succeed("mesh", "--sites", 200, "--seed", 3, "--lattice", "1,0,0.37,0.81",
+                         "--origin", "0.2,-3", "--repeat", "2x1", "-o", f"command.{extension}")
+            result = pcvt.mesh(200, OBLIQUE, seed=3, origin=(0.2, -3), repeat=(2, 1))
+            result.write(self.path(f"python.{extension}"))
             files = self.contents()
             self.assertEqual(files[f"python.{extension}"], files[f"command.{extension}"])
 
@@ -240,14 +242,18 @@ class Stopping(unittest.TestCase):
                 pcvt.mesh(100, progress=progress)
 
     def test_an_interrupt_inside_of_a_function_comes_through(self):
+        went_on = []
+
         def interrupted(*_):
             signal.raise_signal(signal.SIGINT)
+            went_on.append(True)
             return 1
 
         with self.assertRaises(KeyboardInterrupt):
             pcvt.mesh(100, progress=interrupted)
         with self.assertRaises(KeyboardInterrupt):
             pcvt.mesh(100, density=interrupted)
+        self.assertEqual(went_on, [])
 
     def test_an_interrupt_while_the_library_computes_comes_through(self):
         timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))

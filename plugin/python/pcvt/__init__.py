@@ -127,7 +127,7 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
     """
     options = _library.Options()
     checked(library.pcvt_options_init(byref(options), sizeof(options), _library.ABI_VERSION))
-    points = _set_sites(options, sites)
+    _points = _set_sites(options, sites)  # Held while the library reads them.
     columns, rows = repeat
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, budget=budget,
@@ -145,7 +145,6 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
         if callbacks.error is not None:
             raise callbacks.error
         checked(status)
-    del points
     return Result(handle)
 
 
