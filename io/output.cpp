@@ -24,6 +24,10 @@ constexpr std::size_t kLongestStem = 200;
     throw OutputError(path + ": cannot write: " + reason);
 }
 
+[[noreturn]] void refuse_existing(const std::string& path) {
+    throw OutputExists(path + ": cannot write: it exists");
+}
+
 std::string reason_of(int error) { return std::generic_category().message(error); }
 
 std::string folder_of(const std::string& path) {
@@ -131,7 +135,7 @@ void OutputSet::require_writable(const std::string& path, bool force) {
             if (S_ISDIR(status.st_mode)) refuse(path, reason_of(EISDIR));
             if (!S_ISREG(status.st_mode)) refuse(path, "it is not an ordinary file");
         }
-        if (!force) refuse(path, "it exists; use --force to replace it");
+        if (!force) refuse_existing(path);
     }
     const std::string folder = folder_of(path);
     if (::stat(folder.c_str(), &status) != 0)
@@ -223,8 +227,8 @@ void OutputSet::put(Staged& file, bool force) {
             refuse(file.target, reason_of(errno));
         }
     } else if (const int error = rename_to_free_name(file.temporary, file.target)) {
-        refuse(file.target,
-               error == EEXIST ? "it exists; use --force to replace it" : reason_of(error));
+        if (error == EEXIST) refuse_existing(file.target);
+        refuse(file.target, reason_of(error));
     }
 }
 

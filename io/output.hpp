@@ -13,6 +13,13 @@ class OutputError : public Error {
     using Error::Error;
 };
 
+/// It exists already, and may not be replaced. The message ends there: how to allow it depends on
+/// the caller.
+class OutputExists : public OutputError {
+   public:
+    using OutputError::OutputError;
+};
+
 /// Files, and folders of files, that appear together and complete, or not at all.
 ///
 /// stage() writes a hidden temporary file in the folder of its target and checks every byte down to
@@ -28,9 +35,9 @@ class OutputSet {
     OutputSet& operator=(const OutputSet&) = delete;
 
     /// @param force  whether an existing target may be replaced.
-    /// @throws OutputError if the target exists (without force) or is a folder, the folder is
-    /// missing
-    ///         or not writable: to be asked for every target before any computing.
+    /// To be asked for every target before any computing.
+    /// @throws OutputExists if the target exists, without force.
+    /// @throws OutputError if it is a folder, or its folder is missing or not writable.
     static void require_writable(const std::string& path, bool force);
 
     /// The same for a folder and the files in it that are to be staged; `force` lets files in a
@@ -45,7 +52,7 @@ class OutputSet {
     void stage(const std::string& path, const std::string& bytes);
     /// The staged bytes of `path`, read back from the disk.
     std::string read_back(const std::string& path) const;
-    /// @throws OutputError with path and reason; no target is left changed then.
+    /// @throws OutputExists, OutputError with path and reason; no target is left changed then.
     void commit(bool force);
 
    private:

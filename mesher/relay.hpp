@@ -10,7 +10,7 @@ enum class NewtonStart { kNear, kAtOnce };
 
 /// L-BFGS (lbfgs.hpp) and Newton's method (newton.hpp) in turn.
 ///
-/// With `kNear` Newton begins at an RMS residual of 1e-4 if there are at most 5,000 pairs of
+/// With `kNear` Newton begins at an RMS residual of 1e-4 if there are at most 15,000 pairs of
 /// variables, or for any number at the very first point if it is at most 0.1 there: then the sites
 /// stand near a lattice. Where it gets stuck, or from `kNear` on is often stopped by its trust
 /// region, L-BFGS takes over until the RMS residual has fallen to a third, and so on; it then

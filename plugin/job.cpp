@@ -34,6 +34,8 @@ struct Cancelled {};
 /// Adds up the seconds of each stage.
 class Stopwatch {
    public:
+    explicit Stopwatch(const JobSeconds& before = {}) : seconds_(before) {}
+
     /// The time since the last stop belongs to `stage`.
     void stop(double JobSeconds::*stage) {
         const Clock::time_point now = Clock::now();
@@ -62,6 +64,7 @@ class Monitor {
         last_ = progress;
         return !callback_ || callback_(last_);
     }
+    const JobCallback& callback() const { return callback_; }
     void between_stages() const {
         if (callback_ && !callback_(last_)) throw Cancelled{};
     }
@@ -143,23 +146,6 @@ void check_density(const Job& job) {
     }
 }
 
-void check_job(const Job& job) {
-    check_density(job);
-    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
-    if (n < 1) throw InvalidInput("no sites; give at least one");
-    if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
-    if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
-        throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
-    }
-    if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
-    check_meshes(job);
-    if (n * job.columns * job.rows > kMostSites) {
-        throw LimitExceeded("more than " + std::to_string(kMostSites) +
-                            " cells in one tile; take fewer sites or repeat less often");
-    }
-    check_origin(job, reduce_repeated(job), n);
-}
-
 CvtResult tessellate(const Job& job, JobStart& start, Monitor& monitor) {
     CvtOptions options;
     options.precondition_below = start.precondition_below;
@@ -179,12 +165,15 @@ std::optional<Minimum> minimum_of(const CvtResult& result) {
     return stability(sites);
 }
 
-JobOutcome describe(const CvtResult& result, const std::vector<ProvedTile>& tiles) {
+JobOutcome describe(const JobResult& job_result, std::span<const ProvedTile> tiles) {
+    const CvtResult& result = job_result.cvt;
     JobOutcome outcome;
     outcome.stop = result.stop;
     outcome.n_sites = result.delaunay.sites().n_sites();
     outcome.iterations = result.iterations;
-    outcome.evaluations = result.evaluations;
+    outcome.evaluations = job_result.evaluations;
+    outcome.pattern = job_result.pattern;
+    outcome.found = job_result.found;
     outcome.hessians = result.hessians;
     outcome.cg_products = result.cg_products;
     outcome.energy = result.energy;
@@ -199,13 +188,6 @@ JobOutcome describe(const CvtResult& result, const std::vector<ProvedTile>& tile
     outcome.n_hexagons = hexagons == outcome.valences.end() ? 0 : hexagons->second;
     for (const ProvedTile& tile : tiles) outcome.tiles.push_back(tile.figures);
     return outcome;
-}
-
-Points wrapped_sites(const CvtResult& result) {
-    const Sites& sites = result.delaunay.sites();
-    Points points(2, sites.n_sites());
-    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
-    return points;
 }
 
 /// Pictures of a graded mesh show the sizes of its cells.
@@ -270,7 +252,7 @@ std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
 
 /// Stages every file and then, last, commits them all: the one moment that cannot be cancelled.
 void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& result,
-           const std::vector<ProvedTile>& tiles, const Monitor& monitor, Stopwatch& watch,
+           std::span<const ProvedTile> tiles, const Monitor& monitor, Stopwatch& watch,
            JobOutcome& outcome) {
     OutputSet outputs;
     for (const JobFile& file : files) {
@@ -298,22 +280,26 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
     watch.stop(&JobSeconds::write);
 }
 
+JobResult compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
+    JobStart start = job_start(job, monitor.callback());
+    if (start.cancelled) throw Cancelled{};
+    watch.stop(&JobSeconds::optimize);
+    CvtResult cvt = tessellate(job, start, monitor);
+    watch.stop(&JobSeconds::optimize);
+    if (cvt.stop == Stop::kCancelled) throw Cancelled{};
+    const int evaluations = start.evaluations + cvt.evaluations;
+    return {std::move(cvt), evaluations, std::move(start.pattern), std::move(start.found),
+            watch.seconds()};
+}
+
 JobOutcome run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
     Stopwatch watch;
     Monitor monitor(callback, watch);
-    JobStart start = job_start(job, callback);
-    if (start.cancelled) throw Cancelled{};
-    watch.stop(&JobSeconds::optimize);
-    const CvtResult result = tessellate(job, start, monitor);
-    watch.stop(&JobSeconds::optimize);
-    if (result.stop == Stop::kCancelled) throw Cancelled{};
-    const std::vector<ProvedTile> tiles = build_tiles(job, result, monitor);
+    const JobResult result = compute(job, monitor, watch);
+    const std::vector<ProvedTile> tiles = build_tiles(job, result.cvt, monitor);
     JobOutcome outcome = describe(result, tiles);
-    outcome.pattern = std::move(start.pattern);
-    outcome.found = std::move(start.found);
-    outcome.evaluations += start.evaluations;
     watch.stop(&JobSeconds::build);
-    write(job, files, result, tiles, monitor, watch, outcome);
+    write(job, files, result.cvt, tiles, monitor, watch, outcome);
     outcome.seconds = watch.seconds();
     return outcome;
 }
@@ -332,6 +318,53 @@ const char* stop_name(Stop stop) {
             return "cancelled";
     }
     return "";
+}
+
+void check_job(const Job& job) {
+    check_density(job);
+    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+    if (n < 1) throw InvalidInput("no sites; give at least one");
+    if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
+    if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
+        throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
+    }
+    if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
+    check_meshes(job);
+    if (n * job.columns * job.rows > kMostSites) {
+        throw LimitExceeded("more than " + std::to_string(kMostSites) +
+                            " cells in one tile; take fewer sites or repeat less often");
+    }
+    check_origin(job, reduce_repeated(job), n);
+}
+
+std::optional<JobResult> compute_job(const Job& job, const JobCallback& callback) {
+    check_job(job);
+    Stopwatch watch;
+    Monitor monitor(callback, watch);
+    try {
+        return compute(job, monitor, watch);
+    } catch (const Cancelled&) {
+        return std::nullopt;
+    }
+}
+
+Points wrapped_sites(const CvtResult& result) {
+    const Sites& sites = result.delaunay.sites();
+    Points points(2, sites.n_sites());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
+    return points;
+}
+
+JobOutcome write_job(const Job& job, const JobResult& result, std::span<const ProvedTile> tiles) {
+    const std::vector<JobFile> files = plan_files(job);
+    check_order(job, files);
+    require_all_writable(job, files);
+    Stopwatch watch(result.seconds);
+    const JobCallback no_callback;
+    JobOutcome outcome = describe(result, tiles);
+    write(job, files, result.cvt, tiles, Monitor(no_callback, watch), watch, outcome);
+    outcome.seconds = watch.seconds();
+    return outcome;
 }
 
 JobOutcome run_job(const Job& job, const JobCallback& callback) {

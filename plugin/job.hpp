@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "mesher/error.hpp"
 #include "mesher/lattice_stability.hpp"
 #include "mesher/stability.hpp"
+#include "mesher/tile.hpp"
 
 namespace pcvt {
 
@@ -117,6 +119,25 @@ struct PatternOutcome {
     LatticeStability stability;
 };
 
+/// One mesh of a job, laid out and proved.
+struct ProvedTile {
+    AnyTile tile;
+    TileFigures figures;
+};
+
+/// What a job computes before it makes tiles and files.
+struct JobResult {
+    CvtResult cvt;
+    /// Those of a global search are counted in.
+    int evaluations;
+    /// Where the start looked for it.
+    std::optional<PatternOutcome> pattern;
+    /// How the global search found its best state, in words; empty without one.
+    std::string found;
+    /// Of the computing alone.
+    JobSeconds seconds;
+};
+
 /// What came out, beside the files.
 struct JobOutcome {
     /// kCancelled: no file was written, and nothing below is filled.
@@ -166,6 +187,20 @@ using JobCallback = ProgressCallback;
 /// @throws LimitExceeded  too many sites or faces.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.
 JobOutcome run_job(const Job& job, const JobCallback& callback);
+
+/// @throws InvalidInput, LimitExceeded as run_job does before any computing, but for the outputs.
+void check_job(const Job& job);
+
+/// The steps of run_job one by one, for a host that keeps the result in memory; errors as there.
+///
+/// The tessellation; nothing where the callback returned false.
+std::optional<JobResult> compute_job(const Job& job, const JobCallback& callback);
+/// The optimised sites, 2 x n, wrapped into the reduced domain at the origin: what `.txt` files
+/// hold.
+Points wrapped_sites(const CvtResult& result);
+/// Writes job.outputs and job.report; tiles[k] is the one of job.meshes[k], and need not be there
+/// where no output is a tile.
+JobOutcome write_job(const Job& job, const JobResult& result, std::span<const ProvedTile> tiles);
 
 /// The stop as contract words: "converged", "iteration-limit", "stalled", "cancelled".
 const char* stop_name(Stop stop);

@@ -86,7 +86,7 @@ TEST(Output, ExistingFilesStayWithoutForce) {
         set.stage(folder / "a", "new");
         set.stage(folder / "b", "new");
         EXPECT_EQ(fault_of([&] { set.commit(false); }),
-                  (folder / "b") + ": cannot write: it exists; use --force to replace it");
+                  (folder / "b") + ": cannot write: it exists");
     }
     EXPECT_THAT(folder.names(), ElementsAre("b"));
     EXPECT_EQ(bytes_of(folder / "b"), "old");
@@ -148,8 +148,7 @@ TEST(Output, UnwritableTargetsAreRefusedBeforeAnyWork) {
     };
     EXPECT_EQ(fault(folder / "new"), "");
     EXPECT_EQ(fault(folder / "old", true), "");
-    EXPECT_EQ(fault(folder / "old"),
-              (folder / "old") + ": cannot write: it exists; use --force to replace it");
+    EXPECT_EQ(fault(folder / "old"), (folder / "old") + ": cannot write: it exists");
     std::filesystem::create_directory(folder / "d");
     EXPECT_EQ(fault(folder / "d", true), (folder / "d") + ": cannot write: Is a directory");
     EXPECT_THAT(fault(folder / "none/x"), HasSubstr("none: No such file or directory"));

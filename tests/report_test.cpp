@@ -106,7 +106,7 @@ TEST(Report, KeysOfADensityAreThereWithOneAlone) {
     EXPECT_EQ(json["density_evaluations"].get<double>(), 54.25);
     EXPECT_EQ(json["mass_deviation"].get<double>(), -1e-12);
     EXPECT_EQ(json["rough_cells"].get<int>(), 3);
-    EXPECT_EQ(json.size(), 28u);
+    EXPECT_EQ(json.size(), 31u);
 }
 
 TEST(Report, NumbersThatAreNotFiniteAreOurFault) {

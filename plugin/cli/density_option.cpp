@@ -1,13 +1,8 @@
 #include "plugin/cli/density_option.hpp"
 
-#include <algorithm>
-#include <cctype>
-
-#include "io/density_expression.hpp"
-#include "io/density_image.hpp"
 #include "io/text.hpp"
-#include "mesher/density_breaks.hpp"
 #include "plugin/cli/option_values.hpp"
+#include "plugin/job_density.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -25,23 +20,18 @@ GreyRange grey_range(const std::string& text) {
 
 }  // namespace
 
-bool names_picture(const std::string& density) {
-    std::string end = density.substr(density.size() - std::min<std::size_t>(density.size(), 4));
-    std::transform(end.begin(), end.end(), end.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return end == ".png";
-}
-
 Density density_option(const std::string& density, const std::string& range,
                        const Lattice& lattice) {
     if (names_picture(density)) {
-        return png_density(density, range.empty() ? GreyRange{} : grey_range(range));
+        std::optional<GreyRange> greys;
+        if (!range.empty()) greys = grey_range(range);
+        return source_density(density, greys, lattice);
     }
     if (!range.empty()) {
         throw InvalidInput("--density-range is for --density FILE.png; remove it");
     }
     try {
-        return with_axis_breaks(lattice, expression_density(density));
+        return source_density(density, {}, lattice);
     } catch (const InvalidInput& error) {
         throw InvalidInput("--density " + in_quotes(density) + ": " + error.what());
     }

@@ -6,9 +6,6 @@
 
 namespace pcvt::cli {
 
-/// Whether the value of --density is the name of a picture: ends in .png, in any case.
-bool names_picture(const std::string& density);
-
 /// The density that --density and --density-range ask for.
 /// @param range    empty where it was not given.
 /// @param lattice  whose coordinates u and v are.

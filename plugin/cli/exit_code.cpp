@@ -32,6 +32,9 @@ Failure describe_failure(const std::exception_ptr& exception) {
         return {ExitCode::kBadInput, one_line(error.what())};
     } catch (const InvalidInput& error) {
         return {ExitCode::kBadInput, one_line(std::string("pcvt: ") + error.what())};
+    } catch (const OutputExists& error) {
+        return {ExitCode::kNotWritten,
+                one_line(std::string("pcvt: ") + error.what() + "; use --force to replace it")};
     } catch (const OutputError& error) {
         return {ExitCode::kNotWritten, one_line(std::string("pcvt: ") + error.what())};
     } catch (const LimitExceeded& error) {

@@ -9,6 +9,7 @@
 
 #include "plugin/cli/density_option.hpp"
 #include "plugin/cli/option_values.hpp"
+#include "plugin/job_density.hpp"
 #include "plugin/job_files.hpp"
 
 namespace pcvt::cli {

@@ -1,0 +1,68 @@
+#include "plugin/abi/guard.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "io/output.hpp"
+#include "mesher/density.hpp"
+
+namespace pcvt::abi {
+namespace {
+
+constexpr std::size_t kLongestText = 1024;
+
+/// Plain bytes: a thread-local object with a destructor would keep the library loaded.
+constinit thread_local char text_of_thread[kLongestText] = "";
+
+pcvt_status note(pcvt_status status, const char* text) {
+    set_last_error(text);
+    return status;
+}
+
+}  // namespace
+
+const char* last_error() { return text_of_thread; }
+
+void set_last_error(const char* text) {
+    const std::size_t length = std::min(std::strlen(text), kLongestText - 1);
+    std::memcpy(text_of_thread, text, length);
+    text_of_thread[length] = '\0';
+    std::replace(text_of_thread, text_of_thread + length, '\n', ' ');
+}
+
+pcvt_status note_failure(const std::exception_ptr& exception) {
+    try {
+        std::rethrow_exception(exception);
+    } catch (const AbiMismatch& error) {
+        return note(PCVT_ERROR_ABI, error.what());
+    } catch (const CallbackFault& error) {
+        return note(PCVT_ERROR_DOMAIN, error.what());
+    } catch (const BadDensity& error) {
+        return note(PCVT_ERROR_DOMAIN, error.what());
+    } catch (const BadGeometry& error) {
+        return note(PCVT_ERROR_GEOMETRY, error.what());
+    } catch (const DuplicateSites& error) {
+        return note(PCVT_ERROR_GEOMETRY, error.what());
+    } catch (const InvalidInput& error) {
+        return note(PCVT_ERROR_ARGUMENT, error.what());
+    } catch (const OutputExists& error) {
+        return note(PCVT_ERROR_IO, (std::string(error.what()) + "; set replace").c_str());
+    } catch (const OutputError& error) {
+        return note(PCVT_ERROR_IO, error.what());
+    } catch (const LimitExceeded& error) {
+        return note(PCVT_ERROR_MEMORY, error.what());
+    } catch (const std::bad_alloc&) {
+        return note(PCVT_ERROR_MEMORY, "out of memory; take fewer sites or a larger machine");
+    } catch (const std::length_error&) {
+        return note(PCVT_ERROR_MEMORY, "too large for this machine; take fewer sites");
+    } catch (const std::exception& error) {
+        return note(PCVT_ERROR_INTERNAL, error.what());
+    } catch (...) {
+        return note(PCVT_ERROR_INTERNAL, "an unknown exception");
+    }
+}
+
+}  // namespace pcvt::abi

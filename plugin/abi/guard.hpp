@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cxxabi.h>
+
+#include <cfenv>
+#include <exception>
+#include <string>
+
+#include "mesher/error.hpp"
+#include "plugin/pcvt.h"
+
+namespace pcvt::abi {
+
+/// A struct of a size, or with fields, that this library does not know.
+class AbiMismatch : public Error {
+   public:
+    using Error::Error;
+};
+
+/// A callback of the host broke its promise.
+class CallbackFault : public Error {
+   public:
+    using Error::Error;
+};
+
+/// Arguments in order, but their geometry is not: a cell is too small, a tile cannot be told apart.
+class BadGeometry : public Error {
+   public:
+    using Error::Error;
+};
+
+/// Another floating-point environment while this object lives: rounding, traps, flags, denormals.
+class FloatEnvironment {
+   public:
+    explicit FloatEnvironment(const std::fenv_t* entered) {
+        std::fegetenv(&left_);
+        std::fesetenv(entered);
+    }
+    ~FloatEnvironment() { std::fesetenv(&left_); }
+    FloatEnvironment(const FloatEnvironment&) = delete;
+    FloatEnvironment& operator=(const FloatEnvironment&) = delete;
+
+    /// The one that was left, and will be entered again.
+    const std::fenv_t& left() const { return left_; }
+
+   private:
+    std::fenv_t left_;
+};
+
+/// Calls a callback of the host in the host's floating-point environment.
+/// @param name  what the callback is called in a message.
+/// @throws CallbackFault where it throws. Only the end of a thread passes through.
+template <class Callback>
+int call_host(const char* name, const std::fenv_t& host, const Callback& callback) {
+    const FloatEnvironment environment(&host);
+    try {
+        return callback();
+    } catch (const __cxxabiv1::__forced_unwind&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw CallbackFault("the " + std::string(name) + " callback threw: " + error.what());
+    } catch (...) {
+        throw CallbackFault("the " + std::string(name) + " callback threw no std::exception");
+    }
+}
+
+/// The text of the last error of this thread; cut where it is very long.
+const char* last_error();
+void set_last_error(const char* text);
+
+/// Notes the exception as this thread's last error. Laws, tested by number:
+///   (1) AbiMismatch                                  PCVT_ERROR_ABI
+///   (2) CallbackFault, BadDensity                    PCVT_ERROR_DOMAIN
+///   (3) DuplicateSites, BadGeometry                  PCVT_ERROR_GEOMETRY
+///   (4) every other InvalidInput                     PCVT_ERROR_ARGUMENT
+///   (5) OutputError                                  PCVT_ERROR_IO
+///   (6) LimitExceeded, bad_alloc, length_error       PCVT_ERROR_MEMORY
+///   (7) everything else                              PCVT_ERROR_INTERNAL
+/// @pre exception is not null.
+pcvt_status note_failure(const std::exception_ptr& exception);
+
+/// Runs call(environment of the host) in the default floating-point environment and turns what it
+/// throws into a status. Only the end of a thread (pthread_exit, pthread_cancel) passes through.
+template <class Call>
+pcvt_status guarded(const Call& call) {
+    const FloatEnvironment environment(FE_DFL_ENV);
+    set_last_error("");
+    try {
+        return call(environment.left());
+    } catch (const __cxxabiv1::__forced_unwind&) {
+        throw;
+    } catch (...) {
+        return note_failure(std::current_exception());
+    }
+}
+
+}  // namespace pcvt::abi

@@ -1,0 +1,187 @@
+#include "plugin/abi/options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace pcvt::abi {
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+void require_finite(const char* name, const double* values, int n) {
+    for (int k = 0; k < n; ++k) {
+        if (!std::isfinite(values[k])) {
+            throw InvalidInput(std::string(name) + " is not finite; give finite numbers");
+        }
+    }
+}
+
+[[noreturn]] void refuse_unknown(const char* name, std::int32_t value) {
+    throw InvalidInput(std::string(name) + " " + std::to_string(value) +
+                       " is unknown; take one of pcvt.h");
+}
+
+std::optional<Start> start(const pcvt_options& options) {
+    if (options.sites != nullptr && options.start != PCVT_START_DEFAULT) {
+        throw InvalidInput("start is for drawn sites, but sites gives them; leave one out");
+    }
+    switch (options.start) {
+        case PCVT_START_DEFAULT:
+            return std::nullopt;
+        case PCVT_START_RANDOM:
+            return Start::kRandom;
+        case PCVT_START_COARSE:
+            return Start::kCoarse;
+        case PCVT_START_LATTICE:
+            return Start::kLattice;
+        case PCVT_START_BEST:
+            return Start::kBest;
+    }
+    refuse_unknown("start", options.start);
+}
+
+int budget(const pcvt_options& options) {
+    if (options.budget == 0) return 0;
+    if (options.start != PCVT_START_BEST) {
+        throw InvalidInput("budget is for PCVT_START_BEST; leave it at 0");
+    }
+    if (options.budget < 0 || options.budget > std::numeric_limits<int>::max()) {
+        throw InvalidInput("budget is not between 0 and 2147483647");
+    }
+    return static_cast<int>(options.budget);
+}
+
+Solver solver(std::int32_t value) {
+    switch (value) {
+        case PCVT_SOLVER_DEFAULT:
+        case PCVT_SOLVER_LBFGS:
+            return Solver::kLbfgs;
+        case PCVT_SOLVER_LLOYD:
+            return Solver::kLloyd;
+        case PCVT_SOLVER_NEWTON:
+            return Solver::kNewton;
+    }
+    refuse_unknown("solver", value);
+}
+
+void read_grains(const pcvt_options& options, Job& job) {
+    const double lengths[] = {options.grain_size, options.short_edges};
+    require_finite("grain_size or short_edges", lengths, 2);
+    if (options.grain_size < 0) throw InvalidInput("grain_size is negative; take 0 or a length");
+    if (options.grain_order < 0 || options.grain_order > 2) {
+        throw InvalidInput("grain_order is not 0, 1 or 2");
+    }
+    job.grain_size = options.grain_size;
+    job.order = std::max(1, options.grain_order);
+    job.short_edges = options.short_edges;
+}
+
+int threads(std::int32_t wanted) {
+    if (wanted < 0 || wanted > kMostThreads) {
+        throw InvalidInput("n_threads is not between 0 and " + std::to_string(kMostThreads) +
+                           "; take 0 for all cores");
+    }
+    if (wanted > 0) return wanted;
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+Points given_sites(const pcvt_options& options) {
+    if (options.sites == nullptr) return Points(2, 0);
+    const Eigen::Map<const Points> sites(options.sites, 2, options.n_sites);
+    for (Eigen::Index s = 0; s < sites.cols(); ++s) {
+        if (!sites.col(s).allFinite()) {
+            throw InvalidInput("site " + std::to_string(s) + " is not finite; give finite numbers");
+        }
+    }
+    return sites;
+}
+
+}  // namespace
+
+void check_struct_size(const char* name, std::size_t size, std::size_t known) {
+    if (size < known || size > kLargestStruct) {
+        throw AbiMismatch(std::string(name) + " has size " + std::to_string(size) +
+                          " in place of " + std::to_string(known) +
+                          "; build the host with the header of this pcvt");
+    }
+}
+
+void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known) {
+    const char* bytes = static_cast<const char*>(begin);
+    if (std::any_of(bytes + known, bytes + size, [](char byte) { return byte != 0; })) {
+        throw AbiMismatch(std::string(name) +
+                          " asks for what this pcvt does not know; take a newer one");
+    }
+}
+
+void check_version(std::uint32_t host) {
+    constexpr std::uint32_t own = PCVT_ABI_VERSION;
+    const bool same_major = host >> 16 == own >> 16;
+    const bool fits = own >> 16 == 0 ? host == own : host <= own;
+    if (same_major && fits) return;
+    const auto text = [](std::uint32_t version) {
+        return std::to_string(version >> 16) + "." + std::to_string(version & 0xFFFFU);
+    };
+    throw AbiMismatch("the host was built for interface " + text(host) + ", this library has " +
+                      text(own) + "; build the host with the header of this pcvt");
+}
+
+pcvt_options default_options() {
+    pcvt_options options{};
+    options.struct_size = sizeof options;
+    options.lattice[0] = options.lattice[3] = 1;
+    options.max_iterations = -1;
+    options.tolerance = 1e-6;
+    options.columns = options.rows = 1;
+    return options;
+}
+
+TileKind tile_kind(std::int32_t kind) {
+    switch (kind) {
+        case PCVT_VORONOI:
+            return TileKind::kCells;
+        case PCVT_DELAUNAY:
+            return TileKind::kTriangles;
+        case PCVT_GRAINS:
+            return TileKind::kGrains;
+    }
+    refuse_unknown("kind", kind);
+}
+
+Outline tile_outline(std::int32_t outline) {
+    if (outline == PCVT_WHOLE) return Outline::kWhole;
+    if (outline == PCVT_BOX) return Outline::kBox;
+    refuse_unknown("outline", outline);
+}
+
+Job make_job(const pcvt_options& options) {
+    require_finite("lattice", options.lattice, 4);
+    require_finite("origin", options.origin, 2);
+    if (options.n_sites < 1 || options.n_sites > kMostSites) {
+        throw InvalidInput("n_sites is not between 1 and " + std::to_string(kMostSites));
+    }
+    if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
+        throw InvalidInput("tolerance is not a positive number");
+    }
+    Job job;
+    job.lattice =
+        Lattice({options.lattice[0], options.lattice[1]}, {options.lattice[2], options.lattice[3]});
+    job.points = given_sites(options);
+    job.n_sites = options.n_sites;
+    job.seed = options.seed;
+    job.start = start(options);
+    job.budget = budget(options);
+    read_grains(options, job);
+    job.solver = solver(options.solver);
+    job.tolerance = options.tolerance;
+    job.max_iterations = options.max_iterations;
+    job.n_threads = threads(options.n_threads);
+    job.columns = options.columns;
+    job.rows = options.rows;
+    job.origin = {options.origin[0], options.origin[1]};
+    return job;
+}
+
+}  // namespace pcvt::abi

@@ -1,0 +1,211 @@
+#include "plugin/abi/result.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesher/quality.hpp"
+#include "plugin/abi/guard.hpp"
+#include "plugin/job_files.hpp"
+#include "plugin/job_tiles.hpp"
+
+namespace pcvt::abi {
+namespace {
+
+static_assert(sizeof(int) == sizeof(std::int32_t));
+static_assert(sizeof(Vec2) == 2 * sizeof(double));
+static_assert(sizeof(Offset) == 2 * sizeof(std::int32_t));
+
+const double* numbers(const std::vector<Vec2>& points) {
+    return points.empty() ? nullptr : points.front().data();
+}
+
+const std::int32_t* numbers(const std::vector<int>& values) {
+    return values.empty() ? nullptr : values.data();
+}
+
+const std::int32_t* numbers(const std::vector<Offset>& offsets) {
+    return offsets.empty() ? nullptr : &offsets.front().i;
+}
+
+void copy_lattice(const Lattice& lattice, double* vectors) {
+    const std::array<double, 4> numbers{lattice.a().x(), lattice.a().y(), lattice.b().x(),
+                                        lattice.b().y()};
+    std::copy(numbers.begin(), numbers.end(), vectors);
+}
+
+/// The arguments are in order: what is refused now lies in the geometry of the result.
+template <class Make>
+auto from_geometry(const Make& make) {
+    try {
+        return make();
+    } catch (const InvalidInput& error) {
+        throw BadGeometry(error.what());
+    }
+}
+
+void note_orbits(TileArrays& arrays) {
+    const FlatTile& flat = arrays.flat;
+    arrays.offset.resize(flat.points.size());
+    for (int v = 0; v < flat.n_vertices(); ++v) arrays.orbit.push_back(v);
+    for (const VertexPair& pair : flat.vertex_pairs) {
+        arrays.orbit[pair.w] = pair.v;
+        arrays.offset[pair.w] = pair.offset;
+    }
+    for (const EdgePair& pair : flat.edge_pairs) {
+        arrays.edge_pairs.push_back(
+            {pair.v0, pair.v1, pair.w0, pair.w1, pair.offset.i, pair.offset.j});
+    }
+}
+
+std::vector<int> counts_by_sides(const PeriodicMesh& cells) {
+    std::vector<int> counts;
+    for (const auto& [sides, count] : histogram(cell_sides(cells))) {
+        counts.resize(static_cast<std::size_t>(sides) + 1, 0);
+        counts[sides] = count;
+    }
+    return counts;
+}
+
+double energy_bound(const Job& job, const CvtResult& cvt) {
+    return job.density ? std::numeric_limits<double>::quiet_NaN() : cvt.energy_bound;
+}
+
+std::int32_t kind_number(TileKind kind) {
+    switch (kind) {
+        case TileKind::kCells:
+            return PCVT_VORONOI;
+        case TileKind::kTriangles:
+            return PCVT_DELAUNAY;
+        case TileKind::kGrains:
+            break;
+    }
+    return PCVT_GRAINS;
+}
+
+std::int32_t outline_number(Outline outline) {
+    return outline == Outline::kBox ? PCVT_BOX : PCVT_WHOLE;
+}
+
+std::int32_t stop_number(Stop stop) {
+    if (stop == Stop::kConverged) return PCVT_STOP_CONVERGED;
+    return stop == Stop::kIterationLimit ? PCVT_STOP_ITERATION_LIMIT : PCVT_STOP_STALLED;
+}
+
+}  // namespace
+
+Result::Result(Job job, JobResult computed)
+    : job_(std::move(job)), computed_(std::move(computed)), sites_(wrapped_sites(computed_.cvt)) {}
+
+const PeriodicMesh& Result::periodic(TileKind kind) const {
+    if (kind == TileKind::kGrains) {
+        throw InvalidInput("grains are there as a tile only; take pcvt_get_tile");
+    }
+    return meshes_[kind_number(kind)].get(
+        [&] { return from_geometry([&] { return periodic_mesh(computed_.cvt, kind); }); });
+}
+
+const TileArrays& Result::arrays(const Layout& layout) const {
+    Job job = job_;
+    job.meshes = {layout.kind};
+    job.outline = layout.outline;
+    check_job(job);
+    return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
+        TileArrays made{from_geometry([&] { return build_tile(job, computed_.cvt, layout.kind); }),
+                        {job.lattice, layout.kind, {}, {0}, {}, {}, {}, {}, {}},
+                        {},
+                        {},
+                        {}};
+        made.flat = flatten(made.proved.tile);
+        note_orbits(made);
+        return made;
+    });
+}
+
+pcvt_sites Result::sites() const {
+    pcvt_sites view{};
+    copy_lattice(job_.lattice, view.lattice);
+    view.points = sites_.data();
+    view.n_sites = static_cast<std::int32_t>(sites_.cols());
+    return view;
+}
+
+pcvt_statistics Result::statistics() const {
+    const std::vector<int>& valences =
+        valences_.get([&] { return counts_by_sides(periodic(TileKind::kCells)); });
+    const CvtResult& cvt = computed_.cvt;
+    return {.energy = cvt.energy,
+            .energy_bound = energy_bound(job_, cvt),
+            .residual = cvt.residual,
+            .rms_residual = cvt.rms_residual,
+            .seconds_build = computed_.seconds.build,
+            .seconds_optimize = computed_.seconds.optimize,
+            .valences = numbers(valences),
+            .n_valences = static_cast<std::int32_t>(valences.size()),
+            .n_hexagons = valences.size() > 6 ? valences[6] : 0,
+            .stop = stop_number(cvt.stop),
+            .n_sites = static_cast<std::int32_t>(sites_.cols()),
+            .iterations = cvt.iterations,
+            .evaluations = computed_.evaluations,
+            .n_threads = job_.n_threads,
+            .n_mirrors = cvt.counts.n_mirrors.value_or(-1)};
+}
+
+pcvt_mesh Result::mesh(TileKind kind) const {
+    const PeriodicMesh& mesh = periodic(kind);
+    pcvt_mesh view{};
+    copy_lattice(mesh.lattice, view.lattice);
+    view.vertices = numbers(mesh.vertices);
+    view.face_begin = numbers(mesh.face_begin);
+    view.corner_vertex = numbers(mesh.corner_vertex);
+    view.corner_offset = numbers(mesh.corner_offset);
+    view.opposite = numbers(mesh.opposite);
+    view.site = numbers(mesh.site);
+    view.site_points = numbers(mesh.site_points);
+    view.kind = kind_number(kind);
+    view.n_vertices = mesh.n_vertices();
+    view.n_faces = mesh.n_faces();
+    view.n_corners = mesh.n_corners();
+    return view;
+}
+
+pcvt_tile Result::tile(const Layout& layout) const {
+    const TileArrays& tile = arrays(layout);
+    const FlatTile& flat = tile.flat;
+    pcvt_tile view{};
+    copy_lattice(flat.lattice, view.lattice);
+    view.points = numbers(flat.points);
+    view.face_begin = numbers(flat.face_begin);
+    view.corners = numbers(flat.corners);
+    view.face_site = numbers(flat.face_site);
+    view.site_points = numbers(flat.site_points);
+    view.vertex_site = numbers(flat.vertex_site);
+    view.vertex_orbit = numbers(tile.orbit);
+    view.vertex_offset = numbers(tile.offset);
+    view.edge_pairs = tile.edge_pairs.data();
+    view.kind = kind_number(layout.kind);
+    view.outline = outline_number(layout.outline);
+    view.n_vertices = flat.n_vertices();
+    view.n_faces = flat.n_faces();
+    view.n_corners = static_cast<std::int32_t>(flat.corners.size());
+    view.n_edge_pairs = static_cast<std::int32_t>(tile.edge_pairs.size());
+    return view;
+}
+
+void Result::write(const std::string& path, const Layout& layout, const std::string& report,
+                   bool force) const {
+    Job job = job_;
+    job.meshes = {layout.kind};
+    job.outline = layout.outline;
+    if (!path.empty()) job.outputs = {path};
+    job.report = report;
+    job.force = force;
+    const std::vector<JobFile> files = plan_files(job);
+    const bool has_tile = !files.empty() && files.front().content == JobContent::kTile;
+    if (!has_tile) {
+        write_job(job, computed_, {});
+        return;
+    }
+    write_job(job, computed_, std::span(&arrays(layout).proved, 1));
+}
+
+}  // namespace pcvt::abi

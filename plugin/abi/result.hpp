@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+
+#include "plugin/job.hpp"
+#include "plugin/pcvt.h"
+
+namespace pcvt::abi {
+
+/// Something that is made when it is first asked for, by whichever thread asks first, and then
+/// stays.
+template <class Value>
+class Lazy {
+   public:
+    /// What make() throws is thrown on, and the next call tries again.
+    template <class Make>
+    const Value& get(const Make& make) const {
+        const std::lock_guard lock(mutex_);
+        if (!value_) value_.reset(new Value(make()));
+        return *value_;
+    }
+
+   private:
+    mutable std::mutex mutex_;
+    mutable std::unique_ptr<const Value> value_;
+};
+
+/// How a tile is made from the tessellation.
+struct Layout {
+    TileKind kind;
+    Outline outline;
+};
+
+/// A tile and the arrays that its view borrows.
+struct TileArrays {
+    ProvedTile proved;
+    FlatTile flat;
+    std::vector<int> orbit;
+    std::vector<Offset> offset;
+    std::vector<pcvt_edge_pair> edge_pairs;
+};
+
+/// A computed job, and views of it that hold as long as it lives. Any number of threads may ask at
+/// once.
+class Result {
+   public:
+    Result(Job job, JobResult computed);
+
+    pcvt_sites sites() const;
+    pcvt_statistics statistics() const;
+    /// @throws BadGeometry where cells are too small, as tile() and write().
+    pcvt_mesh mesh(TileKind kind) const;
+    /// @throws InvalidInput for Delaunay triangles in a box.
+    pcvt_tile tile(const Layout& layout) const;
+    /// @param path, report  empty: none.
+    /// @throws InvalidInput, OutputError as run_job does.
+    void write(const std::string& path, const Layout& layout, const std::string& report,
+               bool force) const;
+
+   private:
+    const PeriodicMesh& periodic(TileKind kind) const;
+    const TileArrays& arrays(const Layout& layout) const;
+
+    Job job_;
+    JobResult computed_;
+    Points sites_;
+    /// By the number of the kind, and of the outline.
+    std::array<Lazy<PeriodicMesh>, 2> meshes_;
+    std::array<std::array<Lazy<TileArrays>, 2>, 3> tiles_;
+    Lazy<std::vector<int>> valences_;
+};
+
+}  // namespace pcvt::abi

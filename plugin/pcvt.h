@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The C interface of pcvt: periodic centroidal Voronoi tessellations, for hosts in any language.
+ * This header alone is under the MIT licence; the library behind it is GPL-3.0-or-later.
+ *
+ *     pcvt_options options;
+ *     pcvt_result* result;
+ *     pcvt_tile tile;
+ *     pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION);
+ *     options.n_sites = 300;
+ *     if (pcvt_generate(&options, &result) < 0) puts(pcvt_last_error());
+ *     pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, &tile, sizeof tile);
+ *     ...
+ *     pcvt_free(result);
+ *
+ * Rules for the whole interface:
+ *   (1) Each call but those that return text, a number or nothing returns a status: 0 or positive
+ * as stated below, negative for an error, which pcvt_last_error() then explains. (2) No exception,
+ * signal, exit or output leaves the library, and neither the locale nor the floating-point
+ * environment of the host is changed or matters. Callbacks are called in the floating-point
+ * environment of the host. (3) A result never changes. Views of it borrow its memory: they hold
+ * until pcvt_free(). (4) Same options, same result to the last bit, for any number of threads. (5)
+ * Positions are x, y in length units. Sites are numbered from 0 in the order of the input, all else
+ * from 0 as well. An offset i, j means the translation i a + j b, where a, b are the period vectors
+ * of the options (in a tile: of its own `lattice`). (6) While the major version is 0, the library
+ * and a host belong together only with the same minor version; PCVT_ABI_VERSION tells the host's.
+ */
+#ifndef PCVT_H
+#define PCVT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define PCVT_API __attribute__((visibility("default")))
+#else
+#define PCVT_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** major << 16 | minor of the interface that this header describes. */
+#define PCVT_ABI_VERSION 0x00000001u
+
+/** How a call ended. */
+typedef int32_t pcvt_status;
+enum {
+    PCVT_OK = 0,
+    /** The progress callback asked for it; there is no result. */
+    PCVT_CANCELLED = 1,
+    /** There is a result, but the tolerance was not reached: the iteration limit came first, or
+     *  double precision gives no more. Not for max_iterations = 0. */
+    PCVT_NOT_CONVERGED = 2,
+    /** A null pointer, a value out of its range or not finite, an unknown or unavailable choice. */
+    PCVT_ERROR_ARGUMENT = -1,
+    /** A struct of a size or with fields that this library does not know, or another version. */
+    PCVT_ERROR_ABI = -2,
+    /** A density that is not finite and positive, or a callback that threw. */
+    PCVT_ERROR_DOMAIN = -3,
+    /** No memory, or a limit of pcvt. */
+    PCVT_ERROR_MEMORY = -4,
+    /** Coincident sites, or sites whose cells are too small to be told apart. */
+    PCVT_ERROR_GEOMETRY = -5,
+    /** A file could not be written. */
+    PCVT_ERROR_IO = -6,
+    /** A fault of pcvt. */
+    PCVT_ERROR_INTERNAL = -7
+};
+
+/** Where the sites begin when none are given. */
+enum {
+    PCVT_START_DEFAULT = 0,
+    PCVT_START_RANDOM = 1,
+    PCVT_START_COARSE = 2,
+    PCVT_START_LATTICE = 3,
+    PCVT_START_BEST = 4
+};
+
+enum {
+    PCVT_SOLVER_DEFAULT = 0,
+    PCVT_SOLVER_LBFGS = 1,
+    PCVT_SOLVER_LLOYD = 2,
+    PCVT_SOLVER_NEWTON = 3
+};
+
+/** What a mesh or a tile is made of: Voronoi cells, Delaunay triangles, triangles inside of cells.
+ */
+enum { PCVT_VORONOI = 0, PCVT_DELAUNAY = 1, PCVT_GRAINS = 2 };
+
+/** The boundary of a tile: no cell is cut, or cut along the period parallelogram. */
+enum { PCVT_WHOLE = 0, PCVT_BOX = 1 };
+
+/** Why a run ended. */
+enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
+
+/** The state of a run. Later versions may append fields. */
+typedef struct pcvt_progress {
+    size_t struct_size;
+    int32_t iteration;
+    int32_t evaluations;
+    double energy;       /**< density x length^4 */
+    double energy_bound; /**< of the hexagonal lattice for uniform density, else NaN */
+    double residual;     /**< largest |x_i - g_i| / h, h = sqrt(area / n_sites) */
+    double rms_residual; /**< its root mean square */
+} pcvt_progress;
+
+/** Called once an iteration, on the thread that called pcvt_generate(). Non-zero cancels. */
+typedef int (*pcvt_progress_callback)(const pcvt_progress* progress, void* data);
+
+/** A density at many points, called only on the thread that called pcvt_generate().
+ *
+ *  It must be periodic, finite and positive, and give the same value for the same point each time.
+ *  @param points  n_points pairs x, y; anywhere in the plane.
+ *  @param values  n_points numbers, to be filled.
+ *  @returns       0; anything else ends the run with PCVT_ERROR_DOMAIN.
+ */
+typedef int (*pcvt_density_callback)(const double* points, size_t n_points, double* values,
+                                     void* data);
+
+/** What to generate. Fill it with pcvt_options_init(), then change what should differ. */
+typedef struct pcvt_options {
+    size_t struct_size;
+    double lattice[4]; /**< ax, ay, bx, by: any two independent period vectors [1, 0, 0, 1] */
+    double origin[2];  /**< corner of the domain round which tiles are laid out [0, 0] */
+    const double*
+        sites;       /**< n_sites pairs x, y, anywhere in the plane; NULL: drawn from seed [NULL] */
+    int32_t n_sites; /**< at least 1, at most 2^28 [0: an error] */
+    int32_t start;   /**< PCVT_START_...; only where `sites` is NULL [default] */
+    uint64_t seed;   /**< [0] */
+    int32_t solver;  /**< PCVT_SOLVER_... [default] */
+    int32_t max_iterations; /**< negative: no limit; 0: the Voronoi diagram of the sites as given
+                               [-1] */
+    double tolerance;       /**< converged once the residual is at most this [1e-6] */
+    int32_t n_threads;      /**< 0: as many as there are cores; at most 1024 [0] */
+    int32_t columns;        /**< a tile covers columns x rows domains, at least 1 [1] */
+    int32_t rows;           /**< [1] */
+    int32_t grain_order; /**< of the triangles of PCVT_GRAINS: 1, or 2 with mid-side nodes [0: 1] */
+    double grain_size;   /**< of these triangles, length units [0: pcvt chooses] */
+    double short_edges;  /**< tiles lose cell edges shorter than this times h [0: none] */
+    int64_t budget;      /**< evaluations of PCVT_START_BEST [0: pcvt chooses] */
+    const char* density_source; /**< expression in x, y, u, v, or the name of a .png file [NULL] */
+    double density_range[2];    /**< of the image; 0, 0: pcvt chooses [0, 0] */
+    pcvt_density_callback density; /**< excludes density_source; both NULL: uniform [NULL] */
+    void* density_data;
+    pcvt_progress_callback progress; /**< [NULL] */
+    void* progress_data;
+} pcvt_options;
+
+/** The optimised sites. */
+typedef struct pcvt_sites {
+    double lattice[4]; /**< as in the options */
+    const double*
+        points; /**< n_sites pairs x, y, wrapped into the Gauss-reduced parallelogram at 0 */
+    int32_t n_sites;
+    int32_t reserved;
+} pcvt_sites;
+
+/** The cells or the triangles on the torus: each face and each vertex stands once for all its
+ * images.
+ *
+ *  Face f has the corners face_begin[f] ... face_begin[f + 1] - 1, counter-clockwise. Corner c of
+ * it lies at vertices[corner_vertex[c]] + the translation of corner_offset[c].
+ */
+typedef struct pcvt_mesh {
+    double lattice[4];            /**< as in the options */
+    const double* vertices;       /**< n_vertices pairs x, y */
+    const int32_t* face_begin;    /**< n_faces + 1 numbers */
+    const int32_t* corner_vertex; /**< n_corners numbers */
+    const int32_t* corner_offset; /**< n_corners pairs i, j */
+    const int32_t* opposite;      /**< the corner that the same edge leaves on the face across */
+    const int32_t* site;          /**< the site of each face (cells) or vertex (triangles) */
+    const double* site_points;    /**< where the site of each cell stands, x, y; triangles: NULL */
+    int32_t kind;                 /**< PCVT_VORONOI or PCVT_DELAUNAY */
+    int32_t n_vertices;
+    int32_t n_faces;
+    int32_t n_corners;
+} pcvt_mesh;
+
+/** The boundary edge v0 -> v1 of a tile (its face on the left) is glued to w0 -> w1 (its face on
+ * the right): position(w_k) = position(v_k) + i a + j b for k = 0 and 1. */
+typedef struct pcvt_edge_pair {
+    int32_t v0, v1;
+    int32_t w0, w1;
+    int32_t i, j;
+} pcvt_edge_pair;
+
+/** A tile: a mesh of one fundamental domain as an open disc, with the pairing of its boundary.
+ *
+ *  For each vertex v: position(v) = position(vertex_orbit[v]) + the translation of
+ * vertex_offset[v]. Each boundary edge belongs to exactly one of the edge pairs.
+ */
+typedef struct pcvt_tile {
+    double lattice[4];            /**< columns a, rows b */
+    const double* points;         /**< n_vertices pairs x, y */
+    const int32_t* face_begin;    /**< n_faces + 1 numbers: face f has corners face_begin[f] ... */
+    const int32_t* corners;       /**< n_corners vertices, face after face, counter-clockwise */
+    const int32_t* face_site;     /**< the site of each face; of Delaunay triangles: NULL */
+    const double* site_points;    /**< where that site stands, x, y; of Delaunay triangles: NULL */
+    const int32_t* vertex_site;   /**< the site at each vertex of Delaunay triangles, else NULL */
+    const int32_t* vertex_orbit;  /**< the smallest vertex on the same orbit */
+    const int32_t* vertex_offset; /**< n_vertices pairs i, j */
+    const pcvt_edge_pair* edge_pairs; /**< n_edge_pairs */
+    int32_t kind;                     /**< PCVT_VORONOI, PCVT_DELAUNAY or PCVT_GRAINS */
+    int32_t outline;                  /**< PCVT_WHOLE or PCVT_BOX */
+    int32_t n_vertices;
+    int32_t n_faces;
+    int32_t n_corners;
+    int32_t n_edge_pairs;
+} pcvt_tile;
+
+/** Figures of a run. */
+typedef struct pcvt_statistics {
+    double energy;       /**< sum over the cells of the integral of density |p - x_i|^2 */
+    double energy_bound; /**< 5 area^2 / (18 sqrt(3) n) for uniform density, else NaN */
+    double residual;     /**< largest |x_i - g_i| / h, h = sqrt(area / n_sites) */
+    double rms_residual; /**< its root mean square */
+    double seconds_build;
+    double seconds_optimize;
+    const int32_t* valences; /**< valences[k]: cells with k sides, edges under 1e-5 h not counted */
+    int32_t n_valences;
+    int32_t n_hexagons;
+    int32_t stop; /**< PCVT_STOP_... */
+    int32_t n_sites;
+    int32_t iterations;
+    int32_t evaluations;
+    int32_t n_threads;
+    int32_t n_mirrors; /**< -1 where the triangulation was built without mirrors */
+} pcvt_statistics;
+
+/** What to write; all zero but struct_size is the default. */
+typedef struct pcvt_write_options {
+    size_t struct_size;
+    const char* report; /**< also write the figures of the run to this .json file [NULL: no] */
+    int32_t kind;       /**< [PCVT_VORONOI] */
+    int32_t outline;    /**< [PCVT_WHOLE] */
+    int32_t replace;    /**< not 0: files that exist are replaced [0] */
+    int32_t reserved;   /**< 0 */
+} pcvt_write_options;
+
+/** An optimised periodic tessellation. */
+typedef struct pcvt_result pcvt_result;
+
+/** PCVT_ABI_VERSION of the library. Any thread, any time. */
+PCVT_API uint32_t pcvt_abi_version(void);
+
+/** "major.minor.patch" of the library. Any thread, any time. */
+PCVT_API const char* pcvt_version(void);
+
+/** A status in a few English words. Any thread, any time. */
+PCVT_API const char* pcvt_status_text(pcvt_status status);
+
+/** Why the last call of this thread that returns a status did not return PCVT_OK: one line, ""
+ * after PCVT_OK. The text holds until the next such call of this thread. Any thread, any time. */
+PCVT_API const char* pcvt_last_error(void);
+
+/** Fills the defaults; fields that this library does not know become zero.
+ *  @param struct_size  sizeof(pcvt_options) of the host.
+ *  @param abi_version  PCVT_ABI_VERSION of the host.
+ *  @returns PCVT_ERROR_ABI where the two do not fit this library; *options is not touched then.
+ *  Any thread, any time, on options of its own. */
+PCVT_API pcvt_status pcvt_options_init(pcvt_options* options, size_t struct_size,
+                                       uint32_t abi_version);
+
+/** Generates a periodic centroidal Voronoi tessellation.
+ *  @param result  the result for PCVT_OK and PCVT_NOT_CONVERGED, to be freed; else NULL.
+ *  Any thread, any number of calls at once. It starts threads of its own and ends them before it
+ *  returns; callbacks are called on the calling thread alone, and may call this library. */
+PCVT_API pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** result);
+
+/** Frees a result; its views end. NULL is ignored. Any thread, once no other call uses the result.
+ */
+PCVT_API void pcvt_free(pcvt_result* result);
+
+/*  The views. `view_size` is sizeof(*view) of the host: fields that only the host knows become
+ * zero, those that only the library knows are left out. What a view needs is computed when it is
+ * first asked for. Any thread, any number of calls on one result at once. */
+
+PCVT_API pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size);
+
+PCVT_API pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view,
+                                         size_t view_size);
+
+/** @param kind  PCVT_VORONOI or PCVT_DELAUNAY. */
+PCVT_API pcvt_status pcvt_get_mesh(const pcvt_result* result, int32_t kind, pcvt_mesh* view,
+                                   size_t view_size);
+
+/** @param kind     PCVT_VORONOI, PCVT_DELAUNAY or PCVT_GRAINS.
+ *  @param outline  PCVT_WHOLE or PCVT_BOX. */
+PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int32_t outline,
+                                   pcvt_tile* view, size_t view_size);
+
+/** Writes a tile, or the sites where the extension is .txt. The files appear complete and proved to
+ * be a periodic tile, or not at all.
+ *  @param path     decides the format by its extension; NULL: only the report.
+ *  @param options  NULL: the defaults.
+ *  Any thread, any number of calls on one result at once. */
+PCVT_API pcvt_status pcvt_write(const pcvt_result* result, const char* path,
+                                const pcvt_write_options* options);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,205 @@
+"""Periodic centroidal Voronoi tessellations as numpy arrays, by the C interface of pcvt.
+
+    import pcvt
+    result = pcvt.mesh(sites=300, lattice=((1, 0), (0.37, 0.81)), seed=7)
+    tile = result.tile()                         # cells; result.tile("delaunay"): triangles
+    seam = tile.seam                             # pairs of boundary edges v0 -> v1, w0 -> w1
+    move = np.column_stack([seam["i"], seam["j"]]) @ tile.lattice
+    np.allclose(tile.points[seam["w0"]], tile.points[seam["v0"]] + move)    # True
+    result.write("tile.glb")
+    result.plot()                                # needs matplotlib
+
+libpcvt.so is the file that the environment variable PCVT_LIBRARY names; else libpcvt.so.0.1 in this
+package, beside it, or in the `lib` that the package is installed in; else what the system's loader
+finds under that name.
+
+Arrays are views of the library's memory: nothing is copied, they are read-only, and each of them
+keeps that memory alive by itself. Take array.copy() to change one. Numbers are float64 and int32,
+positions in length units; sites, vertices and faces are numbered from 0, sites in the order of the
+input. An offset i, j means the translation i a + j b, with a, b the rows of `lattice`.
+"""
+
+import operator
+import os
+from ctypes import byref, c_void_p, sizeof
+
+import numpy as np
+
+from . import _library
+from ._callbacks import Callbacks, Progress
+from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, Handle,
+                       LimitError, OutputError, checked, library)
+from ._views import KINDS, OUTLINES, STOPS, Statistics, Tile, TorusMesh
+
+__all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Progress", "Error",
+           "Cancelled", "ArgumentError", "DensityError", "GeometryError", "LimitError",
+           "OutputError"]
+
+_STARTS = ("default", "random", "coarse", "lattice", "best")
+_SOLVERS = ("default", "lbfgs", "lloyd", "newton")
+
+
+def version():
+    """"major.minor.patch" of the library."""
+    return library.pcvt_version().decode()
+
+
+def _choice(name, value, choices):
+    if value not in choices:
+        raise ArgumentError(f"{name} {value!r} is unknown; take one of {', '.join(choices)}")
+    return choices.index(value)
+
+
+def _text(name, value):
+    text = os.fsencode(value)
+    if b"\0" in text:
+        raise ArgumentError(f"{name} {value!r} has a zero byte; leave it out")
+    return text
+
+
+def _doubles(name, values, *shape):
+    array = np.ascontiguousarray(values, dtype=np.float64)
+    if array.shape != shape:
+        raise ArgumentError(f"{name} has the shape {array.shape}; give {shape}")
+    return array
+
+
+def _set_integers(options, **integers):
+    for name, value in integers.items():
+        setattr(options, name, operator.index(value))
+        if getattr(options, name) != value:  # ctypes cuts what does not fit.
+            raise ArgumentError(f"{name} {value} is out of range")
+
+
+def _set_doubles(options, **doubles):
+    for name, values in doubles.items():
+        field = getattr(options, name)
+        field[:] = _doubles(name, values, len(field)).tolist()
+
+
+def _set_sites(options, sites):
+    """Returns what must stay alive as long as the options are used."""
+    if np.ndim(sites) == 0:
+        _set_integers(options, n_sites=sites)
+        return None
+    points = _doubles("sites", sites, len(sites), 2)
+    _set_integers(options, n_sites=len(points))
+    options.sites = points.ctypes.data
+    return points
+
+
+def _set_functions(options, density, callbacks):
+    options.progress = _library.ProgressCallback(callbacks.show_progress)
+    if callable(density):
+        options.density = _library.DensityCallback(callbacks.ask_density)
+    elif density is not None:
+        options.density_source = _text("density", density)
+
+
+def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0), origin=(0, 0),
+         repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
+         max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, short_edges=0.0, budget=0,
+         progress=None):
+    """Generates a periodic centroidal Voronoi tessellation. Same arguments, same result to the last
+    bit. Ctrl-C ends it at the next iteration.
+
+    sites           a number of sites, drawn from `seed`; or their positions, shape (n, 2), anywhere
+                    in the plane
+    lattice         (2, 2), the period vectors as rows a, b
+    density         periodic, finite and positive: a function of x, y, each float64 of shape (m,),
+                    that returns shape (m,) or one number; or an expression in x, y, u, v or the
+                    name of a .png file as text. None: uniform. A function is called on the calling
+                    thread, for few points at a time
+    density_range   of the image; 0, 0: pcvt chooses
+    origin          corner of the domain round which tiles are laid out
+    repeat          (columns, rows): a tile covers so many domains
+    start           where drawn sites begin: default, random, coarse, lattice, best
+    solver          default, lbfgs, lloyd, newton
+    tolerance       converged once the residual max |x_i - g_i| / h is at most this
+    max_iterations  negative: no limit; 0: the periodic Voronoi diagram of the sites as given
+    threads         0: as many as there are cores
+    grain_order, grain_size, short_edges, budget
+                    as in pcvt.h
+    progress        called with a Progress once an iteration; a true answer cancels
+
+    Returns a Result; also where the tolerance was not reached, which statistics.stop tells.
+    Raises Cancelled, another Error with the library's message, or what density or progress raised.
+    """
+    options = _library.Options()
+    checked(library.pcvt_options_init(byref(options), sizeof(options), _library.ABI_VERSION))
+    _points = _set_sites(options, sites)  # Held while the library reads them.
+    columns, rows = repeat
+    _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
+                  columns=columns, rows=rows, grain_order=grain_order, budget=budget,
+                  start=_choice("start", start, _STARTS),
+                  solver=_choice("solver", solver, _SOLVERS))
+    _set_doubles(options, lattice=_doubles("lattice", lattice, 2, 2).ravel(), origin=origin,
+                 density_range=density_range)
+    options.tolerance, options.grain_size = tolerance, grain_size
+    options.short_edges = short_edges
+    pointer = c_void_p()
+    with Callbacks(density, progress) as callbacks:
+        _set_functions(options, density, callbacks)
+        status = library.pcvt_generate(byref(options), byref(pointer))
+        handle = Handle(pointer.value) if pointer else None
+        if callbacks.error is not None:
+            raise callbacks.error
+        checked(status)
+    return Result(handle)
+
+
+class Result:
+    """An optimised periodic tessellation; it never changes.
+
+    lattice     (2, 2), rows a, b
+    sites       (n, 2), wrapped into the Gauss-reduced parallelogram at 0
+    statistics  a Statistics
+    """
+
+    def __init__(self, handle):
+        self._handle = handle
+        view = handle.view(library.pcvt_get_sites, _library.Sites)
+        self.lattice = np.array(view.lattice).reshape(2, 2)
+        self.sites = handle.array(view.points, np.float64, view.n_sites, 2)
+
+    @property
+    def statistics(self):
+        view = self._handle.view(library.pcvt_get_statistics, _library.Statistics)
+        figures = {name: getattr(view, name) for name in Statistics._fields}
+        figures["valences"] = self._handle.array(view.valences, np.int32, view.n_valences)
+        figures["stop"] = STOPS[view.stop]
+        return Statistics(**figures)
+
+    def mesh(self, kind="voronoi"):
+        """The cells ("voronoi") or triangles ("delaunay") on the torus, a TorusMesh."""
+        number = _choice("kind", kind, KINDS)
+        return TorusMesh(self._handle, self._handle.view(library.pcvt_get_mesh, _library.Mesh,
+                                                         number))
+
+    def tile(self, kind="voronoi", outline="whole"):
+        """A Tile of kind "voronoi", "delaunay" or "grains" and outline "whole" or "box"."""
+        numbers = _choice("kind", kind, KINDS), _choice("outline", outline, OUTLINES)
+        return Tile(self._handle, self._handle.view(library.pcvt_get_tile, _library.Tile, *numbers))
+
+    def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False):
+        """Writes a tile, or the sites where the extension is .txt; the extension decides the
+        format. The file appears complete and proved to be a periodic tile, or not at all.
+
+        path     None: only the report
+        report   also write the figures of the run to this .json file
+        replace  whether files that exist are replaced
+        """
+        options = _library.WriteOptions(
+            struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
+            outline=_choice("outline", outline, OUTLINES), replace=bool(replace),
+            report=None if report is None else _text("report", report))
+        file = None if path is None else _text("path", path)
+        checked(library.pcvt_write(self._handle.pointer, file, byref(options)))
+
+    def plot(self, kind="voronoi", outline="whole", axes=None):
+        """Draws a tile, as Tile.plot()."""
+        return self.tile(kind, outline).plot(axes)
+
+
+for _name in __all__:  # They are told by their public name.
+    globals()[_name].__module__ = __name__

@@ -1,0 +1,100 @@
+"""The functions of a caller, as the library may call them."""
+
+import signal
+from ctypes import c_double
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Progress(NamedTuple):
+    """The state of a run. `energy_bound` is NaN with a density."""
+
+    iteration: int
+    evaluations: int
+    energy: float
+    energy_bound: float
+    residual: float
+    rms_residual: float
+
+
+def _copy(view):
+    return Progress(*(getattr(view, name) for name in Progress._fields))
+
+
+class Callbacks:
+    """What the library calls back while `with` lasts, and what that raised.
+
+    Python raises KeyboardInterrupt on entry into a function, and where ctypes has called that
+    function it is printed and forgotten. So Ctrl-C is noted here, and raised where it can be kept:
+    inside of the caller's own functions, or after the call of the library.
+    """
+
+    def __init__(self, density, progress):
+        self.density, self.progress = density, progress
+        self.error = None
+        self.noted = None
+        self.inside = False
+        self.buffers = None
+
+    def __enter__(self):
+        self.handler = signal.getsignal(signal.SIGINT)
+        if callable(self.handler):
+            try:
+                signal.signal(signal.SIGINT, self.note)
+            except ValueError:  # Another thread than the main one, which gets no signals.
+                self.handler = None
+        return self
+
+    def __exit__(self, *_):
+        if callable(self.handler):
+            signal.signal(signal.SIGINT, self.handler)
+        self.deliver()
+
+    def note(self, *interrupt):
+        self.noted = interrupt
+        if self.inside:
+            self.inside = False
+            self.deliver()
+            self.inside = True
+
+    def deliver(self):
+        if self.noted:
+            interrupt, self.noted = self.noted, None
+            self.handler(*interrupt)
+
+    def keep(self, error):
+        """Ends the run; nothing may be thrown through the library."""
+        self.inside = False
+        self.error = error
+        return 1
+
+    def look_at(self, *buffers):
+        """The library takes the same buffers again and again, so they are looked up once."""
+        points, n_points, values = self.buffers = buffers
+        pairs = np.frombuffer((c_double * (2 * n_points)).from_address(points))
+        self.positions = pairs.reshape(n_points, 2).T
+        self.values = np.frombuffer((c_double * n_points).from_address(values))
+
+    def ask_density(self, points, n_points, values, _):
+        try:
+            self.inside = True
+            self.deliver()
+            if self.buffers != (points, n_points, values):
+                self.look_at(points, n_points, values)
+            x, y = self.positions.copy("C")
+            self.values[:] = self.density(x, y)
+            self.inside = False
+            return 0
+        except BaseException as error:
+            return self.keep(error)
+
+    def show_progress(self, progress, _):
+        try:
+            self.inside = True
+            self.deliver()
+            answer = self.progress is not None and bool(self.progress(_copy(progress.contents)))
+            self.inside = False
+            return answer
+        except BaseException as error:
+            return self.keep(error)

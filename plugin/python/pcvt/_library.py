@@ -1,0 +1,177 @@
+"""libpcvt: its structs as in pcvt.h, its functions, its errors, its memory."""
+
+import ctypes
+import os
+import weakref
+from ctypes import CFUNCTYPE, POINTER, byref, c_char_p, c_double, c_int, c_int32, c_int64, c_size_t
+from ctypes import c_uint32, c_uint64, c_void_p, sizeof
+from pathlib import Path
+
+import numpy as np
+
+ABI_VERSION = 0x00000001
+
+
+class Error(Exception):
+    """What the library refused or could not do, in its words."""
+
+
+class Cancelled(Error):
+    """The progress function asked for it."""
+
+
+class ArgumentError(Error, ValueError):
+    """A value out of its range or not finite, an unknown or unavailable choice."""
+
+
+class DensityError(Error, ValueError):
+    """A density that is not finite and positive."""
+
+
+class GeometryError(Error, ValueError):
+    """Coincident sites, or sites whose cells are too small to be told apart."""
+
+
+class LimitError(Error, MemoryError):
+    """No memory, or a limit of pcvt."""
+
+
+class OutputError(Error, OSError):
+    """A file exists or could not be written."""
+
+
+_CANCELLED = 1
+_ERRORS = {_CANCELLED: Cancelled, -1: ArgumentError, -3: DensityError, -4: LimitError,
+           -5: GeometryError, -6: OutputError}
+
+
+
+class Progress(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("iteration", c_int32), ("evaluations", c_int32),
+                ("energy", c_double), ("energy_bound", c_double), ("residual", c_double),
+                ("rms_residual", c_double)]
+
+
+ProgressCallback = CFUNCTYPE(c_int, POINTER(Progress), c_void_p)
+DensityCallback = CFUNCTYPE(c_int, c_void_p, c_size_t, c_void_p, c_void_p)
+
+
+class Options(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("lattice", c_double * 4), ("origin", c_double * 2),
+                ("sites", c_void_p), ("n_sites", c_int32), ("start", c_int32), ("seed", c_uint64),
+                ("solver", c_int32), ("max_iterations", c_int32), ("tolerance", c_double),
+                ("n_threads", c_int32), ("columns", c_int32), ("rows", c_int32),
+                ("grain_order", c_int32), ("grain_size", c_double), ("short_edges", c_double),
+                ("budget", c_int64), ("density_source", c_char_p),
+                ("density_range", c_double * 2), ("density", DensityCallback),
+                ("density_data", c_void_p), ("progress", ProgressCallback),
+                ("progress_data", c_void_p)]
+
+
+class Sites(ctypes.Structure):
+    _fields_ = [("lattice", c_double * 4), ("points", c_void_p), ("n_sites", c_int32),
+                ("reserved", c_int32)]
+
+
+class Mesh(ctypes.Structure):
+    _fields_ = [("lattice", c_double * 4), ("vertices", c_void_p), ("face_begin", c_void_p),
+                ("corner_vertex", c_void_p), ("corner_offset", c_void_p), ("opposite", c_void_p),
+                ("site", c_void_p), ("site_points", c_void_p), ("kind", c_int32),
+                ("n_vertices", c_int32), ("n_faces", c_int32), ("n_corners", c_int32)]
+
+
+class Tile(ctypes.Structure):
+    _fields_ = [("lattice", c_double * 4), ("points", c_void_p), ("face_begin", c_void_p),
+                ("corners", c_void_p), ("face_site", c_void_p), ("site_points", c_void_p),
+                ("vertex_site", c_void_p), ("vertex_orbit", c_void_p),
+                ("vertex_offset", c_void_p), ("edge_pairs", c_void_p), ("kind", c_int32),
+                ("outline", c_int32), ("n_vertices", c_int32), ("n_faces", c_int32),
+                ("n_corners", c_int32), ("n_edge_pairs", c_int32)]
+
+
+class Statistics(ctypes.Structure):
+    _fields_ = [("energy", c_double), ("energy_bound", c_double), ("residual", c_double),
+                ("rms_residual", c_double), ("seconds_build", c_double),
+                ("seconds_optimize", c_double), ("valences", c_void_p), ("n_valences", c_int32),
+                ("n_hexagons", c_int32), ("stop", c_int32), ("n_sites", c_int32),
+                ("iterations", c_int32), ("evaluations", c_int32), ("n_threads", c_int32),
+                ("n_mirrors", c_int32)]
+
+
+class WriteOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("report", c_char_p), ("kind", c_int32),
+                ("outline", c_int32), ("replace", c_int32), ("reserved", c_int32)]
+
+
+_FUNCTIONS = {
+    "pcvt_version": (c_char_p,),
+    "pcvt_last_error": (c_char_p,),
+    "pcvt_options_init": (c_int32, POINTER(Options), c_size_t, c_uint32),
+    "pcvt_generate": (c_int32, POINTER(Options), POINTER(c_void_p)),
+    "pcvt_free": (None, c_void_p),
+    "pcvt_get_sites": (c_int32, c_void_p, POINTER(Sites), c_size_t),
+    "pcvt_get_statistics": (c_int32, c_void_p, POINTER(Statistics), c_size_t),
+    "pcvt_get_mesh": (c_int32, c_void_p, c_int32, POINTER(Mesh), c_size_t),
+    "pcvt_get_tile": (c_int32, c_void_p, c_int32, c_int32, POINTER(Tile), c_size_t),
+    "pcvt_write": (c_int32, c_void_p, c_char_p, POINTER(WriteOptions)),
+}
+
+
+def _library_file():
+    name = "libpcvt.so.0.1"
+    package = Path(__file__).resolve().parent
+    # Installed, the package is lib/python3/dist-packages/pcvt.
+    near = [folder / name for folder in (package, package.parents[0], package.parents[2])]
+    found = [str(file) for file in near if file.exists()]
+    return os.environ.get("PCVT_LIBRARY") or (found + [name])[0]
+
+
+def _load():
+    file = _library_file()
+    try:
+        library = ctypes.CDLL(file)
+        for name, (result, *arguments) in _FUNCTIONS.items():
+            function = getattr(library, name)
+            function.restype, function.argtypes = result, arguments
+    except (OSError, AttributeError) as error:
+        raise ImportError(f"cannot load {file}: {error}; set PCVT_LIBRARY to the path of "
+                          "libpcvt.so") from None
+    return library
+
+
+library = _load()
+
+
+def checked(status):
+    """Raises for a status without a result."""
+    if status < 0 or status == _CANCELLED:
+        raise _ERRORS.get(status, Error)(os.fsdecode(library.pcvt_last_error()))
+
+
+class _Borrowed:
+    """Memory of a result, which numpy may look at as long as it holds this object."""
+
+    def __init__(self, owner, address, n_bytes):
+        self.owner = owner
+        self.__array_interface__ = {"version": 3, "data": (address, True), "shape": (n_bytes,),
+                                    "typestr": "|u1"}
+
+
+class Handle:
+    """A pcvt_result, freed with the last array or object that looks at it."""
+
+    def __init__(self, pointer):
+        self.pointer = pointer
+        weakref.finalize(self, library.pcvt_free, pointer).atexit = False
+
+    def view(self, get, kind, *choices):
+        view = kind()
+        checked(get(self.pointer, *choices, byref(view), sizeof(view)))
+        return view
+
+    def array(self, address, dtype, *shape):
+        """The array of this shape at an address; None for a null pointer."""
+        if address is None:
+            return None
+        n_bytes = np.dtype(dtype).itemsize * int(np.prod(shape))
+        return np.asarray(_Borrowed(self, address, n_bytes)).view(dtype).reshape(shape)

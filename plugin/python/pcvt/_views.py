@@ -1,0 +1,120 @@
+"""What a result shows: figures, the mesh on the torus, the tile with its seam."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+KINDS = ("voronoi", "delaunay", "grains")
+OUTLINES = ("whole", "box")
+STOPS = ("converged", "iteration-limit", "stalled")
+EDGE_PAIR = np.dtype([(name, np.int32) for name in ("v0", "v1", "w0", "w1", "i", "j")])
+
+
+class Statistics(NamedTuple):
+    """Figures of a run.
+
+    energy        sum over the cells of the integral of density |p - x_i|^2, density x length^4
+    energy_bound  5 area^2 / (18 sqrt(3) n) for uniform density, else NaN
+    residual      largest |x_i - g_i| / h, h = sqrt(area / n); rms_residual: its root mean square
+    valences      int32: valences[k] cells have k sides, edges under 1e-5 h not counted
+    stop          "converged", "iteration-limit" or "stalled"
+    n_mirrors     -1 where the triangulation was built without mirrors
+    """
+
+    energy: float
+    energy_bound: float
+    residual: float
+    rms_residual: float
+    seconds_build: float
+    seconds_optimize: float
+    valences: np.ndarray
+    n_hexagons: int
+    stop: str
+    n_sites: int
+    iterations: int
+    evaluations: int
+    n_threads: int
+    n_mirrors: int
+
+
+class TorusMesh:
+    """Cells or triangles on the torus: each face and each vertex once for all its images.
+
+    Face f has the corners face_begin[f] ... face_begin[f + 1] - 1, counter-clockwise. Corner c of
+    it lies at vertices[corner_vertex[c]] + corner_offset[c] @ lattice.
+
+    kind           "voronoi" or "delaunay"
+    lattice        (2, 2), rows a, b
+    vertices       (n_vertices, 2)
+    face_begin     (n_faces + 1,)
+    corner_vertex  (n_corners,)
+    corner_offset  (n_corners, 2), i, j
+    opposite       (n_corners,), the corner that the same edge leaves on the face across
+    site           the site of each cell, (n_faces,); triangles: of each vertex, (n_vertices,)
+    site_points    (n_faces, 2), where the site of each cell stands; triangles: None
+    """
+
+    def __init__(self, handle, view):
+        n_vertices, n_faces, n_corners = view.n_vertices, view.n_faces, view.n_corners
+        self.kind = KINDS[view.kind]
+        self.lattice = np.array(view.lattice).reshape(2, 2)
+        self.vertices = handle.array(view.vertices, np.float64, n_vertices, 2)
+        self.face_begin = handle.array(view.face_begin, np.int32, n_faces + 1)
+        self.corner_vertex = handle.array(view.corner_vertex, np.int32, n_corners)
+        self.corner_offset = handle.array(view.corner_offset, np.int32, n_corners, 2)
+        self.opposite = handle.array(view.opposite, np.int32, n_corners)
+        n_sites = n_faces if self.kind == "voronoi" else n_vertices
+        self.site = handle.array(view.site, np.int32, n_sites)
+        self.site_points = handle.array(view.site_points, np.float64, n_faces, 2)
+
+
+class Tile:
+    """One fundamental domain as an open disc, with the pairing of its boundary, the seam.
+
+    The boundary edge v0 -> v1 (its face on the left) is glued to w0 -> w1 (its face on the right):
+    points[w] = points[v] + (i, j) @ lattice. Each boundary edge belongs to exactly one pair. For
+    every vertex v, points[v] = points[vertex_orbit[v]] + vertex_offset[v] @ lattice.
+
+    kind           "voronoi", "delaunay" or "grains"
+    outline        "whole" or "box"
+    lattice        (2, 2), rows a, b; of the tile: repeated, where the tile is
+    points         (n_vertices, 2)
+    face_begin     (n_faces + 1,): face f has corners[face_begin[f]:face_begin[f + 1]]
+    corners        (n_corners,), vertices, face after face, counter-clockwise
+    face_site      (n_faces,), the site of each face; of Delaunay triangles: None
+    site_points    (n_faces, 2), where that site stands; of Delaunay triangles: None
+    vertex_site    (n_vertices,), the site at each vertex of Delaunay triangles, else None
+    vertex_orbit   (n_vertices,), the smallest vertex on the same orbit
+    vertex_offset  (n_vertices, 2), i, j
+    seam           (n_pairs,) with the fields v0, v1, w0, w1, i, j
+    """
+
+    def __init__(self, handle, view):
+        n_vertices, n_faces = view.n_vertices, view.n_faces
+        self.kind = KINDS[view.kind]
+        self.outline = OUTLINES[view.outline]
+        self.lattice = np.array(view.lattice).reshape(2, 2)
+        self.points = handle.array(view.points, np.float64, n_vertices, 2)
+        self.face_begin = handle.array(view.face_begin, np.int32, n_faces + 1)
+        self.corners = handle.array(view.corners, np.int32, view.n_corners)
+        self.face_site = handle.array(view.face_site, np.int32, n_faces)
+        self.site_points = handle.array(view.site_points, np.float64, n_faces, 2)
+        self.vertex_site = handle.array(view.vertex_site, np.int32, n_vertices)
+        self.vertex_orbit = handle.array(view.vertex_orbit, np.int32, n_vertices)
+        self.vertex_offset = handle.array(view.vertex_offset, np.int32, n_vertices, 2)
+        self.seam = handle.array(view.edge_pairs, EDGE_PAIR, view.n_edge_pairs)
+
+    def polygons(self):
+        """The corners of each face, a list of n_faces copies of shape (k, 2)."""
+        return np.split(self.points[self.corners], self.face_begin[1:-1])
+
+    def plot(self, axes=None):
+        """Draws the tile: cells coloured by their number of sides, hexagons palest; on the seam
+        one colour for all edges that one translation glues. Needs matplotlib.
+
+        @param axes  matplotlib's, [None: those of pyplot]
+        @returns     the axes
+        """
+        from ._plot import draw_tile
+
+        return draw_tile(self, axes)

@@ -1,0 +1,20 @@
+// Each format of the installed pcvt::io writes a tile and reads it back.
+#include <cstdio>
+#include <optional>
+
+#include "io/tile_formats.hpp"
+#include "mesher/cvt.hpp"
+#include "mesher/outline.hpp"
+
+int main() {
+    const pcvt::Lattice lattice = pcvt::Lattice::rectangle(1, 1);
+    const auto result = pcvt::compute_cvt(lattice, pcvt::uniform_points(lattice, 20, 1), {});
+    const auto cells = pcvt::periodic_mesh(result, pcvt::TileKind::kCells);
+    const auto tile = pcvt::make_tile(cells, pcvt::whole_outline(cells, {0, 0}));
+    for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
+        const auto files = format.encode(tile, "tile" + format.extension);
+        if (format.decode == nullptr) continue;
+        const pcvt::TileFile back = format.decode(files, std::nullopt);
+        std::printf("%s: %d faces\n", format.extension.c_str(), back.tile.n_faces());
+    }
+}

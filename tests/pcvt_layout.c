@@ -1,0 +1,174 @@
+/* Prints what a host of the C interface relies on: sizes, places of fields, numbers of names. */
+#include <pcvt.h>
+#include <stdio.h>
+
+#define STRUCT(type) printf("struct %s %d\n", #type, (int)sizeof(type))
+#define FIELD(type, field)                                                   \
+    printf("field %s.%s %d %d\n", #type, #field, (int)offsetof(type, field), \
+           (int)sizeof(((type*)0)->field))
+#define NUMBER(name) printf("number %s %d\n", #name, (int)(name))
+
+static void print_numbers(void) {
+    NUMBER(PCVT_ABI_VERSION);
+    NUMBER(PCVT_OK);
+    NUMBER(PCVT_CANCELLED);
+    NUMBER(PCVT_NOT_CONVERGED);
+    NUMBER(PCVT_ERROR_ARGUMENT);
+    NUMBER(PCVT_ERROR_ABI);
+    NUMBER(PCVT_ERROR_DOMAIN);
+    NUMBER(PCVT_ERROR_MEMORY);
+    NUMBER(PCVT_ERROR_GEOMETRY);
+    NUMBER(PCVT_ERROR_IO);
+    NUMBER(PCVT_ERROR_INTERNAL);
+    NUMBER(PCVT_START_DEFAULT);
+    NUMBER(PCVT_START_RANDOM);
+    NUMBER(PCVT_START_COARSE);
+    NUMBER(PCVT_START_LATTICE);
+    NUMBER(PCVT_START_BEST);
+    NUMBER(PCVT_SOLVER_DEFAULT);
+    NUMBER(PCVT_SOLVER_LBFGS);
+    NUMBER(PCVT_SOLVER_LLOYD);
+    NUMBER(PCVT_SOLVER_NEWTON);
+    NUMBER(PCVT_VORONOI);
+    NUMBER(PCVT_DELAUNAY);
+    NUMBER(PCVT_GRAINS);
+    NUMBER(PCVT_WHOLE);
+    NUMBER(PCVT_BOX);
+    NUMBER(PCVT_STOP_CONVERGED);
+    NUMBER(PCVT_STOP_ITERATION_LIMIT);
+    NUMBER(PCVT_STOP_STALLED);
+}
+
+static void print_progress(void) {
+    STRUCT(pcvt_progress);
+    FIELD(pcvt_progress, struct_size);
+    FIELD(pcvt_progress, iteration);
+    FIELD(pcvt_progress, evaluations);
+    FIELD(pcvt_progress, energy);
+    FIELD(pcvt_progress, energy_bound);
+    FIELD(pcvt_progress, residual);
+    FIELD(pcvt_progress, rms_residual);
+}
+
+static void print_options(void) {
+    STRUCT(pcvt_options);
+    FIELD(pcvt_options, struct_size);
+    FIELD(pcvt_options, lattice);
+    FIELD(pcvt_options, origin);
+    FIELD(pcvt_options, sites);
+    FIELD(pcvt_options, n_sites);
+    FIELD(pcvt_options, start);
+    FIELD(pcvt_options, seed);
+    FIELD(pcvt_options, solver);
+    FIELD(pcvt_options, max_iterations);
+    FIELD(pcvt_options, tolerance);
+    FIELD(pcvt_options, n_threads);
+    FIELD(pcvt_options, columns);
+    FIELD(pcvt_options, rows);
+    FIELD(pcvt_options, grain_order);
+    FIELD(pcvt_options, grain_size);
+    FIELD(pcvt_options, short_edges);
+    FIELD(pcvt_options, budget);
+    FIELD(pcvt_options, density_source);
+    FIELD(pcvt_options, density_range);
+    FIELD(pcvt_options, density);
+    FIELD(pcvt_options, density_data);
+    FIELD(pcvt_options, progress);
+    FIELD(pcvt_options, progress_data);
+}
+
+static void print_sites(void) {
+    STRUCT(pcvt_sites);
+    FIELD(pcvt_sites, lattice);
+    FIELD(pcvt_sites, points);
+    FIELD(pcvt_sites, n_sites);
+    FIELD(pcvt_sites, reserved);
+}
+
+static void print_mesh(void) {
+    STRUCT(pcvt_mesh);
+    FIELD(pcvt_mesh, lattice);
+    FIELD(pcvt_mesh, vertices);
+    FIELD(pcvt_mesh, face_begin);
+    FIELD(pcvt_mesh, corner_vertex);
+    FIELD(pcvt_mesh, corner_offset);
+    FIELD(pcvt_mesh, opposite);
+    FIELD(pcvt_mesh, site);
+    FIELD(pcvt_mesh, site_points);
+    FIELD(pcvt_mesh, kind);
+    FIELD(pcvt_mesh, n_vertices);
+    FIELD(pcvt_mesh, n_faces);
+    FIELD(pcvt_mesh, n_corners);
+}
+
+static void print_edge_pair(void) {
+    STRUCT(pcvt_edge_pair);
+    FIELD(pcvt_edge_pair, v0);
+    FIELD(pcvt_edge_pair, v1);
+    FIELD(pcvt_edge_pair, w0);
+    FIELD(pcvt_edge_pair, w1);
+    FIELD(pcvt_edge_pair, i);
+    FIELD(pcvt_edge_pair, j);
+}
+
+static void print_tile(void) {
+    STRUCT(pcvt_tile);
+    FIELD(pcvt_tile, lattice);
+    FIELD(pcvt_tile, points);
+    FIELD(pcvt_tile, face_begin);
+    FIELD(pcvt_tile, corners);
+    FIELD(pcvt_tile, face_site);
+    FIELD(pcvt_tile, site_points);
+    FIELD(pcvt_tile, vertex_site);
+    FIELD(pcvt_tile, vertex_orbit);
+    FIELD(pcvt_tile, vertex_offset);
+    FIELD(pcvt_tile, edge_pairs);
+    FIELD(pcvt_tile, kind);
+    FIELD(pcvt_tile, outline);
+    FIELD(pcvt_tile, n_vertices);
+    FIELD(pcvt_tile, n_faces);
+    FIELD(pcvt_tile, n_corners);
+    FIELD(pcvt_tile, n_edge_pairs);
+}
+
+static void print_statistics(void) {
+    STRUCT(pcvt_statistics);
+    FIELD(pcvt_statistics, energy);
+    FIELD(pcvt_statistics, energy_bound);
+    FIELD(pcvt_statistics, residual);
+    FIELD(pcvt_statistics, rms_residual);
+    FIELD(pcvt_statistics, seconds_build);
+    FIELD(pcvt_statistics, seconds_optimize);
+    FIELD(pcvt_statistics, valences);
+    FIELD(pcvt_statistics, n_valences);
+    FIELD(pcvt_statistics, n_hexagons);
+    FIELD(pcvt_statistics, stop);
+    FIELD(pcvt_statistics, n_sites);
+    FIELD(pcvt_statistics, iterations);
+    FIELD(pcvt_statistics, evaluations);
+    FIELD(pcvt_statistics, n_threads);
+    FIELD(pcvt_statistics, n_mirrors);
+}
+
+static void print_write_options(void) {
+    STRUCT(pcvt_write_options);
+    FIELD(pcvt_write_options, struct_size);
+    FIELD(pcvt_write_options, report);
+    FIELD(pcvt_write_options, kind);
+    FIELD(pcvt_write_options, outline);
+    FIELD(pcvt_write_options, replace);
+    FIELD(pcvt_write_options, reserved);
+}
+
+int main(void) {
+    print_numbers();
+    print_progress();
+    print_options();
+    print_sites();
+    print_mesh();
+    print_edge_pair();
+    print_tile();
+    print_statistics();
+    print_write_options();
+    return 0;
+}

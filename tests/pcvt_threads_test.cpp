@@ -1,0 +1,68 @@
+// Eight hosts at once: each generates on its own, and all ask one common result for its views.
+#include <gmock/gmock.h>
+#include <pcvt.h>
+
+#include <thread>
+#include <vector>
+
+namespace {
+
+constexpr int kHosts = 8;
+
+pcvt_result* generate(int n_sites, std::uint64_t seed, int n_threads) {
+    pcvt_options options;
+    EXPECT_EQ(pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION), PCVT_OK);
+    options.n_sites = n_sites;
+    options.seed = seed;
+    options.n_threads = n_threads;
+    options.max_iterations = 3;
+    pcvt_result* result = nullptr;
+    EXPECT_EQ(pcvt_generate(&options, &result), PCVT_NOT_CONVERGED);
+    return result;
+}
+
+std::vector<double> sites_of(const pcvt_result* result) {
+    pcvt_sites view;
+    EXPECT_EQ(pcvt_get_sites(result, &view, sizeof view), PCVT_OK);
+    return {view.points, view.points + 2 * view.n_sites};
+}
+
+template <class Task>
+void on_all_hosts(const Task& task) {
+    std::vector<std::thread> hosts;
+    for (int k = 0; k < kHosts; ++k) hosts.emplace_back([&task, k] { task(k); });
+    for (std::thread& host : hosts) host.join();
+}
+
+TEST(Threads, GenerateAtOnceWhatEachWouldGenerateAlone) {
+    // Enough sites for the library to start threads of its own.
+    constexpr int n_sites = 17000;
+    std::vector<std::vector<double>> together(kHosts);
+    on_all_hosts([&](int k) {
+        pcvt_result* result = generate(n_sites, static_cast<std::uint64_t>(k % 2), 2);
+        together[k] = sites_of(result);
+        pcvt_free(result);
+    });
+    for (int k = 0; k < kHosts; ++k) EXPECT_EQ(together[k], together[k % 2]) << k;
+    EXPECT_NE(together[0], together[1]);
+}
+
+TEST(Threads, ShareTheViewsOfOneResult) {
+    pcvt_result* result = generate(300, 1, 1);
+    std::vector<pcvt_tile> tiles(kHosts);
+    std::vector<pcvt_statistics> figures(kHosts);
+    on_all_hosts([&](int k) {
+        pcvt_mesh mesh;
+        EXPECT_EQ(pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, &tiles[k], sizeof tiles[k]),
+                  PCVT_OK);
+        EXPECT_EQ(pcvt_get_mesh(result, PCVT_DELAUNAY, &mesh, sizeof mesh), PCVT_OK);
+        EXPECT_EQ(pcvt_get_statistics(result, &figures[k], sizeof figures[k]), PCVT_OK);
+    });
+    for (int k = 0; k < kHosts; ++k) {
+        EXPECT_EQ(tiles[k].points, tiles[0].points);
+        EXPECT_EQ(figures[k].valences, figures[0].valences);
+    }
+    pcvt_free(result);
+}
+
+}  // namespace
