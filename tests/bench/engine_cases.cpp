@@ -28,6 +28,7 @@ double cpu_seconds() {
 /// A run until the RMS residual is at most `rms`.
 CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
     CvtOptions options;
+    options.solver = Solver::kPlainLbfgs;
     options.tolerance = 0;
     options.progress = [&](const Progress& progress) {
         if (look) look(progress);
