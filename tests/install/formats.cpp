@@ -9,8 +9,9 @@
 int main() {
     const pcvt::Lattice lattice = pcvt::Lattice::rectangle(1, 1);
     const auto result = pcvt::compute_cvt(lattice, pcvt::uniform_points(lattice, 20, 1), {});
-    const auto cells = pcvt::periodic_mesh(result, pcvt::TileKind::kCells);
-    const auto tile = pcvt::make_tile(cells, pcvt::whole_outline(cells, {0, 0}));
+    // Triangles, which all formats hold.
+    const auto mesh = pcvt::periodic_mesh(result, pcvt::TileKind::kTriangles);
+    const auto tile = pcvt::make_tile(mesh, pcvt::whole_outline(mesh, {0, 0}));
     for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
         const auto files = format.encode(tile, "tile" + format.extension);
         if (format.decode == nullptr) continue;
