@@ -56,6 +56,7 @@ Points shaken(const Lattice& reduced, const Points& coordinates, std::uint64_t s
 }  // namespace
 
 Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options) {
+    const int n_wanted = n;
     std::vector<int> finer;
     for (; finer.size() < kRefinements && n > kCoarsest; n = (n + 3) / 4) finer.push_back(n);
     Points points = uniform_points(lattice, n, options.seed);
@@ -65,7 +66,9 @@ Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& opt
         level.tolerance = 0;
         level.n_threads = options.n_threads;
         level.precondition_below = kPreconditionBelow;
-        level.progress = [&](const Progress& progress) {
+        const double share = double(points.cols()) / n_wanted;
+        level.progress = [&](Progress progress) {
+            progress.value *= share;
             cancelled = options.progress && !options.progress(progress);
             return !cancelled && progress.rms_residual > kRmsTolerance;
         };

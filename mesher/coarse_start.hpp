@@ -13,7 +13,8 @@ struct CoarseStartOptions {
     std::uint64_t seed = 0;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
-    /// Called once an iteration of the coarser problems; false cancels.
+    /// Called once an iteration of the coarser problems, with values as they would be for n sites;
+    /// false cancels.
     ProgressCallback progress;
 };
 

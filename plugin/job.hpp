@@ -144,7 +144,8 @@ struct JobOutcome {
     Stop stop = Stop::kCancelled;
     int n_sites = 0;
     int iterations = 0;
-    /// Those of a global search are counted in.
+    /// Those of a global search are counted in, those of the coarser problems of a coarse start
+    /// not.
     int evaluations = 0;
     /// Of Newton's method, not counted among the evaluations: Hessians, and products with them.
     int hessians = 0;
