@@ -26,8 +26,13 @@ void require_indices(const SlabMesh& slab) {
         refuse(kOrder,
                "a face names point " + to_string(p) + "; there are " + to_string(slab.n_points()));
     }
-    const int n_cells =
-        slab.owner.empty() ? 0 : *std::max_element(slab.owner.begin(), slab.owner.end()) + 1;
+    const int last_cell =
+        slab.owner.empty() ? -1 : *std::max_element(slab.owner.begin(), slab.owner.end());
+    if (last_cell >= slab.n_faces()) {
+        refuse(kOrder, "cell " + to_string(last_cell) + " is named; there are only " +
+                           to_string(slab.n_faces()) + " faces");
+    }
+    const int n_cells = last_cell + 1;
     if (static_cast<int>(slab.face_begin.size()) != slab.n_faces() + 1) {
         refuse(kOrder, "there are " + to_string(slab.face_begin.size() - 1) + " faces and " +
                            to_string(slab.n_faces()) + " owners");
