@@ -143,6 +143,39 @@ TEST(LbfgsHistory, AimsAsTheTwoLoopRecursionDoes) {
     }
 }
 
+// With the preconditioner D^2, D diagonal, it is the plain recursion in the variables D x.
+TEST(LbfgsHistory, PreconditionsAsScaledVariablesDo) {
+    constexpr Eigen::Index kNumbers = 3000;
+    Workers workers(1);
+    const Quadratic quadratic(kNumbers, 8);
+    const VectorXd scale = VectorXd::Random(kNumbers).array() / 2 + 1.5;
+    const auto evaluate = [&](const VectorXd& x) {
+        const VectorXd g = quadratic.gradient(x);
+        return Evaluation{.gradient = g,
+                          .preconditioned = g.cwiseQuotient(scale.cwiseAbs2()).cast<float>()};
+    };
+    LbfgsHistory history(kNumbers, workers);
+    TwinHistory twin(LbfgsHistory::kPairs);
+    Evaluation here = evaluate(VectorXd::Zero(kNumbers));
+    history.direction() = -here.preconditioned;
+    VectorXd x = VectorXd::Zero(kNumbers);
+    for (int k = 0; k < 12; ++k) {
+        history.aim(here);
+        const VectorXd step = step_length(k) * history.direction().cast<double>();
+        if (k > 0) {
+            const VectorXd scaled = twin.direction(here.gradient.cwiseQuotient(scale));
+            const VectorXd expected = step_length(k) * scaled.cwiseQuotient(scale);
+            EXPECT_LT((step - expected).norm(), kRounding * expected.norm()) << k;
+        }
+        const Evaluation there = evaluate(x + step);
+        history.look(here, there);
+        history.add(step_length(k));
+        twin.add(step.cwiseProduct(scale), (there.gradient - here.gradient).cwiseQuotient(scale));
+        x += step;
+        here = there;
+    }
+}
+
 // With one pair more or less the direction is another one.
 TEST(LbfgsHistory, RemembersSixPairs) {
     EXPECT_EQ(LbfgsHistory::kPairs, 6);
