@@ -4,6 +4,7 @@
 
 #include "io/msh_reader.hpp"
 #include "io/msh_writer.hpp"
+#include "tests/support/damaged_text.hpp"
 #include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
@@ -27,19 +28,12 @@ TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {
 }
 
 std::string fault_of(const std::string& text) {
-    try {
-        read(text);
-    } catch (const BadFile& fault) {
-        return fault.what();
-    }
-    return "";
+    return testing::fault_in([&] { read(text); });
 }
 
 /// The fault of the two triangles with one piece of their text exchanged.
 std::string fault_with(const std::string& piece, const std::string& other) {
-    std::string text = two_triangles();
-    EXPECT_NE(text.find(piece), std::string::npos) << piece;
-    return fault_of(text.replace(text.find(piece), piece.size(), other));
+    return fault_of(testing::exchanged(two_triangles(), piece, other));
 }
 
 TEST(Msh, TilesReadBackExactlyWithTheirPairs) {

@@ -4,6 +4,7 @@
 
 #include "io/ply_reader.hpp"
 #include "io/ply_writer.hpp"
+#include "tests/support/damaged_text.hpp"
 #include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
@@ -44,18 +45,12 @@ TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {
 }
 
 std::string fault_of(const std::string& text) {
-    try {
-        read(text);
-    } catch (const BadFile& fault) {
-        return fault.what();
-    }
-    return "";
+    return testing::fault_in([&] { read(text); });
 }
 
 /// The fault of kOneCell with one piece of its text exchanged.
 std::string fault_with(const std::string& piece, const std::string& other) {
-    std::string text = kOneCell;
-    return fault_of(text.replace(text.find(piece), piece.size(), other));
+    return fault_of(testing::exchanged(kOneCell, piece, other));
 }
 
 TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {

@@ -4,6 +4,7 @@
 
 #include "io/vtu_reader.hpp"
 #include "io/vtu_writer.hpp"
+#include "tests/support/damaged_text.hpp"
 #include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
@@ -24,19 +25,12 @@ TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {
 }
 
 std::string fault_of(const std::string& text) {
-    try {
-        read(text);
-    } catch (const BadFile& fault) {
-        return fault.what();
-    }
-    return "";
+    return testing::fault_in([&] { read(text); });
 }
 
 /// The fault of one cell with one piece of its text exchanged.
 std::string fault_with(const std::string& piece, const std::string& other) {
-    std::string text = one_cell();
-    EXPECT_NE(text.find(piece), std::string::npos) << piece;
-    return fault_of(text.replace(text.find(piece), piece.size(), other));
+    return fault_of(testing::exchanged(one_cell(), piece, other));
 }
 
 TEST(Vtu, TilesReadBackExactlyWithTheirVertexPairs) {
