@@ -4,6 +4,7 @@
 #include <array>
 
 #include "mesher/triangle_terms.hpp"
+#include "mesher/vector_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -13,10 +14,25 @@ namespace {
 /// sites, since both are numbered column by column.
 constexpr int kSitesPerSlab = 12'500;
 constexpr int kMostSlabs = 32;
+/// The sums of a slab of so many sites stay in the cache from when they are cleared to when the
+/// triangles add to them; those of a larger slab are cleared as the triangles come, so many sites
+/// ahead of them, and so many more are fetched.
+constexpr int kSitesClearedAtOnce = 16'000;
+constexpr int kSitesCleared = 64;
+constexpr int kSitesFetched = 192;
+/// Points and gradients of so many sites share a line of the cache.
+constexpr int kSitesPerLine = 4;
 /// Terms with a cotangent above this are not subtracted again: they would leave their rounding.
 constexpr double kSteepest = 8;
 /// With more flips than one in this many sites a second pass is cheaper than the corrections.
 constexpr int kSitesPerFlip = 20;
+
+/// The largest of the numbers below `end`, or -1.
+PCVT_VECTOR_CLONES int last_below(int end, const int* numbers, int n) {
+    int last = -1;
+    for (int k = 0; k < n; ++k) last = std::max(last, numbers[k] < end ? numbers[k] : -1);
+    return last;
+}
 
 void append(std::vector<int>& list, const std::vector<int>& more) {
     list.insert(list.end(), more.begin(), more.end());
@@ -39,10 +55,14 @@ struct EnergyPass::Slab {
     double value = 0;
     Suspects suspects = {};
     std::vector<Foreign> foreign = {};
+    /// The sums of so many of the sites are cleared.
+    int n_cleared = 0;
 
     void run(const MovingDelaunay& delaunay, Energy& energy);
 
    private:
+    void clear_for(const SiteId* corners, int n_corners, const Points& coordinates, Energy& energy);
+    void clear(int end, Energy& energy);
     void gather(const MovingDelaunay& delaunay, int first, int n, TriangleBlock& block) const;
     void scatter(const MovingDelaunay& delaunay, int first, int n, const TriangleBlock& block,
                  Energy& energy);
@@ -65,20 +85,47 @@ void EnergyPass::Slab::run(const MovingDelaunay& delaunay, Energy& energy) {
     value = 0;
     suspects = {};
     foreign.clear();
-    energy.gradient.segment(2 * first_site, 2 * n_sites).setZero();
-    energy.mass.segment(first_site, n_sites).setZero();
+    n_cleared = 0;
+    if (n_sites <= kSitesClearedAtOnce) clear(n_sites, energy);
     TriangleBlock block;
     std::size_t n_examined = 0;
     for (int done = 0; done < 2 * n_sites; done += TriangleBlock::kSize) {
         const int n = std::min(TriangleBlock::kSize, 2 * n_sites - done);
         gather(delaunay, 2 * first_site + done, n, block);
         block.compute(delaunay.frame());
+        clear_for(
+            delaunay.triangulation().corner_sites().data() + 3 * std::size_t(2 * first_site + done),
+            3 * n, delaunay.coordinates(), energy);
         // What the look at a suspect needs is fetched one block ahead.
         const std::size_t n_fetched = suspects.halfedges.size();
         scatter(delaunay, 2 * first_site + done, n, block, energy);
         n_examined = acquit(delaunay, n_examined, n_fetched);
     }
     acquit(delaunay, n_examined, suspects.halfedges.size());
+    clear(n_sites, energy);
+}
+
+/// Clears the sums of the sites as far as the corners go, and has the memory begin to send what
+/// comes after them.
+void EnergyPass::Slab::clear_for(const SiteId* corners, int n_corners, const Points& coordinates,
+                                 Energy& energy) {
+    if (n_cleared == n_sites) return;
+    const int last = last_below(first_site + n_sites, corners, n_corners) - first_site;
+    if (last < n_cleared) return;
+    clear(std::min(last + kSitesCleared, n_sites), energy);
+    const int begin = first_site + n_cleared;
+    const int end = std::min(begin + kSitesFetched, first_site + n_sites);
+    for (int s = begin; s < end; s += kSitesPerLine) {
+        __builtin_prefetch(coordinates.data() + 2 * std::size_t(s));
+        __builtin_prefetch(energy.gradient.data() + 2 * std::size_t(s), 1);
+        __builtin_prefetch(energy.mass.data() + std::size_t(s), 1);
+    }
+}
+
+void EnergyPass::Slab::clear(int end, Energy& energy) {
+    energy.gradient.segment(2 * (first_site + n_cleared), 2 * (end - n_cleared)).setZero();
+    energy.mass.segment(first_site + n_cleared, end - n_cleared).setZero();
+    n_cleared = end;
 }
 
 void EnergyPass::Slab::gather(const MovingDelaunay& delaunay, int first, int n,

@@ -33,6 +33,12 @@ class PackedVectors {
         return std::min(kBlock, n_numbers_ - block * kBlock);
     }
     Eigen::Index place(int vector, Eigen::Index block) const { return block * n_vectors_ + vector; }
+    const std::int16_t* numbers_at(Eigen::Index at) const { return numbers_.data() + at * kBlock; }
+    /// Those of the same vector in the next block, if there is one.
+    const std::int16_t* next_numbers(Eigen::Index at) const {
+        const Eigen::Index next = at + n_vectors_;
+        return numbers_at(next < std::ssize(scales_) ? next : at);
+    }
 
     int n_vectors_;
     Eigen::Index n_numbers_;

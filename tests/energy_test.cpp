@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "mesher/cvt.hpp"
@@ -164,6 +165,22 @@ TEST(Energy, IsTheSameToTheLastBitForAnyNumberOfWorkers) {
         EXPECT_EQ(other.energy.gradient, one.energy.gradient);
         EXPECT_EQ(other.energy.mass, one.energy.mass);
     }
+}
+
+// Laws 2 and 4, in slabs so large that their sums are cleared as the triangles come.
+TEST(Energy, OfLargeSlabsAddsToClearedSums) {
+    const Lattice lattice = Lattice::rectangle(1, 1);
+    Walk walk(Sites(lattice, uniform_points(lattice, 600000, 8)), 2);
+    const Energy first = walk.energy;
+    walk.energy.gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
+    walk.energy.mass.setConstant(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_TRUE(walk.pass.evaluate(walk.energy));
+    EXPECT_EQ(walk.energy.gradient, first.gradient);
+    EXPECT_EQ(walk.energy.mass, first.mass);
+    const double unit = walk.delaunay.unit();
+    EXPECT_NEAR(first.mass.sum() * unit * unit, 1, 1e-11);
+    const Eigen::Map<const Points> gradient(first.gradient.data(), 2, first.mass.size());
+    EXPECT_LT(gradient.rowwise().sum().norm(), 1e-11 * gradient.colwise().norm().sum());
 }
 
 void expect_delaunay(const MovingDelaunay& delaunay, const Lattice& lattice) {
