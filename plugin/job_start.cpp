@@ -1,6 +1,7 @@
 #include "plugin/job_start.hpp"
 
 #include "mesher/coarse_start.hpp"
+#include "mesher/columns.hpp"
 #include "mesher/density_survey.hpp"
 #include "mesher/global_search.hpp"
 
@@ -52,14 +53,7 @@ JobStart best_start(const Job& job, const JobCallback& callback) {
     return start;
 }
 
-}  // namespace
-
-JobStart job_start(const Job& job, const JobCallback& callback) {
-    if (job.points.cols() > 0) {
-        JobStart start;
-        start.points = job.points;
-        return start;
-    }
+JobStart found_start(const Job& job, const JobCallback& callback) {
     switch (chosen_start(job)) {
         case Start::kRandom:
             return drawn_start(job);
@@ -71,6 +65,19 @@ JobStart job_start(const Job& job, const JobCallback& callback) {
             return refined_start(job, callback);
     }
     throw InternalError("no such start");
+}
+
+}  // namespace
+
+JobStart job_start(const Job& job, const JobCallback& callback) {
+    JobStart start;
+    if (job.points.cols() > 0) {
+        start.points = job.points;
+        return start;
+    }
+    start = found_start(job, callback);
+    if (!start.cancelled) start.points = numbered_by_columns(job.lattice, start.points);
+    return start;
 }
 
 const char* start_name(const Job& job) {

@@ -18,6 +18,7 @@ struct JobStart {
     bool cancelled = false;
 };
 
+/// Sites that the user gave keep their numbers; all others are numbered column by column.
 /// @param callback  as run_job's; called by the coarse start and the global search.
 JobStart job_start(const Job& job, const JobCallback& callback);
 

@@ -116,66 +116,6 @@ TEST(StripTriangulation, IsExactWhereAChainIsNearlyStraight) {
     }
 }
 
-void expect_columns(const Sites& sites) {
-    const Columns columns = columns_of(sites);
-    const Points& u = sites.coordinates();
-    std::vector<SiteId> ids = columns.order;
-    std::sort(ids.begin(), ids.end());
-    for (SiteId s = 0; s < sites.n_sites(); ++s) ASSERT_EQ(ids[s], s);
-    ASSERT_EQ(columns.begin.front(), 0);
-    ASSERT_EQ(columns.begin.back(), sites.n_sites());
-    const int fewest = sites.n_sites() / columns.n_columns();
-    double reached = -1;
-    for (int k = 0; k < columns.n_columns(); ++k) {
-        const int count = columns.begin[k + 1] - columns.begin[k];
-        ASSERT_TRUE(count == fewest || count == fewest + 1);
-        double highest = reached;
-        for (int m = columns.begin[k]; m < columns.begin[k + 1]; ++m) {
-            const SiteId s = columns.order[m];
-            ASSERT_GE(u(0, s), reached);
-            highest = std::max(highest, u(0, s));
-            if (m == columns.begin[k]) continue;
-            const SiteId t = columns.order[m - 1];
-            ASSERT_LE(std::pair(u(1, t), t), std::pair(u(1, s), s));
-        }
-        reached = highest;
-    }
-}
-
-TEST(Columns, AreSortedAndNearlyEqual) {
-    for (const auto& [name, lattice] : lattices()) {
-        for (const int n : {1, 2, 3, 10, 97, 1000}) {
-            SCOPED_TRACE(name + " n = " + std::to_string(n));
-            expect_columns(Sites(lattice, uniform_points(lattice, n, 4)));
-        }
-    }
-    for (const auto& [name, sites] : testing::special_sites()) {
-        SCOPED_TRACE(name);
-        expect_columns(sites);
-    }
-}
-
-// Many sites in few places: large bins.
-TEST(Columns, AreSortedWhereSitesAreBunched) {
-    const Lattice unit = Lattice::rectangle(1, 1);
-    for (const double spread : {1e-2, 1e-5, 1e-12}) {
-        Points points = spread * uniform_points(unit, 500, 5);
-        points.rightCols(250).array() += 0.3;
-        expect_columns(Sites(unit, points));
-    }
-}
-
-TEST(Columns, AreAsFarApartAsTheSitesInThem) {
-    for (const auto& [name, lattice] : lattices()) {
-        const Sites sites(lattice, uniform_points(lattice, 10000, 6));
-        const Lattice& reduced = sites.reduction().reduced;
-        const int n_columns = columns_of(sites).n_columns();
-        const double apart = reduced.area() / reduced.b().norm() / n_columns;
-        const double along = reduced.b().norm() / (10000.0 / n_columns);
-        EXPECT_NEAR(apart / along, 1, 0.2) << name;
-    }
-}
-
 /// Sites that share the coordinate `u` across a boundary between columns.
 Sites touching_sites() {
     const Lattice unit = Lattice::rectangle(1, 1);
