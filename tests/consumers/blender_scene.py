@@ -94,8 +94,9 @@ def require_same_faces(mesh, tile):
 def require_sites(mesh, tile):
     site = attribute(mesh, "site")
     if tile.kind == "delaunay":
-        corners = tile.vertex_site[tile.corners].reshape(-1, 3)
-        require((corners == site[:, None]).any(axis=1).all(), "a triangle is of a foreign site")
+        for corners, owner in zip(tile.corners.reshape(-1, 3), site):
+            way = np.linalg.norm(tile.points[corners] - tile.points[corners].mean(axis=0), axis=1)
+            require(owner in tile.vertex_site[corners[way <= way.min()]], "not the nearest site")
     else:
         require((site == tile.face_site).all(), "sites differ")
 

@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <array>
+
+#include "mesher/cvt.hpp"
+#include "plugin/pcvt.h"
+#include "tests/bench/cases.hpp"
+
+namespace pcvt::bench {
+namespace {
+
+/// Few, since what the interface costs is paid once a call.
+constexpr int kIterations = 20;
+constexpr int kTurns = 7;
+
+/// A run, with the making and the destruction of its result.
+struct Timed {
+    double seconds;
+    double energy;
+};
+
+Timed by_call(const Input& input, const Points& sites) {
+    const double start = cpu_seconds();
+    double energy = 0;
+    {
+        CvtOptions options;
+        options.max_iterations = kIterations;
+        energy = compute_cvt(input.lattice, sites, options).energy;
+    }
+    return {cpu_seconds() - start, energy};
+}
+
+Timed by_interface(const Input& input, const Points& sites) {
+    const double start = cpu_seconds();
+    pcvt_options options;
+    pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION);
+    options.sites = sites.data();
+    options.n_sites = input.n;
+    options.n_threads = 1;
+    options.max_iterations = kIterations;
+    pcvt_result* result = nullptr;
+    pcvt_sites view{};
+    pcvt_generate(&options, &result);
+    pcvt_get_sites(result, &view, sizeof view);
+    const double before = cpu_seconds();
+    // Looked at, but not counted: it makes the cells.
+    pcvt_statistics figures{};
+    pcvt_get_statistics(result, &figures, sizeof figures);
+    const double after = cpu_seconds();
+    pcvt_free(result);
+    return {cpu_seconds() - start - (after - before), figures.energy};
+}
+
+}  // namespace
+
+void add_abi_case(const Input& input) {
+    const auto body = [=](benchmark::State& state) {
+        const Points sites = input.sites();
+        for ([[maybe_unused]] auto _ : state) {
+            std::array<double, kTurns> ratios;
+            for (double& ratio : ratios) {
+                const Timed call = by_call(input, sites);
+                const Timed interface = by_interface(input, sites);
+                if (interface.energy != call.energy) state.SkipWithError("the results differ");
+                ratio = interface.seconds / call.seconds;
+            }
+            std::nth_element(ratios.begin(), ratios.begin() + kTurns / 2, ratios.end());
+            state.counters["ratio"] = ratios[kTurns / 2];
+        }
+    };
+    add_case("abi", input, body)->Iterations(1);
+}
+
+}  // namespace pcvt::bench
