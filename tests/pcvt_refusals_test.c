@@ -1,7 +1,7 @@
 /* What the C interface refuses from a C99 host, each with its documented status. */
 #include <math.h>
 
-#include "support/claims.h"
+#include "tests/support/claims.h"
 
 static void sizes_and_versions_that_do_not_fit_are_refused(void) {
     pcvt_options options = options_for(10);

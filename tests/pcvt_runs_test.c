@@ -2,7 +2,7 @@
 #include <fenv.h>
 #include <math.h>
 
-#include "support/claims.h"
+#include "tests/support/claims.h"
 
 typedef struct watch {
     int n_calls;

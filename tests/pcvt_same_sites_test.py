@@ -23,7 +23,7 @@ class SameSites(CliTest):
         """The numbers of the file: the decimals tell every bit."""
         more = ["--density", density] if density else []
         self.succeed("mesh", "--sites", n_sites, "--seed", seed, "--lattice",
-                     ",".join(map(str, lattice)), "-o", "sites.txt", *more)
+                     ",".join(map(str, lattice)), "-o", "sites.txt", "--force", *more)
         return np.loadtxt(self.path("sites.txt"), ndmin=2)
 
     @staticmethod
@@ -50,7 +50,7 @@ class SameSites(CliTest):
         self.compare(2000, 1, OBLIQUE)
 
     def test_graded_by_an_expression(self):
-        self.compare(60, 2, SQUARE, RIDGE)
+        self.compare(30, 2, SQUARE, RIDGE)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "support/claims.h"
+#include "tests/support/claims.h"
 
 /* How far position(w) is from position(v) + i a + j b, in units of the last place. */
 static double misfit(const pcvt_tile* tile, int32_t v, int32_t w, int32_t i, int32_t j) {
