@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <array>
+#include <limits>
 
 #include "mesher/cvt.hpp"
 #include "plugin/pcvt.h"
@@ -10,7 +10,9 @@ namespace {
 
 /// Few, since what the interface costs is paid once a call.
 constexpr int kIterations = 20;
-constexpr int kTurns = 7;
+/// By turns, and the quickest of each counts: a neighbour on the machine costs more than the
+/// interface.
+constexpr int kTurns = 15;
 
 /// A run, with the making and the destruction of its result.
 struct Timed {
@@ -56,15 +58,16 @@ void add_abi_case(const Input& input) {
     const auto body = [=](benchmark::State& state) {
         const Points sites = input.sites();
         for ([[maybe_unused]] auto _ : state) {
-            std::array<double, kTurns> ratios;
-            for (double& ratio : ratios) {
+            double least_call = std::numeric_limits<double>::infinity();
+            double least_interface = least_call;
+            for (int turn = 0; turn < kTurns; ++turn) {
                 const Timed call = by_call(input, sites);
                 const Timed interface = by_interface(input, sites);
                 if (interface.energy != call.energy) state.SkipWithError("the results differ");
-                ratio = interface.seconds / call.seconds;
+                least_call = std::min(least_call, call.seconds);
+                least_interface = std::min(least_interface, interface.seconds);
             }
-            std::nth_element(ratios.begin(), ratios.begin() + kTurns / 2, ratios.end());
-            state.counters["ratio"] = ratios[kTurns / 2];
+            state.counters["ratio"] = least_interface / least_call;
         }
     };
     add_case("abi", input, body)->Iterations(1);
