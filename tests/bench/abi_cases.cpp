@@ -8,11 +8,11 @@
 namespace pcvt::bench {
 namespace {
 
-/// Few, since what the interface costs is paid once a call.
-constexpr int kIterations = 20;
+/// Far fewer than a run needs: what the interface costs is paid once a call.
+constexpr int kIterations = 100;
 /// By turns, and the quickest of each counts: a neighbour on the machine costs more than the
 /// interface.
-constexpr int kTurns = 15;
+constexpr int kTurns = 9;
 
 /// A run, with the making and the destruction of its result.
 struct Timed {
