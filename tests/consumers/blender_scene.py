@@ -8,11 +8,13 @@ faces, area, sites, seam, materials. Then renders a tile into the picture and lo
 import contextlib
 import sys
 from collections import Counter
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
 
 ADD = bpy.ops.mesh.periodic_cvt_tile_add
+OPERATOR = "MESH_OT_periodic_cvt_tile_add"
 # What Blender's properties keep of a number, so that both sides get the same.
 OBLIQUE = np.float32([[2, 0], [0.75, 1.5]]).tolist()
 SQUARE = [[2, 0], [0, 2]]
@@ -177,6 +179,19 @@ def require_tiles():
     require_refusal(["parallel"], period_a=(1, 0), period_b=(2, 0))
 
 
+def require_progress():
+    """What the counter at the mouse shows: from 0 to 1, never back."""
+    shown = []
+    manager = SimpleNamespace(progress_begin=lambda *range_: shown.append(range_),
+                              progress_update=shown.append, progress_end=lambda: shown.append("end"))
+    with sys.modules["pcvt_tile.add_tile"].ShownProgress(manager, TOLERANCE) as progress:
+        sys.modules["pcvt_tile.pcvt"].mesh(100, tolerance=TOLERANCE, progress=progress)
+    steps = shown[1:-1]
+    require((shown[0], shown[-1]) == ((0, 1), "end"), f"the counter shows {shown}")
+    require(steps == sorted(steps) and steps[0] == 0 and steps[-1] == 1 and len(set(steps)) > 10,
+            f"the counter shows {steps}")
+
+
 def look_from_above(centre, width):
     """An even light, and a camera that sees `width` across and a square."""
     scene = bpy.context.scene
@@ -228,9 +243,11 @@ def main(archive, picture):
     own = install(archive)
     require_plain_words(own, str(picture).rpartition("/")[0])
     require_tiles()
+    require_progress()
     require_picture(picture)
+    require(hasattr(bpy.types, OPERATOR), "there is no operator")
     bpy.ops.preferences.addon_disable(module="pcvt_tile")
-    require(not hasattr(bpy.types, "MESH_OT_periodic_cvt_tile_add"), "the operator stays")
+    require(not hasattr(bpy.types, OPERATOR), "the operator stays")
 
 
 main(*sys.argv[sys.argv.index("--") + 1:])

@@ -55,8 +55,8 @@ class AddPeriodicTile(bpy.types.Operator, AddObjectHelper):
         ("whole", "Whole Cells", "No cell is cut; triangles never are"),
         ("box", "Straight", "Cells are cut along the two periods")])
     colours: EnumProperty(name="Materials", items=[
-        ("sides", "By Sides", "One for each number of sides that a cell can have"),
         ("cells", "By Cell", "Seven, so that neighbours differ, also across the seam"),
+        ("sides", "By Sides", "One for each number of sides that a cell can have"),
         ("none", "None", "No materials")])
     density: StringProperty(
         name="Density", description="Small cells where it is large: an expression in x, y or, along "

@@ -23,25 +23,29 @@ class Missing(Exception):
 @contextmanager
 def _looking_in(folder, library):
     """Python looks for modules in `folder` first, and pcvt takes `library`; empty: as they do."""
-    before = os.environ.get("PCVT_LIBRARY", "")
-    os.environ["PCVT_LIBRARY"] = library or before
-    sys.path.insert(0, folder)
+    library_before, path_before = os.environ.get("PCVT_LIBRARY", ""), list(sys.path)
+    os.environ["PCVT_LIBRARY"] = library or library_before
+    sys.path[:0] = [folder] if folder else []
     try:
         yield
     finally:
-        sys.path.remove(folder)
-        os.environ["PCVT_LIBRARY"] = before
+        sys.path[:] = path_before
+        os.environ["PCVT_LIBRARY"] = library_before
 
 
-def _own_preferences():
-    return bpy.context.preferences.addons[__package__].preferences
+def _paths():
+    """Folder and library of the preferences. `blender --addons` enables an add-on without any."""
+    own = bpy.context.preferences.addons.get(__package__)
+    if own is None:
+        return "", ""
+    return (path and bpy.path.abspath(path) for path in (own.preferences.folder,
+                                                         own.preferences.library))
 
 
 def load_pcvt():
     """The module pcvt: of the folder in the preferences; else the one in this add-on's folder; else
     the one that Python finds. Raises Missing."""
-    own = _own_preferences()
-    folder, library = (path and bpy.path.abspath(path) for path in (own.folder, own.library))
+    folder, library = _paths()
     brought = not folder and (Path(__file__).parent / "pcvt").is_dir()
     try:
         with _looking_in(folder, library):

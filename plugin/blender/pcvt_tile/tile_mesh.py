@@ -95,8 +95,8 @@ def make_mesh(result, kind, outline, scheme):
     of vertices (as Tile says), its boundary marked as a seam, coordinates along the periods as UV,
     and the period vectors as the property `lattice`, ax, ay, bx, by.
 
-    scheme  "sides": materials by the number of sides of the cell; "cells": seven materials, so that
-            neighbours differ; "none"
+    scheme  "cells": seven materials, so that neighbours differ; "sides": materials by the number of
+            sides of the cell; "none"
     """
     tile = result.tile(kind, outline)
     mesh = bpy.data.meshes.new(_NAME)
