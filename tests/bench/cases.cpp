@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <ctime>
 #include <vector>
 
 #include "mesher/sites.hpp"
@@ -14,6 +15,12 @@ benchmark::internal::Benchmark* add_case(const std::string& what, const Input& i
                                          const std::function<void(benchmark::State&)>& body) {
     const std::string name = what + '/' + input.lattice_name + '/' + std::to_string(input.n);
     return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
+}
+
+double cpu_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 void warm_the_heap() {

@@ -23,6 +23,9 @@ struct Input {
 benchmark::internal::Benchmark* add_case(const std::string& what, const Input& input,
                                          const std::function<void(benchmark::State&)>& body);
 
+/// Of all threads of this process.
+double cpu_seconds();
+
 /// Makes the heap large and lets it keep what is freed. Without this a build pays for fresh pages,
 /// a tenth of CGAL's time, or not, according to what ran before it. Called once, before all cases.
 void warm_the_heap();
@@ -36,6 +39,9 @@ void add_peer_cases(const Input& input);
 
 /// The periodic Delaunay triangulation that moves, and the optimiser on it.
 void add_engine_cases(const Input& input);
+
+/// What the C interface costs: a run by it over the same run by a call of the mesher.
+void add_abi_case(const Input& input);
 
 /// Cases of one size only: many small runs, and resident memory, which must come last.
 void add_single_cases();

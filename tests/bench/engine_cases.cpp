@@ -1,7 +1,6 @@
 #include <malloc.h>
 
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <limits>
 #include <memory>
@@ -18,12 +17,6 @@ namespace {
 /// Where "converging" begins, and where a run from random sites ends; RMS residuals.
 constexpr double kConverging = 1e-3;
 constexpr double kEnd = 1e-4;
-
-double cpu_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
 
 /// A run until the RMS residual is at most `rms`.
 CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
@@ -173,6 +166,7 @@ void add_engine_cases(const Input& input) {
 
 void add_single_cases() {
     const Lattice unit = Lattice::rectangle(1, 1);
+    add_abi_case({"unit", unit, 100'000});
     add_small_runs({"unit", unit, 150});
     add_memory({"unit", unit, 1'000'000});
 }

@@ -64,6 +64,8 @@ ROWS = [
         Measure("evaluation_2_threads"), Measure("evaluation"), "1/1.6", sizes=(100_000,)),
     Row("5,000 runs to residual 1e-8 on one core, seconds",
         Measure("small_runs"), bound="60", sizes=(150,)),
+    Row("a run of 100 iterations by the C interface / by a call of the mesher",
+        Measure("abi", "ratio"), bound="1.02", sizes=(100_000,)),
     Row("all nine copies by CGAL (the paper's comparison) / our initial build",
         Measure("cgal_nine_copies"), BUILD),
     Row("our mirror diagram / our initial build", Measure("mirrors"), BUILD),

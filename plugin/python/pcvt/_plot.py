@@ -4,9 +4,7 @@ import numpy as np
 from matplotlib import pyplot
 from matplotlib.collections import LineCollection, PolyCollection
 
-# Faces with three sides to nine, each way from six on from pale to dark; triangles: pale.
-SIDES = ["#14215c", "#255fb0", "#62b0df", "#f3efe4", "#f2a23c", "#cb4b1e", "#701518"]
-PALE = SIDES[3]
+from ._palette import PALE, SIDES
 
 
 def face_colours(tile):

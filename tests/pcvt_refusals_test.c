@@ -1,0 +1,154 @@
+/* What the C interface refuses from a C99 host, each with its documented status. */
+#include <math.h>
+
+#include "tests/support/claims.h"
+
+static void sizes_and_versions_that_do_not_fit_are_refused(void) {
+    pcvt_options options = options_for(10);
+    const size_t size = sizeof options;
+    CHECK(pcvt_abi_version() == PCVT_ABI_VERSION);
+    CHECK(pcvt_options_init(&options, size, PCVT_ABI_VERSION + 1) == PCVT_ERROR_ABI);
+    CHECK(pcvt_options_init(&options, size, PCVT_ABI_VERSION + 0x10000) == PCVT_ERROR_ABI);
+    CHECK(pcvt_options_init(&options, size - 1, PCVT_ABI_VERSION) == PCVT_ERROR_ABI);
+    CHECK(pcvt_options_init(&options, (size_t)-1, PCVT_ABI_VERSION) == PCVT_ERROR_ABI);
+    CHECK(options.struct_size == size);
+    options.struct_size = 0;
+    REFUSED(&options, PCVT_ERROR_ABI, "size 0");
+    options.struct_size = size - 8;
+    REFUSED(&options, PCVT_ERROR_ABI, "size");
+    options.struct_size = (size_t)1 << 40;
+    REFUSED(&options, PCVT_ERROR_ABI, "size");
+}
+
+static void the_interface_has_the_version_of_the_library(void) {
+    char version[32];
+    snprintf(version, sizeof version, "%u.%u.", (unsigned)(PCVT_ABI_VERSION >> 16),
+             (unsigned)(PCVT_ABI_VERSION & 0xFFFF));
+    CHECK(strncmp(pcvt_version(), version, strlen(version)) == 0);
+}
+
+static void a_longer_struct_is_taken_where_its_tail_is_zero(void) {
+    struct newer_options {
+        pcvt_options known;
+        double unknown;
+    } newer;
+    memset(&newer, 0xFF, sizeof newer);
+    CHECK(pcvt_options_init(&newer.known, sizeof newer, PCVT_ABI_VERSION) == PCVT_OK);
+    CHECK(newer.unknown == 0 && newer.known.struct_size == sizeof newer);
+    newer.known.n_sites = 10;
+    pcvt_free(generated(&newer.known));
+    newer.unknown = 1;
+    REFUSED(&newer.known, PCVT_ERROR_ABI, "does not know");
+}
+
+static void views_come_in_the_size_of_the_host(void) {
+    struct newer_view {
+        pcvt_sites known;
+        double unknown;
+    } newer;
+    pcvt_options options = options_for(10);
+    pcvt_result* result = generated(&options);
+    newer.unknown = 7;
+    CHECK(pcvt_get_sites(result, &newer.known, sizeof newer) == PCVT_OK);
+    CHECK(newer.known.n_sites == 10 && newer.unknown == 0);
+    CHECK(pcvt_get_sites(result, &newer.known, sizeof newer.known - 1) == PCVT_ERROR_ABI);
+    pcvt_free(result);
+}
+
+static void null_pointers_are_refused(void) {
+    pcvt_options options = options_for(10);
+    pcvt_result* result = generated(&options);
+    pcvt_sites sites;
+    CHECK(pcvt_options_init(NULL, sizeof options, PCVT_ABI_VERSION) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_generate(&options, NULL) == PCVT_ERROR_ARGUMENT);
+    REFUSED(NULL, PCVT_ERROR_ARGUMENT, "null");
+    CHECK(pcvt_get_sites(NULL, &sites, sizeof sites) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_sites(result, NULL, sizeof sites) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_statistics(result, NULL, 0) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_mesh(result, PCVT_VORONOI, NULL, 0) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, NULL, 0) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_write(NULL, "t.obj", NULL) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_write(result, NULL, NULL) == PCVT_ERROR_ARGUMENT);
+    pcvt_free(NULL);
+    pcvt_free(result);
+}
+
+static void numbers_that_are_not_finite_are_refused(void) {
+    const double sites[4] = {0.1, 0.2, 0.6, (double)NAN};
+    pcvt_options options = options_for(2);
+    options.sites = sites;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "site 1");
+    options = options_for(2);
+    options.lattice[3] = (double)NAN;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "lattice");
+    options = options_for(2);
+    options.origin[1] = (double)INFINITY;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "origin");
+    options = options_for(2);
+    options.tolerance = (double)NAN;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "tolerance");
+}
+
+static void values_out_of_range_are_refused(void) {
+    pcvt_options options = options_for(0);
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_sites");
+    options = options_for(2);
+    options.n_threads = -1;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_threads");
+    options = options_for(2);
+    options.rows = 0;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "repetition");
+    options = options_for(2);
+    options.solver = 77;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "solver 77");
+    options = options_for(2);
+    options.start = -1;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "start -1");
+    options = options_for(2);
+    options.lattice[2] = 1, options.lattice[3] = 0;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "parallel");
+    options = options_for(1 << 28);
+    options.columns = 1 << 20;
+    REFUSED(&options, PCVT_ERROR_MEMORY, "cells");
+}
+
+static void unknown_tiles_are_refused(void) {
+    pcvt_options options = options_for(5);
+    pcvt_result* result = generated(&options);
+    pcvt_tile tile;
+    pcvt_mesh mesh;
+    CHECK(pcvt_get_tile(result, 9, PCVT_WHOLE, &tile, sizeof tile) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_tile(result, PCVT_VORONOI, -1, &tile, sizeof tile) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_mesh(result, PCVT_GRAINS, &mesh, sizeof mesh) == PCVT_ERROR_ARGUMENT);
+    pcvt_free(result);
+}
+
+static void coincident_sites_are_named(void) {
+    const double sites[6] = {0.25, 0.5, 0.5, 0.5, 1.25, -0.5};
+    pcvt_options options = options_for(3);
+    options.sites = sites;
+    REFUSED(&options, PCVT_ERROR_GEOMETRY, "sites 0 and 2");
+}
+
+static void every_status_has_a_text_of_its_own(void) {
+    for (pcvt_status s = PCVT_ERROR_INTERNAL - 1; s <= PCVT_NOT_CONVERGED; ++s) {
+        CHECK(strlen(pcvt_status_text(s)) > 3);
+        for (pcvt_status t = s + 1; t <= PCVT_NOT_CONVERGED; ++t) {
+            CHECK(strcmp(pcvt_status_text(s), pcvt_status_text(t)) != 0);
+        }
+    }
+}
+
+int main(void) {
+    sizes_and_versions_that_do_not_fit_are_refused();
+    the_interface_has_the_version_of_the_library();
+    a_longer_struct_is_taken_where_its_tail_is_zero();
+    views_come_in_the_size_of_the_host();
+    null_pointers_are_refused();
+    numbers_that_are_not_finite_are_refused();
+    values_out_of_range_are_refused();
+    unknown_tiles_are_refused();
+    coincident_sites_are_named();
+    every_status_has_a_text_of_its_own();
+    return end_of_claims();
+}

@@ -1,0 +1,121 @@
+/* Runs as a C99 host sees them: how they end, and what they do with its callbacks. */
+#include <fenv.h>
+#include <math.h>
+
+#include "tests/support/claims.h"
+
+typedef struct watch {
+    int n_calls;
+    int rounding;
+} watch;
+
+static int cancel_at_7(const pcvt_progress* progress, void* data) {
+    watch* seen = data;
+    seen->rounding = fegetround();
+    ++seen->n_calls;
+    return progress->struct_size >= sizeof *progress && progress->iteration == 7;
+}
+
+static void cancelling_at_iteration_7_gives_the_cancelled_status(void) {
+    pcvt_options options = options_for(1000);
+    watch seen = {0, 0};
+    options.progress = cancel_at_7;
+    options.progress_data = &seen;
+    REFUSED(&options, PCVT_CANCELLED, "cancelled");
+    CHECK(seen.n_calls == 8); /* 0 to 7 */
+}
+
+static void the_iteration_limit_gives_a_result_that_is_not_converged(void) {
+    pcvt_options options = options_for(300);
+    pcvt_result* result = NULL;
+    options.max_iterations = 3;
+    CHECK(pcvt_generate(&options, &result) == PCVT_NOT_CONVERGED);
+    CHECK(result != NULL);
+    CHECK(strstr(pcvt_last_error(), "limit") != NULL);
+    pcvt_free(result);
+}
+
+static void the_floating_point_environment_of_the_host_stays_and_does_not_matter(void) {
+    pcvt_options options = options_for(50);
+    pcvt_sites nearest, upward;
+    watch seen = {0, 0};
+    options.progress = cancel_at_7;
+    options.progress_data = &seen;
+    options.max_iterations = 5;
+    pcvt_result *first = NULL, *second = NULL;
+    CHECK(pcvt_generate(&options, &first) == PCVT_NOT_CONVERGED);
+    fesetround(FE_UPWARD);
+    feclearexcept(FE_ALL_EXCEPT);
+    const pcvt_status status = pcvt_generate(&options, &second);
+    CHECK(fetestexcept(FE_ALL_EXCEPT) == 0 && fegetround() == FE_UPWARD);
+    fesetround(FE_TONEAREST);
+    CHECK(status == PCVT_NOT_CONVERGED && seen.rounding == FE_UPWARD);
+    CHECK(pcvt_get_sites(first, &nearest, sizeof nearest) == PCVT_OK);
+    CHECK(pcvt_get_sites(second, &upward, sizeof upward) == PCVT_OK);
+    CHECK(memcmp(nearest.points, upward.points, 100 * sizeof(double)) == 0);
+    pcvt_free(first);
+    pcvt_free(second);
+}
+
+static int always_nan(const double* points, size_t n_points, double* values, void* data) {
+    (void)points, (void)data;
+    for (size_t k = 0; k < n_points; ++k) values[k] = (double)NAN;
+    return 0;
+}
+
+static int unwilling(const double* points, size_t n_points, double* values, void* data) {
+    (void)points, (void)n_points, (void)values, (void)data;
+    return 9;
+}
+
+static int ridge(const double* points, size_t n_points, double* values, void* data) {
+    *(int*)data = fegetround();
+    for (size_t k = 0; k < n_points; ++k) {
+        values[k] = 1 + 3 * (points[2 * k] > 0.25 && points[2 * k] < 0.75);
+    }
+    return 0;
+}
+
+static void a_density_that_misbehaves_is_outside_of_the_domain(void) {
+    pcvt_options options = options_for(20);
+    options.density = always_nan;
+    REFUSED(&options, PCVT_ERROR_DOMAIN, "density");
+    options.density = unwilling;
+    REFUSED(&options, PCVT_ERROR_DOMAIN, "returned 9");
+    options.density_source = "1 + u";
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "density_source");
+    options.density = NULL;
+    options.density_source = "1 + ";
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "character");
+    options.density_source = "-1";
+    REFUSED(&options, PCVT_ERROR_DOMAIN, "density");
+}
+
+static void a_density_grades_the_cells(void) {
+    pcvt_options options = options_for(100);
+    pcvt_result* result = NULL;
+    pcvt_sites sites;
+    pcvt_statistics figures;
+    int rounding = -1, n_inside = 0;
+    options.density = ridge;
+    options.density_data = &rounding;
+    options.tolerance = 1e-3;
+    CHECK(pcvt_generate(&options, &result) >= 0 && rounding == FE_TONEAREST);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    CHECK(pcvt_get_statistics(result, &figures, sizeof figures) == PCVT_OK);
+    CHECK(isnan(figures.energy_bound) && figures.n_threads == 1);
+    for (int k = 0; k < 100; ++k) {
+        n_inside += sites.points[2 * k] > 0.25 && sites.points[2 * k] < 0.75;
+    }
+    CHECK(n_inside > 60 && n_inside < 73); /* two thirds: as the square root of the density */
+    pcvt_free(result);
+}
+
+int main(void) {
+    cancelling_at_iteration_7_gives_the_cancelled_status();
+    the_iteration_limit_gives_a_result_that_is_not_converged();
+    the_floating_point_environment_of_the_host_stays_and_does_not_matter();
+    a_density_that_misbehaves_is_outside_of_the_domain();
+    a_density_grades_the_cells();
+    return end_of_claims();
+}

@@ -1,0 +1,81 @@
+"""Files that the Python package writes, and how it finds the library."""
+
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+from support.cli import CliTest, main
+from support.python_package import LIBRARY, OBLIQUE, PACKAGE, ROOT, pcvt
+
+import numpy as np
+
+
+def python(*arguments, **environment):
+    """Runs another interpreter, which finds the package."""
+    return subprocess.run([sys.executable, "-B", *map(str, arguments)], capture_output=True,
+                          check=False, text=True,
+                          env={**os.environ, "PYTHONPATH": str(PACKAGE), **environment})
+
+
+class Files(CliTest):
+    def test_the_command_writes_the_same_bytes(self):
+        for extension in ("txt", "ply", "glb"):
+            self.succeed("mesh", "--sites", 200, "--seed", 3, "--lattice", "1,0,0.37,0.81",
+                         "--origin", "0.2,-3", "--repeat", "2x1", "-o", f"command.{extension}")
+            result = pcvt.mesh(200, OBLIQUE, seed=3, origin=(0.2, -3), repeat=(2, 1))
+            result.write(self.path(f"python.{extension}"))
+            files = self.contents()
+            self.assertEqual(files[f"python.{extension}"], files[f"command.{extension}"])
+
+    def test_given_sites_lead_to_the_same_bytes(self):
+        given = np.random.default_rng(5).random((80, 2))
+        np.savetxt(self.path("given"), given, fmt="%.17g")
+        self.succeed("mesh", "--input", "given", "--mesh", "delaunay", "-o", "command.txt", "-o",
+                     "command.ply")
+        result = pcvt.mesh(given)
+        result.write(self.path("python.txt"))
+        result.write(str(self.path("python.ply")), "delaunay")
+        files = self.contents()
+        self.assertEqual(files["python.txt"], files["command.txt"])
+        self.assertEqual(files["python.ply"], files["command.ply"])
+        np.testing.assert_array_equal(np.loadtxt(self.path("command.txt")), result.sites)
+
+    def test_files_are_replaced_only_where_asked_for(self):
+        result = pcvt.mesh(10)
+        result.write(self.path("tile.ply"), report=self.path("tile.json"))
+        before = self.contents()
+        self.assertEqual(sorted(before), ["tile.json", "tile.ply"])
+        with self.assertRaisesRegex(pcvt.OutputError, "tile.ply.*replace"):
+            result.write(self.path("tile.ply"), "delaunay")
+        self.assertEqual(self.contents(), before)
+        result.write(self.path("tile.ply"), "delaunay", replace=True)
+        self.assertNotEqual(self.contents()["tile.ply"], before["tile.ply"])
+
+
+class Loading(CliTest):
+    IMPORT = "import pcvt, sys; print(pcvt.version(), 'matplotlib' in sys.modules)"
+
+    def test_a_missing_library_is_named(self):
+        done = python("-c", self.IMPORT, PCVT_LIBRARY="/nowhere/libpcvt.so")
+        self.assertRegex(done.stderr, "ImportError: cannot load /nowhere/.*set PCVT_LIBRARY")
+
+    def test_a_library_beside_the_package_is_found(self):
+        shutil.copytree(PACKAGE / "pcvt", self.path("pcvt"))
+        self.path("libpcvt.so.0.1").symlink_to(LIBRARY)
+        done = python("-c", self.IMPORT, PCVT_LIBRARY="", PYTHONPATH=str(self.folder))
+        self.assertEqual(done.stdout, f"{pcvt.version()} False\n", done.stderr)
+
+    @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "matplotlib is missing")
+    def test_the_sample_draws_its_figure(self):
+        figure = self.path("figure.png")
+        done = python(ROOT / "samples" / "python_tour.py", figure, MPLCONFIGDIR=str(self.folder))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, "pairs on the seam")
+        self.assertEqual(figure.read_bytes()[:4], b"\x89PNG")
+
+
+if __name__ == "__main__":
+    main()

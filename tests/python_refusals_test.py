@@ -1,0 +1,80 @@
+"""What the Python package refuses, and that its structs are those of pcvt.h."""
+
+import unittest
+from ctypes import byref, sizeof
+
+from support.cli import main
+from support.python_package import ROOT, pcvt
+
+import numpy as np
+from pcvt import _library
+
+
+class Refusals(unittest.TestCase):
+    def refuse(self, error, pattern, sites=10, **arguments):
+        with self.assertRaisesRegex(error, pattern) as refusal:
+            pcvt.mesh(sites, **arguments)
+        self.assertNotIn("\n", str(refusal.exception))
+
+    def test_what_the_library_refuses(self):
+        self.refuse(pcvt.ArgumentError, "n_sites is not between", 0)
+        self.refuse(ValueError, "parallel", lattice=((1, 0), (2, 0)))
+        self.refuse(pcvt.ArgumentError, "lattice is not finite", lattice=((1, 0), (0, np.inf)))
+        self.refuse(pcvt.ArgumentError, "site 1 is not finite", [[0, 0], [np.nan, 1]])
+        self.refuse(pcvt.GeometryError, "sites 0 and 1 coincide", [[0, 0], [1, 1]])
+        self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
+        self.refuse(pcvt.ArgumentError, "character 4", density="x +")
+
+    def test_what_does_not_fit_into_the_struct(self):
+        self.refuse(pcvt.ArgumentError, "n_sites 8589934602 is out of range", 2**33 + 10)
+        self.refuse(pcvt.ArgumentError, "seed -1 is out of range", seed=-1)
+        self.refuse(TypeError, "integer", max_iterations=1.5)
+        self.refuse(pcvt.ArgumentError, r"lattice has the shape \(2,\)", lattice=(1, 1))
+        self.refuse(pcvt.ArgumentError, r"sites has the shape \(1, 3\)", [[0, 0, 0]])
+        self.refuse(pcvt.ArgumentError, "solver 'magic' is unknown; .*lbfgs", solver="magic")
+        self.refuse(pcvt.ArgumentError, "zero byte", density="x\0")
+
+    def test_unwritable_files_name_the_path(self):
+        with self.assertRaisesRegex(OSError, "/nowhere/tile.ply"):
+            pcvt.mesh(10).write("/nowhere/tile.ply")
+
+
+class Layout(unittest.TestCase):
+    STRUCTS = {"pcvt_progress": _library.Progress, "pcvt_options": _library.Options,
+               "pcvt_sites": _library.Sites, "pcvt_mesh": _library.Mesh,
+               "pcvt_tile": _library.Tile, "pcvt_statistics": _library.Statistics,
+               "pcvt_write_options": _library.WriteOptions}
+
+    def test_structs_lie_as_recorded(self):
+        found = [f"number PCVT_ABI_VERSION {_library.ABI_VERSION}"]
+        for name, struct in self.STRUCTS.items():
+            found.append(f"struct {name} {sizeof(struct)}")
+            for field, *_ in struct._fields_:
+                place = getattr(struct, field)
+                found.append(f"field {name}.{field} {place.offset} {place.size}")
+        recorded = (ROOT / "tests" / "pcvt_abi.txt").read_text().splitlines()
+        recorded = [line for line in recorded if line.startswith(("struct", "field pcvt_")) and
+                    "pcvt_edge_pair" not in line]
+        self.assertEqual(found[1:], recorded)
+        self.assertEqual(pcvt.mesh(1).tile().seam.dtype.itemsize, 24)
+
+    def test_the_library_refuses_a_byte_less(self):
+        library, own = _library.library, pcvt.mesh(10)
+        result = own._handle.pointer
+        for get, struct, choices in ((library.pcvt_get_sites, _library.Sites, ()),
+                                     (library.pcvt_get_statistics, _library.Statistics, ()),
+                                     (library.pcvt_get_mesh, _library.Mesh, (0,)),
+                                     (library.pcvt_get_tile, _library.Tile, (0, 0))):
+            view, size = struct(), sizeof(struct)
+            self.assertEqual(get(result, *choices, byref(view), size), 0)
+            self.assertEqual(get(result, *choices, byref(view), size - 1), -2)
+        options, size = _library.Options(), sizeof(_library.Options)
+        for version, less, status in ((0, 0, -2), (1, 1, -2), (1, 0, 0)):
+            self.assertEqual(library.pcvt_options_init(byref(options), size - less, version),
+                             status)
+        what = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions) - 1)
+        self.assertEqual(library.pcvt_write(result, b"/nowhere/a.txt", byref(what)), -2)
+
+
+if __name__ == "__main__":
+    main()
