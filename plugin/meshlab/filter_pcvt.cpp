@@ -39,7 +39,9 @@ int show_progress(const pcvt_progress* progress, void* data) {
     if (bar.first_residual == 0) bar.first_residual = progress->residual;
     const double way = std::log(bar.first_residual / bar.tolerance);
     const double share = std::log(bar.first_residual / progress->residual) / way;
-    if (share > 0 && share < 1) bar.percent = std::max(bar.percent, static_cast<int>(100 * share));
+    if (share > 0) {
+        bar.percent = std::max(bar.percent, static_cast<int>(100 * std::min(share, 1.0)));
+    }
     std::array<char, 80> text{};
     std::snprintf(text.data(), text.size(), "Periodic CVT: iteration %d, residual %.1e",
                   static_cast<int>(progress->iteration), progress->residual);
@@ -69,15 +71,13 @@ pcvt_tile get_tile(const pcvt_result* result, const TileRequest& request) {
 }
 
 std::string run_line(const pcvt_statistics& run) {
-    static constexpr std::array kEnds{"converged", "iteration limit",
-                                      "stalled: no further in double "
-                                      "precision"};
+    static constexpr std::array kEnds{"converged", "ended by its limit", "stalled"};
     std::array<char, 240> text{};
-    std::snprintf(text.data(), text.size(),
-                  "%s after %d iterations, residual %.2e, energy %.10g, %d of %d cells hexagons",
-                  kEnds.at(static_cast<std::size_t>(run.stop)), static_cast<int>(run.iterations),
-                  run.residual, run.energy, static_cast<int>(run.n_hexagons),
-                  static_cast<int>(run.n_sites));
+    std::snprintf(
+        text.data(), text.size(),
+        "%s after %d iterations, residual %.2e, energy %.10g, %d of %d cells are hexagons",
+        kEnds.at(static_cast<std::size_t>(run.stop)), static_cast<int>(run.iterations),
+        run.residual, run.energy, static_cast<int>(run.n_hexagons), static_cast<int>(run.n_sites));
     return text.data();
 }
 
