@@ -126,10 +126,7 @@ MeshFilterInterface::FILTER_ARITY FilterPcvt::filterArity(QAction* /*action*/) c
     return NONE;
 }
 
-int FilterPcvt::postCondition(QAction* /*action*/) const {
-    return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_VERTQUALITY |
-           MeshModel::MM_FACEQUALITY | MeshModel::MM_VERTCOLOR | MeshModel::MM_FACECOLOR;
-}
+int FilterPcvt::postCondition(QAction* /*action*/) const { return MeshModel::MM_NONE; }
 
 void FilterPcvt::initParameterSet(QAction* /*action*/, MeshDocument& /*document*/,
                                   RichParameterList& parameters) {

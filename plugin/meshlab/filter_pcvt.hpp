@@ -25,6 +25,7 @@ class FilterPcvt : public QObject, public MeshFilterInterface {
     QString filterScriptFunctionName(FilterIDType filter) override;
     FilterClass getClass(QAction* action) override;
     FILTER_ARITY filterArity(QAction* action) const override;
+    /// Nothing: the layers that are there stay as they are.
     int postCondition(QAction* action) const override;
     void initParameterSet(QAction* action, MeshDocument& document,
                           RichParameterList& parameters) override;
