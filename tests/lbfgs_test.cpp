@@ -6,40 +6,21 @@
 #include <functional>
 
 #include "mesher/lloyd.hpp"
-#include "tests/support/plain_objective.hpp"
+#include "tests/support/plain_problems.hpp"
 
 namespace pcvt {
 namespace {
 
 using Eigen::VectorXd;
+using testing::bowl;
+using testing::MoveWatch;
+using testing::options;
 using testing::PlainObjective;
-
-/// An ill-conditioned bowl sum k (x_k - 1)^2.
-bool bowl(const VectorXd& x, Evaluation& e) {
-    const VectorXd weight = VectorXd::LinSpaced(x.size(), 1, double(x.size()));
-    const VectorXd d = x - VectorXd::Ones(x.size());
-    e.value = weight.dot(d.cwiseAbs2());
-    e.gradient = 2 * weight.cwiseProduct(d);
-    e.residual = e.rms_residual = e.gradient.cwiseAbs().maxCoeff() / (2 * double(x.size()));
-    return true;
-}
+using testing::valley;
 
 /// With a gradient step that is safe, as Lloyd's is.
 PlainObjective bowl_from(const VectorXd& start, const PlainObjective::Function& function = bowl) {
     return {function, start, 1 / (4 * double(start.size()))};
-}
-
-/// Rosenbrock's curved valley: minimum 0 at (1, 1).
-bool valley(const VectorXd& x, Evaluation& e) {
-    const double bend = x[1] - x[0] * x[0];
-    e.value = 100 * bend * bend + (1 - x[0]) * (1 - x[0]);
-    e.gradient = Eigen::Vector2d(-400 * x[0] * bend - 2 * (1 - x[0]), 200 * bend);
-    e.residual = e.rms_residual = e.gradient.norm();
-    return true;
-}
-
-OptimizerOptions options(double tolerance, double max_move) {
-    return {tolerance, -1, max_move, {}};
 }
 
 OptimizerResult lbfgs(Objective& objective, const OptimizerOptions& options) {
@@ -61,20 +42,11 @@ TEST(Lbfgs, FindsTheMinimumOfABowlAndOfACurvedValley) {
 }
 
 TEST(Lbfgs, NeverMovesAPairFurtherThanTheClamp) {
-    VectorXd previous = VectorXd::Constant(10, 50);
-    PlainObjective objective = bowl_from(previous);
-    double longest = 0;
-    OptimizerOptions clamped = options(1e-8, 0.25);
-    clamped.progress = [&](const Progress&) {
-        for (Eigen::Index k = 0; k < previous.size(); k += 2) {
-            longest = std::max(longest, (objective.point() - previous).segment(k, 2).norm());
-        }
-        previous = objective.point();
-        return true;
-    };
-    EXPECT_EQ(lbfgs(objective, clamped).stop, Stop::kConverged);
-    EXPECT_LE(longest, 0.25 * (1 + 1e-6));
-    EXPECT_GT(longest, 0.2);
+    PlainObjective objective = bowl_from(VectorXd::Constant(10, 50));
+    MoveWatch watch(objective);
+    EXPECT_EQ(lbfgs(objective, watch.with(options(1e-8, 0.25))).stop, Stop::kConverged);
+    EXPECT_LE(watch.longest(), 0.25 * (1 + 1e-6));
+    EXPECT_GT(watch.longest(), 0.2);
 }
 
 TEST(Lbfgs, StepsBackFromWhereTheFunctionIsNotDefined) {

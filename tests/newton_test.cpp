@@ -6,34 +6,19 @@
 #include <limits>
 
 #include "mesher/conjugate_gradients.hpp"
-#include "tests/support/plain_objective.hpp"
+#include "tests/support/plain_problems.hpp"
 
 namespace pcvt {
 namespace {
 
 using Eigen::VectorXd;
+using testing::bowl;
+using testing::MoveWatch;
+using testing::options;
 using testing::PlainObjective;
+using testing::valley;
 
 constexpr int kNeverGiveUp = std::numeric_limits<int>::max();
-
-/// sum k (x_k - 1)^2
-bool bowl(const VectorXd& x, Evaluation& e) {
-    const VectorXd weight = VectorXd::LinSpaced(x.size(), 1, double(x.size()));
-    const VectorXd d = x - VectorXd::Ones(x.size());
-    e.value = weight.dot(d.cwiseAbs2());
-    e.gradient = 2 * weight.cwiseProduct(d);
-    e.residual = e.rms_residual = e.gradient.cwiseAbs().maxCoeff() / (2 * double(x.size()));
-    return true;
-}
-
-/// Rosenbrock's curved valley: minimum 0 at (1, 1).
-bool valley(const VectorXd& x, Evaluation& e) {
-    const double bend = x[1] - x[0] * x[0];
-    e.value = 100 * bend * bend + (1 - x[0]) * (1 - x[0]);
-    e.gradient = Eigen::Vector2d(-400 * x[0] * bend - 2 * (1 - x[0]), 200 * bend);
-    e.residual = e.rms_residual = e.gradient.norm();
-    return true;
-}
 
 /// x^4 / 4 - x^2 / 2 + y^2: a saddle at the origin between minima -1/4 at (1, 0) and (-1, 0).
 bool two_wells(const VectorXd& x, Evaluation& e) {
@@ -55,10 +40,6 @@ bool springs(const VectorXd& x, Evaluation& e) {
     e.value += (x.array().cosh() - 1).sum() / 100;
     e.residual = e.rms_residual = e.gradient.norm();
     return true;
-}
-
-OptimizerOptions options(double tolerance, double max_move) {
-    return {tolerance, -1, max_move, {}};
 }
 
 OptimizerResult newton(PlainObjective& objective, const OptimizerOptions& options,
@@ -120,19 +101,12 @@ TEST(Newton, LeavesASaddle) {
 }
 
 TEST(Newton, NeverMovesAPairFurtherThanTheClamp) {
-    VectorXd previous = VectorXd::Constant(10, 50);
-    PlainObjective objective(bowl, previous, 1);
-    double longest = 0;
-    OptimizerOptions clamped = options(1e-8, 0.25);
-    clamped.progress = [&](const Progress&) {
-        const VectorXd move = objective.point() - previous;
-        longest = std::max(longest, move.reshaped(2, 5).colwise().norm().maxCoeff());
-        previous = objective.point();
-        return true;
-    };
-    EXPECT_EQ(newton(objective, clamped).stop, Stop::kConverged);
-    EXPECT_LE(longest, 0.25 * (1 + 1e-6));
-    EXPECT_GT(longest, 0.2);
+    const VectorXd start = VectorXd::Constant(10, 50);
+    PlainObjective objective(bowl, start, 1);
+    MoveWatch watch(objective);
+    EXPECT_EQ(newton(objective, watch.with(options(1e-8, 0.25))).stop, Stop::kConverged);
+    EXPECT_LE(watch.longest(), 0.25 * (1 + 1e-6));
+    EXPECT_GT(watch.longest(), 0.2);
 }
 
 TEST(Newton, GivesUpAfterTruncatedSteps) {
