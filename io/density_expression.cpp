@@ -78,7 +78,7 @@ Density expression_density(const std::string& expression) {
     const Formula once(expression);
     return {[expression]() -> DensityFunction {
         const auto formula = std::make_shared<Formula>(expression);
-        return [formula](const DensityPoint& point) { return (*formula)(point); };
+        return pointwise([formula](const DensityPoint& point) { return (*formula)(point); });
     }};
 }
 

@@ -3,27 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "mesher/density.hpp"
+#include "mesher/cell_batch.hpp"
 
 namespace pcvt {
-
-/// Integrals over a cell, about its site: of rho, of rho (p - x_i), and of rho |p - x_i|^2.
-struct Moments {
-    double mass = 0;
-    Vec2 first = Vec2::Zero();
-    double second = 0;
-
-    Moments& operator+=(const Moments& other);
-};
-
-/// A place told twice: in a plane, relative to the site, and in lattice coordinates of the user's
-/// basis, not wrapped. The one is an affine image of the other.
-struct CellCorner {
-    Vec2 plane;
-    Vec2 lattice;
-};
-/// The corners of a cell that holds its site, counter-clockwise in the plane.
-using CellPolygon = std::vector<CellCorner>;
 
 /// Integrates a density over cells.
 ///
@@ -37,13 +19,21 @@ class CellQuadrature {
    public:
     explicit CellQuadrature(const Density& density);
 
+    /// Adds a cell to a batch.
     /// @param site      lattice coordinates of the site, whose plane coordinates are (0, 0).
     /// @param q         see triangle_rule.
+    void add(CellView cell, const Vec2& site, int q, CellBatch& batch) const;
+
+    /// The moments of one cell.
     /// @throws BadDensity as the probe does.
-    Moments operator()(const CellPolygon& cell, const Vec2& site, int q, DensityProbe& probe) const;
+    Moments operator()(CellView cell, const Vec2& site, int q, DensityProbe& probe) const;
+
+    /// Where break lines and the seam cut the way between two places: shares of it in [0, 1],
+    /// rising, 0 and 1 among them.
+    void cut_way(const Vec2& from, const Vec2& to, std::vector<double>& shares) const;
 
     /// Whether a break line or the seam crosses the cell.
-    bool is_cut(const CellPolygon& cell, const Vec2& site) const;
+    bool is_cut(CellView cell, const Vec2& site) const;
 
    private:
     /// Coordinates in [0, 1), 0 among them, rising.

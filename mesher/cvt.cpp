@@ -20,8 +20,6 @@ namespace {
 /// In units of h. A site that moves further leaves its neighbourhood, and the model with it.
 constexpr double kLargestMove = 0.5;
 constexpr int kSitesPerTask = 1 << 14;
-/// With fewer sites no wave is long.
-constexpr int kFewestForLongWaves = 500;
 
 /// The nearest neighbours of all sites are joined by Delaunay edges, so no pair is overlooked.
 void require_distinct(const MovingDelaunay& delaunay) {
@@ -156,12 +154,17 @@ OptimizerResult minimize_by(Solver solver, Objective& objective, const Optimizer
 OptimizerResult minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
                          const CvtOptions& options, std::optional<DensityFigures>& figures) {
     Workers workers(options.n_threads);
-    WeightedResult result = minimize_weighted(delaunay, workers, lattice, density,
-                                              {options.solver == Solver::kLloyd,
-                                               {.tolerance = options.tolerance,
-                                                .max_iterations = options.max_iterations,
-                                                .max_move = kLargestMove * delaunay.spacing(),
-                                                .progress = options.progress}});
+    const bool plain = options.solver == Solver::kPlainLbfgs;
+    WeightedOptions weighted{
+        .lloyd = options.solver == Solver::kLloyd,
+        .optimizer = {.tolerance = options.tolerance,
+                      .max_iterations = options.max_iterations,
+                      .max_move = kLargestMove * delaunay.spacing(),
+                      .progress = options.progress,
+                      .precondition_below = plain ? 0 : options.precondition_below}};
+    if (plain) weighted.newton.reset();
+    if (options.solver == Solver::kNewton) weighted.newton = NewtonStart::kAtOnce;
+    WeightedResult result = minimize_weighted(delaunay, workers, lattice, density, weighted);
     figures = result.figures;
     return std::move(result.run);
 }

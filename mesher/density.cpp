@@ -31,10 +31,6 @@ std::string digits(double value) {
 
 }  // namespace
 
-Density shared_density(DensityFunction function) {
-    return {[function = std::move(function)] { return function; }};
-}
-
 void DensityRange::add(const DensityRange& other) {
     least = std::min(least, other.least);
     greatest = std::max(greatest, other.greatest);
@@ -47,10 +43,17 @@ void DensityRange::require_contrast() const {
                      ", a contrast above 1e12; raise its least value");
 }
 
+DensityPoint* DensityProbe::room(std::size_t n) {
+    const std::size_t first = n_waiting_;
+    n_waiting_ += n;
+    if (points_.size() < n_waiting_) points_.resize(2 * n_waiting_);
+    return points_.data() + first;
+}
+
 std::span<const double> DensityProbe::ask(std::span<const DensityPoint> points) {
     if (rho_.size() < points.size()) rho_.resize(points.size());
     double* const rho = rho_.data();
-    for (std::size_t k = 0; k < points.size(); ++k) rho[k] = function_(points[k]);
+    function_(points, {rho, points.size()});
     double least = range_.least;
     double greatest = range_.greatest;
     bool in_limits = true;

@@ -22,7 +22,8 @@ struct DensityPoint {
     double v;
 };
 
-using DensityFunction = std::function<double(const DensityPoint&)>;
+/// Fills in rho at many points, as many numbers.
+using DensityFunction = std::function<void(std::span<const DensityPoint>, std::span<double>)>;
 
 /// A density rho > 0 on the torus. It is only ever asked at points of the typed parallelogram, so
 /// that it is periodic whatever its formula: one that differs at opposite sides jumps there.
@@ -36,8 +37,21 @@ struct Density {
     std::vector<double> v_breaks = {};
 };
 
-/// The density of a function that several threads may ask at once.
-Density shared_density(DensityFunction function);
+/// Asks a function of one point for many.
+/// @param function  double(const DensityPoint&)
+template <class Function>
+DensityFunction pointwise(Function function) {
+    return [function = std::move(function)](std::span<const DensityPoint> points,
+                                            std::span<double> rho) mutable {
+        for (std::size_t k = 0; k < points.size(); ++k) rho[k] = function(points[k]);
+    };
+}
+
+/// The density of a function of one point that several threads may ask at once.
+template <class Function>
+Density shared_density(Function function) {
+    return {[function = std::move(function)] { return pointwise(function); }};
+}
 
 /// Densities are accepted within these limits, and with this ratio of the largest to the least.
 inline constexpr double kLeastDensity = 1e-60;
@@ -68,18 +82,21 @@ class DensityProbe {
         : a_(lattice.a()), b_(lattice.b()), function_(std::move(function)) {}
 
     /// The point at lattice coordinates in [0, 1], where 1 counts as the double below it.
-    DensityPoint point(double u, double v) const {
-        u = u < kBelowOne ? u : kBelowOne;
-        v = v < kBelowOne ? v : kBelowOne;
-        return {a_.x() * u + b_.x() * v, a_.y() * u + b_.y() * v, u, v};
+    DensityPoint point(const Vec2& place) const {
+        const Vec2 u = place.cwiseMin(kBelowOne);
+        const Vec2 x = a_ * u.x() + b_ * u.y();
+        return {x.x(), x.y(), u.x(), u.y()};
     }
+    DensityPoint point(double u, double v) const { return point(Vec2(u, v)); }
     /// rho at many points; stays until the next call.
     /// @throws BadDensity naming the first place where it is not a number in [1e-60, 1e60].
     std::span<const double> ask(std::span<const DensityPoint> points);
-    /// Room for n points, to be filled and asked.
-    std::span<DensityPoint> room(std::size_t n) {
-        if (points_.size() < n) points_.resize(n);
-        return {points_.data(), n};
+    /// Room for n more points, to be filled before they are asked; stays until the next call.
+    DensityPoint* room(std::size_t n);
+    std::size_t n_waiting() const { return n_waiting_; }
+    /// Asks all points that wait, in order; none waits any more.
+    std::span<const double> ask_waiting() {
+        return ask({points_.data(), std::exchange(n_waiting_, 0)});
     }
     /// What was asked since the last call.
     DensityRange take_range() { return std::exchange(range_, {}); }
@@ -91,7 +108,9 @@ class DensityProbe {
     Vec2 b_;
     DensityFunction function_;
     DensityRange range_;
+    /// The first of them wait.
     std::vector<DensityPoint> points_;
+    std::size_t n_waiting_ = 0;
     std::vector<double> rho_;
 };
 

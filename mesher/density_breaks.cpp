@@ -28,12 +28,22 @@ class ProbeLine {
         : probe_(probe), axis_(axis), across_(across) {}
 
     double operator()(double along) const {
-        const DensityPoint point =
-            axis_ == 0 ? probe_.point(along, across_) : probe_.point(across_, along);
-        return std::log(probe_.ask({&point, 1})[0]);
+        *probe_.room(1) = point(along);
+        return std::log(probe_.ask_waiting()[0]);
+    }
+    /// At the ends of the intervals.
+    std::vector<double> survey() const {
+        for (int k = 0; k <= kIntervals; ++k) *probe_.room(1) = point(double(k) / kIntervals);
+        std::vector<double> value;
+        for (const double rho : probe_.ask_waiting()) value.push_back(std::log(rho));
+        return value;
     }
 
    private:
+    DensityPoint point(double along) const {
+        return axis_ == 0 ? probe_.point(along, across_) : probe_.point(across_, along);
+    }
+
     DensityProbe& probe_;
     int axis_;
     double across_;
@@ -56,8 +66,7 @@ void bisect(const ProbeLine& line, double low, double high, std::vector<double>&
 }
 
 void find_jumps(const ProbeLine& line, std::vector<double>& found) {
-    std::vector<double> value;
-    for (int k = 0; k <= kIntervals; ++k) value.push_back(line(double(k) / kIntervals));
+    const std::vector<double> value = line.survey();
     const auto change = [&](int k) {
         return k < 0 || k >= kIntervals ? 0.0 : std::abs(value[k + 1] - value[k]);
     };

@@ -14,9 +14,18 @@ namespace {
 constexpr double kHeadroom = 1.25;
 /// A square whose density is far below its majorant almost everywhere is taken as it is.
 constexpr int kTrials = 1000;
+/// Asked at once.
+constexpr int kCandidates = 4096;
 /// Intervals of the product rule along each direction, at least.
 constexpr int kIntervals = 128;
 constexpr int kIntegralOrder = 4;
+
+/// A place where a site may be drawn: it is taken where rho^(1/2) is above the threshold.
+struct Candidate {
+    double u;
+    double v;
+    double threshold;
+};
 
 /// Splits [0, 1) at the breaks, and further to intervals of 1 / kIntervals at most; nodes and
 /// weights of a Gauss rule on each.
@@ -45,11 +54,11 @@ DensitySurvey::DensitySurvey(const Lattice& lattice, const Density& density, int
     : lattice_(lattice), resolution_(resolution), probe_(lattice, density.make_function()) {
     rho_.reserve(static_cast<std::size_t>(resolution) * resolution);
     for (int j = 0; j < resolution; ++j) {
-        const std::span<DensityPoint> row = probe_.room(resolution);
+        DensityPoint* const row = probe_.room(resolution);
         for (int i = 0; i < resolution; ++i) {
             row[i] = probe_.point(double(i) / resolution, double(j) / resolution);
         }
-        const std::span<const double> rho = probe_.ask(row);
+        const std::span<const double> rho = probe_.ask_waiting();
         rho_.insert(rho_.end(), rho.begin(), rho.end());
     }
     range_ = probe_.take_range();
@@ -90,19 +99,26 @@ Points DensitySurvey::draw(int n, std::uint64_t seed) {
     std::mt19937_64 generator(seed);
     const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -53); };
     Points points(2, n);
-    for (int s = 0; s < n; ++s) {
-        for (int trial = 0;; ++trial) {
+    std::vector<Candidate> candidates;
+    int trial = 0;
+    for (int filled = 0; filled < n;) {
+        candidates.resize(std::min(n - filled, kCandidates));
+        for (Candidate& candidate : candidates) {
             const auto found = std::upper_bound(sums.begin(), sums.end(), uniform() * total);
             const int k = static_cast<int>(std::min(found, sums.end() - 1) - sums.begin());
             const int i = k % resolution_;
             const int j = k / resolution_;
-            const double u = (i + uniform()) / resolution_;
-            const double v = (j + uniform()) / resolution_;
-            const DensityPoint point = probe_.point(u, v);
-            const double root = std::sqrt(probe_.ask({&point, 1})[0]);
-            if (uniform() * majorant(i, j) >= root && trial < kTrials) continue;
-            points.col(s) = lattice_.to_plane({u, v});
-            break;
+            candidate.u = (i + uniform()) / resolution_;
+            candidate.v = (j + uniform()) / resolution_;
+            candidate.threshold = uniform() * majorant(i, j);
+            *probe_.room(1) = probe_.point(candidate.u, candidate.v);
+        }
+        const std::span<const double> rho = probe_.ask_waiting();
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
+            const bool refused = candidates[k].threshold >= std::sqrt(rho[k]);
+            if (refused && trial++ < kTrials) continue;
+            points.col(filled++) = lattice_.to_plane({candidates[k].u, candidates[k].v});
+            trial = 0;
         }
     }
     return points;
@@ -119,11 +135,11 @@ double integral(const Lattice& lattice, const Density& density) {
     DensityProbe probe(lattice, density.make_function());
     double sum = 0;
     for (std::size_t j = 0; j < up.nodes.size(); ++j) {
-        const std::span<DensityPoint> row = probe.room(along.nodes.size());
+        DensityPoint* const row = probe.room(along.nodes.size());
         for (std::size_t i = 0; i < along.nodes.size(); ++i) {
             row[i] = probe.point(along.nodes[i], up.nodes[j]);
         }
-        const std::span<const double> rho = probe.ask(row);
+        const std::span<const double> rho = probe.ask_waiting();
         double part = 0;
         for (std::size_t i = 0; i < rho.size(); ++i) part += along.weights[i] * rho[i];
         sum += up.weights[j] * part;

@@ -8,6 +8,9 @@
 
 namespace pcvt {
 
+/// With fewer sites no wave is long.
+inline constexpr int kFewestForLongWaves = 500;
+
 /// An approximate inverse of the Hessian of F for rho = 1, as a preconditioner for large n.
 ///
 /// What makes an optimiser need the more iterations the more sites there are is long waves: along a

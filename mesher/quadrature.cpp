@@ -25,9 +25,15 @@ TriangleRule conical_product(int q) {
     return rule;
 }
 
-std::vector<TriangleRule> all_rules() {
+std::vector<TriangleRule> all_triangle_rules() {
     std::vector<TriangleRule> rules;
     for (int q = kLeastOrder; q <= kGreatestOrder; ++q) rules.push_back(conical_product(q));
+    return rules;
+}
+
+std::vector<GaussRule> all_line_rules() {
+    std::vector<GaussRule> rules;
+    for (int q = kLeastOrder; q <= kGreatestOrder; ++q) rules.push_back(gauss_rule(q, 0));
     return rules;
 }
 
@@ -55,9 +61,15 @@ GaussRule gauss_rule(int q, int power) {
     return rule;
 }
 
+const GaussRule& line_rule(int q) {
+    assert(kLeastOrder <= q && q <= kGreatestOrder);
+    static const std::vector<GaussRule> rules = all_line_rules();
+    return rules[static_cast<std::size_t>(q - kLeastOrder)];
+}
+
 const TriangleRule& triangle_rule(int q) {
     assert(kLeastOrder <= q && q <= kGreatestOrder);
-    static const std::vector<TriangleRule> rules = all_rules();
+    static const std::vector<TriangleRule> rules = all_triangle_rules();
     return rules[static_cast<std::size_t>(q - kLeastOrder)];
 }
 

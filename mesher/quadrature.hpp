@@ -17,6 +17,9 @@ struct GaussRule {
     std::vector<double> weights;
 };
 GaussRule gauss_rule(int q, int power);
+/// Gauss-Legendre on (0, 1), computed once.
+/// @param q  kLeastOrder ... kGreatestOrder.
+const GaussRule& line_rule(int q);
 
 /// A rule of q x q points for triangles (0, p, r): the conical product of Gauss rules (A. H. Stroud
 /// 1971, section 2.4; also known as Duffy's transformation, M. G. Duffy 1982).

@@ -93,9 +93,12 @@ OptimizerResult minimize_relay(Objective& objective, const OptimizerOptions& opt
     Relay relay(objective, options, workers);
     const bool at_once = start == NewtonStart::kAtOnce;
     const int most_truncated = at_once ? std::numeric_limits<int>::max() : kMostTruncated;
-    const double near = objective.n_variables() <= 2 * kMostAfterLbfgs ? kNear : 0;
-    ProgressTest enough = [at_once, near](const Progress& p) {
-        return at_once || p.rms_residual <= (p.iteration == 0 ? kNearAtFirst : near);
+    const bool for_any_number = start == NewtonStart::kNearForAnyNumber;
+    const bool few = objective.n_variables() <= 2 * kMostAfterLbfgs;
+    const double near = few || for_any_number ? kNear : 0;
+    const double near_at_first = for_any_number ? near : kNearAtFirst;
+    ProgressTest enough = [=](const Progress& p) {
+        return at_once || p.rms_residual <= (p.iteration == 0 ? near_at_first : near);
     };
     while (!relay.lbfgs(enough) && !relay.stalled() && !relay.newton(most_truncated)) {
         const double target = std::min(near, kGain * relay.rms_residual());

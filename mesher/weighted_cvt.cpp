@@ -1,11 +1,15 @@
 #include "mesher/weighted_cvt.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include "mesher/density_survey.hpp"
 #include "mesher/lbfgs.hpp"
 #include "mesher/lloyd.hpp"
+#include "mesher/long_waves.hpp"
+#include "mesher/relay.hpp"
 #include "mesher/spacing_law.hpp"
 #include "mesher/weighted_energy.hpp"
 
@@ -26,14 +30,19 @@ constexpr int kMostRepetitions = 5;
 /// rule of the highest order could not follow the density over the whole of them.
 constexpr double kLongestPart = 1.0 / 8;
 
+/// The periods that are so short that cells of size h are cut along them: of a, of b.
+std::array<bool, 2> short_periods(const Lattice& lattice, double h) {
+    return {h > kLongestPart * lattice.area() / lattice.b().norm(),
+            h > kLongestPart * lattice.area() / lattice.a().norm()};
+}
+
 /// The density with break lines for cells of size h.
 Density cut_for(const Lattice& lattice, Density density, double h) {
-    const auto add_lines = [&](std::vector<double>& breaks, double period_height) {
-        if (h / period_height <= kLongestPart) return;
-        for (double at = kLongestPart; at < 1; at += kLongestPart) breaks.push_back(at);
-    };
-    add_lines(density.u_breaks, lattice.area() / lattice.b().norm());
-    add_lines(density.v_breaks, lattice.area() / lattice.a().norm());
+    const auto [cut_u, cut_v] = short_periods(lattice, h);
+    for (double at = kLongestPart; at < 1; at += kLongestPart) {
+        if (cut_u) density.u_breaks.push_back(at);
+        if (cut_v) density.v_breaks.push_back(at);
+    }
     return density;
 }
 
@@ -45,15 +54,19 @@ double accuracy_for(double residual) {
 class WeightedObjective final : public Objective {
    public:
     WeightedObjective(MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice,
-                      const Density& density, double density_unit)
+                      const Density& density, double density_unit, bool has_hessian)
         : delaunay_(delaunay),
           workers_(workers),
           pass_(delaunay, workers, lattice, density, density_unit),
+          has_hessian_(has_hessian),
           scale_(Eigen::VectorXd::Ones(delaunay.n_sites())) {}
 
     Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override;
+    bool precondition(Evaluation& evaluation) override;
     void accept() override { delaunay_.settle(); }
+    bool has_hessian() const override { return has_hessian_; }
+    void hessian(BlockMatrix& hessian) const override;
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override;
 
     /// Chooses rules and scales at the point.
@@ -72,12 +85,17 @@ class WeightedObjective final : public Objective {
     }
     bool go(const Eigen::VectorXf& direction, double t);
     void measure(Evaluation& evaluation) const;
+    void apply_long_waves(Evaluation& evaluation);
 
     MovingDelaunay& delaunay_;
     Workers& workers_;
-    WeightedPass pass_;
+    mutable WeightedPass pass_;
+    bool has_hessian_;
     Energy energy_;
     Eigen::VectorXd scale_;
+    /// m_i / scale_i^2 of the usual cell over its area: how much stiffer all is than for rho = 1.
+    double stiffness_ = 1;
+    std::unique_ptr<LongWaves> long_waves_;
     /// The last direction, not scaled.
     Eigen::VectorXf direction_;
 };
@@ -86,7 +104,23 @@ bool WeightedObjective::evaluate(const Eigen::VectorXf& direction, double t,
                                  Evaluation& evaluation) {
     if (!go_back() || !go(direction, t)) return false;
     measure(evaluation);
+    if (long_waves_) apply_long_waves(evaluation);
     return true;
+}
+
+/// In scaled variables the stiffness against long waves is the same everywhere, as for rho = 1: of
+/// an arrangement of cells of size l it goes with rho l^4 times the squared strain of x, so with
+/// rho l^4 / h^2 times that of z.
+bool WeightedObjective::precondition(Evaluation& evaluation) {
+    if (delaunay_.n_sites() < kFewestForLongWaves) return false;
+    long_waves_ = std::make_unique<LongWaves>(delaunay_, workers_);
+    apply_long_waves(evaluation);
+    return true;
+}
+
+void WeightedObjective::apply_long_waves(Evaluation& evaluation) {
+    long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+    evaluation.preconditioned /= static_cast<float>(stiffness_);
 }
 
 bool WeightedObjective::go(const Eigen::VectorXf& direction, double t) {
@@ -128,6 +162,17 @@ void WeightedObjective::lloyd_step(const Evaluation& evaluation, Eigen::VectorXf
     }
 }
 
+void WeightedObjective::hessian(BlockMatrix& hessian) const {
+    pass_.hessian(energy_.mass, hessian);
+    for (int i = 0; i < hessian.n_rows(); ++i) {
+        for (double& number : hessian.diagonal[i]) number /= scale_[i] * scale_[i];
+        for (int k = hessian.row_begin[i]; k < hessian.row_begin[i + 1]; ++k) {
+            const auto factor = static_cast<float>(1 / (scale_[i] * scale_[hessian.column[k]]));
+            for (float& number : hessian.block[k]) number *= factor;
+        }
+    }
+}
+
 void WeightedObjective::begin_round(double accuracy) {
     go_back();
     pass_.restore();
@@ -136,6 +181,9 @@ void WeightedObjective::begin_round(double accuracy) {
     // The sum of (h / scale_i)^2 is the area where the sites follow the law.
     scale_ = (energy_.mass.array() / pass_.areas().array()).pow(0.25);
     scale_ *= std::sqrt(scale_.array().square().inverse().mean());
+    const double h = delaunay_.spacing();
+    stiffness_ = (energy_.mass.array() / scale_.array().square()).mean() / (h * h);
+    long_waves_.reset();
 }
 
 RuleCheck WeightedObjective::check_rules(double accuracy) {
@@ -173,16 +221,24 @@ class Rounds {
         }
         const int iterations = total_.iterations;
         const int evaluations = total_.evaluations;
-        total_ = options_.lloyd ? minimize_lloyd(objective_, round)
-                                : minimize_lbfgs(objective_, round, workers_);
+        const int hessians = total_.hessians;
+        const int cg_products = total_.cg_products;
+        total_ = minimize(round);
         total_.iterations += iterations;
         total_.evaluations += evaluations;
+        total_.hessians += hessians;
+        total_.cg_products += cg_products;
         first_ = false;
         return total_.stop == Stop::kConverged || total_.stop == Stop::kStalled;
     }
     OptimizerResult& total() { return total_; }
 
    private:
+    OptimizerResult minimize(const OptimizerOptions& round) {
+        if (options_.lloyd) return minimize_lloyd(objective_, round);
+        if (!options_.newton) return minimize_lbfgs(objective_, round, workers_);
+        return minimize_relay(objective_, round, *options_.newton, workers_);
+    }
     bool report(Progress progress) const {
         if (!first_ && progress.iteration == 0) return true;
         if (!first_) {
@@ -225,8 +281,10 @@ WeightedResult minimize_weighted(MovingDelaunay& delaunay, Workers& workers, con
                                  const Density& density, const WeightedOptions& options) {
     const double unit = DensitySurvey(lattice, density, kSurveyResolution).unit();
     const double area_unit = delaunay.unit() * delaunay.unit() * unit;
-    const Density cut = cut_for(lattice, density, delaunay.spacing() * delaunay.unit());
-    WeightedObjective objective(delaunay, workers, lattice, cut, unit);
+    const double h = delaunay.spacing() * delaunay.unit();
+    const Density cut = cut_for(lattice, density, h);
+    const auto [cut_u, cut_v] = short_periods(lattice, h);
+    WeightedObjective objective(delaunay, workers, lattice, cut, unit, !cut_u && !cut_v);
     Rounds rounds(objective, workers, options, area_unit * delaunay.unit() * delaunay.unit());
     const RuleCheck check = run_rounds(objective, rounds, options.optimizer);
     WeightedResult result{std::move(rounds.total()), objective.figures()};

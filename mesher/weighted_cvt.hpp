@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "mesher/density.hpp"
 #include "mesher/moving_delaunay.hpp"
 #include "mesher/objective.hpp"
+#include "mesher/relay.hpp"
 
 namespace pcvt {
 
@@ -28,8 +31,13 @@ struct DensityFigures {
 };
 
 struct WeightedOptions {
-    /// Whether Lloyd's iteration is to be used in place of L-BFGS.
+    /// Whether Lloyd's iteration is to be used in place of all others.
     bool lloyd = false;
+    /// When Newton's method takes turns with L-BFGS (relay.hpp); nothing: never. An evaluation
+    /// costs so much more than a product with the Hessian that it pays for any number of sites:
+    /// measured up to 10^5, where it halves the evaluations. Only where cells are no longer than an
+    /// eighth of a period: the rules on their edges could not follow the density.
+    std::optional<NewtonStart> newton = NewtonStart::kNearForAnyNumber;
     OptimizerOptions optimizer;
 };
 
@@ -44,8 +52,9 @@ struct WeightedResult {
 /// beginning of a round the order of each cell's rule is chosen anew, with a quadrature error far
 /// below the round's residual, and the variables are scaled by the local spacing: z_i = x_i h /
 /// l_i, where l_i goes with rho^(-1/4). So no site moves further in one step than options.max_move
-/// of its own spacing, and all move alike. The last round is repeated until the rules of all cells
-/// still reach the accuracy at its end.
+/// of its own spacing, and all move alike; and their stiffness against long waves is the same
+/// everywhere, so that these can be treated apart as for rho = 1 (long_waves.hpp). The last round
+/// is repeated until the rules of all cells still reach the accuracy at its end.
 /// @param options  lengths in the unit of the triangulation; values are reported in density x
 ///                 length^4.
 /// @throws BadDensity naming the place, or for the contrast.

@@ -1,22 +1,16 @@
 #include "mesher/weighted_energy.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 
-#include "mesher/polygon.hpp"
-#include "mesher/predicates.hpp"
 #include "mesher/quadrature.hpp"
 
 namespace pcvt {
 namespace {
 
 constexpr int kSitesPerTask = 512;
-constexpr int kTrianglesPerTask = 1 << 13;
-/// A triangle thinner than this has its circumcentre computed in more digits.
-constexpr double kThin = 1e-4;
+constexpr std::size_t kCellsAtOnce = 64;
 
 /// An energy that jumps by so much, relatively, still counts as continuous: a hundredth of what the
 /// line search resolves.
@@ -37,7 +31,6 @@ struct WeightedPass::Task {
     double value = 0;
     RuleCheck check = {};
     std::exception_ptr failure = {};
-    CellPolygon cell = {};
 };
 
 WeightedPass::WeightedPass(MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice,
@@ -45,90 +38,25 @@ WeightedPass::WeightedPass(MovingDelaunay& delaunay, Workers& workers, const Lat
     : delaunay_(delaunay),
       workers_(workers),
       pass_(delaunay, workers),
+      cells_(delaunay, workers, lattice),
       quadrature_(density),
       probes_(lattice, density),
       per_unit_(1 / density_unit),
-      leaving_(delaunay.n_sites()),
-      centre_(6 * std::size_t(delaunay.n_sites())),
       order_(delaunay.n_sites(), kLeastOrder),
-      tasks_((delaunay.n_sites() + kSitesPerTask - 1) / kSitesPerTask) {
-    const Reduction reduction = reduce(lattice);
-    from_reduced_ << reduction.m[0], reduction.m[2], reduction.m[1], reduction.m[3];
-    const MovingDelaunay::Frame& frame = delaunay.frame();
-    Eigen::Matrix2d to_frame;
-    to_frame << frame.ax, frame.bx, 0, frame.by;
-    from_frame_ = from_reduced_ * to_frame.inverse();
-}
-
-void WeightedPass::locate_centre(int triangle) {
-    const TorusTriangulation& t = delaunay_.triangulation();
-    std::array<Image, 3> at;
-    for (int k = 0; k < 3; ++k) {
-        const Corner c = t.corner(3 * triangle + k);
-        at[k] = image(delaunay_.coordinates(), c.site, c.offset);
-    }
-    const Vec2 p = difference(at[0], at[1]);
-    const Vec2 q = difference(at[0], at[2]);
-    const MovingDelaunay::Frame& frame = delaunay_.frame();
-    const Vec2 d = frame.to_plane(p);
-    const Vec2 e = frame.to_plane(q);
-    const auto set = [&](const Vec2& centre) {
-        centre_[3 * triangle] = centre;
-        centre_[3 * triangle + 1] = centre - d;
-        centre_[3 * triangle + 2] = centre - e;
-    };
-    const double product = cross(p, q);
-    if (!(product > kThin * detail::cross_bound(p, q))) {
-        const Gram gram{frame.ax * frame.ax, frame.ax * frame.bx,
-                        frame.bx * frame.bx + frame.by * frame.by};
-        set(frame.to_plane(circumcentre(gram, at[0], at[1], at[2])));
-        return;
-    }
-    const Vec2 weighted = d.squaredNorm() * e - e.squaredNorm() * d;
-    set(Vec2(weighted.y(), -weighted.x()) / (2 * product * frame.ax * frame.by));
-}
-
-void WeightedPass::locate_cells() {
-    const TorusTriangulation& t = delaunay_.triangulation();
-    const DelaunayCounts& counts = delaunay_.counts();
-    if (counts.n_flips != n_flips_ || counts.n_rebuilds != n_rebuilds_) {
-        const std::span<const SiteId> corner_site = t.corner_sites();
-        for (int h = t.n_halfedges(); h-- > 0;) leaving_[corner_site[h]] = h;
-        n_flips_ = counts.n_flips;
-        n_rebuilds_ = counts.n_rebuilds;
-    }
-    const int n = t.n_triangles();
-    workers_.for_each((n + kTrianglesPerTask - 1) / kTrianglesPerTask, [&](int task) {
-        const int end = std::min((task + 1) * kTrianglesPerTask, n);
-        for (int k = task * kTrianglesPerTask; k < end; ++k) locate_centre(k);
-    });
-}
+      tasks_((delaunay.n_sites() + kSitesPerTask - 1) / kSitesPerTask) {}
 
 WeightedPass::~WeightedPass() = default;
 
-Vec2 WeightedPass::user_coordinates(SiteId site) const {
-    return from_reduced_ * delaunay_.coordinates().col(site);
-}
-
-void WeightedPass::unwrap_cell(SiteId site, CellPolygon& cell) const {
-    const TorusTriangulation& t = delaunay_.triangulation();
-    const Vec2 origin = user_coordinates(site);
-    cell.clear();
-    int h = leaving_[site];
-    do {
-        cell.push_back({centre_[h], origin + from_frame_ * centre_[h]});
-        h = t.next_round_site(h);
-    } while (h != leaving_[site]);
-}
-
-void WeightedPass::run_tasks(const std::function<void(SiteId, DensityProbe&, Task&)>& look) {
+/// Calls look(first, end, probe, task) for ranges of sites.
+void WeightedPass::run_tasks(
+    const std::function<void(SiteId, SiteId, DensityProbe&, Task&)>& look) {
     workers_.for_each(static_cast<int>(tasks_.size()), [&](int k) {
         Task& task = tasks_[k];
-        task = {.cell = std::move(task.cell)};
+        task = {};
         try {
             probes_.lend([&](DensityProbe& probe) {
-                const int end = std::min((k + 1) * kSitesPerTask, delaunay_.n_sites());
-                for (SiteId s = k * kSitesPerTask; s < end; ++s) look(s, probe, task);
+                const SiteId first = k * kSitesPerTask;
+                look(first, std::min(first + kSitesPerTask, delaunay_.n_sites()), probe, task);
             });
         } catch (...) {
             task.failure = std::current_exception();
@@ -140,19 +68,46 @@ void WeightedPass::run_tasks(const std::function<void(SiteId, DensityProbe&, Tas
     probes_.range().require_contrast();
 }
 
+/// Puts the moments of the cells one after the other.
+void WeightedPass::integrate(std::span<const OrderedCell> cells, DensityProbe& probe,
+                             std::vector<Moments>& moments) const {
+    CellBatch batch(probe);
+    CellList list;
+    std::vector<SiteId> sites;
+    moments.clear();
+    while (!cells.empty()) {
+        const auto some = cells.first(std::min(cells.size(), kCellsAtOnce));
+        cells = cells.subspan(some.size());
+        sites.clear();
+        for (const OrderedCell& cell : some) sites.push_back(cell.site);
+        cells_.unwrap(sites, list);
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            quadrature_.add(list[k], cells_.site(sites[k]), some[k].q, batch);
+        }
+        if (!batch.is_full() && !cells.empty()) continue;
+        const std::vector<Moments>& collected = batch.collect();
+        moments.insert(moments.end(), collected.begin(), collected.end());
+    }
+}
+
 bool WeightedPass::evaluate(Energy& energy) {
     if (!restore()) return false;
-    locate_cells();
+    cells_.locate();
     const int n = delaunay_.n_sites();
     energy.gradient.resize(2 * n);
     energy.mass.resize(n);
     const std::int64_t before = probes_.range().n_evaluations;
-    run_tasks([&](SiteId s, DensityProbe& probe, Task& task) {
-        unwrap_cell(s, task.cell);
-        const Moments moments = quadrature_(task.cell, user_coordinates(s), order_[s], probe);
-        energy.mass[s] = per_unit_ * moments.mass;
-        energy.gradient.segment<2>(2 * s) = (-2 * per_unit_) * moments.first;
-        task.value += per_unit_ * moments.second;
+    run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task& task) {
+        std::vector<OrderedCell> cells;
+        std::vector<Moments> moments;
+        for (SiteId s = first; s < end; ++s) cells.push_back({s, order_[s], false});
+        integrate(cells, probe, moments);
+        for (SiteId s = first; s < end; ++s) {
+            const Moments& m = moments[s - first];
+            energy.mass[s] = per_unit_ * m.mass;
+            energy.gradient.segment<2>(2 * s) = (-2 * per_unit_) * m.first;
+            task.value += per_unit_ * m.second;
+        }
     });
     energy.value = 0;
     for (const Task& task : tasks_) energy.value += task.value;
@@ -160,30 +115,57 @@ bool WeightedPass::evaluate(Energy& energy) {
     return true;
 }
 
-RuleCheck WeightedPass::choose_orders(double accuracy, bool lower) {
-    locate_cells();
-    run_tasks([&](SiteId s, DensityProbe& probe, Task& task) {
-        unwrap_cell(s, task.cell);
-        const Vec2 origin = user_coordinates(s);
-        // The pieces of a cut cell come and go while it moves, and their errors with them.
-        const double jump = kEnergyJump * delaunay_.n_sites();
-        const bool is_cut = quadrature_.is_cut(task.cell, origin);
-        const double wanted = is_cut ? std::min(accuracy, jump) : accuracy;
-        int q = lower ? kLeastOrder : std::min<int>(order_[s], kGreatestOrder - 1);
-        Moments moments = quadrature_(task.cell, origin, q, probe);
-        double error = wanted + 1;
-        for (;;) {
-            const Moments finer = quadrature_(task.cell, origin, q + 1, probe);
-            error = distance(moments, finer, areas()[s]);
-            if (error <= wanted) break;
-            ++q;
-            if (q == kGreatestOrder) break;
-            moments = finer;
+void WeightedPass::hessian(const Eigen::VectorXd& mass, BlockMatrix& hessian) {
+    const WeightedHessian rows(delaunay_, cells_, quadrature_, order_, mass);
+    rows.resize(hessian);
+    run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task&) {
+        rows.fill_rows(first, end, per_unit_, probe, hessian);
+    });
+}
+
+/// Compares the rules of the cells with the next ones, and those that differ with the next ones
+/// again.
+void WeightedPass::choose_orders(std::vector<OrderedCell> cells, double accuracy,
+                                 DensityProbe& probe, Task& task) {
+    // The pieces of a cut cell come and go while it moves, and their errors with them.
+    const double when_cut = std::min(accuracy, kEnergyJump * delaunay_.n_sites());
+    std::vector<Moments> moments;
+    std::vector<Moments> finer;
+    integrate(cells, probe, moments);
+    while (!cells.empty()) {
+        for (OrderedCell& cell : cells) ++cell.q;
+        integrate(cells, probe, finer);
+        std::size_t n_open = 0;
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            const auto [site, q, is_cut] = cells[k];
+            const double error = distance(moments[k], finer[k], areas()[site]);
+            const bool enough = error <= (is_cut ? when_cut : accuracy);
+            if (!enough && q < kGreatestOrder) {
+                cells[n_open] = cells[k];
+                moments[n_open++] = finer[k];
+                continue;
+            }
+            const int chosen = enough ? q - 1 : q;
+            task.check.n_rough += error > accuracy;
+            task.check.n_raised += chosen > order_[site];
+            task.check.largest_error = std::max(task.check.largest_error, error);
+            order_[site] = static_cast<std::uint8_t>(chosen);
         }
-        task.check.n_rough += error > accuracy;
-        task.check.n_raised += q > order_[s];
-        task.check.largest_error = std::max(task.check.largest_error, error);
-        order_[s] = static_cast<std::uint8_t>(q);
+        cells.resize(n_open);
+    }
+}
+
+RuleCheck WeightedPass::choose_orders(double accuracy, bool lower) {
+    cells_.locate();
+    run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task& task) {
+        std::vector<OrderedCell> cells;
+        CellList list;
+        for (SiteId s = first; s < end; ++s) {
+            cells_.unwrap({&s, 1}, list);
+            cells.push_back({s, lower ? kLeastOrder : std::min<int>(order_[s], kGreatestOrder - 1),
+                             quadrature_.is_cut(list[0], cells_.site(s))});
+        }
+        choose_orders(std::move(cells), accuracy, probe, task);
     });
     RuleCheck check;
     for (const Task& task : tasks_) {

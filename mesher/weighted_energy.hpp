@@ -2,6 +2,7 @@
 
 #include "mesher/cell_moments.hpp"
 #include "mesher/energy.hpp"
+#include "mesher/weighted_hessian.hpp"
 
 namespace pcvt {
 
@@ -46,6 +47,9 @@ class WeightedPass {
     bool evaluate(Energy& energy);
     /// Restores the triangulation alone.
     bool restore() { return pass_.evaluate(uniform_); }
+    /// The second derivatives at the place evaluated last, see weighted_hessian.hpp.
+    /// @param mass  of that evaluation.
+    void hessian(const Eigen::VectorXd& mass, BlockMatrix& hessian);
     /// Areas of the cells at the last look, unit^2.
     const Eigen::VectorXd& areas() const { return uniform_.mass; }
 
@@ -60,30 +64,27 @@ class WeightedPass {
 
    private:
     struct Task;
+    /// A cell, the order of its rule, and whether a break line crosses it.
+    struct OrderedCell {
+        SiteId site;
+        int q;
+        bool is_cut;
+    };
 
-    void locate_cells();
-    void locate_centre(int triangle);
-    Vec2 user_coordinates(SiteId site) const;
-    void unwrap_cell(SiteId site, CellPolygon& cell) const;
-    void run_tasks(const std::function<void(SiteId, DensityProbe&, Task&)>& look);
+    void integrate(std::span<const OrderedCell> cells, DensityProbe& probe,
+                   std::vector<Moments>& moments) const;
+    void choose_orders(std::vector<OrderedCell> cells, double accuracy, DensityProbe& probe,
+                       Task& task);
+    void run_tasks(const std::function<void(SiteId, SiteId, DensityProbe&, Task&)>& look);
 
     MovingDelaunay& delaunay_;
     Workers& workers_;
     EnergyPass pass_;
+    UnwrappedCells cells_;
     Energy uniform_;
     CellQuadrature quadrature_;
     DensityProbes probes_;
     double per_unit_;
-    /// Lattice coordinates of the user's basis by those of the reduced one, and by the frame.
-    Eigen::Matrix2d from_reduced_;
-    Eigen::Matrix2d from_frame_;
-    /// For each site a halfedge that leaves it, found after so many flips and rebuilds.
-    std::vector<int> leaving_;
-    std::int64_t n_flips_ = -1;
-    int n_rebuilds_ = -1;
-    /// For each halfedge the circumcentre of its triangle relative to the site that it leaves;
-    /// frame, units.
-    std::vector<Vec2> centre_;
     std::vector<std::uint8_t> order_;
     std::vector<Task> tasks_;
     double evaluations_per_site_ = 0;

@@ -138,11 +138,10 @@ void check_order(const Job& job, const std::vector<JobFile>& files) {
 /// Starts and solvers that know no density.
 void check_density(const Job& job) {
     if (!job.density) return;
-    if (job.start.value_or(Start::kRandom) != Start::kRandom) {
-        throw InvalidInput("only random sites can begin with a density; leave the start out");
-    }
-    if (job.solver == Solver::kNewton) {
-        throw InvalidInput("newton knows no density; take lbfgs");
+    const Start start = job.start.value_or(Start::kRandom);
+    if (start == Start::kLattice || start == Start::kBest) {
+        throw InvalidInput(
+            "a lattice knows no density; leave the start out, or take coarse or random");
     }
 }
 

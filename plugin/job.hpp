@@ -32,8 +32,7 @@ struct Job {
     /// The sites, 2 x n, length units; without columns `n_sites` sites begin at `start`.
     Points points;
     int n_sites = 0;
-    /// Nothing: coarse from 1000 sites on that are to be optimised without a density,
-    /// else random.
+    /// Nothing: coarse from 1000 sites on that are to be optimised without a density, else random.
     std::optional<Start> start;
     /// Evaluations that the global search may spend; 0: default_search_budget(n_sites).
     int budget = 0;

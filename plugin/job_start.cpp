@@ -13,6 +13,7 @@ constexpr int kFewestForCoarse = 1000;
 
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
+    // With a density that jumps, what the coarse cells miss makes higher minima.
     const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0 && !job.density;
     return coarse ? Start::kCoarse : Start::kRandom;
 }
@@ -26,7 +27,8 @@ JobStart drawn_start(const Job& job) {
 
 JobStart refined_start(const Job& job, const JobCallback& callback) {
     JobStart start;
-    start.points = coarse_start(job.lattice, job.n_sites, {job.seed, job.n_threads, callback});
+    start.points =
+        coarse_start(job.lattice, job.n_sites, {job.seed, job.n_threads, job.density, callback});
     start.precondition_below = kPreconditionAfterCoarse;
     start.cancelled = start.points.cols() == 0;
     return start;

@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "mesher/density_survey.hpp"
 #include "mesher/quality.hpp"
+#include "tests/support/densities.hpp"
 
 namespace pcvt {
 namespace {
 
 CoarseStartOptions seeded(std::uint64_t seed, int n_threads = 1) {
-    return {.seed = seed, .n_threads = n_threads, .progress = {}};
+    return {.seed = seed, .n_threads = n_threads, .density = {}, .progress = {}};
 }
 
 /// Of the result of an optimisation, the share of cells that have other than six neighbours.
@@ -46,6 +48,22 @@ TEST(CoarseStart, LeadsToLowerMinimaWithFewerDefects) {
     EXPECT_LT(from_coarse.energy, from_random.energy * (1 - 1e-3));
     EXPECT_LT(defects(from_coarse), 0.04);
     EXPECT_GT(defects(from_random), 0.07);
+}
+
+TEST(CoarseStart, LeadsToLowerMinimaOfSmoothDensitiesToo) {
+    const Lattice lattice = Lattice::rectangle(1, 1);
+    CvtOptions options;
+    options.density = testing::ridge_density();
+    options.tolerance = 1e-3;
+    CoarseStartOptions coarse = seeded(1);
+    coarse.density = options.density;
+    const CvtResult from_random =
+        compute_cvt(lattice, graded_points(lattice, *options.density, 4000, 1), options);
+    const CvtResult from_coarse =
+        compute_cvt(lattice, coarse_start(lattice, 4000, coarse), options);
+    EXPECT_LT(from_coarse.energy, from_random.energy * (1 - 1e-3));
+    EXPECT_LT(from_coarse.evaluations, from_random.evaluations);
+    EXPECT_LT(from_coarse.density->spacing_deviation, 0.02);
 }
 
 TEST(CoarseStart, StopsWhenCancelled) {

@@ -11,7 +11,8 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-Density found(const DensityFunction& function) {
+template <class Function>
+Density found(const Function& function) {
     return with_axis_breaks(Lattice({1, 0}, {0.3, 2}), shared_density(function));
 }
 

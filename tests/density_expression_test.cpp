@@ -8,6 +8,8 @@
 #include <numbers>
 #include <thread>
 
+#include "tests/support/densities.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -15,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 double value(const std::string& expression, const DensityPoint& point) {
-    return expression_density(expression).make_function()(point);
+    return testing::value_at(expression_density(expression).make_function(), point);
 }
 
 TEST(DensityExpression, KnowsItsVariablesFunctionsAndConstants) {
@@ -31,9 +33,9 @@ TEST(DensityExpression, KnowsItsVariablesFunctionsAndConstants) {
 
 TEST(DensityExpression, HasNoMemory) {
     const DensityFunction f = expression_density("1 + u").make_function();
-    EXPECT_EQ(f({0, 0, 0.5, 0}), 1.5);
-    EXPECT_EQ(f({0, 0, 0.25, 0}), 1.25);
-    EXPECT_EQ(f({0, 0, 0.5, 0}), 1.5);
+    EXPECT_EQ(testing::value_at(f, {0, 0, 0.5, 0}), 1.5);
+    EXPECT_EQ(testing::value_at(f, {0, 0, 0.25, 0}), 1.25);
+    EXPECT_EQ(testing::value_at(f, {0, 0, 0.5, 0}), 1.5);
 }
 
 std::string refusal(const std::string& expression) {
@@ -82,7 +84,8 @@ TEST(DensityExpression, FunctionsOfOneDensityDoNotDisturbEachOther) {
     for (int t = 0; t < 4; ++t) {
         team.emplace_back([&, t] {
             const DensityFunction f = density.make_function();
-            for (int k = 1; k < 5000; ++k) wrong[t] += f({0, 0, k * 1e-4 + t, 0}) != k * 1e-4 + t;
+            for (int k = 1; k < 5000; ++k)
+                wrong[t] += testing::value_at(f, {0, 0, k * 1e-4 + t, 0}) != k * 1e-4 + t;
         });
     }
     for (std::thread& thread : team) thread.join();

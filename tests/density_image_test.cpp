@@ -4,6 +4,7 @@
 
 #include "io/tile_file.hpp"
 #include "mesher/density_survey.hpp"
+#include "tests/support/densities.hpp"
 #include "tests/support/png_bytes.hpp"
 
 namespace pcvt {
@@ -100,7 +101,7 @@ TEST(PngImage, HugePicturesAreRefusedByTheirHeader) {
 }
 
 double at(const Density& density, double u, double v) {
-    return density.make_function()({0, 0, u, v});
+    return testing::value_at(density.make_function(), {0, 0, u, v});
 }
 
 TEST(DensityImage, PixelCentresLieWhereTheyShouldAndRowZeroOnTop) {

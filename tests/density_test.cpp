@@ -11,8 +11,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-DensityProbe probe_of(const Lattice& lattice, DensityFunction function) {
-    return {lattice, std::move(function)};
+template <class Function>
+DensityProbe probe_of(const Lattice& lattice, const Function& function) {
+    return {lattice, pointwise(function)};
 }
 
 std::string refusal(double value) {
@@ -82,7 +83,7 @@ TEST(Density, FunctionsAreMadeOncePerProbeAndLentAgain) {
     int n_made = 0;
     const Density density{[&n_made] {
         ++n_made;
-        return [](const DensityPoint&) { return 2.0; };
+        return pointwise([](const DensityPoint&) { return 2.0; });
     }};
     DensityProbes probes(Lattice::rectangle(1, 1), density);
     for (int k = 0; k < 3; ++k) {

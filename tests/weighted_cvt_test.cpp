@@ -31,6 +31,34 @@ TEST(WeightedCvt, ReachesTheTolerance) {
     }
 }
 
+// Long waves treated apart, and Newton's method at the end.
+TEST(WeightedCvt, NeedsAFractionOfTheEvaluationsOfPlainLbfgs) {
+    for (const Density& density : {testing::smooth_density(), testing::ridge_density()}) {
+        CvtOptions options;
+        options.density = density;
+        const Points points = graded_points(kSquare, density, 1000, 2);
+        const CvtResult result = compute_cvt(kSquare, points, options);
+        options.solver = Solver::kPlainLbfgs;
+        const CvtResult plain = compute_cvt(kSquare, points, options);
+        EXPECT_EQ(result.stop, Stop::kConverged);
+        EXPECT_GT(result.hessians, 0);
+        EXPECT_EQ(plain.hessians, 0);
+        EXPECT_LT(result.evaluations, 0.7 * plain.evaluations);
+        RecordProperty("evaluations", result.evaluations);
+        RecordProperty("plain", plain.evaluations);
+    }
+}
+
+TEST(WeightedCvt, NewtonsMethodFromTheStartEndsInAMinimumToo) {
+    CvtOptions options;
+    options.density = testing::smooth_density();
+    options.solver = Solver::kNewton;
+    const CvtResult result =
+        compute_cvt(kSquare, graded_points(kSquare, *options.density, 300, 2), options);
+    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_GT(result.hessians, 5);
+}
+
 /// Adds the integrals of rho and of rho p over a triangle: the rule of the middles of the sides on
 /// 4^depth parts.
 void add_triangle(const Lattice& lattice, const DensityFunction& rho, const Vec2& p, const Vec2& q,
@@ -47,7 +75,8 @@ void add_triangle(const Lattice& lattice, const DensityFunction& rho, const Vec2
         Vec2 u = lattice.to_lattice(m);
         u -= Vec2(u.array().floor());
         const double part = cross(q - p, r - p) / 6 *
-                            rho({lattice.to_plane(u).x(), lattice.to_plane(u).y(), u.x(), u.y()});
+                            testing::value_at(rho, {lattice.to_plane(u).x(),
+                                                    lattice.to_plane(u).y(), u.x(), u.y()});
         mass += part;
         first += part * m;
     }
@@ -138,7 +167,7 @@ TEST(WeightedCvt, UnitsOfLengthAndDensityChangeNothing) {
     const CvtResult one = optimise(kSquare, testing::smooth_density(), 100, 1e-8);
     const Lattice large = Lattice::rectangle(1024, 1024);
     const Density scaled = shared_density([](const DensityPoint& p) {
-        return std::ldexp(testing::smooth_density().make_function()(p), 100);
+        return std::ldexp(testing::value_at(testing::smooth_density().make_function(), p), 100);
     });
     const CvtResult other = optimise(large, scaled, 100, 1e-8);
     EXPECT_EQ(other.iterations, one.iterations);

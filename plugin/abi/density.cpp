@@ -1,6 +1,10 @@
 #include "plugin/abi/density.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "mesher/density_breaks.hpp"
 #include "plugin/job_density.hpp"
@@ -8,17 +12,32 @@
 namespace pcvt::abi {
 namespace {
 
-double ask_host(const pcvt_options& options, const std::fenv_t& host, const DensityPoint& point) {
-    const double position[2] = {point.x, point.y};
-    double value = std::numeric_limits<double>::quiet_NaN();
-    const int refusal = call_host("density", host, [&] {
-        return options.density(position, 1, &value, options.density_data);
-    });
-    if (refusal != 0) {
+/// The density of a host's callback.
+class HostDensity {
+   public:
+    HostDensity(const pcvt_options& options, const std::fenv_t& host)
+        : options_(options), host_(host) {}
+
+    void operator()(std::span<const DensityPoint> points, std::span<double> rho) {
+        positions_.clear();
+        for (const DensityPoint& point : points) {
+            positions_.push_back(point.x);
+            positions_.push_back(point.y);
+        }
+        std::fill(rho.begin(), rho.end(), std::numeric_limits<double>::quiet_NaN());
+        const int refusal = call_host("density", host_, [&] {
+            return options_.density(positions_.data(), points.size(), rho.data(),
+                                    options_.density_data);
+        });
+        if (refusal == 0) return;
         throw CallbackFault("the density callback returned " + std::to_string(refusal));
     }
-    return value;
-}
+
+   private:
+    const pcvt_options& options_;
+    const std::fenv_t& host_;
+    std::vector<double> positions_;
+};
 
 std::optional<GreyRange> range_of(const pcvt_options& options) {
     const double* range = options.density_range;
@@ -44,10 +63,7 @@ void set_density(const pcvt_options& options, const std::fenv_t& host, Job& job)
     }
     job.n_threads = 1;
     job.density_name = "callback";
-    const Density density{[&options, &host] {
-        return
-            [&options, &host](const DensityPoint& point) { return ask_host(options, host, point); };
-    }};
+    const Density density{[&options, &host] { return HostDensity(options, host); }};
     job.density = with_axis_breaks(job.lattice, density);
 }
 

@@ -7,6 +7,12 @@
 
 namespace pcvt::testing {
 
+inline double value_at(const DensityFunction& function, const DensityPoint& point) {
+    double rho = 0;
+    function({&point, 1}, {&rho, 1});
+    return rho;
+}
+
 /// exp(sin 2 pi u + cos 2 pi v): contrast 55.
 inline Density smooth_density() {
     return shared_density([](const DensityPoint& p) {

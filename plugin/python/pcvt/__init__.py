@@ -109,7 +109,7 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
     density         periodic, finite and positive: a function of x, y, each float64 of shape (m,),
                     that returns shape (m,) or one number; or an expression in x, y, u, v or the
                     name of a .png file as text. None: uniform. A function is called on the calling
-                    thread, for few points at a time
+                    thread, for some thousand points at a time
     density_range   of the image; 0, 0: pcvt chooses
     origin          corner of the domain round which tiles are laid out
     repeat          (columns, rows): a tile covers so many domains
