@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <thread>
 
 #include "io/mpas_writer.hpp"
 #include "io/site_writer.hpp"
@@ -11,6 +13,7 @@
 #include "mesher/c_grid.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/voronoi.hpp"
+#include "mesher/workers.hpp"
 #include "plugin/job_files.hpp"
 #include "plugin/job_proof.hpp"
 #include "plugin/job_report.hpp"
@@ -250,25 +253,48 @@ std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
     return tiles;
 }
 
+void stage_file(const Job& job, const JobFile& file, const CvtResult& result,
+                std::span<const ProvedTile> tiles, OutputSet& outputs) {
+    if (file.content == JobContent::kSites) {
+        stage_sites(file.paths.front(), result, outputs);
+    } else if (file.content == JobContent::kCGrid) {
+        stage_c_grid(file.paths.front(), job, result, outputs);
+    } else {
+        stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)].tile, outputs);
+    }
+}
+
+/// Stages the files, one a thread at a time; of several faults that of the first file counts.
+void stage_files(const Job& job, const std::vector<JobFile>& files, const CvtResult& result,
+                 std::span<const ProvedTile> tiles, const Monitor& monitor, OutputSet& outputs) {
+    const std::thread::id caller = std::this_thread::get_id();
+    std::vector<std::exception_ptr> faults(files.size());
+    Workers workers(std::min(job.n_threads, static_cast<int>(files.size())));
+    workers.for_each(static_cast<int>(files.size()), [&](int k) {
+        try {
+            stage_file(job, files[k], result, tiles, outputs);
+        } catch (...) {
+            faults[k] = std::current_exception();
+        }
+        if (std::this_thread::get_id() == caller) monitor.between_stages();
+    });
+    for (const std::exception_ptr& fault : faults) {
+        if (fault) std::rethrow_exception(fault);
+    }
+}
+
 /// Stages every file and then, last, commits them all: the one moment that cannot be cancelled.
 void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& result,
            std::span<const ProvedTile> tiles, const Monitor& monitor, Stopwatch& watch,
            JobOutcome& outcome) {
     OutputSet outputs;
+    stage_files(job, files, result, tiles, monitor, outputs);
     for (const JobFile& file : files) {
-        if (file.content == JobContent::kSites) {
-            stage_sites(file.paths.front(), result, outputs);
-        } else if (file.content == JobContent::kCGrid) {
-            stage_c_grid(file.paths.front(), job, result, outputs);
-        } else {
-            stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)].tile, outputs);
-        }
         if (file.folder.empty()) {
             outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
         } else {
             outcome.files.push_back(file.folder);
         }
-        monitor.between_stages();
     }
     watch.stop(&JobSeconds::write);
     if (!job.report.empty()) {
