@@ -1,12 +1,9 @@
 #pragma once
 
 #include "mesher/periodic_mesh.hpp"
+#include "mesher/triangle_shape.hpp"
 
 namespace pcvt {
-
-/// Angles of grains are larger than this, degrees, but for corners of cells that are sharper
-/// themselves.
-inline constexpr double kSmallestAngle = 20;
 
 /// Edges shorter than this, in units of h = sqrt(area / number of cells), are removed before cells
 /// are meshed (short_edges.hpp).
@@ -51,5 +48,11 @@ struct Grains {
 /// @param size   length units, above 0.
 /// @throws LimitExceeded if a cell is thousands of times longer than wide.
 Grains mesh_grains(const PeriodicMesh& cells, double size);
+
+/// The same with each edge of the cells cut into `parts` parts, and into more where good angles or
+/// the guards of sharp corners need that; triangles inside of a cell are as large as the parts of
+/// its edges on average.
+/// @param parts  above 0.
+Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts);
 
 }  // namespace pcvt
