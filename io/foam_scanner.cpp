@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/char_set.hpp"
 #include "io/text.hpp"
 #include "io/tile_file.hpp"
 
 namespace pcvt {
 namespace {
 
-constexpr std::string_view kPunctuation = "(){};";
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
-constexpr std::string_view kEndOfWord = "(){}; \t\r\n\v\f\"";
+constexpr CharSet kPunctuation("(){};");
+constexpr CharSet kBlanks(" \t\r\n\v\f");
+constexpr CharSet kEndOfWord("(){}; \t\r\n\v\f\"");
 
 }  // namespace
 
@@ -30,7 +31,7 @@ FoamScanner::FoamScanner(std::string name, std::string_view text)
 
 void FoamScanner::skip_blanks() {
     while (true) {
-        std::size_t n = std::min(rest_.find_first_not_of(kBlanks), rest_.size());
+        std::size_t n = kBlanks.skip_in(rest_);
         if (n == 0 && rest_.starts_with("//")) n = std::min(rest_.find('\n'), rest_.size());
         if (n == 0 && rest_.starts_with("/*")) {
             const std::size_t end = rest_.find("*/");
@@ -49,8 +50,8 @@ std::string_view FoamScanner::next() {
     if (rest_[0] == '"') {
         const std::size_t end = rest_.find('"', 1);
         length = end == std::string_view::npos ? rest_.size() : end + 1;
-    } else if (kPunctuation.find(rest_[0]) == std::string_view::npos) {
-        length = std::min(rest_.find_first_of(kEndOfWord), rest_.size());
+    } else if (!kPunctuation.holds(rest_[0])) {
+        length = kEndOfWord.find_in(rest_);
     }
     const std::string_view token = rest_.substr(0, length);
     rest_.remove_prefix(length);

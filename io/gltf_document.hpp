@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/tile_formats.hpp"
@@ -55,10 +56,13 @@ class GltfDocument {
 
     void parse_json(std::string_view text);
     std::string_view split_binary(std::string_view bytes);
+    std::string_view base64_of(std::string_view text) const;
     void load_buffer(const Json& buffer, std::size_t index, std::string_view binary_chunk);
     Elements elements(std::size_t accessor, const std::string& type, std::size_t width) const;
 
     std::string path_;
+    /// While buffers are loaded: base64 of the file, taken out before the JSON was parsed.
+    std::vector<std::string_view> base64_;
     Json root_;
     std::vector<std::string> buffers_;
 };

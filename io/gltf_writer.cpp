@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
 #include <sstream>
 
 #include "io/finite.hpp"
+#include "io/gltf_container.hpp"
 #include "io/gltf_surface.hpp"
 #include "io/palette.hpp"
 #include "io/raw_tile.hpp"
+#include "io/text.hpp"
+#include "mesher/bucket_sort.hpp"
 #include "mesher/quality.hpp"
 
 namespace pcvt {
@@ -143,33 +147,45 @@ class ModelBuilder {
     tinygltf::Model model_;
 };
 
-tinygltf::Value numbers(const std::vector<int>& integers) {
-    tinygltf::Value::Array array;
-    array.reserve(integers.size());
-    for (const int number : integers) array.emplace_back(number);
-    return tinygltf::Value(std::move(array));
-}
-
-tinygltf::Value numbers(const Vec2& vector) {
-    tinygltf::Value::Array array;
-    for (const double number : {vector.x(), vector.y()}) array.emplace_back(number);
-    return tinygltf::Value(std::move(array));
-}
-
-tinygltf::Value periodic_extras(const FlatTile& tile, const Surface& surface) {
-    tinygltf::Value::Array pairs;
-    for (const VertexPair& pair : tile.vertex_pairs) {
-        pairs.push_back(numbers(std::vector{pair.v, pair.w, pair.offset.i, pair.offset.j}));
+template <class Number>
+void append_list(std::string& text, std::initializer_list<Number> numbers) {
+    char before = '[';
+    for (const Number number : numbers) {
+        text += before;
+        append_number(text, number);
+        before = ',';
     }
-    tinygltf::Value::Object periodic;
-    periodic.emplace("lattice",
-                     tinygltf::Value::Array{numbers(tile.lattice.a()), numbers(tile.lattice.b())});
-    periodic.emplace("vertexPairs", std::move(pairs));
-    if (tile.kind == TileKind::kGrains) periodic.emplace("kind", kind_word(tile.kind));
-    if (!surface.copies.empty()) periodic.emplace("vertexCopies", numbers(surface.copies));
-    tinygltf::Value::Object extras;
-    extras.emplace("periodic", std::move(periodic));
-    return tinygltf::Value(std::move(extras));
+    text += ']';
+}
+
+/// extras.periodic, as JSON: a tinygltf::Value takes 150 bytes and several copies for each number.
+std::string periodic_json(const FlatTile& tile, const Surface& surface) {
+    const Vec2& a = tile.lattice.a();
+    const Vec2& b = tile.lattice.b();
+    std::string text = "{";
+    if (tile.kind == TileKind::kGrains) text += "\"kind\":\"" + kind_word(tile.kind) + "\",";
+    text += "\"lattice\":[";
+    append_list(text, {a.x(), a.y()});
+    text += ',';
+    append_list(text, {b.x(), b.y()});
+    text += "],";
+    if (!surface.copies.empty()) {
+        text += "\"vertexCopies\":[";
+        for (const int v : surface.copies) {
+            append_number(text, v);
+            text += ',';
+        }
+        text.back() = ']';
+        text += ',';
+    }
+    text += "\"vertexPairs\":[";
+    for (const VertexPair& pair : tile.vertex_pairs) {
+        append_list(text, {pair.v, pair.w, pair.offset.i, pair.offset.j});
+        text += ',';
+    }
+    if (tile.vertex_pairs.empty()) return text + "]}";
+    text.back() = ']';
+    return text + '}';
 }
 
 std::vector<Point3> lifted(const std::vector<Point32>& points, float z) {
@@ -220,7 +236,7 @@ std::vector<int> edge_ends(const FlatTile& tile, const std::vector<Point32>& poi
             previous = v;
         }
     }
-    std::sort(edges.begin(), edges.end());
+    bucket_sort(edges, static_cast<int>(points.size()), [](const auto& edge) { return edge[0]; });
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<int> ends;
     for (const auto& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
@@ -251,8 +267,21 @@ void add_outlines(const FlatTile& tile, const Surface& surface, ModelBuilder& bu
 
 enum class Container { kText, kBinary };
 
+/// What stands in the JSON of a model for its extras.periodic, and for its one buffer.
+constexpr std::string_view kPeriodicMark = "\"periodic\":0";
+constexpr std::string_view kBufferMark = "\"buffers\":[{\"byteLength\":0}]";
+/// Before the JSON in a .glb file of tinygltf's.
+constexpr std::size_t kGlbHeader = 20;
+
+/// A model without its buffer and with the mark for its extras.
+struct ModelParts {
+    tinygltf::Model model;
+    std::vector<unsigned char> buffer;
+    std::string periodic;
+};
+
 /// The tile itself is needed no more once its model stands, and both are large.
-tinygltf::Model make_model(const FlatTile& tile, const std::string& path) {
+ModelParts make_model(const FlatTile& tile, const std::string& path) {
     require_finite(tile);
     const std::vector<SiteId>& sites =
         faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
@@ -263,21 +292,38 @@ tinygltf::Model make_model(const FlatTile& tile, const std::string& path) {
     ModelBuilder builder;
     add_surface(tile, surface, builder);
     add_outlines(tile, surface, builder);
-    builder.model().nodes[0].extras = periodic_extras(tile, surface);
-    if (builder.model().buffers[0].data.size() > kMaxBytes) {
+    builder.model().nodes[0].extras =
+        tinygltf::Value(tinygltf::Value::Object{{"periodic", tinygltf::Value(0)}});
+    std::vector<unsigned char> buffer = std::move(builder.model().buffers[0].data);
+    builder.model().buffers[0].data.clear();
+    if (buffer.size() > kMaxBytes) {
         throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");
     }
-    return std::move(builder.model());
+    return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface)};
 }
 
-std::vector<EncodedFile> encode(const tinygltf::Model& model, const std::string& path,
+void put(std::string& json, std::string_view mark, const std::string& content) {
+    const std::size_t at = json.find(mark);
+    if (at == std::string::npos) throw InternalError("a mark is missing in the JSON of a model");
+    json.replace(at, mark.size(), content);
+}
+
+std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path,
                                 Container container) {
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;
-    if (!writer.WriteGltfSceneToStream(&model, stream, false, container == Container::kBinary)) {
+    // As .glb, whose one buffer needs no URI: there is nothing but a header round the JSON then.
+    if (!writer.WriteGltfSceneToStream(&parts.model, stream, false, true)) {
         throw InternalError(path + ": tinygltf refused the model");
     }
-    return {{path, std::move(stream).str()}};
+    std::string json = std::move(stream).str().substr(kGlbHeader);
+    json.erase(json.find_last_not_of(' ') + 1);
+    put(json, kPeriodicMark, "\"periodic\":" + parts.periodic);
+    std::string buffer = "\"buffers\":[{\"byteLength\":" + std::to_string(parts.buffer.size());
+    if (container == Container::kText) buffer += ",\"uri\":\"" + data_uri(parts.buffer) + "\"";
+    put(json, kBufferMark, buffer + "}]");
+    if (container == Container::kText) return {{path, json + "\n"}};
+    return {{path, glb_bytes(json, parts.buffer)}};
 }
 
 }  // namespace
@@ -287,8 +333,8 @@ std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& pa
 }
 
 std::vector<EncodedFile> encode_gltf(const AnyTile& tile, const std::string& path) {
-    const tinygltf::Model model = make_model(flatten(tile), path);
-    return encode(model, path, Container::kText);
+    const ModelParts parts = make_model(flatten(tile), path);
+    return encode(parts, path, Container::kText);
 }
 
 std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& path) {
@@ -296,8 +342,8 @@ std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& pat
 }
 
 std::vector<EncodedFile> encode_glb(const AnyTile& tile, const std::string& path) {
-    const tinygltf::Model model = make_model(flatten(tile), path);
-    return encode(model, path, Container::kBinary);
+    const ModelParts parts = make_model(flatten(tile), path);
+    return encode(parts, path, Container::kBinary);
 }
 
 }  // namespace pcvt

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "io/library_lock.hpp"
 #include "io/mpas_format.hpp"
 #include "io/tile_file.hpp"
 
@@ -124,6 +125,7 @@ class MpasInput {
 }  // namespace
 
 CGrid decode_mpas(const std::string& path, const std::string& bytes) {
+    const std::lock_guard lock(library_lock());
     const MpasInput file(path, bytes);
     CGrid grid{};
     grid.x_period = file.attribute("x_period");

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "io/library_lock.hpp"
 #include "io/mpas_format.hpp"
 #include "mesher/error.hpp"
 
@@ -137,6 +138,7 @@ void fill_plain(const PlainVariables& plain, const CGrid& grid, MpasFile& file) 
 }  // namespace
 
 std::string encode_mpas(const CGrid& grid) {
+    const std::lock_guard lock(library_lock());
     MpasFile file(grid);
     state_attributes(grid, file);
     std::vector<int> numbers;

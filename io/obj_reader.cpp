@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "io/raw_tile.hpp"
@@ -26,21 +27,20 @@ class ObjParser {
     }
 
    private:
-    using Words = std::vector<std::string_view>;
+    using Words = std::span<const std::string_view>;
 
     void parse_line() {
         Words words = scanner_.words();
         if (words.size() >= 2 && words[0] == "#" && words[1] == "pcvt") {
-            words.erase(words.begin(), words.begin() + 2);
-            parse_seam(words);
+            parse_seam(words.subspan(2));
             return;
         }
         const auto comment = std::find_if(words.begin(), words.end(),
                                           [](std::string_view word) { return word[0] == '#'; });
-        words.erase(comment, words.end());
+        words = words.first(static_cast<std::size_t>(comment - words.begin()));
         if (words.empty()) return;
         const std::string_view statement = words.front();
-        words.erase(words.begin());
+        words = words.subspan(1);
         if (statement == "v") {
             parse_vertex(words);
         } else if (statement == "f") {
@@ -51,7 +51,7 @@ class ObjParser {
         }
     }
 
-    void parse_vertex(const Words& words) {
+    void parse_vertex(Words words) {
         if (words.size() != 3 && words.size() != 6) {
             scanner_.refuse("a vertex has 3 numbers, or 6 with its colour; write \"v x y 0\"");
         }
@@ -61,7 +61,7 @@ class ObjParser {
         raw_.points.emplace_back(numbers[0], numbers[1]);
     }
 
-    void parse_face(const Words& words) {
+    void parse_face(Words words) {
         std::vector<int> corners;
         for (const std::string_view word : words) corners.push_back(parse_corner(word));
         raw_.add_face(corners, scanner_.line());
@@ -86,10 +86,10 @@ class ObjParser {
     }
 
     /// A line of ours, without "# pcvt".
-    void parse_seam(const Words& words) {
+    void parse_seam(Words words) {
         if (words.empty()) scanner_.refuse("a word is missing after \"# pcvt\"; remove the line");
         const std::string_view key = words.front();
-        const Words values(words.begin() + 1, words.end());
+        const Words values = words.subspan(1);
         if (key == "kind") {
             raw_.take_kind(scanner_, values);
         } else if (key == "lattice") {
@@ -109,7 +109,7 @@ class ObjParser {
     }
 
     template <std::size_t kCount>
-    std::array<int, kCount> integers(const Words& values) {
+    std::array<int, kCount> integers(Words values) {
         if (values.size() != kCount) {
             scanner_.refuse("a pair has " + std::to_string(kCount) + " numbers here, not " +
                             std::to_string(values.size()) + "; write the file again with pcvt");

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "io/finite.hpp"
+#include "io/library_lock.hpp"
 
 namespace pcvt {
 namespace {
@@ -35,6 +36,7 @@ class SilentOpenMesh {
 
 std::vector<EncodedFile> encode_om(const AnyTile& tile, const std::string& path) {
     require_finite(flatten(tile));
+    const std::lock_guard lock(library_lock());
     const SilentOpenMesh silence;
     const OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
     std::ostringstream stream(std::ios::binary);

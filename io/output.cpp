@@ -168,6 +168,7 @@ void OutputSet::require_writable_folder(const std::string& folder,
 }
 
 void OutputSet::stage_folder(const std::string& folder) {
+    const std::lock_guard lock(mutex_);
     folders_.push_back({folder, {}, {}});
     struct stat status {};
     if (::lstat(folder.c_str(), &status) == 0) return;
@@ -191,7 +192,9 @@ void OutputSet::make_folders(Folder& folder, const std::string& innermost) {
     folder.created.push_back(innermost);
 }
 
-void OutputSet::stage(const std::string& path, const std::string& bytes) {
+/// Creates and opens the file that stands for `path` until commit().
+int OutputSet::create(const std::string& path) {
+    const std::lock_guard lock(mutex_);
     Staged entry{path, {}, {}};
     for (Folder& folder : folders_) {
         if (!path.starts_with(folder.target + "/")) continue;
@@ -204,6 +207,11 @@ void OutputSet::stage(const std::string& path, const std::string& bytes) {
     const int file = entry.moves_with_folder ? create_new(path, entry.temporary)
                                              : create_temporary(path, entry.temporary);
     staged_.push_back(entry);
+    return file;
+}
+
+void OutputSet::stage(const std::string& path, const std::string& bytes) {
+    const int file = create(path);
     int error = write_all(file, bytes);
     if (error == 0) error = sync(file);
     if (::close(file) != 0 && error == 0) error = errno;
@@ -211,9 +219,14 @@ void OutputSet::stage(const std::string& path, const std::string& bytes) {
 }
 
 std::string OutputSet::read_back(const std::string& path) const {
-    for (const Staged& file : staged_) {
-        if (file.target == path) return read_whole_file(file.temporary);
+    std::string temporary;
+    {
+        const std::lock_guard lock(mutex_);
+        for (const Staged& file : staged_) {
+            if (file.target == path) temporary = file.temporary;
+        }
     }
+    if (!temporary.empty()) return read_whole_file(temporary);
     throw InternalError(path + " was read back before it was staged");
 }
 

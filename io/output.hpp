@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ class OutputExists : public OutputError {
 /// removed by the destructor; a commit that fails half way takes back the files it had put there.
 /// A folder that does not exist yet is filled under a hidden name and renamed as a whole; in one
 /// that exists, files are replaced one by one and all others stay.
+/// Threads may stage and read back at the same time.
 class OutputSet {
    public:
     OutputSet() = default;
@@ -72,12 +74,15 @@ class OutputSet {
         std::vector<std::string> created;
         bool moved = false;
     };
+    int create(const std::string& path);
     void make_folders(Folder& folder, const std::string& innermost);
     void put_all(bool force, std::size_t& n_put);
     void take_back(std::size_t n_put);
     void remove_staged();
     static void put(Staged& file, bool force);
 
+    /// Guards the two lists while files are staged.
+    mutable std::mutex mutex_;
     std::vector<Staged> staged_;
     std::vector<Folder> folders_;
 };

@@ -9,11 +9,17 @@
 namespace pcvt {
 namespace {
 
-/// One element's values: a number has one, a list its items.
+/// The values of one line after the other: a number has one, a list its items.
 class PlyValues {
    public:
-    std::vector<double>& add(std::string_view name) {
-        return of_.emplace_back(name, std::vector<double>()).second;
+    explicit PlyValues(const PlyElement& element) {
+        for (const PlyProperty& property : element.properties) of_.emplace_back(property.name, 0);
+    }
+
+    /// Those of property k, without the ones of the line before.
+    std::vector<double>& renew(std::size_t k) {
+        of_[k].second.clear();
+        return of_[k].second;
     }
     const std::vector<double>& list(std::string_view name) const {
         static const std::vector<double> none;
@@ -34,7 +40,7 @@ class PlyValues {
 };
 
 /// The numbers of the current line, as `element` declares them.
-PlyValues parse_values(const LineScanner& scanner, const PlyElement& element) {
+void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValues& values) {
     std::size_t at = 0;
     const auto next_word = [&] {
         if (at == scanner.words().size()) {
@@ -42,11 +48,11 @@ PlyValues parse_values(const LineScanner& scanner, const PlyElement& element) {
         }
         return scanner.words()[at++];
     };
-    PlyValues values;
-    for (const PlyProperty& property : element.properties) {
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
         const int count = property.is_list ? scanner.integer(next_word()) : 1;
         if (count < 0) scanner.refuse("a list has a negative length; correct it");
-        std::vector<double>& numbers = values.add(property.name);
+        std::vector<double>& numbers = values.renew(p);
         for (int k = 0; k < count; ++k) {
             const std::string_view word = next_word();
             numbers.push_back(property.is_real ? scanner.number(word) : scanner.integer(word));
@@ -55,7 +61,6 @@ PlyValues parse_values(const LineScanner& scanner, const PlyElement& element) {
     if (at != scanner.words().size()) {
         scanner.refuse("the line is too long; correct it or the header");
     }
-    return values;
 }
 
 class PlyParser {
@@ -70,7 +75,8 @@ class PlyParser {
         for (const PlyElement& element : elements_) {
             if (element.name == "vertex") require_vertex(element);
             if (element.name == "face") require_face(element);
-            for (int k = 0; k < element.count; ++k) parse_element(element);
+            PlyValues values(element);
+            for (int k = 0; k < element.count; ++k) parse_element(element, values);
         }
         while (scanner_.next()) {
             if (scanner_.words().empty()) continue;
@@ -121,14 +127,14 @@ class PlyParser {
         if (has_sites_) require(element, "site", Type::kInteger);
     }
 
-    void parse_element(const PlyElement& element) {
+    void parse_element(const PlyElement& element, PlyValues& values) {
         do {
             if (!scanner_.next()) {
                 throw BadFile(raw_.name + ": ends before its last " + in_quotes(element.name) +
                               "; correct the counts or give the whole file");
             }
         } while (scanner_.words().empty());
-        const PlyValues values = parse_values(scanner_, element);
+        parse_values(scanner_, element, values);
         if (element.name == "vertex") add_vertex(values);
         if (element.name == "face") add_face(values);
     }

@@ -13,12 +13,12 @@ namespace {
     throw BadFile(raw.name + ": " + complaint);
 }
 
-void check_face(const RawTile& raw, int f, bool must_be_triangle) {
+void check_face(const RawTile& raw, int f, bool must_be_triangle, std::vector<int>& face) {
     const auto refuse_face = [&](const std::string& complaint) {
         throw BadFile(raw.name + ":" + std::to_string(raw.face_lines[f]) + ": " + complaint);
     };
-    std::vector<int> face(raw.corners.begin() + raw.face_begin[f],
-                          raw.corners.begin() + raw.face_begin[f + 1]);
+    face.assign(raw.corners.begin() + raw.face_begin[f],
+                raw.corners.begin() + raw.face_begin[f + 1]);
     if (face.size() < 3) refuse_face("a face needs 3 corners; remove it");
     if (must_be_triangle && face.size() != 3) {
         refuse_face("a face of a triangle tile has 3 corners; correct the kind or the face");
@@ -75,14 +75,14 @@ void RawTile::add_face(const std::vector<int>& vertices, int line) {
     face_lines.push_back(line);
 }
 
-void RawTile::take_kind(const LineScanner& scanner, const std::vector<std::string_view>& words) {
+void RawTile::take_kind(const LineScanner& scanner, std::span<const std::string_view> words) {
     const auto found = words.size() == 1 ? kind_of_word(words[0]) : std::nullopt;
     if (!found || kind)
         scanner.refuse("the kind is unclear; name it once: cells, triangles or grains");
     kind = found;
 }
 
-void RawTile::take_lattice(const LineScanner& scanner, const std::vector<std::string_view>& words) {
+void RawTile::take_lattice(const LineScanner& scanner, std::span<const std::string_view> words) {
     if (words.size() != 4 || lattice) {
         scanner.refuse("the lattice is unclear; name it once, with 4 numbers: ax ay bx by");
     }
@@ -119,7 +119,8 @@ TileFile finish(RawTile raw, const std::optional<Lattice>& lattice, Precision pr
     if (raw.face_lines.empty()) refuse(raw, "there is no face; give the file of a tile");
     const TileKind kind = raw.kind.value_or(guess_kind(raw));
     const int n_faces = static_cast<int>(raw.face_lines.size());
-    for (int f = 0; f < n_faces; ++f) check_face(raw, f, kind != TileKind::kCells);
+    std::vector<int> scratch;
+    for (int f = 0; f < n_faces; ++f) check_face(raw, f, kind != TileKind::kCells, scratch);
     for (const VertexPair& p : raw.vertex_pairs) check_pair(raw, {p.v, p.w}, p.offset);
     for (const EdgePair& p : raw.edge_pairs) check_pair(raw, {p.v0, p.v1, p.w0, p.w1}, p.offset);
     check_sites(raw, kind);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,8 +40,8 @@ struct RawTile {
     void add_face(const std::vector<int>& vertices, int line);
     /// Take the words after the key of our comments `kind ...` and `lattice ax ay bx by`.
     /// @throws BadFile unless they are what they should be and come for the first time.
-    void take_kind(const LineScanner& scanner, const std::vector<std::string_view>& words);
-    void take_lattice(const LineScanner& scanner, const std::vector<std::string_view>& words);
+    void take_kind(const LineScanner& scanner, std::span<const std::string_view> words);
+    void take_lattice(const LineScanner& scanner, std::span<const std::string_view> words);
 };
 
 /// `cells`, `triangles` or `grains`, as the files spell it.

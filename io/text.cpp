@@ -10,11 +10,15 @@
 #include <system_error>
 #include <utility>
 
+#include "io/char_set.hpp"
+
 namespace pcvt {
 namespace {
 
 constexpr std::size_t kMostQuoted = 40;
-constexpr std::string_view kBlanks = " \t\v\f";
+constexpr CharSet kBlanks(" \t\v\f");
+constexpr CharSet kLineEnds("\r\n");
+constexpr CharSet kWordEnds(" \t\v\f\r\n");
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -87,13 +91,17 @@ class Descriptor {
 
 void append_number(std::string& text, double value) {
     if (!std::isfinite(value)) throw InternalError("a number to be written is not finite");
-    std::array<char, 32> digits{};
+    std::array<char, 32> digits;
     const double written = value == 0 ? 0.0 : value;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), written).ptr;
     text.append(digits.data(), end);
 }
 
-void append_number(std::string& text, int value) { text += std::to_string(value); }
+void append_number(std::string& text, int value) {
+    std::array<char, 16> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text.append(digits.data(), end);
+}
 
 double parse_number(std::string_view word) { return parse<double>(word); }
 
@@ -115,17 +123,15 @@ bool LineScanner::next() {
     words_.clear();
     if (rest_.empty()) return false;
     ++line_;
-    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end);
-    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : rest_.empty() ? 0 : 1);
     while (true) {
-        line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
-        if (line.empty()) return true;
-        const std::size_t length = std::min(line.find_first_of(kBlanks), line.size());
-        words_.push_back(line.substr(0, length));
-        line.remove_prefix(length);
+        rest_.remove_prefix(kBlanks.skip_in(rest_));
+        if (rest_.empty() || kLineEnds.holds(rest_.front())) break;
+        const std::size_t length = kWordEnds.find_in(rest_);
+        words_.push_back(rest_.substr(0, length));
+        rest_.remove_prefix(length);
     }
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : rest_.empty() ? 0 : 1);
+    return true;
 }
 
 double LineScanner::number(std::string_view word) const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "io/char_set.hpp"
 #include "io/middle_nodes.hpp"
 #include "io/raw_tile.hpp"
 #include "io/text.hpp"
@@ -145,17 +146,17 @@ class VtuArrays {
     }
 
     void read_values(std::string_view text, int line, Array& array) const {
-        constexpr std::string_view kBlanks = " \t\r";
+        static constexpr CharSet kBlanks(" \t\r");
+        static constexpr CharSet kWordEnds(" \t\r\n");
         while (!text.empty()) {
-            const std::size_t blanks = text.find_first_not_of(kBlanks);
-            text.remove_prefix(std::min(blanks, text.size()));
+            text.remove_prefix(kBlanks.skip_in(text));
             if (text.empty()) return;
             if (text.front() == '\n') {
                 ++line;
                 text.remove_prefix(1);
                 continue;
             }
-            const std::size_t length = std::min(text.find_first_of(" \t\r\n"), text.size());
+            const std::size_t length = kWordEnds.find_in(text);
             add_value(text.substr(0, length), line, array);
             text.remove_prefix(length);
         }

@@ -257,4 +257,11 @@ CGrid c_grid(const PeriodicMesh& cells, const Vec2& origin) {
     return grid;
 }
 
+void fill_mesh_density(const std::vector<double>& site_densities, CGrid& grid) {
+    const double largest = *std::max_element(site_densities.begin(), site_densities.end());
+    for (std::size_t f = 0; f < grid.mesh_density.size(); ++f) {
+        grid.mesh_density[f] = site_densities[f % site_densities.size()] / largest;
+    }
+}
+
 }  // namespace pcvt

@@ -40,7 +40,7 @@ struct CGrid {
     std::vector<int> cells_on_vertex, edges_on_vertex;
     std::vector<double> weights_on_edge, kite_areas_on_vertex;
     std::vector<double> area_cell, area_triangle, dc_edge, dv_edge, angle_edge;
-    /// The density of the sites, relative; 1 where it is uniform.
+    /// The density at the sites over its largest value there; 1 where it is uniform.
     std::vector<double> mesh_density;
 };
 
@@ -54,5 +54,9 @@ Vec2 rectangular_periods(const Lattice& lattice);
 ///         circumcentre would leave it, and its kites turn over; the worst is named), or neighbours
 ///         lie half a period apart, so that the nearest image is not the right one.
 CGrid c_grid(const PeriodicMesh& cells, const Vec2& origin);
+
+/// Tells the grid the density of each site, of which its cells are one copy or more: cell
+/// k n_sites + i is one of site i.
+void fill_mesh_density(const std::vector<double>& site_densities, CGrid& grid);
 
 }  // namespace pcvt

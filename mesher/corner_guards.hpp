@@ -24,9 +24,21 @@ struct GuardedCells {
     /// The corners in the tips of the guards, and their indices in `cells`.
     std::vector<SharpCorner> sharp;
     std::vector<int> tip;
+    /// For each vertex of a guard, or between guards, the vertex in the guard's tip, else -1; the
+    /// old vertices, which come first, are left out.
+    std::vector<int> tip_of_new;
 };
 
-/// @param size  length units; no side of a guard is longer.
-GuardedCells guard_corners(const PeriodicMesh& cells, double size);
+struct GuardOptions {
+    /// Length units; no side of a guard is longer.
+    double longest;
+    /// Each edge is cut into so many parts, or more where guards take some; 1: not at all.
+    int per_edge = 1;
+    /// For each vertex of the cells the part of their usual length that its guards' sides have;
+    /// empty: 1.
+    std::vector<double> part = {};
+};
+
+GuardedCells guard_corners(const PeriodicMesh& cells, const GuardOptions& options);
 
 }  // namespace pcvt

@@ -83,4 +83,16 @@ void DensityProbes::lend(const std::function<void(DensityProbe&)>& work) {
     idle_.push_back(std::move(probe));
 }
 
+std::vector<double> densities_at(const Density& density, const Lattice& lattice,
+                                 const Points& points) {
+    DensityProbe probe(lattice, density.make_function());
+    std::vector<DensityPoint> asked;
+    for (Eigen::Index k = 0; k < points.cols(); ++k) {
+        const Vec2 u = lattice.to_lattice(points.col(k));
+        asked.push_back(probe.point(u.x() - std::floor(u.x()), u.y() - std::floor(u.y())));
+    }
+    const std::span<const double> rho = probe.ask(asked);
+    return {rho.begin(), rho.end()};
+}
+
 }  // namespace pcvt

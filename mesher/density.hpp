@@ -135,4 +135,9 @@ class DensityProbes {
     DensityRange range_;
 };
 
+/// rho at points, 2 x n, length units, anywhere in the plane; asked on the calling thread.
+/// @throws BadDensity as DensityProbe does.
+std::vector<double> densities_at(const Density& density, const Lattice& lattice,
+                                 const Points& points);
+
 }  // namespace pcvt

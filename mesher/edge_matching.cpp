@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "mesher/bucket_sort.hpp"
 #include "mesher/error.hpp"
 
 namespace pcvt {
@@ -27,12 +28,16 @@ EdgeSide edge_side(const DirectedEdge& e, int halfedge) {
 std::vector<int> match_edges(const std::vector<DirectedEdge>& halfedges) {
     std::vector<EdgeSide> sides;
     sides.reserve(halfedges.size());
+    int n_vertices = 0;
     for (const DirectedEdge& e : halfedges) {
         sides.push_back(edge_side(e, static_cast<int>(sides.size())));
+        n_vertices = std::max({n_vertices, e.origin + 1, e.target + 1});
     }
-    std::sort(sides.begin(), sides.end(), [](const EdgeSide& s, const EdgeSide& t) {
-        return std::tie(s.edge, s.reversed) < std::tie(t.edge, t.reversed);
-    });
+    bucket_sort(
+        sides, n_vertices, [](const EdgeSide& side) { return std::get<0>(side.edge); },
+        [](const EdgeSide& s, const EdgeSide& t) {
+            return std::tie(s.edge, s.reversed) < std::tie(t.edge, t.reversed);
+        });
     std::vector<int> opposite(sides.size());
     for (std::size_t k = 0; k < sides.size(); k += 2) {
         const bool paired = k + 1 < sides.size() && sides[k].edge == sides[k + 1].edge &&

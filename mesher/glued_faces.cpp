@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "mesher/bucket_sort.hpp"
 #include "mesher/refusal.hpp"
 
 namespace pcvt {
@@ -94,7 +95,7 @@ class Gluing {
         std::vector<Side> sides;
         sides.reserve(faces_.corners.size());
         for (int h = 0; h < faces_.n_halfedges(); ++h) sides.push_back(side(h));
-        std::sort(sides.begin(), sides.end());
+        bucket_sort(sides, tile_.n_vertices(), [](const Side& side) { return side.low; });
         faces_.opposite.assign(sides.size(), -1);
         faces_.across.resize(sides.size());
         for (std::size_t k = 0; k < sides.size();) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "mesher/error.hpp"
 #include "mesher/polygon.hpp"
@@ -33,15 +34,14 @@ constexpr int kLongestWalk = 10000;
 
 class Refiner {
    public:
-    Refiner(GrainTriangulation& grains, double size)
+    Refiner(GrainTriangulation& grains, const RefinementSizes& sizes)
         : grains_(grains),
-          size_(size),
+          sizes_(sizes),
           wanted_sine_(std::sin(kWantedAngle * M_PI / 180)),
           off_centre_(0.5 / std::tan(kWantedAngle * M_PI / 360)),
-          most_vertices_(kMostAVertex * grains.n_vertices() +
-                         kMostASquare * grains.lattice().area() / (size * size)) {}
+          most_vertices_(kMostAVertex * grains.n_vertices() + kMostASquare * squares()) {}
 
-    int run() {
+    RefinementLeft run() {
         split_long_edges();
         for (int t = 0; t < grains_.n_triangles(); ++t) inspect(t);
         for (;;) {
@@ -55,12 +55,23 @@ class Refiner {
             } else if (!bad_.empty()) {
                 mend_worst();
             } else {
-                return n_given_up_;
+                return std::move(left_);
             }
         }
     }
 
    private:
+    /// What the triangles cover, in squares of the size of their cell.
+    double squares() const {
+        double sum = 0;
+        for (int t = 0; t < grains_.n_triangles(); ++t) {
+            const auto [p, q, r] = grains_.triangle(t);
+            sum += cross(q - p, r - p) / 2 / (size(t) * size(t));
+        }
+        return sum;
+    }
+
+    double size(int t) const { return sizes_.of_cell[grains_.cell(t)]; }
     double length(int h) const {
         return (grains_.point(GrainTriangulation::next(h)) - grains_.point(h)).norm();
     }
@@ -71,8 +82,8 @@ class Refiner {
         while (!suspects.empty()) {
             const int h = suspects.back();
             suspects.pop_back();
-            if (grains_.edge(h) != Edge::kCell || length(h) < kLongEdge * size_) continue;
-            const double parts = std::round(length(h) / size_);
+            if (grains_.edge(h) != Edge::kCell || length(h) < kLongEdge * sizes_.of_edges) continue;
+            const double parts = std::round(length(h) / sizes_.of_edges);
             grains_.split_edge(h, std::floor(parts / 2) / parts);
             for (const int t : grains_.touched()) {
                 suspects.insert(suspects.end(), {3 * t, 3 * t + 1, 3 * t + 2});
@@ -91,18 +102,10 @@ class Refiner {
                encroaches(grains_.point(GrainTriangulation::previous(h)), h);
     }
 
-    bool is_guard(int t) const {
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            if (grains_.edge(h) != Edge::kFirm) return false;
-        }
-        return true;
+    bool is_too_large(int t, const Vec2& centre) const {
+        return (centre - grains_.point(3 * t)).norm() > kLargestRadius * size(t);
     }
-    bool is_too_large(const std::array<Vec2, 3>& triangle, const Vec2& centre) const {
-        return (centre - triangle[0]).norm() > kLargestRadius * size_;
-    }
-    bool is_too_thin(const std::array<Vec2, 3>& triangle) const {
-        return smallest_sine(triangle) < wanted_sine_;
-    }
+    bool is_too_thin(int t) const { return smallest_sine(grains_.triangle(t)) < wanted_sine_; }
 
     /// Notes what is to be done about triangle t as it is now.
     void inspect(int t) {
@@ -111,11 +114,10 @@ class Refiner {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             if (is_encroached(h)) encroached_.push_back(h);
         }
-        if (is_guard(t)) return;
-        const std::array<Vec2, 3> triangle = grains_.triangle(t);
-        const Vec2 centre = circumcentre(triangle);
-        if (is_too_large(triangle, centre) || is_too_thin(triangle)) {
-            bad_.push({(centre - triangle[0]).norm(), -t, stamps_[t]});
+        if (grains_.is_guard(t)) return;
+        const Vec2 centre = circumcentre(grains_.triangle(t));
+        if (is_too_large(t, centre) || is_too_thin(t)) {
+            bad_.push({(centre - grains_.point(3 * t)).norm(), -t, stamps_[t]});
         }
     }
     void inspect_touched() {
@@ -138,14 +140,14 @@ class Refiner {
         bad_.pop();
         const int t = -minus_t;
         if (stamp != stamps_[t]) return;
-        if (!mend(t, radius)) ++n_given_up_;
+        if (!mend(t, radius)) ++left_.n_given_up;
     }
 
     /// Where a new vertex would mend the triangle.
     Vec2 new_vertex(int t) const {
         const std::array<Vec2, 3> triangle = grains_.triangle(t);
         Vec2 centre = circumcentre(triangle);
-        if (is_too_large(triangle, centre)) return centre;
+        if (is_too_large(t, centre)) return centre;
         const auto sides = side_lengths(triangle);
         const auto k = std::min_element(sides.begin(), sides.end()) - sides.begin();
         const Vec2 middle = (triangle[static_cast<std::size_t>(k)] +
@@ -217,13 +219,24 @@ class Refiner {
         return cross(along, p - grains_.point(h)) / along.squaredNorm();
     }
 
-    /// Puts a vertex at p, in triangle t or on one of its free edges.
+    /// Notes the firm edge h that keeps triangle t from being mended.
+    void blame(int h, int t) {
+        if (smallest_sine(grains_.triangle(t)) > smallest_sine_) return;
+        for (const int end : {h, GrainTriangulation::next(h)}) {
+            left_.in_the_way.push_back(grains_.vertex(end));
+        }
+    }
+
+    /// Puts a vertex at p, in triangle t or on one of its free edges, to mend triangle `bad`.
     /// @returns false where p lies so near to a firm edge that it would make a needle of it.
-    bool insert(int t, const Vec2& p) {
+    bool insert(int t, const Vec2& p, int bad) {
         int lowest = 3 * t;
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             const double height = height_over(h, p);
-            if (grains_.edge(h) != Edge::kFree && height < kNeedle) return false;
+            if (grains_.edge(h) != Edge::kFree && height < kNeedle) {
+                if (grains_.edge(h) == Edge::kFirm) blame(h, bad);
+                return false;
+            }
             if (height < height_over(lowest, p)) lowest = h;
         }
         if (height_over(lowest, p) > kOnEdge) {
@@ -244,7 +257,10 @@ class Refiner {
         const Vec2 p = new_vertex(t);
         const Place place = locate(t, p);
         if (place.barrier >= 0) {
-            if (grains_.edge(place.barrier) != Edge::kCell) return false;
+            if (grains_.edge(place.barrier) != Edge::kCell) {
+                blame(place.barrier, t);
+                return false;
+            }
             split(place.barrier);
             again(t, radius);
             return true;
@@ -256,7 +272,7 @@ class Refiner {
             again(t, radius);
             return true;
         }
-        return insert(place.triangle, p);
+        return insert(place.triangle, p, t);
     }
     /// Where the split did not touch it, it is still bad.
     void again(int t, double radius) {
@@ -270,19 +286,22 @@ class Refiner {
     using Bad = std::tuple<double, int, int>;
 
     GrainTriangulation& grains_;
-    double size_;
+    const RefinementSizes& sizes_;
     double wanted_sine_;
+    double smallest_sine_ = std::sin(kSmallestAngle * M_PI / 180);
     /// How far from the shortest edge its off-centre lies, in lengths of that edge.
     double off_centre_;
     double most_vertices_;
     std::vector<int> encroached_;
     std::priority_queue<Bad> bad_;
     std::vector<int> stamps_;
-    int n_given_up_ = 0;
+    RefinementLeft left_;
 };
 
 }  // namespace
 
-int refine(GrainTriangulation& grains, double size) { return Refiner(grains, size).run(); }
+RefinementLeft refine(GrainTriangulation& grains, const RefinementSizes& sizes) {
+    return Refiner(grains, sizes).run();
+}
 
 }  // namespace pcvt

@@ -72,7 +72,7 @@ GrainTriangulation::GrainTriangulation(const PeriodicMesh& cells)
     // Flips have moved some of them.
     for (int h = 0; h < n_halfedges(); ++h) {
         if (edge_[h] == Edge::kFree) continue;
-        int c = cells.face_begin[cell_[h / 3]];
+        int c = cells.face_begin[cell(h / 3)];
         while (cells.corner_vertex[c] != vertex(h) || cells.corner_offset[c] != corners_[h].offset)
             ++c;
         halfedge_of_corner_[c] = h;
@@ -133,7 +133,12 @@ void GrainTriangulation::link(int h, int o, Edge edge) {
     edge_[o] = edge;
 }
 
-void GrainTriangulation::make_firm(int h) { link(h, opposite_[h], Edge::kFirm); }
+void GrainTriangulation::make_guard(int h, Edge chord) {
+    cell_[h / 3] = -1 - cell(h / 3);
+    link(h, opposite_[h], Edge::kFirm);
+    link(next(h), opposite_[next(h)], chord);
+    link(previous(h), opposite_[previous(h)], Edge::kFirm);
+}
 
 /// Whether the two angles opposite a free edge sum to more than 180 degrees.
 bool GrainTriangulation::must_flip(int h) const {
@@ -281,7 +286,7 @@ PeriodicMesh GrainTriangulation::mesh(const PeriodicMesh& cells) const {
             mesh.corner_face.push_back(t);
         }
         mesh.face_begin.push_back(3 * t + 3);
-        mesh.site.push_back(cells.site[cell_[t]]);
+        mesh.site.push_back(cells.site[cell(t)]);
     }
     return mesh;
 }

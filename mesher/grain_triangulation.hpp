@@ -28,7 +28,9 @@ class GrainTriangulation {
     int n_vertices() const { return static_cast<int>(vertices_.size()); }
     int n_halfedges() const { return static_cast<int>(corners_.size()); }
     /// The face of the cells in which a triangle lies.
-    int cell(int triangle) const { return cell_[triangle]; }
+    int cell(int t) const { return cell_[t] < 0 ? -1 - cell_[t] : cell_[t]; }
+    /// Whether the triangle is a guard or a part of one (corner_guards.hpp).
+    bool is_guard(int t) const { return cell_[t] < 0; }
     int vertex(int h) const { return corners_[h].vertex; }
     /// Of the corner that h leaves, in the frame of its cell.
     const Vec2& point(int h) const { return corners_[h].point; }
@@ -40,7 +42,9 @@ class GrainTriangulation {
     /// The halfedge along the edge that corner c of the cells leaves, before the first change.
     int halfedge_of_corner(int c) const { return halfedge_of_corner_[c]; }
 
-    void make_firm(int h);
+    /// Makes the triangle of h a guard with its tip where h starts: its sides become firm, and its
+    /// chord the kind of edge that is given.
+    void make_guard(int h, Edge chord);
     /// Puts a vertex at the part `part` of the way along h, on both sides of the edge, and restores
     /// Delaunay. h then leads to it.
     int split_edge(int h, double part);
@@ -76,6 +80,7 @@ class GrainTriangulation {
     std::vector<Corner> corners_;
     std::vector<int> opposite_;
     std::vector<Edge> edge_;
+    /// The face f of the cells, or -1 - f in a guard.
     std::vector<int> cell_;
     std::vector<int> halfedge_of_corner_;
     std::vector<int> touched_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "mesher/bucket_sort.hpp"
 #include "mesher/error.hpp"
 
 namespace pcvt {
@@ -31,7 +32,9 @@ std::vector<Side> sides_by_edge(const FlatTile& tile) {
             from = tile.corners[c];
         }
     }
-    std::sort(sides.begin(), sides.end(), edge_less);
+    bucket_sort(
+        sides, tile.n_vertices(), [](const Side& side) { return std::min(side.v, side.w); },
+        edge_less);
     return sides;
 }
 
@@ -46,14 +49,14 @@ struct InnerEdge {
 
 bool same_edge(const Side& s, const Side& t) { return s.v == t.w && s.w == t.v; }
 
-std::vector<InnerEdge> inner_edges(const std::vector<Side>& sides) {
+std::vector<InnerEdge> inner_edges(const std::vector<Side>& sides, int n_faces) {
     std::vector<InnerEdge> edges;
     for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
         const Side& side = sides[k];
         if (!same_edge(side, sides[k + 1])) continue;
         edges.push_back({side.face, sides[k + 1].face, side.v, side.w});
     }
-    std::sort(edges.begin(), edges.end());
+    bucket_sort(edges, n_faces, [](const InnerEdge& edge) { return edge.owner; });
     return edges;
 }
 
@@ -152,7 +155,7 @@ SlabMesh slab_mesh(const FlatTile& tile) {
     add_points(tile, slab);
     const std::vector<Side> sides = sides_by_edge(tile);
     SlabFaces faces(slab);
-    for (const InnerEdge& edge : inner_edges(sides)) {
+    for (const InnerEdge& edge : inner_edges(sides, tile.n_faces())) {
         faces.add_wall(edge.v, edge.w, edge.owner);
         slab.neighbour.push_back(edge.neighbour);
     }

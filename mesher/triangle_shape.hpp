@@ -6,6 +6,10 @@
 
 namespace pcvt {
 
+/// Angles of grains are larger than this, degrees, but for corners of cells that are sharper
+/// themselves.
+inline constexpr double kSmallestAngle = 20;
+
 // Measures of a triangle whose corners run counter-clockwise, length units.
 
 /// Lengths of the sides: 0 from corner 0 to 1, 1 from 1 to 2, 2 from 2 to 0.

@@ -84,12 +84,11 @@ void require_distinct_vertices(const FlatTile& tile, const VertexOrbits& orbits)
     }
 }
 
-Polygon face_polygon(const FlatTile& tile, const GluedFaces& faces, int f) {
-    Polygon polygon;
+void take_face(const FlatTile& tile, const GluedFaces& faces, int f, Polygon& polygon) {
+    polygon.clear();
     for (int h = faces.face_begin[f]; h < faces.face_begin[f + 1]; ++h) {
         polygon.push_back(tile.points[faces.corners[h]]);
     }
-    return polygon;
 }
 
 /// Returns the sum of the areas, with W. Kahan's compensation.
@@ -97,8 +96,9 @@ double require_simple_faces(const FlatTile& tile, const GluedFaces& faces, Preci
                             double tolerance) {
     double sum = 0;
     double lost = 0;
+    Polygon polygon;
     for (int f = 0; f < faces.n_faces(); ++f) {
-        const Polygon polygon = face_polygon(tile, faces, f);
+        take_face(tile, faces, f, polygon);
         const double area = polygon_area(polygon);
         const bool positive = precision == Precision::kDouble
                                   ? area > 0

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "mesher/bucket_sort.hpp"
 #include "mesher/disjoint_sets.hpp"
 #include "mesher/refusal.hpp"
 
@@ -34,6 +35,11 @@ class BinAxis {
     explicit BinAxis(double margin)
         : margin_(margin), n_bins_(std::clamp(std::floor(1 / (8 * margin)), 1.0, 0x1p50)) {}
 
+    /// Of `n` shares of the axis the one that a bin lies in.
+    int share(std::int64_t bin, int n) const {
+        return std::min(n - 1, static_cast<int>(static_cast<double>(bin) / n_bins_ * n));
+    }
+
     /// The one or two bins within the margin of a coordinate; both entries are the same for one.
     std::array<std::int64_t, 2> touched(double coordinate) const {
         const double fraction = coordinate - std::floor(coordinate);
@@ -56,10 +62,9 @@ std::vector<int> first_copies(const std::vector<int>& representative,
                               const std::vector<Offset>& offset) {
     std::vector<int> order(representative.size());
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int v, int w) {
-        return std::tie(representative[v], offset[v], v) <
-               std::tie(representative[w], offset[w], w);
-    });
+    bucket_sort(
+        order, static_cast<int>(order.size()), [&](int v) { return representative[v]; },
+        [&](int v, int w) { return std::tie(offset[v], v) < std::tie(offset[w], w); });
     std::vector<int> first(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
         const int v = order[k];
@@ -95,8 +100,8 @@ class OrbitFinder {
         result.offset.reserve(n);
         for (int v = 0; v < n; ++v) {
             const int r = orbits_.find(v);
-            const Offset offset = offset_between(r, v);
-            require_short_chain(r, v, offset);
+            const Offset offset = r == v ? Offset{} : offset_between(r, v);
+            if (r != v) require_short_chain(r, v, offset);
             result.representative.push_back(r);
             result.offset.push_back(offset);
         }
@@ -170,7 +175,9 @@ class OrbitFinder {
                 }
             }
         }
-        std::sort(entries.begin(), entries.end());
+        const int n = static_cast<int>(points_.size());
+        bucket_sort(entries, n,
+                    [&](const BinEntry& entry) { return columns.share(entry.column, n); });
         return entries;
     }
 

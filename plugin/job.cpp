@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <thread>
 
 #include "io/mpas_writer.hpp"
 #include "io/site_writer.hpp"
@@ -11,6 +13,7 @@
 #include "mesher/c_grid.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/voronoi.hpp"
+#include "mesher/workers.hpp"
 #include "plugin/job_files.hpp"
 #include "plugin/job_proof.hpp"
 #include "plugin/job_report.hpp"
@@ -105,6 +108,21 @@ bool asks_for(const Job& job, TileKind kind) {
     return std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end();
 }
 
+void check_grains(const Job& job) {
+    if (job.grain_size > 0 && job.grain_per_edge > 0) {
+        throw InvalidInput("grains have a size and parts of an edge; take one of the two");
+    }
+    const double copies = double(job.columns) * job.rows;
+    const double n = std::max<double>(static_cast<double>(job.points.cols()), job.n_sites);
+    // A regular hexagon with edges cut into k parts has 2.6 k^2 squares over them.
+    const double squares =
+        job.grain_size > 0 ? job.lattice.area() * copies / (job.grain_size * job.grain_size)
+                           : 2.6 * n * copies * job.grain_per_edge * job.grain_per_edge;
+    if (squares > kMostGrainSquares) {
+        throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
+    }
+}
+
 void check_meshes(const Job& job) {
     if (job.meshes.empty()) {
         throw InvalidInput("no mesh is asked for; take voronoi, delaunay or grains");
@@ -115,12 +133,7 @@ void check_meshes(const Job& job) {
             "take the mesh grains with the box outline, or the whole outline");
     }
     if (job.order != 1 && job.order != 2) throw InvalidInput("the order of grains is 1 or 2");
-    if (!asks_for(job, TileKind::kGrains)) return;
-    const double squares =
-        job.lattice.area() * job.columns * job.rows / (job.grain_size * job.grain_size);
-    if (job.grain_size > 0 && squares > kMostGrainSquares) {
-        throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
-    }
+    if (asks_for(job, TileKind::kGrains)) check_grains(job);
 }
 
 /// Formats without nodes in the middle of edges hold the corners alone, but one must have them.
@@ -213,13 +226,15 @@ void stage_sites(const std::string& path, const CvtResult& result, OutputSet& ou
 }
 
 /// The C-grid of the whole torus, encoded, on the disk and proved there like a tile.
-void stage_c_grid(const std::string& path, const Job& job, const CvtResult& result,
+void stage_c_grid(const std::string& path, const Job& job, const JobResult& result,
                   OutputSet& outputs) {
     const PeriodicMesh cells =
-        repeated(periodic_mesh(result, TileKind::kCells), job.columns, job.rows);
+        repeated(periodic_mesh(result.cvt, TileKind::kCells), job.columns, job.rows);
     EncodedFile encoded{path, {}};
     try {
-        encoded.bytes = encode_mpas(c_grid(cells, job.origin));
+        CGrid grid = c_grid(cells, job.origin);
+        if (job.density) fill_mesh_density(result.site_densities, grid);
+        encoded.bytes = encode_mpas(grid);
     } catch (const InvalidInput& error) {
         throw InvalidInput("-o " + path + ": " + error.what());
     }
@@ -249,25 +264,48 @@ std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
     return tiles;
 }
 
+void stage_file(const Job& job, const JobFile& file, const JobResult& result,
+                std::span<const ProvedTile> tiles, OutputSet& outputs) {
+    if (file.content == JobContent::kSites) {
+        stage_sites(file.paths.front(), result.cvt, outputs);
+    } else if (file.content == JobContent::kCGrid) {
+        stage_c_grid(file.paths.front(), job, result, outputs);
+    } else {
+        stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)].tile, outputs);
+    }
+}
+
+/// Stages the files, one a thread at a time; of several faults that of the first file counts.
+void stage_files(const Job& job, const std::vector<JobFile>& files, const JobResult& result,
+                 std::span<const ProvedTile> tiles, const Monitor& monitor, OutputSet& outputs) {
+    const std::thread::id caller = std::this_thread::get_id();
+    std::vector<std::exception_ptr> faults(files.size());
+    Workers workers(std::min(job.n_threads, static_cast<int>(files.size())));
+    workers.for_each(static_cast<int>(files.size()), [&](int k) {
+        try {
+            stage_file(job, files[k], result, tiles, outputs);
+        } catch (...) {
+            faults[k] = std::current_exception();
+        }
+        if (std::this_thread::get_id() == caller) monitor.between_stages();
+    });
+    for (const std::exception_ptr& fault : faults) {
+        if (fault) std::rethrow_exception(fault);
+    }
+}
+
 /// Stages every file and then, last, commits them all: the one moment that cannot be cancelled.
-void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& result,
+void write(const Job& job, const std::vector<JobFile>& files, const JobResult& result,
            std::span<const ProvedTile> tiles, const Monitor& monitor, Stopwatch& watch,
            JobOutcome& outcome) {
     OutputSet outputs;
+    stage_files(job, files, result, tiles, monitor, outputs);
     for (const JobFile& file : files) {
-        if (file.content == JobContent::kSites) {
-            stage_sites(file.paths.front(), result, outputs);
-        } else if (file.content == JobContent::kCGrid) {
-            stage_c_grid(file.paths.front(), job, result, outputs);
-        } else {
-            stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)].tile, outputs);
-        }
         if (file.folder.empty()) {
             outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
         } else {
             outcome.files.push_back(file.folder);
         }
-        monitor.between_stages();
     }
     watch.stop(&JobSeconds::write);
     if (!job.report.empty()) {
@@ -279,6 +317,12 @@ void write(const Job& job, const std::vector<JobFile>& files, const CvtResult& r
     watch.stop(&JobSeconds::write);
 }
 
+/// Asked here and not when a file is written: a host's density is gone by then.
+std::vector<double> site_densities(const Job& job, const CvtResult& result) {
+    if (!job.density) return {};
+    return densities_at(*job.density, job.lattice, wrapped_sites(result));
+}
+
 JobResult compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
     JobStart start = job_start(job, monitor.callback());
     if (start.cancelled) throw Cancelled{};
@@ -287,7 +331,8 @@ JobResult compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
     watch.stop(&JobSeconds::optimize);
     if (cvt.stop == Stop::kCancelled) throw Cancelled{};
     const int evaluations = start.evaluations + cvt.evaluations;
-    return {std::move(cvt), evaluations, std::move(start.pattern), std::move(start.found),
+    std::vector<double> densities = site_densities(job, cvt);
+    return {std::move(cvt), std::move(densities), evaluations, std::move(start.pattern), std::move(start.found),
             watch.seconds()};
 }
 
@@ -298,7 +343,7 @@ JobOutcome run(const Job& job, const std::vector<JobFile>& files, const JobCallb
     const std::vector<ProvedTile> tiles = build_tiles(job, result.cvt, monitor);
     JobOutcome outcome = describe(result, tiles);
     watch.stop(&JobSeconds::build);
-    write(job, files, result.cvt, tiles, monitor, watch, outcome);
+    write(job, files, result, tiles, monitor, watch, outcome);
     outcome.seconds = watch.seconds();
     return outcome;
 }
@@ -361,7 +406,7 @@ JobOutcome write_job(const Job& job, const JobResult& result, std::span<const Pr
     Stopwatch watch(result.seconds);
     const JobCallback no_callback;
     JobOutcome outcome = describe(result, tiles);
-    write(job, files, result.cvt, tiles, Monitor(no_callback, watch), watch, outcome);
+    write(job, files, result, tiles, Monitor(no_callback, watch), watch, outcome);
     outcome.seconds = watch.seconds();
     return outcome;
 }

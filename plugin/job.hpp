@@ -59,6 +59,9 @@ struct Job {
     Outline outline = Outline::kWhole;
     /// Edges of grains, length units; 0: h / 3, h = sqrt(area / number of sites).
     double grain_size = 0;
+    /// Each edge of the cells is cut into so many parts, and triangles inside match; excludes
+    /// grain_size. 0: no.
+    int grain_per_edge = 0;
     /// 2: grains are six-node triangles, in the formats that hold them.
     int order = 1;
     /// The tile covers columns x rows domains and is a tile of that lattice.
@@ -127,6 +130,8 @@ struct ProvedTile {
 /// What a job computes before it makes tiles and files.
 struct JobResult {
     CvtResult cvt;
+    /// rho at each site; empty without a density.
+    std::vector<double> site_densities;
     /// Those of a global search are counted in.
     int evaluations;
     /// Where the start looked for it.

@@ -39,7 +39,8 @@ LaidOut lay_out(const Job& job, PeriodicMesh mesh, double h, TileFigures& figure
 
 LaidOut mesh_cells(const Job& job, const LaidOut& cells, double h, TileFigures& figures) {
     const double size = job.grain_size > 0 ? job.grain_size : kUsualGrainSize * h;
-    Grains grains = mesh_grains(cells.mesh, size);
+    Grains grains = job.grain_per_edge > 0 ? mesh_grains_per_edge(cells.mesh, job.grain_per_edge)
+                                           : mesh_grains(cells.mesh, size);
     figures.grains = {grains.triangles.n_faces(), grains.smallest_angle, {}};
     for (const NamedCorner& corner : grains.named_corners) {
         const int f = cells.mesh.corner_face[corner.corner];

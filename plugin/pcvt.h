@@ -42,7 +42,7 @@ extern "C" {
 #endif
 
 /** major << 16 | minor of the interface that this header describes. */
-#define PCVT_ABI_VERSION 0x00000001u
+#define PCVT_ABI_VERSION 0x00000002u
 
 /** How a call ended. */
 typedef int32_t pcvt_status;
@@ -146,6 +146,9 @@ typedef struct pcvt_options {
     void* density_data;
     pcvt_progress_callback progress; /**< [NULL] */
     void* progress_data;
+    int32_t grain_per_edge; /**< cut each edge of the cells into so many parts in place of
+                               grain_size, triangles inside to match [0: no] */
+    int32_t reserved;       /**< [0] */
 } pcvt_options;
 
 /** The optimised sites. */

@@ -75,6 +75,19 @@ class Files(CliTest):
         self.assertEqual(seen[0], seen[1])
         self.assertEqual(seen[0], seen[2])
 
+    def test_files_written_by_several_threads_are_those_of_one_and_the_first_fault_counts(self):
+        run = ("mesh", "--sites", 40, "--period", "1,1.1547005383792515", "--start", "lattice", "--force", "--quiet",
+               *outputs(formats=("obj", "ply", "glb", "gltf", "om", "svg", "vtu", "foam", "nc", "txt")),
+               "-o", "u.om", "-o", "u.nc")
+        self.succeed(*run, "--threads", 1)
+        first = self.contents()
+        self.assertGreater(len(first), 20)
+        self.succeed(*run, "--threads", 7)
+        self.assertEqual(first, self.contents())
+        obtuse = ("mesh", "--sites", 40, "--max-iterations", 0, "--threads", 7, "-o", "a.nc", "-o", "b.nc", "-o", "c.ply")
+        self.refuse(2, "-o a.nc: .*degrees", *obtuse)
+        self.assertEqual(first, self.contents())
+
     def german(self):
         """An environment in which numbers are written with a decimal comma."""
         self.path("locales").mkdir()

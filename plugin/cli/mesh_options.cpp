@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMostIterations = std::numeric_limits<int>::max();
 constexpr int kMostThreads = 1024;
+constexpr int kMostPerEdge = 1000;
 constexpr int kLargestBudget = 2'000'000'000;
 
 constexpr const char* kExamples =
@@ -87,6 +88,9 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
         "whole: no cell is cut; box: cut along the period vectors, where\n"
         "the shortest edge comes out longest unless --origin is given [whole]");
     add(app, "--size", options.size, "H", "length of the edges of grains [h / 3]");
+    add(app, "--per-edge", options.per_edge, "K",
+        "cut each edge of the cells into K parts, grains inside to match,\n"
+        "in place of --size");
     add(app, "--order", options.order, "1|2",
         "2: grains with nodes in the middle of edges, in formats that hold them [1]");
     add(app, "--short-edges", options.short_edges, "L",
@@ -180,13 +184,19 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
 }
 
 void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
-    for (const char* name : {"--size", "--order"}) {
+    for (const char* name : {"--size", "--per-edge", "--order"}) {
         const bool grains =
             std::find(job.meshes.begin(), job.meshes.end(), TileKind::kGrains) != job.meshes.end();
         if (app.count(name) == 0 || grains) continue;
         throw InvalidInput(std::string(name) + " is for grains; add --mesh grains or leave it out");
     }
     if (app.count("--size") > 0) job.grain_size = positive_number("--size", options.size);
+    if (app.count("--per-edge") > 0) {
+        job.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
+        if (job.grain_size > 0) {
+            throw InvalidInput("--per-edge stands in place of --size; leave one of them out");
+        }
+    }
     if (app.count("--order") > 0) job.order = whole_number("--order", options.order, 1, 2);
 }
 

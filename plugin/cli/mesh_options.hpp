@@ -29,6 +29,7 @@ struct MeshOptions {
     std::string outline;
     std::string short_edges;
     std::string size;
+    std::string per_edge;
     std::string order;
     std::string repeat;
     std::string origin;

@@ -98,8 +98,8 @@ def _set_functions(options, density, callbacks):
 
 def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0), origin=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
-         max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, short_edges=0.0, budget=0,
-         progress=None):
+         max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
+         budget=0, progress=None):
     """Generates a periodic centroidal Voronoi tessellation. Same arguments, same result to the last
     bit. Ctrl-C ends it at the next iteration.
 
@@ -118,7 +118,7 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
     tolerance       converged once the residual max |x_i - g_i| / h is at most this
     max_iterations  negative: no limit; 0: the periodic Voronoi diagram of the sites as given
     threads         0: as many as there are cores
-    grain_order, grain_size, short_edges, budget
+    grain_order, grain_size, grain_per_edge, short_edges, budget
                     as in pcvt.h
     progress        called with a Progress once an iteration; a true answer cancels
 
@@ -130,7 +130,8 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
     _points = _set_sites(options, sites)  # Held while the library reads them.
     columns, rows = repeat
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
-                  columns=columns, rows=rows, grain_order=grain_order, budget=budget,
+                  columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
+                  budget=budget,
                   start=_choice("start", start, _STARTS),
                   solver=_choice("solver", solver, _SOLVERS))
     _set_doubles(options, lattice=_doubles("lattice", lattice, 2, 2).ravel(), origin=origin,

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-ABI_VERSION = 0x00000001
+ABI_VERSION = 0x00000002
 
 
 class Error(Exception):
@@ -65,7 +65,8 @@ class Options(ctypes.Structure):
                 ("budget", c_int64), ("density_source", c_char_p),
                 ("density_range", c_double * 2), ("density", DensityCallback),
                 ("density_data", c_void_p), ("progress", ProgressCallback),
-                ("progress_data", c_void_p)]
+                ("progress_data", c_void_p), ("grain_per_edge", c_int32),
+                ("reserved", c_int32)]
 
 
 class Sites(ctypes.Structure):
