@@ -100,8 +100,7 @@ class Guards {
         const int key = end == c ? c : cells_.opposite[c];
         if (node_[key] < 0) {
             const Vec2 way = cells_.point(end == c ? cells_.next(c) : c) - cells_.point(end);
-            node_[key] =
-                add_vertex(cells_.vertices[v] + radius_[v] / way.norm() * way, v, guarded);
+            node_[key] = add_vertex(cells_.vertices[v] + radius_[v] / way.norm() * way, v, guarded);
         }
         add_corner(node_[key], cells_.corner_offset[end], guarded);
     }

@@ -167,7 +167,8 @@ Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts) {
         for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
             perimeter += (cells.point(cells.next(c)) - cells.point(c)).norm();
         }
-        refinement.of_cell.push_back(perimeter / ((cells.face_begin[f + 1] - cells.face_begin[f]) * parts));
+        refinement.of_cell.push_back(perimeter /
+                                     ((cells.face_begin[f + 1] - cells.face_begin[f]) * parts));
     }
     return mesh(cells, {std::move(refinement), {kNoLimit, parts}});
 }

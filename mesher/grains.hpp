@@ -13,8 +13,8 @@ inline constexpr double kShortGrainEdge = 0.02;
 inline constexpr double kGrainSnap = 0.01;
 
 /// A corner of a cell, or of a piece of one, where an angle of kSmallestAngle or less cannot be
-/// helped: one that is as sharp itself, or one of up to 60 degrees at the vertex of a corner under 7
-/// degrees.
+/// helped: one that is as sharp itself, or one of up to 60 degrees at the vertex of a corner under
+/// 7 degrees.
 struct NamedCorner {
     /// Index of the corner in the cells.
     int corner;

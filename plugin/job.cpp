@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <limits>
-#include <thread>
 
-#include "io/mpas_writer.hpp"
-#include "io/site_writer.hpp"
-#include "io/svg_writer.hpp"
-#include "mesher/c_grid.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/voronoi.hpp"
-#include "mesher/workers.hpp"
 #include "plugin/job_files.hpp"
 #include "plugin/job_proof.hpp"
 #include "plugin/job_report.hpp"
+#include "plugin/job_staging.hpp"
 #include "plugin/job_start.hpp"
 #include "plugin/job_tiles.hpp"
 
@@ -115,9 +109,9 @@ void check_grains(const Job& job) {
     const double copies = double(job.columns) * job.rows;
     const double n = std::max<double>(static_cast<double>(job.points.cols()), job.n_sites);
     // A regular hexagon with edges cut into k parts has 2.6 k^2 squares over them.
-    const double squares =
-        job.grain_size > 0 ? job.lattice.area() * copies / (job.grain_size * job.grain_size)
-                           : 2.6 * n * copies * job.grain_per_edge * job.grain_per_edge;
+    const double squares = job.grain_size > 0
+                               ? job.lattice.area() * copies / (job.grain_size * job.grain_size)
+                               : 2.6 * n * copies * job.grain_per_edge * job.grain_per_edge;
     if (squares > kMostGrainSquares) {
         throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
     }
@@ -202,46 +196,6 @@ JobOutcome describe(const JobResult& job_result, std::span<const ProvedTile> til
     return outcome;
 }
 
-/// Pictures of a graded mesh show the sizes of its cells.
-std::vector<EncodedFile> encode(const Job& job, const JobFile& file, const AnyTile& tile) {
-    if (job.density && file.format->extension == ".svg") {
-        return encode_graded_svg(tile, file.paths.front());
-    }
-    return file.format->encode(tile, file.folder.empty() ? file.paths.front() : file.folder);
-}
-
-/// Encodes a tile, lets it reach the disk under a hidden name and proves what stands there.
-void stage_tile(const Job& job, const JobFile& file, const AnyTile& tile, OutputSet& outputs) {
-    if (!file.folder.empty()) outputs.stage_folder(file.folder);
-    const std::vector<EncodedFile> encoded = encode(job, file, tile);
-    for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
-    const std::vector<EncodedFile> written = read_back(outputs, encoded);
-    if (file.format->decode != nullptr) prove_files(*file.format, written, tile, job.origin);
-}
-
-void stage_sites(const std::string& path, const CvtResult& result, OutputSet& outputs) {
-    const EncodedFile encoded{path, encode_sites(wrapped_sites(result))};
-    outputs.stage(path, encoded.bytes);
-    read_back(outputs, {encoded});
-}
-
-/// The C-grid of the whole torus, encoded, on the disk and proved there like a tile.
-void stage_c_grid(const std::string& path, const Job& job, const JobResult& result,
-                  OutputSet& outputs) {
-    const PeriodicMesh cells =
-        repeated(periodic_mesh(result.cvt, TileKind::kCells), job.columns, job.rows);
-    EncodedFile encoded{path, {}};
-    try {
-        CGrid grid = c_grid(cells, job.origin);
-        if (job.density) fill_mesh_density(result.site_densities, grid);
-        encoded.bytes = encode_mpas(grid);
-    } catch (const InvalidInput& error) {
-        throw InvalidInput("-o " + path + ": " + error.what());
-    }
-    outputs.stage(path, encoded.bytes);
-    prove_c_grid_file(read_back(outputs, {encoded}).front());
-}
-
 void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
     for (const JobFile& file : files) {
         if (!file.folder.empty()) {
@@ -264,42 +218,13 @@ std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
     return tiles;
 }
 
-void stage_file(const Job& job, const JobFile& file, const JobResult& result,
-                std::span<const ProvedTile> tiles, OutputSet& outputs) {
-    if (file.content == JobContent::kSites) {
-        stage_sites(file.paths.front(), result.cvt, outputs);
-    } else if (file.content == JobContent::kCGrid) {
-        stage_c_grid(file.paths.front(), job, result, outputs);
-    } else {
-        stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)].tile, outputs);
-    }
-}
-
-/// Stages the files, one a thread at a time; of several faults that of the first file counts.
-void stage_files(const Job& job, const std::vector<JobFile>& files, const JobResult& result,
-                 std::span<const ProvedTile> tiles, const Monitor& monitor, OutputSet& outputs) {
-    const std::thread::id caller = std::this_thread::get_id();
-    std::vector<std::exception_ptr> faults(files.size());
-    Workers workers(std::min(job.n_threads, static_cast<int>(files.size())));
-    workers.for_each(static_cast<int>(files.size()), [&](int k) {
-        try {
-            stage_file(job, files[k], result, tiles, outputs);
-        } catch (...) {
-            faults[k] = std::current_exception();
-        }
-        if (std::this_thread::get_id() == caller) monitor.between_stages();
-    });
-    for (const std::exception_ptr& fault : faults) {
-        if (fault) std::rethrow_exception(fault);
-    }
-}
-
 /// Stages every file and then, last, commits them all: the one moment that cannot be cancelled.
 void write(const Job& job, const std::vector<JobFile>& files, const JobResult& result,
            std::span<const ProvedTile> tiles, const Monitor& monitor, Stopwatch& watch,
            JobOutcome& outcome) {
     OutputSet outputs;
-    stage_files(job, files, result, tiles, monitor, outputs);
+    stage_files(
+        job, files, result, tiles, [&] { monitor.between_stages(); }, outputs);
     for (const JobFile& file : files) {
         if (file.folder.empty()) {
             outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
@@ -332,8 +257,8 @@ JobResult compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
     if (cvt.stop == Stop::kCancelled) throw Cancelled{};
     const int evaluations = start.evaluations + cvt.evaluations;
     std::vector<double> densities = site_densities(job, cvt);
-    return {std::move(cvt), std::move(densities), evaluations, std::move(start.pattern), std::move(start.found),
-            watch.seconds()};
+    return {std::move(cvt),           std::move(densities),   evaluations,
+            std::move(start.pattern), std::move(start.found), watch.seconds()};
 }
 
 JobOutcome run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {

@@ -69,7 +69,8 @@ class Layout(unittest.TestCase):
             self.assertEqual(get(result, *choices, byref(view), size), 0)
             self.assertEqual(get(result, *choices, byref(view), size - 1), -2)
         options, size = _library.Options(), sizeof(_library.Options)
-        for version, less, status in ((0, 0, -2), (1, 1, -2), (1, 0, 0)):
+        own_version = _library.ABI_VERSION
+        for version, less, status in ((0, 0, -2), (own_version, 1, -2), (own_version, 0, 0)):
             self.assertEqual(library.pcvt_options_init(byref(options), size - less, version),
                              status)
         what = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions) - 1)

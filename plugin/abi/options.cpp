@@ -73,7 +73,8 @@ void read_grains(const pcvt_options& options, Job& job) {
     if (options.grain_order < 0 || options.grain_order > 2) {
         throw InvalidInput("grain_order is not 0, 1 or 2");
     }
-    if (options.grain_per_edge < 0) throw InvalidInput("grain_per_edge is negative; take 0 or more");
+    if (options.grain_per_edge < 0)
+        throw InvalidInput("grain_per_edge is negative; take 0 or more");
     job.grain_size = options.grain_size;
     job.grain_per_edge = options.grain_per_edge;
     job.order = std::max(1, options.grain_order);

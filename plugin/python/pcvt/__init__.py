@@ -9,7 +9,7 @@
     result.write("tile.glb")
     result.plot()                                # needs matplotlib
 
-libpcvt.so is the file that the environment variable PCVT_LIBRARY names; else libpcvt.so.0.1 in this
+libpcvt.so is the file that the environment variable PCVT_LIBRARY names; else libpcvt.so.0.2 in this
 package, beside it, or in the `lib` that the package is installed in; else what the system's loader
 finds under that name.
 

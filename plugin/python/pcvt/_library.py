@@ -119,7 +119,7 @@ _FUNCTIONS = {
 
 
 def _library_file():
-    name = "libpcvt.so.0.1"
+    name = "libpcvt.so.0.2"
     package = Path(__file__).resolve().parent
     # Installed, the package is lib/python3/dist-packages/pcvt.
     near = [folder / name for folder in (package, package.parents[0], package.parents[2])]
