@@ -5,6 +5,7 @@
 #include <random>
 
 #include "mesher/energy.hpp"
+#include "tests/support/dense.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
 
@@ -13,18 +14,7 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-MatrixXd dense(const BlockMatrix& h) {
-    MatrixXd matrix = MatrixXd::Zero(2 * h.n_rows(), 2 * h.n_rows());
-    const auto add = [&matrix](int i, int j, const auto& block) {
-        for (int k = 0; k < 4; ++k) matrix(2 * i + k % 2, 2 * j + k / 2) += block[k];
-    };
-    for (int i = 0; i < h.n_rows(); ++i) {
-        add(i, i, h.diagonal[i]);
-        for (int k = h.row_begin[i]; k < h.row_begin[i + 1]; ++k) add(i, h.column[k], h.block[k]);
-    }
-    return matrix;
-}
+using testing::dense;
 
 /// An engine whose sites can be looked at from a little beside.
 class Engine {

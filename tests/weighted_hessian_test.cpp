@@ -7,6 +7,7 @@
 #include "mesher/density_survey.hpp"
 #include "mesher/hessian.hpp"
 #include "mesher/weighted_energy.hpp"
+#include "tests/support/dense.hpp"
 #include "tests/support/densities.hpp"
 #include "tests/support/lattices.hpp"
 
@@ -15,18 +16,7 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-MatrixXd dense(const BlockMatrix& h) {
-    MatrixXd matrix = MatrixXd::Zero(2 * h.n_rows(), 2 * h.n_rows());
-    const auto add = [&matrix](int i, int j, const auto& block) {
-        for (int k = 0; k < 4; ++k) matrix(2 * i + k % 2, 2 * j + k / 2) += block[k];
-    };
-    for (int i = 0; i < h.n_rows(); ++i) {
-        add(i, i, h.diagonal[i]);
-        for (int k = h.row_begin[i]; k < h.row_begin[i + 1]; ++k) add(i, h.column[k], h.block[k]);
-    }
-    return matrix;
-}
+using testing::dense;
 
 /// Sites drawn from a density, with fine rules.
 class Place {
