@@ -1,7 +1,6 @@
 #include "io/gltf_container.hpp"
 
-#include <algorithm>
-#include <cstdint>
+#include "io/base64.hpp"
 
 namespace pcvt {
 namespace {
@@ -9,9 +8,6 @@ namespace {
 constexpr std::size_t kHeaderSize = 12;
 constexpr std::size_t kChunkHeaderSize = 8;
 constexpr std::uint32_t kVersion = 2;
-constexpr std::string_view kDigits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
 
 /// Little-endian.
@@ -43,16 +39,7 @@ std::string glb_bytes(std::string_view json, const std::vector<unsigned char>& b
 
 std::string data_uri(const std::vector<unsigned char>& buffer) {
     std::string uri = "data:application/octet-stream;base64,";
-    const std::size_t head = uri.size();
-    uri.resize(head + (buffer.size() + 2) / 3 * 4, '=');
-    char* digit = uri.data() + head;
-    for (std::size_t k = 0; k < buffer.size(); k += 3) {
-        const std::size_t n = std::min<std::size_t>(3, buffer.size() - k);
-        std::uint32_t group = 0;
-        for (std::size_t l = 0; l < 3; ++l) group = group << 8 | (l < n ? buffer[k + l] : 0U);
-        for (std::size_t l = 0; l <= n; ++l) digit[l] = kDigits[group >> (18 - 6 * l) & 63];
-        digit += 4;
-    }
+    append_base64(uri, buffer);
     return uri;
 }
 

@@ -1,13 +1,12 @@
 #include "io/gltf_document.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
-#include "io/char_set.hpp"
+#include "io/base64.hpp"
 
 namespace pcvt {
 namespace {
@@ -45,43 +44,7 @@ std::size_t component_width(int component_type) {
     }
 }
 
-constexpr std::string_view kBase64 =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-constexpr CharSet kBase64Text("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/=");
 constexpr std::string_view kBase64Mark = ";base64,";
-
-/// The value of each character as a base64 digit; -1 for the others.
-constexpr std::array<signed char, 256> base64_values() {
-    std::array<signed char, 256> values{};
-    for (signed char& value : values) value = -1;
-    for (std::size_t k = 0; k < kBase64.size(); ++k) {
-        values[static_cast<unsigned char>(kBase64[k])] = static_cast<signed char>(k);
-    }
-    return values;
-}
-
-/// False unless `text` is whole groups of four digits, padded with `=`.
-bool decode_base64(std::string_view text, std::string& bytes) {
-    if (text.size() % 4 != 0) return false;
-    std::size_t padding = 0;
-    while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=')
-        ++padding;
-    static constexpr std::array<signed char, 256> kValues = base64_values();
-    bytes.resize(text.size() / 4 * 3);
-    char* byte = bytes.data();
-    for (std::size_t k = 0; k < text.size(); k += 4) {
-        int group = 0;
-        for (std::size_t l = k; l < k + 4; ++l) {
-            const int digit =
-                l + padding < text.size() ? kValues[static_cast<unsigned char>(text[l])] : 0;
-            if (digit < 0) return false;
-            group = group << 6 | digit;
-        }
-        for (const int shift : {16, 8, 0}) *byte++ = static_cast<char>(group >> shift & 0xff);
-    }
-    bytes.resize(bytes.size() - padding);
-    return true;
-}
 
 /// Takes the base64 of data URIs out of the JSON, which is parsed much faster then; `taken` gets
 /// it, and #k, which is no base64, stands where taken[k] stood.
@@ -93,7 +56,7 @@ std::string without_base64(std::string_view text, std::vector<std::string_view>&
             mark == std::string_view::npos ? text.size() : mark + kBase64Mark.size();
         json += text.substr(0, begin);
         text.remove_prefix(begin);
-        const std::size_t length = kBase64Text.skip_in(text);
+        const std::size_t length = base64_length(text);
         if (length == 0 || !text.substr(length).starts_with('"')) continue;
         json += '#' + std::to_string(taken.size());
         taken.push_back(text.substr(0, length));
