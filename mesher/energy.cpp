@@ -20,10 +20,13 @@ constexpr int kMostSlabs = 32;
 constexpr int kSitesClearedAtOnce = 16'000;
 constexpr int kSitesCleared = 64;
 constexpr int kSitesFetched = 192;
-/// Points and gradients of so many sites share a line of the cache.
+/// Points and gradients of so many sites share a line of the cache, and so many corners do.
 constexpr int kSitesPerLine = 4;
+constexpr int kCornersPerLine = 16;
+/// The corners of a block are fetched while so many blocks before them are worked on.
+constexpr int kBlocksFetched = 2;
 /// Terms with a cotangent above this are not subtracted again: they would leave their rounding.
-constexpr double kSteepest = 8;
+constexpr double kSteepest = 32;
 /// With more flips than one in this many sites a second pass is cheaper than the corrections.
 constexpr int kSitesPerFlip = 20;
 
@@ -133,6 +136,10 @@ void EnergyPass::Slab::gather(const MovingDelaunay& delaunay, int first, int n,
     const SiteId* site = delaunay.triangulation().corner_sites().data() + 3 * std::size_t(first);
     const CornerOffsets* offsets = delaunay.triangulation().corner_offsets().data() + first;
     const double* u = delaunay.coordinates().data();
+    constexpr int kCorners = 3 * TriangleBlock::kSize;
+    for (int c = 0; c < kCorners; c += kCornersPerLine) {
+        __builtin_prefetch(site + kBlocksFetched * kCorners + c);
+    }
     for (int k = 0; k < n; ++k, site += 3) {
         const double* p0 = u + 2 * std::size_t(site[0]);
         const double* p1 = u + 2 * std::size_t(site[1]);
