@@ -1,13 +1,11 @@
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "io/mpas_reader.hpp"
-#include "io/text.hpp"
 #include "mesher/lattice_pattern.hpp"
 #include "plugin/job.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {
 namespace {
@@ -15,8 +13,7 @@ namespace {
 /// The C-grid that a job writes whose sites stay at an exact lattice of acute triangles.
 CGrid written_grid(const std::optional<Density>& density, int columns) {
     const Lattice period = Lattice::rectangle(1, 2 / std::sqrt(3));
-    std::string folder = std::filesystem::temp_directory_path() / "pcvt-XXXXXX";
-    EXPECT_NE(::mkdtemp(folder.data()), nullptr);
+    const testing::TemporaryFolder folder;
     Job job;
     job.lattice = period;
     job.points = pattern_points(best_lattice(period, 48));
@@ -25,11 +22,9 @@ CGrid written_grid(const std::optional<Density>& density, int columns) {
     job.density = density;
     job.columns = columns;
     job.origin = {5, -3};
-    job.outputs = {folder + "/t.nc"};
+    job.outputs = {folder / "t.nc"};
     run_job(job, {});
-    CGrid grid = decode_mpas(job.outputs[0], read_whole_file(job.outputs[0]));
-    std::filesystem::remove_all(folder);
-    return grid;
+    return decode_mpas(job.outputs[0], testing::bytes_of(job.outputs[0]));
 }
 
 TEST(JobCGrid, TheMeshDensityIsThatOfTheSitesOverItsLargestValue) {
