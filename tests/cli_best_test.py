@@ -86,7 +86,8 @@ class Table(CliTest):
             self.assertLessEqual(float(row["ratio_to_best_lattice"]), 1)
         below = [n for n in rows if float(rows[n]["ratio_to_best_lattice"]) < 1 - 1e-6]
         self.assertEqual([n for n in below if n <= 31], list(BELOW_THE_LATTICE))
-        self.assertGreaterEqual(len(below), 172)
+        self.assertGreaterEqual(len(below), 177)
+        self.assertEqual(len([n for n in below if 100 <= n < 200]), 43)
 
 
 if __name__ == "__main__":
