@@ -126,8 +126,4 @@ std::vector<EncodedFile> encode_foam(const FlatTile& tile, const std::string& fo
     return files;
 }
 
-std::vector<EncodedFile> encode_foam(const AnyTile& tile, const std::string& folder) {
-    return encode_foam(flatten(tile), folder);
-}
-
 }  // namespace pcvt

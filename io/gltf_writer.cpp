@@ -280,7 +280,6 @@ struct ModelParts {
     std::string periodic;
 };
 
-/// The tile itself is needed no more once its model stands, and both are large.
 ModelParts make_model(const FlatTile& tile, const std::string& path) {
     require_finite(tile);
     const std::vector<SiteId>& sites =
@@ -302,28 +301,44 @@ ModelParts make_model(const FlatTile& tile, const std::string& path) {
     return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface)};
 }
 
-void put(std::string& json, std::string_view mark, const std::string& content) {
+/// The text before and behind a mark.
+std::pair<std::string_view, std::string_view> cut(std::string_view json, std::string_view mark) {
     const std::size_t at = json.find(mark);
     if (at == std::string::npos) throw InternalError("a mark is missing in the JSON of a model");
-    json.replace(at, mark.size(), content);
+    return {json.substr(0, at), json.substr(at + mark.size())};
 }
 
-std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path,
-                                Container container) {
+/// The JSON of a model as tinygltf writes it, with its marks.
+std::string marked_json(const tinygltf::Model& model, const std::string& path) {
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;
     // As .glb, whose one buffer needs no URI: there is nothing but a header round the JSON then.
-    if (!writer.WriteGltfSceneToStream(&parts.model, stream, false, true)) {
+    if (!writer.WriteGltfSceneToStream(&model, stream, false, true)) {
         throw InternalError(path + ": tinygltf refused the model");
     }
     std::string json = std::move(stream).str().substr(kGlbHeader);
     json.erase(json.find_last_not_of(' ') + 1);
-    put(json, kPeriodicMark, "\"periodic\":" + parts.periodic);
-    std::string buffer = "\"buffers\":[{\"byteLength\":" + std::to_string(parts.buffer.size());
-    if (container == Container::kText) buffer += ",\"uri\":\"" + data_uri(parts.buffer) + "\"";
-    put(json, kBufferMark, buffer + "}]");
-    if (container == Container::kText) return {{path, json + "\n"}};
-    return {{path, glb_bytes(json, parts.buffer)}};
+    return json;
+}
+
+std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path,
+                                Container container) {
+    const bool is_text = container == Container::kText;
+    const std::string marked = marked_json(parts.model, path);
+    const auto [head, rest] = cut(marked, kBufferMark);
+    const auto [middle, tail] = cut(rest, kPeriodicMark);
+    std::string json;
+    json.reserve(marked.size() + parts.periodic.size() + (is_text ? 2 * parts.buffer.size() : 0));
+    json.append(head).append("\"buffers\":[{\"byteLength\":");
+    json += std::to_string(parts.buffer.size());
+    if (is_text) {
+        json += ",\"uri\":\"";
+        append_data_uri(json, parts.buffer);
+        json += '"';
+    }
+    json.append("}]").append(middle).append("\"periodic\":").append(parts.periodic).append(tail);
+    if (!is_text) return only_file(path, glb_bytes(json, parts.buffer));
+    return only_file(path, std::move(json += '\n'));
 }
 
 }  // namespace
@@ -332,18 +347,8 @@ std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& pa
     return encode(make_model(tile, path), path, Container::kText);
 }
 
-std::vector<EncodedFile> encode_gltf(const AnyTile& tile, const std::string& path) {
-    const ModelParts parts = make_model(flatten(tile), path);
-    return encode(parts, path, Container::kText);
-}
-
 std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& path) {
     return encode(make_model(tile, path), path, Container::kBinary);
-}
-
-std::vector<EncodedFile> encode_glb(const AnyTile& tile, const std::string& path) {
-    const ModelParts parts = make_model(flatten(tile), path);
-    return encode(parts, path, Container::kBinary);
 }
 
 }  // namespace pcvt

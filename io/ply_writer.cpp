@@ -97,11 +97,7 @@ std::vector<EncodedFile> encode_ply(const FlatTile& tile, const std::string& pat
     std::string text = header(tile);
     append_vertices(text, tile);
     append_faces(text, tile);
-    return {{path, text}};
-}
-
-std::vector<EncodedFile> encode_ply(const AnyTile& tile, const std::string& path) {
-    return encode_ply(flatten(tile), path);
+    return only_file(path, std::move(text));
 }
 
 }  // namespace pcvt
