@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 #include <limits>
 #include <sstream>
@@ -32,10 +31,11 @@ constexpr Colour kWhite{1, 1, 1};
 /// A glTF model that grows; every number that is returned is an index into one of its tables.
 class ModelBuilder {
    public:
-    ModelBuilder() {
+    /// @param n_bytes  about as many as the data will have.
+    explicit ModelBuilder(std::size_t n_bytes) {
         model_.asset.generator = "pcvt";
         model_.asset.version = "2.0";
-        model_.buffers.emplace_back();
+        model_.buffers.emplace_back().data.reserve(n_bytes);
         model_.scenes.emplace_back().nodes = {0};
         model_.defaultScene = 0;
         model_.nodes.emplace_back().name = "tile";
@@ -119,8 +119,9 @@ class ModelBuilder {
         view.byteOffset = bytes.size();
         view.byteLength = size;
         view.target = target;
-        bytes.resize(bytes.size() + (size + 3) / 4 * 4);
-        std::memcpy(bytes.data() + view.byteOffset, data, size);
+        const auto* begin = static_cast<const unsigned char*>(data);
+        bytes.insert(bytes.end(), begin, begin + size);
+        bytes.resize((bytes.size() + 3) / 4 * 4);
         return static_cast<int>(model_.bufferViews.size()) - 1;
     }
 
@@ -288,7 +289,10 @@ ModelParts make_model(const FlatTile& tile, const std::string& path) {
         throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }
     const Surface surface = make_surface(tile, kMaxCellNodes, path);
-    ModelBuilder builder;
+    // Up to four attributes a vertex, and the outlines.
+    ModelBuilder builder(surface.points.size() * (3 * sizeof(Point3) + sizeof(float)) +
+                         tile.points.size() * sizeof(Point3) +
+                         (surface.indices.size() + 2 * tile.corners.size()) * sizeof(int));
     add_surface(tile, surface, builder);
     add_outlines(tile, surface, builder);
     builder.model().nodes[0].extras =
