@@ -55,15 +55,15 @@ const std::vector<TileFormat>& tile_formats() {
         {".glb", "glTF 2.0, one binary file", only, arrays<encode_glb>, decode_gltf},
         {".gltf", "glTF 2.0, one text file", only, arrays<encode_gltf>, decode_gltf},
         {".om", "OpenMesh, with the identification as properties", only, mesh, decode_om},
-        {".msh", "Gmsh MSH 4.1 with $Periodic, triangles only", only, arrays<encode_msh>, decode_msh, true,
-         true},
-        {".inp", "Abaqus and CalculiX with *EQUATION, triangles only", only, arrays<encode_inp>, decode_inp,
-         true, true},
+        {".msh", "Gmsh MSH 4.1 with $Periodic, triangles only", only, arrays<encode_msh>,
+         decode_msh, true, true},
+        {".inp", "Abaqus and CalculiX with *EQUATION, triangles only", only, arrays<encode_inp>,
+         decode_inp, true, true},
         {".vtu", "VTK unstructured grid, ASCII, with double coordinates", only, arrays<encode_vtu>,
          decode_vtu, false, true},
         {".svg", "a picture", only, arrays<encode_svg>, nullptr},
-        {".foam", "OpenFOAM, a case folder that icoFoam runs", foam_paths, arrays<encode_foam>, decode_foam,
-         false, false, true, true},
+        {".foam", "OpenFOAM, a case folder that icoFoam runs", foam_paths, arrays<encode_foam>,
+         decode_foam, false, false, true, true},
     };
     return formats;
 }

@@ -69,8 +69,7 @@ void require_true_copies(const FlatTile& tile) {
     for (int k = 0; k < static_cast<int>(tile.copies.size()); ++k) {
         const int v = tile.copies[k];
         if (n > 0 && v >= 0 && v < n && tile.points[v] == tile.points[n + k]) continue;
-        refuse(kFaceLaw,
-               "vertex " + to_string(n + k) + " is no copy of vertex " + to_string(v));
+        refuse(kFaceLaw, "vertex " + to_string(n + k) + " is no copy of vertex " + to_string(v));
     }
 }
 
@@ -242,7 +241,8 @@ TileProof prove_tile(const FlatTile& tile, Precision precision) {
     require_true_copies(tile);
     TileProof proof{};
     proof.tolerance = position_tolerance(tile, precision);
-    const VertexOrbits orbits = find_vertex_orbits(tile.lattice, tile.points, proof.tolerance, tile.copies);
+    const VertexOrbits orbits =
+        find_vertex_orbits(tile.lattice, tile.points, proof.tolerance, tile.copies);
     if (precision == Precision::kDouble) require_distinct_vertices(tile, orbits);
     require_vertices_in_use(tile, orbits);
     const GluedFaces faces = glue_faces(tile, orbits, precision);

@@ -110,10 +110,8 @@ const TileArrays& Result::arrays(const Layout& layout) const {
     job.outline = layout.outline;
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
-        TileArrays made{from_geometry([&] { return build_tile(job, computed_.cvt, layout.kind); }),
-                        {},
-                        {},
-                        {}};
+        TileArrays made{
+            from_geometry([&] { return build_tile(job, computed_.cvt, layout.kind); }), {}, {}, {}};
         note_orbits(made);
         return made;
     });
