@@ -66,7 +66,7 @@ void prove_with_pairs(const TileFile& file) {
 
 TileProof prove_own_tile(const FlatTile& tile) {
     try {
-        const TileProof proof = prove_tile(tile, Precision::kDouble);
+        TileProof proof = prove_tile(tile, Precision::kDouble);
         compare_vertex_pairs(tile, proof);
         compare_edge_pairs(tile, proof);
         return proof;
