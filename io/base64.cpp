@@ -30,12 +30,17 @@ void append_base64(std::string& text, const std::vector<unsigned char>& bytes) {
     const std::size_t head = text.size();
     text.resize(head + (bytes.size() + 2) / 3 * 4, '=');
     char* digit = text.data() + head;
-    for (std::size_t k = 0; k < bytes.size(); k += 3) {
-        const std::size_t n = std::min<std::size_t>(3, bytes.size() - k);
-        std::uint32_t group = 0;
-        for (std::size_t l = 0; l < 3; ++l) group = group << 8 | (l < n ? bytes[k + l] : 0U);
-        for (std::size_t l = 0; l <= n; ++l) digit[l] = kDigits[group >> (18 - 6 * l) & 63];
+    const auto append = [&](std::uint32_t group, int n_digits) {
+        for (int l = 0; l < n_digits; ++l) digit[l] = kDigits[group >> (18 - 6 * l) & 63];
         digit += 4;
+    };
+    const std::size_t n_whole = bytes.size() / 3 * 3;
+    for (std::size_t k = 0; k < n_whole; k += 3) {
+        append(std::uint32_t{bytes[k]} << 16 | std::uint32_t{bytes[k + 1]} << 8 | bytes[k + 2], 4);
+    }
+    if (bytes.size() == n_whole + 1) append(std::uint32_t{bytes[n_whole]} << 16, 2);
+    if (bytes.size() == n_whole + 2) {
+        append(std::uint32_t{bytes[n_whole]} << 16 | std::uint32_t{bytes[n_whole + 1]} << 8, 3);
     }
 }
 
@@ -49,18 +54,22 @@ bool decode_base64(std::string_view text, std::string& bytes) {
     static constexpr std::array<signed char, 256> kValues = base64_values();
     bytes.resize(text.size() / 4 * 3);
     char* byte = bytes.data();
-    for (std::size_t k = 0; k < text.size(); k += 4) {
+    // Below 0 from the first character on that is no digit.
+    int all = 0;
+    const auto append = [&](const char* digits, std::size_t n_digits) {
         int group = 0;
-        for (std::size_t l = k; l < k + 4; ++l) {
-            const int digit =
-                l + padding < text.size() ? kValues[static_cast<unsigned char>(text[l])] : 0;
-            if (digit < 0) return false;
-            group = group << 6 | digit;
+        for (std::size_t l = 0; l < 4; ++l) {
+            const int digit = l < n_digits ? kValues[static_cast<unsigned char>(digits[l])] : 0;
+            all |= digit;
+            group = group << 6 | (digit & 63);
         }
         for (const int shift : {16, 8, 0}) *byte++ = static_cast<char>(group >> shift & 0xff);
-    }
+    };
+    const std::size_t n_whole = text.size() - (padding > 0 ? 4 : 0);
+    for (std::size_t k = 0; k < n_whole; k += 4) append(text.data() + k, 4);
+    if (padding > 0) append(text.data() + n_whole, 4 - padding);
     bytes.resize(bytes.size() - padding);
-    return true;
+    return all >= 0;
 }
 
 }  // namespace pcvt

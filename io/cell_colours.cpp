@@ -50,12 +50,16 @@ std::map<SiteId, double> size_octaves(const FlatTile& tile) {
 CellColours colours_by_sides(const FlatTile& tile) {
     CellColours colours;
     const std::vector<int> sides = cell_sides(tile);
-    for (const int n : sides) colours.of_face.push_back(hex(side_colour(n)));
-    for (const auto& [n, count] : histogram(sides)) {
+    const std::map<int, int> counts = histogram(sides);
+    std::map<int, std::string> colour_of;
+    for (const auto& [n, count] : counts) colour_of[n] = hex(side_colour(n));
+    colours.of_face.reserve(sides.size());
+    for (const int n : sides) colours.of_face.push_back(colour_of[n]);
+    for (const auto& [n, count] : counts) {
         std::string label = std::to_string(n) + (n == 1 ? " side" : " sides");
         // Parts of cells are not what is counted.
         if (tile.whole_sides.empty()) label += ": " + std::to_string(count);
-        colours.meaning.push_back({LegendEntry::Mark::kPatch, hex(side_colour(n)), label});
+        colours.meaning.push_back({LegendEntry::Mark::kPatch, colour_of[n], label});
     }
     return colours;
 }

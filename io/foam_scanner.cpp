@@ -14,6 +14,14 @@ constexpr CharSet kPunctuation("(){};");
 constexpr CharSet kBlanks(" \t\r\n\v\f");
 constexpr CharSet kEndOfWord("(){}; \t\r\n\v\f\"");
 
+/// Of the comment with which `text` begins; 0 where it does not.
+std::size_t comment_length(std::string_view text) {
+    if (text.starts_with("//")) return std::min(text.find('\n'), text.size());
+    if (!text.starts_with("/*")) return 0;
+    const std::size_t end = text.find("*/");
+    return end == std::string_view::npos ? text.size() : end + 2;
+}
+
 }  // namespace
 
 FoamScanner::FoamScanner(std::string name, std::string_view text)
@@ -31,15 +39,13 @@ FoamScanner::FoamScanner(std::string name, std::string_view text)
 
 void FoamScanner::skip_blanks() {
     while (true) {
-        std::size_t n = kBlanks.skip_in(rest_);
-        if (n == 0 && rest_.starts_with("//")) n = std::min(rest_.find('\n'), rest_.size());
-        if (n == 0 && rest_.starts_with("/*")) {
-            const std::size_t end = rest_.find("*/");
-            n = end == std::string_view::npos ? rest_.size() : end + 2;
-        }
-        if (n == 0) return;
-        line_ += static_cast<int>(std::count(rest_.begin(), rest_.begin() + n, '\n'));
+        std::size_t n = 0;
+        while (n < rest_.size() && kBlanks.holds(rest_[n])) line_ += rest_[n++] == '\n' ? 1 : 0;
         rest_.remove_prefix(n);
+        const std::size_t length = comment_length(rest_);
+        if (length == 0) return;
+        line_ += static_cast<int>(std::count(rest_.begin(), rest_.begin() + length, '\n'));
+        rest_.remove_prefix(length);
     }
 }
 

@@ -19,9 +19,24 @@ std::string count_line(int n) { return std::to_string(n) + "\n(\n"; }
 std::string encode_points(const SlabMesh& slab) {
     std::string text =
         foam_header("vectorField", kMeshFolder, "points") + count_line(slab.n_points());
-    for (const auto& p : slab.points) {
-        append_foam_vector(text, {p.x(), p.y(), p.z()});
-        text += '\n';
+    // The front repeats the back at another z.
+    std::string place;
+    std::vector<std::string::size_type> begin{0};
+    for (int v = 0; v < slab.n_points() / 2; ++v) {
+        place += '(';
+        append_number(place, slab.points[v].x());
+        place += ' ';
+        append_number(place, slab.points[v].y());
+        place += ' ';
+        begin.push_back(place.size());
+    }
+    for (const double z : {slab.points.front().z(), slab.points.back().z()}) {
+        std::string end;
+        append_number(end, z);
+        end += ")\n";
+        for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+            text.append(place, begin[v], begin[v + 1] - begin[v]).append(end);
+        }
     }
     return text + ")\n";
 }
@@ -124,10 +139,6 @@ std::vector<EncodedFile> encode_foam(const FlatTile& tile, const std::string& fo
         files.push_back({paths[k], std::move(contents[k])});
     }
     return files;
-}
-
-std::vector<EncodedFile> encode_foam(const AnyTile& tile, const std::string& folder) {
-    return encode_foam(flatten(tile), folder);
 }
 
 }  // namespace pcvt

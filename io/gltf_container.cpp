@@ -8,6 +8,7 @@ namespace {
 constexpr std::size_t kHeaderSize = 12;
 constexpr std::size_t kChunkHeaderSize = 8;
 constexpr std::uint32_t kVersion = 2;
+constexpr std::string_view kUriHead = "data:application/octet-stream;base64,";
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
 
 /// Little-endian.
@@ -37,10 +38,9 @@ std::string glb_bytes(std::string_view json, const std::vector<unsigned char>& b
     return bytes;
 }
 
-std::string data_uri(const std::vector<unsigned char>& buffer) {
-    std::string uri = "data:application/octet-stream;base64,";
-    append_base64(uri, buffer);
-    return uri;
+void append_data_uri(std::string& text, const std::vector<unsigned char>& buffer) {
+    text += kUriHead;
+    append_base64(text, buffer);
 }
 
 }  // namespace pcvt

@@ -223,7 +223,7 @@ void GltfDocument::load_buffer(const Json& buffer, std::size_t index,
                                std::string_view binary_chunk) {
     const std::size_t length = count_in(buffer, "byteLength");
     const Json& uri = member(buffer, "uri");
-    std::string bytes;
+    std::string_view bytes;
     if (uri.is_null() && index == 0) {
         bytes = binary_chunk;
     } else if (uri.is_string()) {
@@ -233,13 +233,13 @@ void GltfDocument::load_buffer(const Json& buffer, std::size_t index,
             refuse("keeps its buffer in another file; export it with embedded buffers or as .glb");
         }
         if (!decode_base64(base64_of(std::string_view(text).substr(mark + kBase64Mark.size())),
-                           bytes)) {
+                           decoded_.emplace_back())) {
             refuse("the base64 of its buffer is damaged");
         }
+        bytes = decoded_.back();
     }
     if (bytes.size() < length) refuse("its buffer is shorter than byteLength; the file is damaged");
-    bytes.resize(length);
-    buffers_.push_back(std::move(bytes));
+    buffers_.push_back(bytes.substr(0, length));
 }
 
 GltfDocument::GltfDocument(const EncodedFile& file) : path_(file.path) {

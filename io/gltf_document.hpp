@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ class GltfDocument {
    public:
     using Json = nlohmann::json;
 
+    /// @param file  must outlive the document.
     /// @throws BadFile also where the file refers to other files, or requires an extension.
     explicit GltfDocument(const EncodedFile& file);
 
@@ -64,7 +66,9 @@ class GltfDocument {
     /// While buffers are loaded: base64 of the file, taken out before the JSON was parsed.
     std::vector<std::string_view> base64_;
     Json root_;
-    std::vector<std::string> buffers_;
+    std::vector<std::string_view> buffers_;
+    /// What the base64 of buffers was decoded to.
+    std::deque<std::string> decoded_;
 };
 
 }  // namespace pcvt

@@ -245,18 +245,24 @@ std::vector<VertexPair> read_pairs(const Finding& finding, const Json& rows) {
 }
 
 /// The last vertices may be copies of earlier ones: vertexCopies says of which.
-void check_copies(const Finding& finding, const Json& copies) {
+std::vector<int> read_copies(const Finding& finding, const Json& copies) {
     const GltfDocument& document = finding.document;
     if (!copies.is_array() || finding.ranges.size() != 1 || copies.size() > finding.points.size()) {
         document.refuse("extras.periodic.vertexCopies is not a list of vertices");
     }
     const std::size_t n_first = finding.points.size() - copies.size();
-    for (std::size_t k = 0; k < copies.size(); ++k) {
-        const std::size_t v = document.count(copies[k], "vertexCopies");
-        if (v < n_first && finding.points[v] == finding.points[n_first + k]) continue;
-        document.refuse("vertex " + std::to_string(n_first + k) +
-                        " is not a copy of the vertex that vertexCopies names");
+    std::vector<int> originals;
+    originals.reserve(copies.size());
+    for (const Json& copy : copies) {
+        const std::size_t v = document.count(copy, "vertexCopies");
+        const std::size_t own = n_first + originals.size();
+        if (v >= n_first || finding.points[v] != finding.points[own]) {
+            document.refuse("vertex " + std::to_string(own) +
+                            " is not a copy of the vertex that vertexCopies names");
+        }
+        originals.push_back(static_cast<int>(v));
     }
+    return originals;
 }
 
 TileKind tile_kind(const Finding& finding) {
@@ -285,7 +291,7 @@ TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<
     const Json& pairs = finding.periodic_member("vertexPairs");
     if (!pairs.is_null()) tile.vertex_pairs = read_pairs(finding, pairs);
     const Json& copies = finding.periodic_member("vertexCopies");
-    if (!copies.is_null()) check_copies(finding, copies);
+    if (!copies.is_null()) tile.copies = read_copies(finding, copies);
     for (int k = 0; k <= std::ssize(finding.corners); k += 3) tile.face_begin.push_back(k);
     tile.points = std::move(finding.points);
     tile.corners = std::move(finding.corners);

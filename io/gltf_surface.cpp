@@ -11,13 +11,26 @@
 namespace pcvt {
 namespace {
 
-Point3 linear_point(Colour colour) {
-    const Colour light = linear(colour);
-    return {static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)};
+/// The colour of each number of sides as linear light.
+std::vector<Point3> side_lights(const std::vector<int>& sides) {
+    std::map<int, Point3> light_of;
+    std::vector<Point3> lights;
+    lights.reserve(sides.size());
+    for (const int n : sides) {
+        const auto [found, is_new] = light_of.try_emplace(n);
+        if (is_new) {
+            const Colour light = linear(side_colour(n));
+            found->second = {static_cast<float>(light.r), static_cast<float>(light.g),
+                             static_cast<float>(light.b)};
+        }
+        lights.push_back(found->second);
+    }
+    return lights;
 }
 
 std::vector<Point32> single_precision(const FlatTile& tile, const std::string& path) {
     std::vector<Point32> points;
+    points.reserve(tile.points.size());
     for (const Vec2& p : tile.points) {
         // Adding zero turns -0 into 0.
         points.push_back({static_cast<float>(p.x()) + 0.0f, static_cast<float>(p.y()) + 0.0f});
@@ -67,7 +80,7 @@ Surface joined_cells(const FlatTile& tile, const std::string& path) {
     surface.points = single_precision(tile, path);
     surface.vertex_site.assign(surface.points.size(), -1);
     surface.vertex_colour.assign(surface.points.size(), {});
-    const std::vector<int> sides = cell_sides(tile);
+    const std::vector<Point3> lights = side_lights(cell_sides(tile));
     for (int f = 0; f < tile.n_faces(); ++f) {
         std::vector<int> corners = corners_of(tile, f);
         for (int& v : corners) {
@@ -79,7 +92,7 @@ Surface joined_cells(const FlatTile& tile, const std::string& path) {
                 v = static_cast<int>(surface.points.size()) - 1;
             }
             surface.vertex_site[v] = static_cast<float>(tile.face_site[f]);
-            surface.vertex_colour[v] = linear_point(side_colour(sides[f]));
+            surface.vertex_colour[v] = lights[f];
         }
         add_fan(tile, f, corners, surface, path);
     }
@@ -94,7 +107,7 @@ Surface grains(const FlatTile& tile, const std::string& path) {
     surface.face_begin = tile.face_begin;
     surface.vertex_site.assign(surface.points.size(), -1);
     surface.vertex_colour.assign(surface.points.size(), {});
-    const std::vector<int> sides = cell_sides(tile);
+    const std::vector<Point3> lights = side_lights(cell_sides(tile));
     std::map<std::pair<int, SiteId>, int> copies;
     for (std::size_t c = 0; c < tile.corners.size(); ++c) {
         const int v = tile.corners[c];
@@ -110,7 +123,7 @@ Surface grains(const FlatTile& tile, const std::string& path) {
             surface.vertex_colour.emplace_back();
         }
         surface.vertex_site[own] = static_cast<float>(site);
-        surface.vertex_colour[own] = linear_point(side_colour(sides[c / 3]));
+        surface.vertex_colour[own] = lights[c / 3];
         surface.indices.push_back(own);
     }
     return surface;
@@ -122,9 +135,7 @@ Surface triangles(const FlatTile& tile, const std::string& path) {
     surface.indices = tile.corners;
     surface.face_begin = tile.face_begin;
     surface.vertex_site.assign(tile.vertex_site.begin(), tile.vertex_site.end());
-    for (const int valence : vertex_valences(tile)) {
-        surface.vertex_colour.push_back(linear_point(side_colour(valence)));
-    }
+    surface.vertex_colour = side_lights(vertex_valences(tile));
     return surface;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 #include <limits>
 #include <sstream>
@@ -32,10 +31,11 @@ constexpr Colour kWhite{1, 1, 1};
 /// A glTF model that grows; every number that is returned is an index into one of its tables.
 class ModelBuilder {
    public:
-    ModelBuilder() {
+    /// @param n_bytes  about as many as the data will have.
+    explicit ModelBuilder(std::size_t n_bytes) {
         model_.asset.generator = "pcvt";
         model_.asset.version = "2.0";
-        model_.buffers.emplace_back();
+        model_.buffers.emplace_back().data.reserve(n_bytes);
         model_.scenes.emplace_back().nodes = {0};
         model_.defaultScene = 0;
         model_.nodes.emplace_back().name = "tile";
@@ -119,8 +119,9 @@ class ModelBuilder {
         view.byteOffset = bytes.size();
         view.byteLength = size;
         view.target = target;
-        bytes.resize(bytes.size() + (size + 3) / 4 * 4);
-        std::memcpy(bytes.data() + view.byteOffset, data, size);
+        const auto* begin = static_cast<const unsigned char*>(data);
+        bytes.insert(bytes.end(), begin, begin + size);
+        bytes.resize((bytes.size() + 3) / 4 * 4);
         return static_cast<int>(model_.bufferViews.size()) - 1;
     }
 
@@ -280,7 +281,6 @@ struct ModelParts {
     std::string periodic;
 };
 
-/// The tile itself is needed no more once its model stands, and both are large.
 ModelParts make_model(const FlatTile& tile, const std::string& path) {
     require_finite(tile);
     const std::vector<SiteId>& sites =
@@ -289,7 +289,10 @@ ModelParts make_model(const FlatTile& tile, const std::string& path) {
         throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }
     const Surface surface = make_surface(tile, kMaxCellNodes, path);
-    ModelBuilder builder;
+    // Up to four attributes a vertex, and the outlines.
+    ModelBuilder builder(surface.points.size() * (3 * sizeof(Point3) + sizeof(float)) +
+                         tile.points.size() * sizeof(Point3) +
+                         (surface.indices.size() + 2 * tile.corners.size()) * sizeof(int));
     add_surface(tile, surface, builder);
     add_outlines(tile, surface, builder);
     builder.model().nodes[0].extras =
@@ -302,28 +305,44 @@ ModelParts make_model(const FlatTile& tile, const std::string& path) {
     return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface)};
 }
 
-void put(std::string& json, std::string_view mark, const std::string& content) {
+/// The text before and behind a mark.
+std::pair<std::string_view, std::string_view> cut(std::string_view json, std::string_view mark) {
     const std::size_t at = json.find(mark);
     if (at == std::string::npos) throw InternalError("a mark is missing in the JSON of a model");
-    json.replace(at, mark.size(), content);
+    return {json.substr(0, at), json.substr(at + mark.size())};
 }
 
-std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path,
-                                Container container) {
+/// The JSON of a model as tinygltf writes it, with its marks.
+std::string marked_json(const tinygltf::Model& model, const std::string& path) {
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;
     // As .glb, whose one buffer needs no URI: there is nothing but a header round the JSON then.
-    if (!writer.WriteGltfSceneToStream(&parts.model, stream, false, true)) {
+    if (!writer.WriteGltfSceneToStream(&model, stream, false, true)) {
         throw InternalError(path + ": tinygltf refused the model");
     }
     std::string json = std::move(stream).str().substr(kGlbHeader);
     json.erase(json.find_last_not_of(' ') + 1);
-    put(json, kPeriodicMark, "\"periodic\":" + parts.periodic);
-    std::string buffer = "\"buffers\":[{\"byteLength\":" + std::to_string(parts.buffer.size());
-    if (container == Container::kText) buffer += ",\"uri\":\"" + data_uri(parts.buffer) + "\"";
-    put(json, kBufferMark, buffer + "}]");
-    if (container == Container::kText) return {{path, json + "\n"}};
-    return {{path, glb_bytes(json, parts.buffer)}};
+    return json;
+}
+
+std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path,
+                                Container container) {
+    const bool is_text = container == Container::kText;
+    const std::string marked = marked_json(parts.model, path);
+    const auto [head, rest] = cut(marked, kBufferMark);
+    const auto [middle, tail] = cut(rest, kPeriodicMark);
+    std::string json;
+    json.reserve(marked.size() + parts.periodic.size() + (is_text ? 2 * parts.buffer.size() : 0));
+    json.append(head).append("\"buffers\":[{\"byteLength\":");
+    json += std::to_string(parts.buffer.size());
+    if (is_text) {
+        json += ",\"uri\":\"";
+        append_data_uri(json, parts.buffer);
+        json += '"';
+    }
+    json.append("}]").append(middle).append("\"periodic\":").append(parts.periodic).append(tail);
+    if (!is_text) return only_file(path, glb_bytes(json, parts.buffer));
+    return only_file(path, std::move(json += '\n'));
 }
 
 }  // namespace
@@ -332,18 +351,8 @@ std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& pa
     return encode(make_model(tile, path), path, Container::kText);
 }
 
-std::vector<EncodedFile> encode_gltf(const AnyTile& tile, const std::string& path) {
-    const ModelParts parts = make_model(flatten(tile), path);
-    return encode(parts, path, Container::kText);
-}
-
 std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& path) {
     return encode(make_model(tile, path), path, Container::kBinary);
-}
-
-std::vector<EncodedFile> encode_glb(const AnyTile& tile, const std::string& path) {
-    const ModelParts parts = make_model(flatten(tile), path);
-    return encode(parts, path, Container::kBinary);
 }
 
 }  // namespace pcvt

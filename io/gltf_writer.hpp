@@ -22,9 +22,7 @@ namespace pcvt {
 ///
 /// @throws InvalidInput   naming the path where float32 cannot hold the tile.
 /// @throws LimitExceeded  naming the path where sites or bytes are more than glTF can count.
-std::vector<EncodedFile> encode_gltf(const AnyTile& tile, const std::string& path);
 std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& path);
-std::vector<EncodedFile> encode_glb(const AnyTile& tile, const std::string& path);
 std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& path);
 
 /// Viewers slow down beyond about so many nodes.

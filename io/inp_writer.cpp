@@ -184,11 +184,7 @@ class InpText {
 std::vector<EncodedFile> encode_inp(const FlatTile& tile, const std::string& path) {
     require_triangles(tile.kind, path);
     require_finite(tile);
-    return {{path, InpText(tile, path).write()}};
-}
-
-std::vector<EncodedFile> encode_inp(const AnyTile& tile, const std::string& path) {
-    return encode_inp(flatten(tile), path);
+    return only_file(path, InpText(tile, path).write());
 }
 
 }  // namespace pcvt

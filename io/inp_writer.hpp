@@ -27,6 +27,5 @@ namespace pcvt {
 ///                        20 characters do not hold its numbers.
 /// @throws InternalError  a coordinate is not finite.
 std::vector<EncodedFile> encode_inp(const FlatTile& tile, const std::string& path);
-std::vector<EncodedFile> encode_inp(const AnyTile& tile, const std::string& path);
 
 }  // namespace pcvt

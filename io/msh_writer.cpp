@@ -255,11 +255,7 @@ std::vector<EncodedFile> encode_msh(const FlatTile& tile, const std::string& pat
     append_periodic(text, tile, seam);
     append_data(text, "ElementData", element_cells(tile), n_lines(seam));
     if (!tile.vertex_site.empty()) append_data(text, "NodeData", tile.vertex_site, 0);
-    return {{path, text}};
-}
-
-std::vector<EncodedFile> encode_msh(const AnyTile& tile, const std::string& path) {
-    return encode_msh(flatten(tile), path);
+    return only_file(path, std::move(text));
 }
 
 }  // namespace pcvt

@@ -20,6 +20,5 @@ namespace pcvt {
 /// @throws InvalidInput   the tile has polygons.
 /// @throws InternalError  a coordinate is not finite.
 std::vector<EncodedFile> encode_msh(const FlatTile& tile, const std::string& path);
-std::vector<EncodedFile> encode_msh(const AnyTile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -135,13 +135,10 @@ std::vector<EncodedFile> encode_obj(const FlatTile& tile, const std::string& pat
     std::sort(sides.begin(), sides.end());
     const std::vector<std::string> paths = obj_paths(path);
     const std::string material_file = std::filesystem::path(paths[1]).filename().string();
-    return {{paths[0], obj_text(sorted, sides, material_file)},
-            {paths[1], mtl_text(sorted, sides)},
-            {paths[2], encode_seam(sorted)}};
-}
-
-std::vector<EncodedFile> encode_obj(const AnyTile& tile, const std::string& path) {
-    return encode_obj(flatten(tile), path);
+    std::vector<EncodedFile> files = only_file(paths[0], obj_text(sorted, sides, material_file));
+    files.push_back({paths[1], mtl_text(sorted, sides)});
+    files.push_back({paths[2], encode_seam(sorted)});
+    return files;
 }
 
 }  // namespace pcvt

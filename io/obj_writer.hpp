@@ -17,6 +17,5 @@ std::vector<std::string> obj_paths(const std::string& path);
 /// keep theirs. Comments count vertices from 1 as the faces do, the sidecar counts from 0.
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_obj(const FlatTile& tile, const std::string& path);
-std::vector<EncodedFile> encode_obj(const AnyTile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -45,7 +45,7 @@ std::vector<EncodedFile> encode_om(const AnyTile& tile, const std::string& path)
         tile);
     // OpenMesh reports success also after its stream has failed.
     if (!written || !stream) throw InternalError("OpenMesh could not write " + path);
-    return {{path, std::move(stream).str()}};
+    return only_file(path, std::move(stream).str());
 }
 
 }  // namespace pcvt

@@ -218,7 +218,7 @@ void OutputSet::stage(const std::string& path, const std::string& bytes) {
     if (error != 0) refuse(path, reason_of(error));
 }
 
-std::string OutputSet::read_back(const std::string& path) const {
+bool OutputSet::holds(const std::string& path, std::string_view bytes) const {
     std::string temporary;
     {
         const std::lock_guard lock(mutex_);
@@ -226,7 +226,7 @@ std::string OutputSet::read_back(const std::string& path) const {
             if (file.target == path) temporary = file.temporary;
         }
     }
-    if (!temporary.empty()) return read_whole_file(temporary);
+    if (!temporary.empty()) return file_holds(temporary, bytes);
     throw InternalError(path + " was read back before it was staged");
 }
 

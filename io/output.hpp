@@ -2,6 +2,7 @@
 
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesher/error.hpp"
@@ -52,8 +53,8 @@ class OutputSet {
     void stage_folder(const std::string& folder);
     /// @throws OutputError with path and reason.
     void stage(const std::string& path, const std::string& bytes);
-    /// The staged bytes of `path`, read back from the disk.
-    std::string read_back(const std::string& path) const;
+    /// Whether the disk gives back exactly these bytes for `path`, which is staged.
+    bool holds(const std::string& path, std::string_view bytes) const;
     /// @throws OutputExists, OutputError with path and reason; no target is left changed then.
     void commit(bool force);
 

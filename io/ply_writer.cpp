@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "io/finite.hpp"
@@ -23,11 +24,26 @@ void append_word(std::string& text, Number number) {
     text += ' ';
 }
 
-void append_colour(std::string& text, Colour colour) {
+std::string words(Colour colour) {
+    std::string text;
     for (const double part : {colour.r, colour.g, colour.b}) {
         append_word(text, static_cast<int>(std::lround(255 * part)));
     }
+    return text;
 }
+
+/// The colours of numbers of sides as words, each made once.
+class SideColours {
+   public:
+    const std::string& of(int sides) {
+        const auto [found, is_new] = words_.try_emplace(sides);
+        if (is_new) found->second = words(side_colour(sides));
+        return found->second;
+    }
+
+   private:
+    std::map<int, std::string> words_;
+};
 
 void end_line(std::string& text) { text.back() = '\n'; }
 
@@ -60,14 +76,17 @@ std::string header(const FlatTile& tile) {
 void append_vertices(std::string& text, const FlatTile& tile) {
     const bool owned = faces_have_sites(tile.kind);
     const std::vector<int> valences = owned ? std::vector<int>() : vertex_valences(tile);
+    const std::string plain = words(kPlain);
+    SideColours colours;
     std::vector<VertexPair> orbits;
+    orbits.reserve(tile.points.size());
     for (int v = 0; v < tile.n_vertices(); ++v) orbits.push_back({v, v, {}});
     for (const VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
     for (int v = 0; v < tile.n_vertices(); ++v) {
         append_word(text, tile.points[v].x());
         append_word(text, tile.points[v].y());
         append_word(text, 0);
-        append_colour(text, owned ? kPlain : side_colour(valences[v]));
+        text += owned ? plain : colours.of(valences[v]);
         append_word(text, orbits[v].v);
         append_word(text, orbits[v].offset.i);
         append_word(text, orbits[v].offset.j);
@@ -79,12 +98,14 @@ void append_vertices(std::string& text, const FlatTile& tile) {
 void append_faces(std::string& text, const FlatTile& tile) {
     const bool owned = faces_have_sites(tile.kind);
     const std::vector<int> sides = owned ? cell_sides(tile) : std::vector<int>();
+    const std::string plain = words(kPlain);
+    SideColours colours;
     for (int f = 0; f < tile.n_faces(); ++f) {
         append_word(text, tile.face_size(f));
         for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
             append_word(text, tile.corners[c]);
         }
-        append_colour(text, owned ? side_colour(sides[f]) : kPlain);
+        text += owned ? colours.of(sides[f]) : plain;
         if (owned) append_word(text, tile.face_site[f]);
         end_line(text);
     }
@@ -97,11 +118,7 @@ std::vector<EncodedFile> encode_ply(const FlatTile& tile, const std::string& pat
     std::string text = header(tile);
     append_vertices(text, tile);
     append_faces(text, tile);
-    return {{path, text}};
-}
-
-std::vector<EncodedFile> encode_ply(const AnyTile& tile, const std::string& path) {
-    return encode_ply(flatten(tile), path);
+    return only_file(path, std::move(text));
 }
 
 }  // namespace pcvt

@@ -15,6 +15,5 @@ namespace pcvt {
 /// `site` is a property of faces (cells) or vertices (triangles).
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_ply(const FlatTile& tile, const std::string& path);
-std::vector<EncodedFile> encode_ply(const AnyTile& tile, const std::string& path);
 
 }  // namespace pcvt

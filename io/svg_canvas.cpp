@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 
 namespace pcvt {
 namespace {
@@ -44,11 +45,22 @@ Vec2 SvgFrame::pixel(const Vec2& point) const {
 }
 
 void append_pixels(std::string& text, double value) {
-    std::array<char, 40> digits{};
-    const double rounded = std::round(1000 * value) / 1000 + 0.0;
-    const auto result =
-        std::to_chars(digits.begin(), digits.end(), rounded, std::chars_format::fixed);
-    text.append(digits.begin(), result.ptr);
+    const std::int64_t thousandths = std::llround(1000 * value);
+    const std::int64_t size = std::abs(thousandths);
+    // From the last digit to the first; zeros behind the point go.
+    std::array<char, 24> digits{};
+    char* begin = digits.end();
+    std::int64_t rest = size;
+    for (int k = 0; k < 3; ++k, rest /= 10) {
+        if (begin != digits.end() || rest % 10 != 0) *--begin = static_cast<char>('0' + rest % 10);
+    }
+    if (begin != digits.end()) *--begin = '.';
+    do {
+        *--begin = static_cast<char>('0' + rest % 10);
+        rest /= 10;
+    } while (rest > 0);
+    if (thousandths < 0) *--begin = '-';
+    text.append(begin, digits.end());
 }
 
 SvgPath& SvgPath::add(char command, const Vec2& point) {

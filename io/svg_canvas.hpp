@@ -28,6 +28,7 @@ class SvgFrame {
 };
 
 /// Appends a number of pixels: three decimals at most, never an exponent, never -0.
+/// @pre |value| < 10^12.
 void append_pixels(std::string& text, double value);
 
 /// The `d` of an SVG path; points in length units.

@@ -295,19 +295,11 @@ std::string encode(const FlatTile& tile, bool by_size) {
 }  // namespace
 
 std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
-    return {{path, encode(tile, false)}};
-}
-
-std::vector<EncodedFile> encode_svg(const AnyTile& tile, const std::string& path) {
-    return encode_svg(flatten(tile), path);
+    return only_file(path, encode(tile, false));
 }
 
 std::vector<EncodedFile> encode_graded_svg(const FlatTile& tile, const std::string& path) {
-    return {{path, encode(tile, true)}};
-}
-
-std::vector<EncodedFile> encode_graded_svg(const AnyTile& tile, const std::string& path) {
-    return encode_graded_svg(flatten(tile), path);
+    return only_file(path, encode(tile, true));
 }
 
 }  // namespace pcvt

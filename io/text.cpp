@@ -67,25 +67,40 @@ Number parse(std::string_view word) {
     return value;
 }
 
-/// Closes what it holds, so that no way out of a function leaks a descriptor.
-class Descriptor {
+int open_to_read(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }
+
+/// Reads a file from its beginning to its end, and closes it.
+class BlockReader {
    public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ > STDIN_FILENO) ::close(number_);
+    /// @param file  its descriptor; negative where errno tells why it could not be opened.
+    BlockReader(const std::string& name, int file) : name_(name), file_(file), block_(1 << 16) {
+        if (file_ < 0) refuse();
     }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
+    ~BlockReader() {
+        if (file_ > STDIN_FILENO) ::close(file_);
+    }
+    BlockReader(const BlockReader&) = delete;
+    BlockReader& operator=(const BlockReader&) = delete;
+
+    /// The next bytes, which hold until the call after; empty at the end.
+    std::string_view next() {
+        while (true) {
+            const ssize_t n = ::read(file_, block_.data(), block_.size());
+            if (n >= 0) return {block_.data(), static_cast<std::size_t>(n)};
+            if (errno != EINTR) refuse();
+        }
+    }
 
    private:
-    int number_;
-};
+    [[noreturn]] void refuse() const {
+        throw BadFile(name_ + ": cannot read: " + std::generic_category().message(errno) +
+                      "; give a readable file");
+    }
 
-[[noreturn]] void refuse_file(const std::string& path, int reason) {
-    throw BadFile(path + ": cannot read: " + std::generic_category().message(reason) +
-                  "; give a readable file");
-}
+    const std::string& name_;
+    int file_;
+    std::vector<char> block_;
+};
 
 }  // namespace
 
@@ -162,20 +177,21 @@ void refuse_binary(const std::string& name, std::string_view text, const std::st
 std::string read_whole_file(const std::string& path, bool or_standard_input) {
     const bool standard_input = or_standard_input && path == "-";
     const std::string name = standard_input ? "standard input" : path;
-    const Descriptor file(standard_input ? STDIN_FILENO
-                                         : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (file.number() < 0) refuse_file(name, errno);
+    BlockReader reader(name, standard_input ? STDIN_FILENO : open_to_read(path));
     std::string bytes;
-    std::vector<char> block(1 << 16);
-    while (true) {
-        const ssize_t n = ::read(file.number(), block.data(), block.size());
-        if (n == 0) return bytes;
-        if (n > 0) {
-            bytes.append(block.data(), static_cast<std::size_t>(n));
-        } else if (errno != EINTR) {
-            refuse_file(name, errno);
-        }
+    for (std::string_view block = reader.next(); !block.empty(); block = reader.next()) {
+        bytes += block;
     }
+    return bytes;
+}
+
+bool file_holds(const std::string& path, std::string_view bytes) {
+    BlockReader reader(path, open_to_read(path));
+    for (std::string_view block = reader.next(); !block.empty(); block = reader.next()) {
+        if (!bytes.starts_with(block)) return false;
+        bytes.remove_prefix(block.size());
+    }
+    return bytes.empty();
 }
 
 }  // namespace pcvt

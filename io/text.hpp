@@ -58,4 +58,9 @@ void refuse_binary(const std::string& name, std::string_view text, const std::st
 /// @throws BadFile `path: cannot read: reason; give a readable file`.
 std::string read_whole_file(const std::string& path, bool or_standard_input = false);
 
+/// Whether the file consists of exactly these bytes. It is read block by block: a second copy of a
+/// large file in memory would cost more than the reading.
+/// @throws BadFile as read_whole_file().
+bool file_holds(const std::string& path, std::string_view bytes);
+
 }  // namespace pcvt

@@ -26,6 +26,18 @@ namespace {
 
 std::vector<std::string> only(const std::string& path) { return {path}; }
 
+using ArrayEncoder = std::vector<EncodedFile>(const FlatTile& tile, const std::string& path);
+
+/// An encoder that needs the arrays alone.
+template <ArrayEncoder* kEncode>
+std::vector<EncodedFile> arrays(const AnyTile&, const FlatTile& flat, const std::string& path) {
+    return kEncode(flat, path);
+}
+
+std::vector<EncodedFile> mesh(const AnyTile& mesh, const FlatTile&, const std::string& path) {
+    return encode_om(mesh, path);
+}
+
 std::string lower_case(std::string text) {
     for (char& c : text) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -37,23 +49,28 @@ std::string lower_case(std::string text) {
 
 const std::vector<TileFormat>& tile_formats() {
     static const std::vector<TileFormat> formats{
-        {".obj", "Wavefront OBJ, with .mtl and .seam.json beside it", obj_paths, encode_obj,
+        {".obj", "Wavefront OBJ, with .mtl and .seam.json beside it", obj_paths, arrays<encode_obj>,
          decode_obj},
-        {".ply", "PLY, ASCII with double coordinates", only, encode_ply, decode_ply},
-        {".glb", "glTF 2.0, one binary file", only, encode_glb, decode_gltf},
-        {".gltf", "glTF 2.0, one text file", only, encode_gltf, decode_gltf},
-        {".om", "OpenMesh, with the identification as properties", only, encode_om, decode_om},
-        {".msh", "Gmsh MSH 4.1 with $Periodic, triangles only", only, encode_msh, decode_msh, true,
-         true},
-        {".inp", "Abaqus and CalculiX with *EQUATION, triangles only", only, encode_inp, decode_inp,
-         true, true},
-        {".vtu", "VTK unstructured grid, ASCII, with double coordinates", only, encode_vtu,
+        {".ply", "PLY, ASCII with double coordinates", only, arrays<encode_ply>, decode_ply},
+        {".glb", "glTF 2.0, one binary file", only, arrays<encode_glb>, decode_gltf},
+        {".gltf", "glTF 2.0, one text file", only, arrays<encode_gltf>, decode_gltf},
+        {".om", "OpenMesh, with the identification as properties", only, mesh, decode_om},
+        {".msh", "Gmsh MSH 4.1 with $Periodic, triangles only", only, arrays<encode_msh>,
+         decode_msh, true, true},
+        {".inp", "Abaqus and CalculiX with *EQUATION, triangles only", only, arrays<encode_inp>,
+         decode_inp, true, true},
+        {".vtu", "VTK unstructured grid, ASCII, with double coordinates", only, arrays<encode_vtu>,
          decode_vtu, false, true},
-        {".svg", "a picture", only, encode_svg, nullptr},
-        {".foam", "OpenFOAM, a case folder that icoFoam runs", foam_paths, encode_foam, decode_foam,
-         false, false, true, true},
+        {".svg", "a picture", only, arrays<encode_svg>, nullptr},
+        {".foam", "OpenFOAM, a case folder that icoFoam runs", foam_paths, arrays<encode_foam>,
+         decode_foam, false, false, true, true},
     };
     return formats;
+}
+
+std::vector<EncodedFile> encode_tile(const TileFormat& format, const AnyTile& tile,
+                                     const std::string& path) {
+    return format.encode(tile, flatten(tile), path);
 }
 
 const TileFormat* find_tile_format(const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/tile_file.hpp"
@@ -14,6 +15,13 @@ struct EncodedFile {
     std::string bytes;
 };
 
+/// The list of one file; from braces its bytes would be copied.
+inline std::vector<EncodedFile> only_file(std::string path, std::string bytes) {
+    std::vector<EncodedFile> files;
+    files.push_back({std::move(path), std::move(bytes)});
+    return files;
+}
+
 /// One row of the table of formats, in the order of `tile_formats()`.
 struct TileFormat {
     /// With the dot: ".obj".
@@ -22,8 +30,10 @@ struct TileFormat {
     /// The paths that encode() will fill for `path`, the file itself first; of a folder those in
     /// it.
     std::vector<std::string> (*paths)(const std::string& path);
-    /// Turns a tile into bytes, one entry for each of the paths.
-    std::vector<EncodedFile> (*encode)(const AnyTile& tile, const std::string& path);
+    /// Turns a tile, as a mesh and the same as plain arrays, into bytes: one entry for each of the
+    /// paths.
+    std::vector<EncodedFile> (*encode)(const AnyTile& mesh, const FlatTile& flat,
+                                       const std::string& path);
     /// Reads `files` (the file itself first, companions where there are any) back. A lattice given
     /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
     TileFile (*decode)(const std::vector<EncodedFile>& files,
@@ -39,6 +49,10 @@ struct TileFormat {
 };
 
 const std::vector<TileFormat>& tile_formats();
+
+/// The bytes of a tile in a format.
+std::vector<EncodedFile> encode_tile(const TileFormat& format, const AnyTile& tile,
+                                     const std::string& path);
 
 /// The row for the extension of `path` (case does not matter), nullptr if there is none.
 const TileFormat* find_tile_format(const std::string& path);

@@ -39,11 +39,12 @@ std::vector<FanTriangle> fan_from(std::span<const Point32> corners, int apex) {
     return fan;
 }
 
-double worst_openness(std::span<const Point32> corners, int apex) {
+/// The least of the triangles round `apex`; of a fan that has one no better than `bar` just that.
+double worst_openness(std::span<const Point32> corners, int apex, double bar) {
     const int n = static_cast<int>(corners.size());
     const auto at = [&](int k) { return corners[static_cast<std::size_t>((apex + k) % n)]; };
     double worst = std::numeric_limits<double>::infinity();
-    for (int k = 1; k + 1 < n; ++k) {
+    for (int k = 1; k + 1 < n && worst > bar; ++k) {
         const bool collapsed = at(0) == at(k) || at(k) == at(k + 1) || at(k + 1) == at(0);
         if (!collapsed) worst = std::min(worst, openness(at(0), at(k), at(k + 1)));
     }
@@ -54,9 +55,9 @@ double worst_openness(std::span<const Point32> corners, int apex) {
 
 std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners) {
     int best = 0;
-    double best_openness = worst_openness(corners, 0);
-    for (int apex = 1; apex < static_cast<int>(corners.size()); ++apex) {
-        const double apex_openness = worst_openness(corners, apex);
+    double best_openness = -std::numeric_limits<double>::infinity();
+    for (int apex = 0; apex < static_cast<int>(corners.size()); ++apex) {
+        const double apex_openness = worst_openness(corners, apex, best_openness);
         if (apex_openness > best_openness) {
             best = apex;
             best_openness = apex_openness;

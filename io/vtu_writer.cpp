@@ -138,11 +138,7 @@ std::vector<EncodedFile> encode_vtu(const FlatTile& tile, const std::string& pat
     append_points(text, nodes.points);
     append_cells(text, tile, nodes);
     text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-    return {{path, text}};
-}
-
-std::vector<EncodedFile> encode_vtu(const AnyTile& tile, const std::string& path) {
-    return encode_vtu(flatten(tile), path);
+    return only_file(path, std::move(text));
 }
 
 }  // namespace pcvt

@@ -22,6 +22,5 @@ namespace pcvt {
 /// name a fault by its line.
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_vtu(const FlatTile& tile, const std::string& path);
-std::vector<EncodedFile> encode_vtu(const AnyTile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -61,6 +61,9 @@ struct FlatTile {
     std::vector<EdgePair> edge_pairs;
     /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
     std::vector<Vec2> site_points = {};
+    /// Files whose faces do not share all of their vertices: for each of the last vertices the
+    /// earlier one, itself no copy, whose position it repeats. May be empty all the same.
+    std::vector<int> copies = {};
     /// Pieces of cells and grains of a tile in memory: the sides of the whole cell that each face
     /// is part of. Whole cells, Delaunay triangles and files: empty.
     std::vector<int> whole_sides = {};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 
 #include "mesher/refusal.hpp"
@@ -96,12 +97,19 @@ const SlabPatch& patch_named(const SlabMesh& slab, const std::string& name) {
     refuse(kOrder, "there is no empty patch " + name);
 }
 
-/// The points of face f, beginning with the smallest.
-std::vector<int> turned_face(const SlabMesh& slab, int f) {
-    std::vector<int> points(slab.corners.begin() + slab.face_begin[f],
-                            slab.corners.begin() + slab.face_begin[f + 1]);
-    std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
-    return points;
+std::span<const int> points_of(const SlabMesh& slab, int f) {
+    return std::span(slab.corners)
+        .subspan(static_cast<std::size_t>(slab.face_begin[f]),
+                 static_cast<std::size_t>(slab.face_size(f)));
+}
+
+/// Whether `lid` has the points above those of `face` in the same order, from whichever on.
+bool stands_above(std::span<const int> lid, const std::vector<int>& face, int above) {
+    const auto first = std::find(lid.begin(), lid.end(), face.front() + above);
+    const auto above_it = [&](int q, int p) { return q == p + above; };
+    return lid.size() == face.size() && first != lid.end() &&
+           std::equal(first, lid.end(), face.begin(), above_it) &&
+           std::equal(lid.begin(), first, face.end() - (first - lid.begin()), above_it);
 }
 
 /// For each cell its one face in the patch: the lids of the prisms.
@@ -126,14 +134,14 @@ void read_faces(const SlabMesh& slab, FlatTile& tile) {
         refuse(kOrder, "back and front have " + to_string(back.size()) + " and " +
                            to_string(front.size()) + " faces for " + to_string(n_cells) + " cells");
     }
+    std::vector<int> face;
     for (std::size_t cell = 0; cell < back.size(); ++cell) {
-        std::vector<int> face = turned_face(slab, back[cell]);
-        if (face.size() < 3) refuse(kPlanes, "a face of the back has fewer than 3 points");
+        const std::span<const int> points = points_of(slab, back[cell]);
+        if (points.size() < 3) refuse(kPlanes, "a face of the back has fewer than 3 points");
+        face.assign(points.begin(), points.end());
         std::reverse(face.begin() + 1, face.end());
-        std::vector<int> raised = face;
-        for (int& p : raised) p += above;
         const bool low = std::all_of(face.begin(), face.end(), [&](int p) { return p < above; });
-        if (!low || raised != turned_face(slab, front[cell])) {
+        if (!low || !stands_above(points_of(slab, front[cell]), face, above)) {
             refuse(kPlanes, "cell " + to_string(cell) + " is not a prism between back and front");
         }
         tile.corners.insert(tile.corners.end(), face.begin(), face.end());

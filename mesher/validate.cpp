@@ -64,6 +64,15 @@ void require_known_vertices(const FlatTile& tile) {
     }
 }
 
+void require_true_copies(const FlatTile& tile) {
+    const int n = tile.n_vertices() - static_cast<int>(tile.copies.size());
+    for (int k = 0; k < static_cast<int>(tile.copies.size()); ++k) {
+        const int v = tile.copies[k];
+        if (n > 0 && v >= 0 && v < n && tile.points[v] == tile.points[n + k]) continue;
+        refuse(kFaceLaw, "vertex " + to_string(n + k) + " is no copy of vertex " + to_string(v));
+    }
+}
+
 /// A vertex that has been merged may leave the faces to its other copies.
 void require_vertices_in_use(const FlatTile& tile, const VertexOrbits& orbits) {
     std::vector<bool> used(tile.points.size(), false);
@@ -229,9 +238,11 @@ void collect_edges(const GluedFaces& faces, TileProof& proof) {
 TileProof prove_tile(const FlatTile& tile, Precision precision) {
     require_arrays(tile);
     require_known_vertices(tile);
+    require_true_copies(tile);
     TileProof proof{};
     proof.tolerance = position_tolerance(tile, precision);
-    const VertexOrbits orbits = find_vertex_orbits(tile.lattice, tile.points, proof.tolerance);
+    const VertexOrbits orbits =
+        find_vertex_orbits(tile.lattice, tile.points, proof.tolerance, tile.copies);
     if (precision == Precision::kDouble) require_distinct_vertices(tile, orbits);
     require_vertices_in_use(tile, orbits);
     const GluedFaces faces = glue_faces(tile, orbits, precision);

@@ -77,7 +77,7 @@ std::vector<int> first_copies(const std::vector<int>& representative,
 
 class OrbitFinder {
    public:
-    OrbitFinder(const Lattice& lattice, const std::vector<Vec2>& points, double tolerance)
+    OrbitFinder(const Lattice& lattice, std::span<const Vec2> points, double tolerance)
         : lattice_(lattice),
           reduction_(reduce(lattice)),
           points_(points),
@@ -198,7 +198,7 @@ class OrbitFinder {
 
     const Lattice& lattice_;
     Reduction reduction_;
-    const std::vector<Vec2>& points_;
+    std::span<const Vec2> points_;
     double tolerance_;
     /// Coordinates in the reduced basis.
     std::vector<Vec2> coordinates_;
@@ -222,10 +222,17 @@ VertexOrbits proven_orbits(const TileProof& proof) {
     return orbits;
 }
 
-VertexOrbits find_vertex_orbits(const Lattice& lattice, const std::vector<Vec2>& points,
-                                double tolerance) {
+VertexOrbits find_vertex_orbits(const Lattice& lattice, std::span<const Vec2> points,
+                                double tolerance, std::span<const int> copies) {
     if (points.empty()) return {};
-    return OrbitFinder(lattice, points, tolerance).find();
+    VertexOrbits orbits =
+        OrbitFinder(lattice, points.first(points.size() - copies.size()), tolerance).find();
+    for (const int v : copies) {
+        orbits.representative.push_back(orbits.representative[v]);
+        orbits.offset.push_back(orbits.offset[v]);
+        orbits.first_copy.push_back(orbits.first_copy[v]);
+    }
+    return orbits;
 }
 
 }  // namespace pcvt

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "mesher/validate.hpp"
 
 namespace pcvt {
@@ -22,8 +24,10 @@ struct VertexOrbits {
 /// @throws NotATile if a vertex lies too many periods away from vertex 0 to count them, if the
 ///         tolerance is not small against the periods, or if the ends of a chain lie further apart
 ///         than 4 tolerances.
-VertexOrbits find_vertex_orbits(const Lattice& lattice, const std::vector<Vec2>& points,
-                                double tolerance);
+/// @param copies  for each of the last points the earlier point, itself no copy, whose position it
+///                repeats: these need not be found.
+VertexOrbits find_vertex_orbits(const Lattice& lattice, std::span<const Vec2> points,
+                                double tolerance, std::span<const int> copies = {});
 
 /// The orbits that prove_tile found.
 VertexOrbits proven_orbits(const TileProof& proof);

@@ -123,7 +123,9 @@ struct PatternOutcome {
 
 /// One mesh of a job, laid out and proved.
 struct ProvedTile {
-    AnyTile tile;
+    AnyTile mesh;
+    /// The same as plain arrays.
+    FlatTile flat;
     TileFigures figures;
 };
 

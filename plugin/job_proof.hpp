@@ -10,21 +10,22 @@ namespace pcvt {
 
 /// Proves a tile of ours in double precision, with what it stores of its seam.
 /// @throws InternalError  it breaks a law: a fault of pcvt.
-TileProof prove_own_tile(const AnyTile& tile);
+TileProof prove_own_tile(const FlatTile& tile);
 
-/// The files as the disk gives them back.
-/// @throws OutputError  other bytes than those of `encoded`.
-std::vector<EncodedFile> read_back(const OutputSet& outputs,
-                                   const std::vector<EncodedFile>& encoded);
+/// Proves that the disk gives the staged files back as they were encoded: what is read in `files`
+/// from here on is what stands there.
+/// @throws OutputError  it gives other bytes.
+void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& files);
 
-/// Proves the tile that `format` reads in `files`, with what they store of its seam.
+/// Proves the tile that `format` reads in `files`, with what they store of its seam. Where that is
+/// number for number a tile that is proved already, nothing is left to prove.
 /// @pre format.decode != nullptr.
-/// @param original  the tile that was encoded.
+/// @param original  the tile that was encoded, proved.
 /// @param origin    the corner of its domain, for the advice in a message.
 /// @throws InvalidInput   `original` is too fine for the format's single precision.
 /// @throws InternalError  a law is broken all the same: a fault of pcvt.
 void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                 const AnyTile& original, const Vec2& origin);
+                 const FlatTile& original, const Vec2& origin);
 
 /// Proves the C-grid in an MPAS file of ours.
 /// @throws InternalError  a law is broken: a fault of pcvt.

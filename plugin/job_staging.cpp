@@ -15,26 +15,27 @@ namespace pcvt {
 namespace {
 
 /// Pictures of a graded mesh show the sizes of its cells.
-std::vector<EncodedFile> encode(const Job& job, const JobFile& file, const AnyTile& tile) {
+std::vector<EncodedFile> encode(const Job& job, const JobFile& file, const ProvedTile& tile) {
     if (job.density && file.format->extension == ".svg") {
-        return encode_graded_svg(tile, file.paths.front());
+        return encode_graded_svg(tile.flat, file.paths.front());
     }
-    return file.format->encode(tile, file.folder.empty() ? file.paths.front() : file.folder);
+    return file.format->encode(tile.mesh, tile.flat,
+                               file.folder.empty() ? file.paths.front() : file.folder);
 }
 
 /// Encodes a tile, lets it reach the disk under a hidden name and proves what stands there.
-void stage_tile(const Job& job, const JobFile& file, const AnyTile& tile, OutputSet& outputs) {
+void stage_tile(const Job& job, const JobFile& file, const ProvedTile& tile, OutputSet& outputs) {
     if (!file.folder.empty()) outputs.stage_folder(file.folder);
     const std::vector<EncodedFile> encoded = encode(job, file, tile);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
-    const std::vector<EncodedFile> written = read_back(outputs, encoded);
-    if (file.format->decode != nullptr) prove_files(*file.format, written, tile, job.origin);
+    require_on_disk(outputs, encoded);
+    if (file.format->decode != nullptr) prove_files(*file.format, encoded, tile.flat, job.origin);
 }
 
 void stage_sites(const std::string& path, const CvtResult& result, OutputSet& outputs) {
-    const EncodedFile encoded{path, encode_sites(wrapped_sites(result))};
-    outputs.stage(path, encoded.bytes);
-    read_back(outputs, {encoded});
+    const auto encoded = only_file(path, encode_sites(wrapped_sites(result)));
+    outputs.stage(path, encoded.front().bytes);
+    require_on_disk(outputs, encoded);
 }
 
 /// The C-grid of the whole torus, encoded, on the disk and proved there like a tile.
@@ -42,16 +43,17 @@ void stage_c_grid(const std::string& path, const Job& job, const JobResult& resu
                   OutputSet& outputs) {
     const PeriodicMesh cells =
         repeated(periodic_mesh(result.cvt, TileKind::kCells), job.columns, job.rows);
-    EncodedFile encoded{path, {}};
+    std::vector<EncodedFile> encoded;
     try {
         CGrid grid = c_grid(cells, job.origin);
         if (job.density) fill_mesh_density(result.site_densities, grid);
-        encoded.bytes = encode_mpas(grid);
+        encoded = only_file(path, encode_mpas(grid));
     } catch (const InvalidInput& error) {
         throw InvalidInput("-o " + path + ": " + error.what());
     }
-    outputs.stage(path, encoded.bytes);
-    prove_c_grid_file(read_back(outputs, {encoded}).front());
+    outputs.stage(path, encoded.front().bytes);
+    require_on_disk(outputs, encoded);
+    prove_c_grid_file(encoded.front());
 }
 
 void stage_file(const Job& job, const JobFile& file, const JobResult& result,
@@ -61,7 +63,7 @@ void stage_file(const Job& job, const JobFile& file, const JobResult& result,
     } else if (file.content == JobContent::kCGrid) {
         stage_c_grid(file.paths.front(), job, result, outputs);
     } else {
-        stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)].tile, outputs);
+        stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)], outputs);
     }
 }
 

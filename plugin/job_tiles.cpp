@@ -76,10 +76,11 @@ ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
     if (grains) laid_out = mesh_cells(job, laid_out, h, figures);
     AnyTile tile = make_tile(laid_out.mesh, laid_out.placement);
     if (grains) std::get<TriangleTile>(tile).order = job.order;
-    const TileProof proof = prove_own_tile(tile);
+    FlatTile flat = flatten(tile);
+    const TileProof proof = prove_own_tile(flat);
     figures.n_boundary_edges = proof.n_boundary_edges;
     figures.n_edge_pairs = static_cast<int>(proof.edge_pairs.size());
-    return {std::move(tile), std::move(figures)};
+    return {std::move(tile), std::move(flat), std::move(figures)};
 }
 
 }  // namespace pcvt

@@ -129,6 +129,20 @@ TEST(Gltf, ReadsAsATileOnEveryLattice) {
     }
 }
 
+TEST(Gltf, StatedCopiesChangeNoProof) {
+    for (const FlatTile& tile : {grid_tile(kOblique, 41, 50), grain_grid_tile(kOblique, 5, 6)}) {
+        TileFile file = read(glb(tile));
+        EXPECT_FALSE(file.tile.copies.empty());
+        const TileProof stated = prove_tile(file.tile, file.precision);
+        file.tile.copies.clear();
+        const TileProof found = prove_tile(file.tile, file.precision);
+        EXPECT_EQ(stated.first_copy, found.first_copy);
+        EXPECT_EQ(stated.n_merged, found.n_merged);
+        EXPECT_TRUE(stated.vertex_pairs == found.vertex_pairs);
+        EXPECT_TRUE(stated.edge_pairs == found.edge_pairs);
+    }
+}
+
 TEST(Gltf, TextAndBinaryHoldTheSameTile) {
     for (const FlatTile& tile : tiles_of(kOblique)) {
         const std::string text = encode_gltf(tile, "t.gltf").at(0).bytes;

@@ -1,10 +1,15 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <random>
 #include <regex>
 #include <sstream>
 
 #include "io/palette.hpp"
+#include "io/svg_canvas.hpp"
 #include "io/svg_writer.hpp"
 #include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
@@ -194,6 +199,30 @@ TEST(Svg, OfEqualCellsBySizeHasOneClass) {
     const std::string picture =
         encode_graded_svg(grid_tile(Lattice::rectangle(1, 1), 4, 4), "t.svg").at(0).bytes;
     EXPECT_THAT(all_matches(picture, R"( h: (\d+)<)").size(), Le(2u));
+}
+
+/// Three decimals by way of the shortest decimals of a rounded double.
+std::string rounded(double value) {
+    std::array<char, 40> digits{};
+    const auto end = std::to_chars(digits.begin(), digits.end(),
+                                   std::round(1000 * value) / 1000 + 0.0, std::chars_format::fixed);
+    return {digits.begin(), end.ptr};
+}
+
+TEST(Svg, PixelsHaveThreeDecimalsAtMost) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> exponent(-5, 11);
+    for (int k = 0; k < 20'000; ++k) {
+        const double size = std::pow(10, exponent(random));
+        for (const double value : {size, -size, std::round(size), std::round(10 * size) / 10}) {
+            std::string text;
+            append_pixels(text, value);
+            ASSERT_EQ(text, rounded(value)) << value;
+        }
+    }
+    std::string text;
+    for (const double value : {0.0, -0.0, -0.0004, 0.0005, 10.0}) append_pixels(text += ' ', value);
+    EXPECT_EQ(text, " 0 0 0 0.001 10");
 }
 
 }  // namespace

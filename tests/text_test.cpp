@@ -144,5 +144,21 @@ TEST(Text, AFileComesBackByteForByte) {
     EXPECT_EQ(read_whole_file(folder / "empty"), "");
 }
 
+TEST(Text, AFileHoldsItsBytesAndNoOthers) {
+    const testing::TemporaryFolder folder;
+    const std::string bytes(200'000, 'x');
+    testing::write_bytes(folder / "f", bytes);
+    EXPECT_TRUE(file_holds(folder / "f", bytes));
+    EXPECT_FALSE(file_holds(folder / "f", bytes.substr(1)));
+    EXPECT_FALSE(file_holds(folder / "f", bytes + 'x'));
+    EXPECT_FALSE(file_holds(folder / "f", ""));
+    for (const std::size_t k : {0U, 65'535U, 65'536U, 199'999U}) {
+        std::string other = bytes;
+        other[k] = 'y';
+        EXPECT_FALSE(file_holds(folder / "f", other)) << k;
+    }
+    EXPECT_THROW(file_holds(folder / "none", ""), BadFile);
+}
+
 }  // namespace
 }  // namespace pcvt

@@ -305,6 +305,20 @@ TEST(ProveTileInSinglePrecision, EdgeThatShrinksToAPointIsDropped) {
     EXPECT_EQ(proof.n_boundary_edges, 4);
 }
 
+TEST(ProveTileInSinglePrecision, StatedCopiesAreNotBelieved) {
+    FlatTile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
+    fans.points.push_back(fans.points[5]);
+    fans.copies = {5};
+    EXPECT_THAT(refusal(fans, Precision::kSingle), IsEmpty());
+    for (const int v : {4, -1, 16, 17}) {
+        fans.copies = {v};
+        EXPECT_THAT(refusal(fans, Precision::kSingle),
+                    HasSubstr("vertex 16 is no copy of vertex " + std::to_string(v)));
+    }
+    fans.copies.assign(20, 5);
+    EXPECT_THAT(refusal(fans, Precision::kSingle), HasSubstr("is no copy"));
+}
+
 TEST(ProveTileInSinglePrecision, CopyWithoutAFaceIsMerged) {
     FlatTile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
     fans.points.push_back(fans.points[5]);

@@ -83,7 +83,8 @@ TEST(VertexOrbits, EndAtTheToleranceInEachCoordinate) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     const auto orbits = [&](const Vec2& apart) {
         const Vec2 p(0.25, 0.5);
-        return find_vertex_orbits(lattice, {p, p + lattice.translation({2, -1}) + apart},
+        return find_vertex_orbits(lattice,
+                                  std::vector<Vec2>{p, p + lattice.translation({2, -1}) + apart},
                                   kTolerance)
             .representative;
     };
@@ -104,7 +105,8 @@ TEST(VertexOrbits, ChainsJoinButMustNotGrowLong) {
 }
 
 TEST(VertexOrbits, OfNoVertexAreNone) {
-    EXPECT_TRUE(find_vertex_orbits(Lattice::rectangle(1, 1), {}, kTolerance).offset.empty());
+    EXPECT_TRUE(find_vertex_orbits(Lattice::rectangle(1, 1), std::span<const Vec2>(), kTolerance)
+                    .offset.empty());
 }
 
 }  // namespace

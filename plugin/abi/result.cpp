@@ -44,7 +44,7 @@ auto from_geometry(const Make& make) {
 }
 
 void note_orbits(TileArrays& arrays) {
-    const FlatTile& flat = arrays.flat;
+    const FlatTile& flat = arrays.proved.flat;
     arrays.offset.resize(flat.points.size());
     for (int v = 0; v < flat.n_vertices(); ++v) arrays.orbit.push_back(v);
     for (const VertexPair& pair : flat.vertex_pairs) {
@@ -110,12 +110,8 @@ const TileArrays& Result::arrays(const Layout& layout) const {
     job.outline = layout.outline;
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
-        TileArrays made{from_geometry([&] { return build_tile(job, computed_.cvt, layout.kind); }),
-                        {job.lattice, layout.kind, {}, {0}, {}, {}, {}, {}, {}},
-                        {},
-                        {},
-                        {}};
-        made.flat = flatten(made.proved.tile);
+        TileArrays made{
+            from_geometry([&] { return build_tile(job, computed_.cvt, layout.kind); }), {}, {}, {}};
         note_orbits(made);
         return made;
     });
@@ -170,7 +166,7 @@ pcvt_mesh Result::mesh(TileKind kind) const {
 
 pcvt_tile Result::tile(const Layout& layout) const {
     const TileArrays& tile = arrays(layout);
-    const FlatTile& flat = tile.flat;
+    const FlatTile& flat = tile.proved.flat;
     pcvt_tile view{};
     copy_lattice(flat.lattice, view.lattice);
     view.points = numbers(flat.points);

@@ -36,7 +36,6 @@ struct Layout {
 /// A tile and the arrays that its view borrows.
 struct TileArrays {
     ProvedTile proved;
-    FlatTile flat;
     std::vector<int> orbit;
     std::vector<Offset> offset;
     std::vector<pcvt_edge_pair> edge_pairs;

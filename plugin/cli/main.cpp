@@ -7,6 +7,7 @@
 #include "plugin/cli/cancel_signal.hpp"
 #include "plugin/cli/check_command.hpp"
 #include "plugin/cli/console.hpp"
+#include "plugin/cli/memory_habits.hpp"
 #include "plugin/cli/mesh_command.hpp"
 #include "plugin/cli/pattern_command.hpp"
 #include "plugin/cli/study_command.hpp"
@@ -112,6 +113,7 @@ ExitCode run(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
     pcvt::cli::ignore_file_size_signal();
+    pcvt::cli::keep_freed_memory();
     try {
         return static_cast<int>(pcvt::cli::run(argc, argv));
     } catch (...) {

@@ -13,7 +13,7 @@ int main() {
     const auto mesh = pcvt::periodic_mesh(result, pcvt::TileKind::kTriangles);
     const auto tile = pcvt::make_tile(mesh, pcvt::whole_outline(mesh, {0, 0}));
     for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
-        const auto files = format.encode(tile, "tile" + format.extension);
+        const auto files = pcvt::encode_tile(format, tile, "tile" + format.extension);
         if (format.decode == nullptr) continue;
         const pcvt::TileFile back = format.decode(files, std::nullopt);
         std::printf("%s: %d faces\n", format.extension.c_str(), back.tile.n_faces());
