@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,18 +11,32 @@
 
 namespace pcvt {
 
-/// Cells one after the other.
+/// Cells one after the other, and of each corner of theirs one number in each array.
 struct CellList {
-    std::vector<CellCorner> corners;
-    /// For each corner the halfedge that leaves the cell's site in the triangle whose centre it is:
-    /// the side that ends in the corner belongs to that halfedge.
+    /// The halfedge that leaves the cell's site in the triangle whose centre the corner is: the
+    /// side that ends in the corner belongs to that halfedge.
     std::vector<int> halfedges;
+    std::vector<int> shifted;
+    /// The neighbour that this halfedge leads to, and the next one round the site; coordinates of
+    /// the reduced basis, relative to the site.
+    std::vector<double> to_u, to_v, next_u, next_v;
+    /// The corner, relative to the site; frame, units.
+    std::vector<double> x, y;
+    /// The same in lattice coordinates of the user's basis.
+    std::vector<double> u, v;
+    /// How far the triangle is from being thin: the centres of others are computed in more digits.
+    std::vector<double> thick;
     /// Of the corners, and at the end their number.
     std::vector<int> begin;
 
-    CellView operator[](std::size_t k) const {
-        return {corners.data() + begin[k], std::size_t(begin[k + 1] - begin[k])};
-    }
+    /// The box round cell k in lattice coordinates, relative to its site.
+    LatticeBox box(std::size_t k) const;
+    /// Makes `polygon` cell k, whose site is at `site`.
+    void copy(std::size_t k, const Vec2& site, CellPolygon& polygon) const;
+
+   private:
+    friend class UnwrappedCells;
+    void make_room(std::size_t n_corners);
 };
 
 /// The Voronoi cells of sites that move, each unwrapped round its site: in the frame and the unit
@@ -38,11 +53,24 @@ class UnwrappedCells {
     Vec2 site(SiteId site) const { return from_reduced_ * delaunay_.coordinates().col(site); }
     /// Makes `cells` those of the sites.
     void unwrap(std::span<const SiteId> sites, CellList& cells) const;
-    /// From the site that h leaves to the image that it leads to; frame, units.
-    Vec2 edge(int h) const { return centre_[h] - centre_[TorusTriangulation::next(h)]; }
+    /// The neighbour of a cell across the side that ends in a corner, relative to the site; frame,
+    /// units.
+    Vec2 neighbour(const CellList& cells, std::size_t corner) const {
+        return delaunay_.frame().to_plane({cells.to_u[corner], cells.to_v[corner]});
+    }
+    /// Lattice coordinates of the user's basis by those of the frame.
+    const Eigen::Matrix2d& from_frame() const { return from_frame_; }
 
    private:
-    void locate_centre(int triangle);
+    static constexpr int kRingLength = 8;
+    struct Ring {
+        std::array<int, kRingLength> halfedges{};
+    };
+    void find_ring(SiteId site);
+    int walk(SiteId site, int begin, CellList& cells) const;
+    void find_neighbours(std::span<const SiteId> sites, CellList& cells) const;
+    void find_corners(CellList& cells) const;
+    Vec2 thin_centre(int h) const;
 
     const MovingDelaunay& delaunay_;
     Workers& workers_;
@@ -51,11 +79,10 @@ class UnwrappedCells {
     Eigen::Matrix2d from_frame_;
     /// For each site a halfedge that leaves it, found after so many flips and rebuilds.
     std::vector<int> leaving_;
+    std::vector<Ring> rings_;
+    std::vector<std::uint8_t> ring_length_;
     std::int64_t n_flips_ = -1;
     int n_rebuilds_ = -1;
-    /// For each halfedge the circumcentre of its triangle relative to the site that it leaves;
-    /// frame, units.
-    std::vector<Vec2> centre_;
 };
 
 }  // namespace pcvt

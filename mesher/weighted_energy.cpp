@@ -1,20 +1,32 @@
 #include "mesher/weighted_energy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 
+#include "mesher/fan_batch.hpp"
 #include "mesher/quadrature.hpp"
 
 namespace pcvt {
 namespace {
 
 constexpr int kSitesPerTask = 512;
-constexpr std::size_t kCellsAtOnce = 64;
+constexpr int kCellsAtOnce = 64;
+constexpr std::size_t kEnoughPoints = 4096;
+constexpr double kFromBreak = 1e-12;
 
 /// An energy that jumps by so much, relatively, still counts as continuous: a hundredth of what the
 /// line search resolves.
 constexpr double kEnergyJump = 1e-14;
+
+/// std::floor of moderate numbers, without a call.
+double floor_of(double number) {
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(number));
+    return whole - (whole > number ? 1 : 0);
+}
+
+Vec2 wrapped(const Vec2& u) { return {u.x() - floor_of(u.x()), u.y() - floor_of(u.y())}; }
 
 /// How far the results of two rules lie apart, in units of the cell's own.
 double distance(const Moments& low, const Moments& high, double area) {
@@ -68,26 +80,86 @@ void WeightedPass::run_tasks(
     probes_.range().require_contrast();
 }
 
+/// The moments of cells, under their numbers.
+class CellSums {
+   public:
+    CellSums(const UnwrappedCells& cells, const CellQuadrature& quadrature, DensityProbe& probe,
+             std::vector<Moments>& moments)
+        : cells_(cells),
+          quadrature_(quadrature),
+          probe_(probe),
+          moments_(moments),
+          whole_(probe, cells.from_frame()),
+          cut_(probe) {}
+
+    /// Adds cells with rules of one order.
+    /// @param numbers  of the cells.
+    void add(std::span<const SiteId> sites, std::span<const int> numbers, int q) {
+        cells_.unwrap(sites, list_);
+        whole_.begin_order(q);
+        for (std::size_t k = 0; k < sites.size(); ++k) {
+            const Vec2 site = wrapped(cells_.site(sites[k]));
+            LatticeBox box = list_.box(k);
+            box.low += (site.array() - kFromBreak).matrix();
+            box.high += (site.array() + kFromBreak).matrix();
+            if (!quadrature_.is_cut(box)) {
+                whole_.add(list_, k, site, numbers[k]);
+                continue;
+            }
+            list_.copy(k, site, polygon_);
+            quadrature_.add(polygon_, site, q, cut_);
+            cut_numbers_.push_back(numbers[k]);
+        }
+        whole_.end_order();
+        if (probe_.n_waiting() >= kEnoughPoints) finish();
+    }
+    void finish() {
+        const std::span<const double> rho = probe_.ask_waiting();
+        whole_.take(rho, moments_);
+        if (cut_numbers_.empty()) return;
+        const std::vector<Moments>& cut = cut_.take(rho);
+        for (std::size_t k = 0; k < cut.size(); ++k) moments_[cut_numbers_[k]] = cut[k];
+        cut_numbers_.clear();
+    }
+
+   private:
+    const UnwrappedCells& cells_;
+    const CellQuadrature& quadrature_;
+    DensityProbe& probe_;
+    std::vector<Moments>& moments_;
+    FanBatch whole_;
+    CellBatch cut_;
+    std::vector<int> cut_numbers_;
+    CellList list_;
+    CellPolygon polygon_;
+};
+
 /// Puts the moments of the cells one after the other.
 void WeightedPass::integrate(std::span<const OrderedCell> cells, DensityProbe& probe,
                              std::vector<Moments>& moments) const {
-    CellBatch batch(probe);
-    CellList list;
-    std::vector<SiteId> sites;
-    moments.clear();
-    while (!cells.empty()) {
-        const auto some = cells.first(std::min(cells.size(), kCellsAtOnce));
-        cells = cells.subspan(some.size());
-        sites.clear();
-        for (const OrderedCell& cell : some) sites.push_back(cell.site);
-        cells_.unwrap(sites, list);
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            quadrature_.add(list[k], cells_.site(sites[k]), some[k].q, batch);
-        }
-        if (!batch.is_full() && !cells.empty()) continue;
-        const std::vector<Moments>& collected = batch.collect();
-        moments.insert(moments.end(), collected.begin(), collected.end());
+    moments.resize(cells.size());
+    CellSums sums(cells_, quadrature_, probe, moments);
+    // Cells of one order together, as they come.
+    std::array<int, kGreatestOrder + 2> end{};
+    for (const OrderedCell& cell : cells) ++end[cell.q + 1];
+    for (int q = 1; q <= kGreatestOrder + 1; ++q) end[q] += end[q - 1];
+    std::vector<SiteId> sites(cells.size());
+    std::vector<int> numbers(cells.size());
+    for (int k = 0; k < static_cast<int>(cells.size()); ++k) {
+        const int place = end[cells[k].q]++;
+        sites[place] = cells[k].site;
+        numbers[place] = k;
     }
+    int done = 0;
+    for (int q = kLeastOrder; q <= kGreatestOrder; ++q) {
+        while (done < end[q]) {
+            const int n = std::min<int>(end[q] - done, kCellsAtOnce);
+            sums.add({sites.data() + done, std::size_t(n)}, {numbers.data() + done, std::size_t(n)},
+                     q);
+            done += n;
+        }
+    }
+    sums.finish();
 }
 
 bool WeightedPass::evaluate(Energy& energy) {
@@ -162,8 +234,12 @@ RuleCheck WeightedPass::choose_orders(double accuracy, bool lower) {
         CellList list;
         for (SiteId s = first; s < end; ++s) {
             cells_.unwrap({&s, 1}, list);
+            LatticeBox box = list.box(0);
+            const Vec2 site = wrapped(cells_.site(s));
+            box.low += site;
+            box.high += site;
             cells.push_back({s, lower ? kLeastOrder : std::min<int>(order_[s], kGreatestOrder - 1),
-                             quadrature_.is_cut(list[0], cells_.site(s))});
+                             quadrature_.is_cut(box)});
         }
         choose_orders(std::move(cells), accuracy, probe, task);
     });

@@ -71,7 +71,7 @@ void WeightedHessian::place_side(int h, const CellCorner& from, const CellCorner
 
 void WeightedHessian::fill_row(SiteId site, std::size_t k, Rows& rows, BlockMatrix& hessian) const {
     const TorusTriangulation& t = delaunay_.triangulation();
-    const CellView cell = rows.cells[k];
+    const CellView cell = rows.cell(k);
     Eigen::Matrix2d diagonal = 2 * mass_[site] * Eigen::Matrix2d::Identity();
     int entry = hessian.row_begin[site];
     for (std::size_t c = 0; c < cell.size(); ++c) {
@@ -84,7 +84,7 @@ void WeightedHessian::fill_row(SiteId site, std::size_t k, Rows& rows, BlockMatr
         double share = 0;
         for (int part = 0; part < rows.n_parts[side]; ++part) {
             const double end = rows.part_end[rows.next_part++];
-            edge.add(from + share * way, from + end * way, cells_.edge(h), rule, rows.next_rho);
+            edge.add(from + share * way, from + end * way, cells_.neighbour(rows.cells, side), rule, rows.next_rho);
             rows.next_rho += rule.nodes.size();
             share = end;
         }
@@ -108,8 +108,11 @@ void WeightedHessian::fill_rows(SiteId first, SiteId end, double per_unit, Densi
     std::iota(sites.begin(), sites.end(), first);
     Rows rows;
     cells_.unwrap(sites, rows.cells);
+    CellPolygon polygon;
     for (std::size_t k = 0; k < sites.size(); ++k) {
-        const CellView cell = rows.cells[k];
+        rows.cells.copy(k, cells_.site(sites[k]), polygon);
+        rows.corners.insert(rows.corners.end(), polygon.begin(), polygon.end());
+        const CellView cell = rows.cell(k);
         for (std::size_t c = 0; c < cell.size(); ++c) {
             const int h = rows.cells.halfedges[rows.cells.begin[k] + c];
             place_side(h, before(cell, c), cell[c], rows, probe);
