@@ -2,10 +2,10 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
+#include "mesher/lanes.hpp"
 #include "mesher/predicates.hpp"
 #include "mesher/vector_clones.hpp"
 
@@ -14,17 +14,9 @@ namespace {
 
 /// A triangle thinner than this has its circumcentre computed in more digits.
 constexpr double kThin = 1e-4;
-/// From corner 0, 1, 2 of a triangle to the next one and to the one before: looked up, since no
-/// branch could be foretold.
-constexpr std::array<int, 3> kToNext{1, 1, -2};
-constexpr std::array<int, 3> kToPrevious{2, -1, -1};
 constexpr int kSitesPerTask = 1 << 12;
 /// Corners for which there is room at first.
 constexpr std::size_t kFirstRoom = 512;
-
-int next_round_site(const TorusTriangulation& t, int h) {
-    return t.opposite(h + kToPrevious[h % 3]);
-}
 
 /// The maps from the frame and from the reduced basis, entry by entry.
 struct Maps {
@@ -68,21 +60,25 @@ PCVT_VECTOR_CLONES bool circumcentres(const Maps& maps, int n, const double* __r
 }  // namespace
 
 void CellList::make_room(std::size_t n_corners) {
-    if (n_corners <= halfedges.size()) return;
+    if (n_corners <= neighbours.size()) return;
     const std::size_t n = std::max(2 * n_corners, kFirstRoom);
-    halfedges.resize(n);
+    neighbours.resize(n);
     for (auto* array : {&to_u, &to_v, &next_u, &next_v, &x, &y, &u, &v, &thick}) array->resize(n);
 }
 
-LatticeBox CellList::box(std::size_t k) const {
-    LatticeBox box{{u[begin[k]], v[begin[k]]}, {u[begin[k]], v[begin[k]]}};
-    for (int c = begin[k] + 1; c < begin[k + 1]; ++c) {
-        box.low.x() = std::min(box.low.x(), u[c]);
-        box.low.y() = std::min(box.low.y(), v[c]);
-        box.high.x() = std::max(box.high.x(), u[c]);
-        box.high.y() = std::max(box.high.y(), v[c]);
+LatticeBox CellList::box(std::size_t k, const Vec2& site, double margin) const {
+    double low_u = 0;
+    double low_v = 0;
+    double high_u = 0;
+    double high_v = 0;
+    for (int c = begin[k]; c < begin[k + 1]; ++c) {
+        low_u = std::min(low_u, u[c]);
+        low_v = std::min(low_v, v[c]);
+        high_u = std::max(high_u, u[c]);
+        high_v = std::max(high_v, v[c]);
     }
-    return box;
+    return {{site.x() + low_u - margin, site.y() + low_v - margin},
+            {site.x() + high_u + margin, site.y() + high_v + margin}};
 }
 
 void CellList::copy(std::size_t k, const Vec2& site, CellPolygon& polygon) const {
@@ -109,100 +105,109 @@ UnwrappedCells::UnwrappedCells(const MovingDelaunay& delaunay, Workers& workers,
 
 void UnwrappedCells::locate() {
     const TorusTriangulation& t = delaunay_.triangulation();
-    const DelaunayCounts& counts = delaunay_.counts();
-    if (counts.n_flips == n_flips_ && counts.n_rebuilds == n_rebuilds_) return;
-    const std::span<const SiteId> corner_site = t.corner_sites();
-    for (int h = t.n_halfedges(); h-- > 0;) leaving_[corner_site[h]] = h;
+    const FlipLog& log = delaunay_.flip_log();
+    if (log.number == log_number_) {
+        // Whose ring has changed is a corner of a triangle that a flip has made.
+        for (; n_logged_ < log.triangles.size(); ++n_logged_) {
+            const int h = 3 * log.triangles[n_logged_];
+            for (int k = 0; k < 3; ++k) find_ring(h + k);
+        }
+        return;
+    }
+    for (int h = t.n_halfedges(); h-- > 0;) leaving_[t.corner_sites()[h]] = h;
     const int n = delaunay_.n_sites();
     workers_.for_each((n + kSitesPerTask - 1) / kSitesPerTask, [&](int task) {
         const SiteId end = std::min((task + 1) * kSitesPerTask, n);
-        for (SiteId s = task * kSitesPerTask; s < end; ++s) find_ring(s);
+        for (SiteId s = task * kSitesPerTask; s < end; ++s) find_ring(leaving_[s]);
     });
-    n_flips_ = counts.n_flips;
-    n_rebuilds_ = counts.n_rebuilds;
+    log_number_ = log.number;
+    n_logged_ = log.triangles.size();
 }
 
-/// The ring as it was is a good guess: where it holds no load has to wait for the one before.
-void UnwrappedCells::find_ring(SiteId site) {
+/// Goes round the site that a halfedge leaves, from the neighbour of the least number on: where a
+/// cell begins must not depend on the flips that led to it.
+void UnwrappedCells::find_ring(int leaving) {
     const TorusTriangulation& t = delaunay_.triangulation();
-    Ring& ring = rings_[site];
-    const int first = leaving_[site];
-    if (ring.halfedges[0] == first) {
-        for (int k = 0; k < kRingLength; ++k) {
-            const int h = next_round_site(t, ring.halfedges[k]);
-            if (h == first) {
-                ring_length_[site] = static_cast<std::uint8_t>(k + 1);
-                return;
-            }
-            if (k + 1 == kRingLength || ring.halfedges[k + 1] != h) break;
-        }
-    }
+    const std::span<const SiteId> corner_site = t.corner_sites();
+    const SiteId site = corner_site[leaving];
+    int first = leaving;
     int n = 0;
-    int h = first;
+    int h = leaving;
     do {
-        if (n < kRingLength) ring.halfedges[n] = h;
+        if (corner_site[t.next(h)] < corner_site[t.next(first)]) first = h;
         ++n;
-        h = next_round_site(t, h);
-    } while (h != first);
+        h = t.next_round_site(h);
+    } while (h != leaving);
+    leaving_[site] = first;
     ring_length_[site] = static_cast<std::uint8_t>(std::min(n, kRingLength + 1));
+    for (int k = 0; k < std::min(n, kRingLength); ++k) {
+        const SiteId neighbour = corner_site[t.next(first)];
+        rings_[site].neighbours[k] = t.has_offsets(first) ? ~neighbour : neighbour;
+        first = t.next_round_site(first);
+    }
 }
 
-/// The halfedges round a site that has more neighbours than fit into a ring; returns their number.
-int UnwrappedCells::walk(SiteId site, int begin, CellList& cells) const {
+/// Calls take(h) for the halfedges that leave a site, in the order of its cell's corners.
+template <class Take>
+void UnwrappedCells::go_round(SiteId site, const Take& take) const {
     const TorusTriangulation& t = delaunay_.triangulation();
     const int first = leaving_[site];
-    int n = begin;
     int h = first;
     do {
-        cells.make_room(n + 1);
-        cells.halfedges[n++] = h;
-        h = next_round_site(t, h);
+        take(h);
+        h = t.next_round_site(h);
     } while (h != first);
+}
+
+/// The same where a ring does not tell all: of a site with many neighbours or at the seam.
+int UnwrappedCells::find_far_neighbours(SiteId site, int begin, CellList& cells) const {
+    const TorusTriangulation& t = delaunay_.triangulation();
+    const auto at = [&](SiteId s) { return delaunay_.coordinates().col(s); };
+    int n = begin;
+    go_round(site, [&](int h) {
+        cells.make_room(n + 1);
+        const SiteId neighbour = t.corner_sites()[t.next(h)];
+        const Offset offset = t.edge_offset(h);
+        cells.neighbours[n] = neighbour;
+        cells.to_u[n] = at(neighbour).x() - at(site).x() + offset.i;
+        cells.to_v[n++] = at(neighbour).y() - at(site).y() + offset.j;
+    });
     return n - begin;
 }
 
 void UnwrappedCells::find_neighbours(std::span<const SiteId> sites, CellList& cells) const {
-    const TorusTriangulation& t = delaunay_.triangulation();
-    const SiteId* const corner_site = t.corner_sites().data();
-    const CornerOffsets* const offsets = t.corner_offsets().data();
     const double* const coordinates = delaunay_.coordinates().data();
     cells.begin.resize(sites.size() + 1);
-    cells.shifted.clear();
     int n = 0;
     for (std::size_t k = 0; k < sites.size(); ++k) {
         const SiteId site = sites[k];
+        const SiteId* const ring = rings_[site].neighbours.data();
+        const int length = ring_length_[site];
         cells.begin[k] = n;
         cells.make_room(n + kRingLength);
-        int length = ring_length_[site];
-        if (length <= kRingLength) {
-            std::memcpy(cells.halfedges.data() + n, &rings_[site], sizeof(Ring));
-        } else {
-            length = walk(site, n, cells);
-        }
-        const int* const halfedges = cells.halfedges.data() + n;
+        std::memcpy(cells.neighbours.data() + n, ring, sizeof(Ring));
         double* const to_u = cells.to_u.data() + n;
         double* const to_v = cells.to_v.data() + n;
-        const double u = coordinates[2 * std::size_t(site)];
-        const double v = coordinates[2 * std::size_t(site) + 1];
-        for (int c = 0; c < length; ++c) {
-            const int h = halfedges[c];
-            const int triangle = h / 3;
-            const SiteId neighbour = corner_site[h + kToNext[h - 3 * triangle]];
-            const double* const to = coordinates + 2 * std::size_t(neighbour);
-            to_u[c] = to[0] - u;
-            to_v[c] = to[1] - v;
-            if (!offsets[triangle].all_zero()) cells.shifted.push_back(n + c);
+        Pair from;
+        std::memcpy(&from, coordinates + 2 * std::size_t(site), sizeof from);
+        bool is_near = length <= kRingLength;
+        for (int c = 0; c < length && is_near; ++c) {
+            const SiteId neighbour = ring[c];
+            if (neighbour < 0) {
+                is_near = false;
+                break;
+            }
+            Pair to;
+            std::memcpy(&to, coordinates + 2 * std::size_t(neighbour), sizeof to);
+            to -= from;
+            to_u[c] = to[0];
+            to_v[c] = to[1];
         }
-        n += length;
+        n += is_near ? length : find_far_neighbours(site, n, cells);
     }
     cells.begin[sites.size()] = n;
     double* const to_u = cells.to_u.data();
     double* const to_v = cells.to_v.data();
-    for (const int c : cells.shifted) {
-        const Offset offset = t.edge_offset(cells.halfedges[c]);
-        to_u[c] += offset.i;
-        to_v[c] += offset.j;
-    }
     double* const next_u = cells.next_u.data();
     double* const next_v = cells.next_v.data();
     std::copy(to_u + 1, to_u + n, next_u);
@@ -226,7 +231,7 @@ Vec2 UnwrappedCells::thin_centre(int h) const {
     return frame.to_plane(circumcentre(gram, at(h), at(t.next(h)), at(t.previous(h))));
 }
 
-void UnwrappedCells::find_corners(CellList& cells) const {
+void UnwrappedCells::find_corners(std::span<const SiteId> sites, CellList& cells) const {
     const MovingDelaunay::Frame& frame = delaunay_.frame();
     const Maps maps{frame.ax,          frame.bx,          frame.by,         from_frame_(0, 0),
                     from_frame_(0, 1), from_frame_(1, 0), from_frame_(1, 1)};
@@ -235,20 +240,25 @@ void UnwrappedCells::find_corners(CellList& cells) const {
                   cells.next_v.data(), cells.x.data(), cells.y.data(), cells.u.data(),
                   cells.v.data(), cells.thick.data());
     if (!any_thin) return;
-    for (int c = 0; c < n; ++c) {
-        if (cells.thick[c] > 0) continue;
-        const Vec2 centre = thin_centre(cells.halfedges[c]);
-        const Vec2 place = from_frame_ * centre;
-        cells.x[c] = centre.x();
-        cells.y[c] = centre.y();
-        cells.u[c] = place.x();
-        cells.v[c] = place.y();
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        int c = cells.begin[k];
+        go_round(sites[k], [&](int h) {
+            if (!(cells.thick[c] > 0)) {
+                const Vec2 centre = thin_centre(h);
+                const Vec2 place = from_frame_ * centre;
+                cells.x[c] = centre.x();
+                cells.y[c] = centre.y();
+                cells.u[c] = place.x();
+                cells.v[c] = place.y();
+            }
+            ++c;
+        });
     }
 }
 
 void UnwrappedCells::unwrap(std::span<const SiteId> sites, CellList& cells) const {
     find_neighbours(sites, cells);
-    find_corners(cells);
+    find_corners(sites, cells);
 }
 
 }  // namespace pcvt

@@ -13,12 +13,9 @@ namespace pcvt {
 
 /// Cells one after the other, and of each corner of theirs one number in each array.
 struct CellList {
-    /// The halfedge that leaves the cell's site in the triangle whose centre the corner is: the
-    /// side that ends in the corner belongs to that halfedge.
-    std::vector<int> halfedges;
-    std::vector<int> shifted;
-    /// The neighbour that this halfedge leads to, and the next one round the site; coordinates of
-    /// the reduced basis, relative to the site.
+    /// The neighbour across the side that ends in the corner.
+    std::vector<SiteId> neighbours;
+    /// It and the next one round the site; coordinates of the reduced basis, relative to the site.
     std::vector<double> to_u, to_v, next_u, next_v;
     /// The corner, relative to the site; frame, units.
     std::vector<double> x, y;
@@ -29,8 +26,8 @@ struct CellList {
     /// Of the corners, and at the end their number.
     std::vector<int> begin;
 
-    /// The box round cell k in lattice coordinates, relative to its site.
-    LatticeBox box(std::size_t k) const;
+    /// The box round cell k whose site is at `site`, grown by a margin; lattice coordinates.
+    LatticeBox box(std::size_t k, const Vec2& site, double margin) const;
     /// Makes `polygon` cell k, whose site is at `site`.
     void copy(std::size_t k, const Vec2& site, CellPolygon& polygon) const;
 
@@ -64,12 +61,14 @@ class UnwrappedCells {
    private:
     static constexpr int kRingLength = 8;
     struct Ring {
-        std::array<int, kRingLength> halfedges{};
+        std::array<SiteId, kRingLength> neighbours{};
     };
-    void find_ring(SiteId site);
-    int walk(SiteId site, int begin, CellList& cells) const;
+    void find_ring(int leaving);
+    template <class Take>
+    void go_round(SiteId site, const Take& take) const;
+    int find_far_neighbours(SiteId site, int begin, CellList& cells) const;
     void find_neighbours(std::span<const SiteId> sites, CellList& cells) const;
-    void find_corners(CellList& cells) const;
+    void find_corners(std::span<const SiteId> sites, CellList& cells) const;
     Vec2 thin_centre(int h) const;
 
     const MovingDelaunay& delaunay_;
@@ -81,8 +80,8 @@ class UnwrappedCells {
     std::vector<int> leaving_;
     std::vector<Ring> rings_;
     std::vector<std::uint8_t> ring_length_;
-    std::int64_t n_flips_ = -1;
-    int n_rebuilds_ = -1;
+    std::int64_t log_number_ = -1;
+    std::size_t n_logged_ = 0;
 };
 
 }  // namespace pcvt

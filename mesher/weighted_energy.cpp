@@ -12,7 +12,7 @@ namespace pcvt {
 namespace {
 
 constexpr int kSitesPerTask = 512;
-constexpr int kCellsAtOnce = 64;
+constexpr int kCellsAtOnce = 32;
 constexpr std::size_t kEnoughPoints = 4096;
 constexpr double kFromBreak = 1e-12;
 
@@ -99,9 +99,7 @@ class CellSums {
         whole_.begin_order(q);
         for (std::size_t k = 0; k < sites.size(); ++k) {
             const Vec2 site = wrapped(cells_.site(sites[k]));
-            LatticeBox box = list_.box(k);
-            box.low += (site.array() - kFromBreak).matrix();
-            box.high += (site.array() + kFromBreak).matrix();
+            const LatticeBox box = list_.box(k, site, kFromBreak);
             if (!quadrature_.is_cut(box)) {
                 whole_.add(list_, k, site, numbers[k]);
                 continue;
@@ -234,10 +232,7 @@ RuleCheck WeightedPass::choose_orders(double accuracy, bool lower) {
         CellList list;
         for (SiteId s = first; s < end; ++s) {
             cells_.unwrap({&s, 1}, list);
-            LatticeBox box = list.box(0);
-            const Vec2 site = wrapped(cells_.site(s));
-            box.low += site;
-            box.high += site;
+            const LatticeBox box = list.box(0, wrapped(cells_.site(s)), 0);
             cells.push_back({s, lower ? kLeastOrder : std::min<int>(order_[s], kGreatestOrder - 1),
                              quadrature_.is_cut(box)});
         }

@@ -59,9 +59,9 @@ class WeightedHessian {
         }
     };
 
-    /// For the side of a cell that belongs to the halfedge.
-    const GaussRule& side_rule(int h) const;
-    void place_side(int h, const CellCorner& from, const CellCorner& to, Rows& rows,
+    /// For the side of a cell towards a neighbour.
+    const GaussRule& side_rule(SiteId site, SiteId neighbour) const;
+    void place_side(const GaussRule& rule, const CellCorner& from, const CellCorner& to, Rows& rows,
                     DensityProbe& probe) const;
     void fill_row(SiteId site, std::size_t k, Rows& rows, BlockMatrix& hessian) const;
 
