@@ -71,8 +71,8 @@ void CellBatch::add_fan(CellView polygon, const CellCorner& apex, const Vec2& pe
         from = to;
         corners_.push_back(corner.plane - apex.plane);
     }
-    pieces_.push_back({true, apex.plane.isZero(0), q, static_cast<int>(polygon.size()), apex.plane,
-                       first_point});
+    pieces_.push_back(
+        {true, apex.plane.isZero(0), q, static_cast<int>(polygon.size()), apex.plane, first_point});
 }
 
 void CellBatch::add_parallelogram(const CellCorner& corner, const CellCorner& along,

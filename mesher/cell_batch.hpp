@@ -51,9 +51,6 @@ class CellBatch {
     /// What is added from here on belongs to the next cell.
     void end_cell() { end_.push_back(pieces_.size()); }
 
-    /// Whether the density should be asked now: enough points wait.
-    bool is_full() const { return probe_.n_waiting() >= kEnoughPoints; }
-    bool is_empty() const { return end_.empty(); }
     /// Asks the density and empties the batch.
     /// @returns the moments of the cells in order, until the next call.
     /// @throws BadDensity as the probe does.
@@ -63,9 +60,6 @@ class CellBatch {
     const std::vector<Moments>& take(std::span<const double> rho);
 
    private:
-    /// As many as stay in the cache.
-    static constexpr std::size_t kEnoughPoints = 4096;
-
     struct Piece {
         bool is_fan;
         bool is_about_site;

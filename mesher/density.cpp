@@ -33,7 +33,8 @@ std::string digits(double value) {
         (positive ? "keep it between 1e-60 and 1e60" : "make it positive and finite everywhere"));
 }
 
-/// Returns whether all of the numbers, up to full lanes, are within the limits of densities.
+/// Widens a range by n numbers, rounded up to full lanes; returns whether all of them are
+/// densities.
 PCVT_VECTOR_CLONES bool find_extremes(const double* rho, std::size_t n, double& least,
                                       double& greatest) {
     Lanes low = Lanes{} + least;
@@ -82,10 +83,13 @@ std::span<const double> DensityProbe::ask(std::span<const DensityPoint> points) 
     if (rho_.size() < n + kLanes) rho_.resize(n + kLanes);
     double* const rho = rho_.data();
     function_(points, {rho, n});
-    // The last lanes are full with what leaves the extremes as they are.
-    std::fill(rho + n, rho + n + kLanes, std::clamp(n == 0 ? 1 : rho[0], kLeastDensity, kGreatestDensity));
-    range_.n_evaluations += static_cast<std::int64_t>(n);
-    if (!find_extremes(rho, n, range_.least, range_.greatest)) refuse_first(points, rho);
+    // What fills up the last lanes adds no new extreme.
+    std::fill_n(rho + n, kLanes, n == 0 ? 1 : rho[0]);
+    DensityRange range = range_;
+    const bool in_limits = n == 0 || find_extremes(rho, n, range.least, range.greatest);
+    if (!in_limits) refuse_first(points, rho);
+    range.n_evaluations += static_cast<std::int64_t>(n);
+    range_ = range;
     return {rho, n};
 }
 

@@ -14,25 +14,40 @@ namespace {
 
 /// A triangle thinner than this has its circumcentre computed in more digits.
 constexpr double kThin = 1e-4;
-constexpr int kSitesPerTask = 1 << 12;
-/// Corners for which there is room at first.
 constexpr std::size_t kFirstRoom = 512;
 
-/// The maps from the frame and from the reduced basis, entry by entry.
+/// From the reduced basis to the frame, and from the frame to the user's lattice coordinates.
 struct Maps {
     double ax, bx, by;
     double ux, uy, vx, vy;
 };
 
-/// The circumcentres of the triangles (0, to, next).
-PCVT_VECTOR_CLONES bool circumcentres(const Maps& maps, int n, const double* __restrict to_u,
-                                      const double* __restrict to_v,
-                                      const double* __restrict next_u,
-                                      const double* __restrict next_v, double* __restrict x,
-                                      double* __restrict y, double* __restrict u,
-                                      double* __restrict v, double* __restrict thick) {
+/// The arrays of a list.
+struct CornerArrays {
+    const double* to_u;
+    const double* to_v;
+    const double* next_u;
+    const double* next_v;
+    double* x;
+    double* y;
+    double* u;
+    double* v;
+    double* thick;
+};
+
+/// Computes n corners; returns whether some belong to thin triangles.
+PCVT_VECTOR_CLONES bool circumcentres(const Maps& maps, int n, const CornerArrays& arrays) {
     const Maps m = maps;
     const double twice_area = 2 * m.ax * m.by;
+    const double* __restrict const to_u = arrays.to_u;
+    const double* __restrict const to_v = arrays.to_v;
+    const double* __restrict const next_u = arrays.next_u;
+    const double* __restrict const next_v = arrays.next_v;
+    double* __restrict const x = arrays.x;
+    double* __restrict const y = arrays.y;
+    double* __restrict const u = arrays.u;
+    double* __restrict const v = arrays.v;
+    double* __restrict const thick = arrays.thick;
     for (int k = 0; k < n; ++k) {
         const double left = to_u[k] * next_v[k];
         const double right = to_v[k] * next_u[k];
@@ -59,9 +74,9 @@ PCVT_VECTOR_CLONES bool circumcentres(const Maps& maps, int n, const double* __r
 
 }  // namespace
 
-void CellList::make_room(std::size_t n_corners) {
-    if (n_corners <= neighbours.size()) return;
-    const std::size_t n = std::max(2 * n_corners, kFirstRoom);
+void CellList::make_room(int n_corners) {
+    if (n_corners <= static_cast<int>(neighbours.size())) return;
+    const std::size_t n = std::max(2 * std::size_t(n_corners), kFirstRoom);
     neighbours.resize(n);
     for (auto* array : {&to_u, &to_v, &next_u, &next_v, &x, &y, &u, &v, &thick}) array->resize(n);
 }
@@ -90,11 +105,7 @@ void CellList::copy(std::size_t k, const Vec2& site, CellPolygon& polygon) const
 
 UnwrappedCells::UnwrappedCells(const MovingDelaunay& delaunay, Workers& workers,
                                const Lattice& lattice)
-    : delaunay_(delaunay),
-      workers_(workers),
-      leaving_(delaunay.n_sites()),
-      rings_(delaunay.n_sites()),
-      ring_length_(delaunay.n_sites()) {
+    : delaunay_(delaunay), rings_(delaunay, workers) {
     const Reduction reduction = reduce(lattice);
     from_reduced_ << reduction.m[0], reduction.m[2], reduction.m[1], reduction.m[3];
     const MovingDelaunay::Frame& frame = delaunay.frame();
@@ -103,118 +114,60 @@ UnwrappedCells::UnwrappedCells(const MovingDelaunay& delaunay, Workers& workers,
     from_frame_ = from_reduced_ * to_frame.inverse();
 }
 
-void UnwrappedCells::locate() {
-    const TorusTriangulation& t = delaunay_.triangulation();
-    const FlipLog& log = delaunay_.flip_log();
-    if (log.number == log_number_) {
-        // Whose ring has changed is a corner of a triangle that a flip has made.
-        for (; n_logged_ < log.triangles.size(); ++n_logged_) {
-            const int h = 3 * log.triangles[n_logged_];
-            for (int k = 0; k < 3; ++k) find_ring(h + k);
-        }
-        return;
-    }
-    for (int h = t.n_halfedges(); h-- > 0;) leaving_[t.corner_sites()[h]] = h;
-    const int n = delaunay_.n_sites();
-    workers_.for_each((n + kSitesPerTask - 1) / kSitesPerTask, [&](int task) {
-        const SiteId end = std::min((task + 1) * kSitesPerTask, n);
-        for (SiteId s = task * kSitesPerTask; s < end; ++s) find_ring(leaving_[s]);
-    });
-    log_number_ = log.number;
-    n_logged_ = log.triangles.size();
-}
-
-/// Goes round the site that a halfedge leaves, from the neighbour of the least number on: where a
-/// cell begins must not depend on the flips that led to it.
-void UnwrappedCells::find_ring(int leaving) {
-    const TorusTriangulation& t = delaunay_.triangulation();
-    const std::span<const SiteId> corner_site = t.corner_sites();
-    const SiteId site = corner_site[leaving];
-    int first = leaving;
-    int n = 0;
-    int h = leaving;
-    do {
-        if (corner_site[t.next(h)] < corner_site[t.next(first)]) first = h;
-        ++n;
-        h = t.next_round_site(h);
-    } while (h != leaving);
-    leaving_[site] = first;
-    ring_length_[site] = static_cast<std::uint8_t>(std::min(n, kRingLength + 1));
-    for (int k = 0; k < std::min(n, kRingLength); ++k) {
-        const SiteId neighbour = corner_site[t.next(first)];
-        rings_[site].neighbours[k] = t.has_offsets(first) ? ~neighbour : neighbour;
-        first = t.next_round_site(first);
+/// Those of a ring that tells all.
+void UnwrappedCells::find_near_neighbours(SiteId site, int begin, CellList& cells) const {
+    const double* const coordinates = delaunay_.coordinates().data();
+    const SiteRings::Ring& ring = rings_[site];
+    std::memcpy(cells.neighbours.data() + begin, ring.neighbours.data(), sizeof ring.neighbours);
+    double* const to_u = cells.to_u.data() + begin;
+    double* const to_v = cells.to_v.data() + begin;
+    Pair from;
+    std::memcpy(&from, coordinates + 2 * std::size_t(site), sizeof from);
+    for (int c = 0; c < ring.length; ++c) {
+        Pair to;
+        std::memcpy(&to, coordinates + 2 * std::size_t(ring.neighbours[c]), sizeof to);
+        to -= from;
+        to_u[c] = to[0];
+        to_v[c] = to[1];
     }
 }
 
-/// Calls take(h) for the halfedges that leave a site, in the order of its cell's corners.
-template <class Take>
-void UnwrappedCells::go_round(SiteId site, const Take& take) const {
+/// Returns their number.
+int UnwrappedCells::find_neighbours(SiteId site, int begin, CellList& cells) const {
+    const int length = rings_[site].length;
+    cells.make_room(begin + SiteRings::kMost);
+    if (length > 0) {
+        find_near_neighbours(site, begin, cells);
+        return length;
+    }
     const TorusTriangulation& t = delaunay_.triangulation();
-    const int first = leaving_[site];
-    int h = first;
-    do {
-        take(h);
-        h = t.next_round_site(h);
-    } while (h != first);
-}
-
-/// The same where a ring does not tell all: of a site with many neighbours or at the seam.
-int UnwrappedCells::find_far_neighbours(SiteId site, int begin, CellList& cells) const {
-    const TorusTriangulation& t = delaunay_.triangulation();
-    const auto at = [&](SiteId s) { return delaunay_.coordinates().col(s); };
     int n = begin;
-    go_round(site, [&](int h) {
+    rings_.go_round(site, [&](int h) {
         cells.make_room(n + 1);
-        const SiteId neighbour = t.corner_sites()[t.next(h)];
-        const Offset offset = t.edge_offset(h);
-        cells.neighbours[n] = neighbour;
-        cells.to_u[n] = at(neighbour).x() - at(site).x() + offset.i;
-        cells.to_v[n++] = at(neighbour).y() - at(site).y() + offset.j;
+        const Corner from = t.corner(h);
+        const Corner to = t.corner(TorusTriangulation::next(h));
+        const Vec2 d = difference(image(delaunay_.coordinates(), from.site, from.offset),
+                                  image(delaunay_.coordinates(), to.site, to.offset));
+        cells.neighbours[n] = to.site;
+        cells.to_u[n] = d.x();
+        cells.to_v[n++] = d.y();
     });
     return n - begin;
 }
 
 void UnwrappedCells::find_neighbours(std::span<const SiteId> sites, CellList& cells) const {
-    const double* const coordinates = delaunay_.coordinates().data();
     cells.begin.resize(sites.size() + 1);
     int n = 0;
     for (std::size_t k = 0; k < sites.size(); ++k) {
-        const SiteId site = sites[k];
-        const SiteId* const ring = rings_[site].neighbours.data();
-        const int length = ring_length_[site];
         cells.begin[k] = n;
-        cells.make_room(n + kRingLength);
-        std::memcpy(cells.neighbours.data() + n, ring, sizeof(Ring));
-        double* const to_u = cells.to_u.data() + n;
-        double* const to_v = cells.to_v.data() + n;
-        Pair from;
-        std::memcpy(&from, coordinates + 2 * std::size_t(site), sizeof from);
-        bool is_near = length <= kRingLength;
-        for (int c = 0; c < length && is_near; ++c) {
-            const SiteId neighbour = ring[c];
-            if (neighbour < 0) {
-                is_near = false;
-                break;
-            }
-            Pair to;
-            std::memcpy(&to, coordinates + 2 * std::size_t(neighbour), sizeof to);
-            to -= from;
-            to_u[c] = to[0];
-            to_v[c] = to[1];
-        }
-        n += is_near ? length : find_far_neighbours(site, n, cells);
+        n += find_neighbours(sites[k], n, cells);
     }
     cells.begin[sites.size()] = n;
-    double* const to_u = cells.to_u.data();
-    double* const to_v = cells.to_v.data();
-    double* const next_u = cells.next_u.data();
-    double* const next_v = cells.next_v.data();
-    std::copy(to_u + 1, to_u + n, next_u);
-    std::copy(to_v + 1, to_v + n, next_v);
+    std::copy_n(cells.to_u.begin() + 1, n - 1, cells.next_u.begin());
+    std::copy_n(cells.to_v.begin() + 1, n - 1, cells.next_v.begin());
     for (std::size_t k = 0; k < sites.size(); ++k) {
-        next_u[cells.begin[k + 1] - 1] = to_u[cells.begin[k]];
-        next_v[cells.begin[k + 1] - 1] = to_v[cells.begin[k]];
+        cells.next_u[cells.begin[k + 1] - 1] = cells.to_u[cells.begin[k]];
+        cells.next_v[cells.begin[k + 1] - 1] = cells.to_v[cells.begin[k]];
     }
 }
 
@@ -235,23 +188,21 @@ void UnwrappedCells::find_corners(std::span<const SiteId> sites, CellList& cells
     const MovingDelaunay::Frame& frame = delaunay_.frame();
     const Maps maps{frame.ax,          frame.bx,          frame.by,         from_frame_(0, 0),
                     from_frame_(0, 1), from_frame_(1, 0), from_frame_(1, 1)};
-    const int n = cells.begin.back();
-    const bool any_thin = circumcentres(maps, n, cells.to_u.data(), cells.to_v.data(), cells.next_u.data(),
-                  cells.next_v.data(), cells.x.data(), cells.y.data(), cells.u.data(),
-                  cells.v.data(), cells.thick.data());
-    if (!any_thin) return;
-    for (std::size_t k = 0; k < sites.size(); ++k) {
-        int c = cells.begin[k];
-        go_round(sites[k], [&](int h) {
-            if (!(cells.thick[c] > 0)) {
-                const Vec2 centre = thin_centre(h);
-                const Vec2 place = from_frame_ * centre;
-                cells.x[c] = centre.x();
-                cells.y[c] = centre.y();
-                cells.u[c] = place.x();
-                cells.v[c] = place.y();
-            }
-            ++c;
+    const CornerArrays arrays{cells.to_u.data(),   cells.to_v.data(), cells.next_u.data(),
+                              cells.next_v.data(), cells.x.data(),    cells.y.data(),
+                              cells.u.data(),      cells.v.data(),    cells.thick.data()};
+    if (!circumcentres(maps, cells.begin.back(), arrays)) return;
+    int c = 0;
+    for (const SiteId site : sites) {
+        rings_.go_round(site, [&](int h) {
+            const int corner = c++;
+            if (cells.thick[corner] > 0) return;
+            const Vec2 centre = thin_centre(h);
+            const Vec2 place = from_frame_ * centre;
+            cells.x[corner] = centre.x();
+            cells.y[corner] = centre.y();
+            cells.u[corner] = place.x();
+            cells.v[corner] = place.y();
         });
     }
 }

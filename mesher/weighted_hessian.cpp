@@ -82,7 +82,8 @@ void WeightedHessian::fill_row(SiteId site, std::size_t k, Rows& rows, BlockMatr
         double share = 0;
         for (int part = 0; part < rows.n_parts[side]; ++part) {
             const double end = rows.part_end[rows.next_part++];
-            edge.add(from + share * way, from + end * way, cells_.neighbour(rows.cells, side), rule, rows.next_rho);
+            edge.add(from + share * way, from + end * way, cells_.to_neighbour(rows.cells, side),
+                     rule, rows.next_rho);
             rows.next_rho += rule.nodes.size();
             share = end;
         }

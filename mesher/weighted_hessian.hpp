@@ -55,7 +55,8 @@ class WeightedHessian {
         const double* next_rho = nullptr;
 
         CellView cell(std::size_t k) const {
-            return {corners.data() + cells.begin[k], std::size_t(cells.begin[k + 1] - cells.begin[k])};
+            return {corners.data() + cells.begin[k],
+                    std::size_t(cells.begin[k + 1] - cells.begin[k])};
         }
     };
 
