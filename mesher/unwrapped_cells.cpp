@@ -35,48 +35,49 @@ struct CornerArrays {
     double* thick;
 };
 
-/// Computes n corners; returns whether some belong to thin triangles.
-PCVT_VECTOR_CLONES bool circumcentres(const Maps& maps, int n, const CornerArrays& arrays) {
-    const Maps m = maps;
+/// Computes n corners, rounded up to full lanes; returns whether some of the n belong to thin
+/// triangles.
+PCVT_VECTOR_CLONES bool circumcentres(const Maps& m, int n, const CornerArrays& arrays) {
     const double twice_area = 2 * m.ax * m.by;
-    const double* __restrict const to_u = arrays.to_u;
-    const double* __restrict const to_v = arrays.to_v;
-    const double* __restrict const next_u = arrays.next_u;
-    const double* __restrict const next_v = arrays.next_v;
-    double* __restrict const x = arrays.x;
-    double* __restrict const y = arrays.y;
-    double* __restrict const u = arrays.u;
-    double* __restrict const v = arrays.v;
-    double* __restrict const thick = arrays.thick;
-    for (int k = 0; k < n; ++k) {
-        const double left = to_u[k] * next_v[k];
-        const double right = to_v[k] * next_u[k];
-        const double cross = left - right;
-        thick[k] = cross - kThin * (std::abs(left) + std::abs(right));
-        const double px = m.ax * to_u[k] + m.bx * to_v[k];
-        const double py = m.by * to_v[k];
-        const double qx = m.ax * next_u[k] + m.bx * next_v[k];
-        const double qy = m.by * next_v[k];
-        const double pp = px * px + py * py;
-        const double qq = qx * qx + qy * qy;
-        const double scale = 1 / (cross * twice_area);
-        const double cx = (pp * qy - qq * py) * scale;
-        const double cy = (qq * px - pp * qx) * scale;
-        x[k] = cx;
-        y[k] = cy;
-        u[k] = m.ux * cx + m.uy * cy;
-        v[k] = m.vx * cx + m.vy * cy;
+    for (int k = 0; k < n; k += kLanes) {
+        Lanes to_u, to_v, next_u, next_v;
+        std::memcpy(&to_u, arrays.to_u + k, sizeof to_u);
+        std::memcpy(&to_v, arrays.to_v + k, sizeof to_v);
+        std::memcpy(&next_u, arrays.next_u + k, sizeof next_u);
+        std::memcpy(&next_v, arrays.next_v + k, sizeof next_v);
+        const Lanes left = to_u * next_v;
+        const Lanes right = to_v * next_u;
+        const Lanes cross = left - right;
+        const Lanes bound = (left < 0 ? -left : left) + (right < 0 ? -right : right);
+        const Lanes thick = cross - kThin * bound;
+        const Lanes px = m.ax * to_u + m.bx * to_v;
+        const Lanes py = m.by * to_v;
+        const Lanes qx = m.ax * next_u + m.bx * next_v;
+        const Lanes qy = m.by * next_v;
+        const Lanes pp = px * px + py * py;
+        const Lanes qq = qx * qx + qy * qy;
+        const Lanes scale = 1 / (cross * twice_area);
+        const Lanes x = (pp * qy - qq * py) * scale;
+        const Lanes y = (qq * px - pp * qx) * scale;
+        const Lanes u = m.ux * x + m.uy * y;
+        const Lanes v = m.vx * x + m.vy * y;
+        std::memcpy(arrays.x + k, &x, sizeof x);
+        std::memcpy(arrays.y + k, &y, sizeof y);
+        std::memcpy(arrays.u + k, &u, sizeof u);
+        std::memcpy(arrays.v + k, &v, sizeof v);
+        std::memcpy(arrays.thick + k, &thick, sizeof thick);
     }
     int n_thin = 0;
-    for (int k = 0; k < n; ++k) n_thin += thick[k] > 0 ? 0 : 1;
+    for (int k = 0; k < n; ++k) n_thin += arrays.thick[k] > 0 ? 0 : 1;
     return n_thin > 0;
 }
 
 }  // namespace
 
 void CellList::make_room(int n_corners) {
-    if (n_corners <= static_cast<int>(neighbours.size())) return;
-    const std::size_t n = std::max(2 * std::size_t(n_corners), kFirstRoom);
+    const int n_used = n_corners + kLanes;
+    if (n_used <= static_cast<int>(neighbours.size())) return;
+    const std::size_t n = std::max(2 * std::size_t(n_used), kFirstRoom);
     neighbours.resize(n);
     for (auto* array : {&to_u, &to_v, &next_u, &next_v, &x, &y, &u, &v, &thick}) array->resize(n);
 }

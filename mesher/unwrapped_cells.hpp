@@ -29,6 +29,7 @@ struct CellList {
     LatticeBox box(std::size_t k, const Vec2& site, double margin) const;
     /// Makes `polygon` cell k whose site is at `site`.
     void copy(std::size_t k, const Vec2& site, CellPolygon& polygon) const;
+    /// With room for kLanes more.
     void make_room(int n_corners);
 };
 
