@@ -26,8 +26,8 @@ const GaussRule& line_rule(int q);
 ///
 ///   integral of f = cross(p, r) sum_k weight_k f(along_p[k] p + along_r[k] r)
 ///
-/// Exact for polynomials of degree 2 q - 1. All weights are positive and sum to 1/2.
-/// The points lie on q rays from 0: point i q + j is outwards[i] of the way to across[j] p'r.
+/// Exact for polynomials of degree 2 q - 1. All weights are positive and sum to 1/2. The points lie
+/// on q rays from 0: point i q + j is outwards[i] ((1 - across[j]) p + across[j] r).
 struct TriangleRule {
     std::vector<double> outwards;
     std::vector<double> across;

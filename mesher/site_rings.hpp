@@ -10,9 +10,9 @@
 namespace pcvt {
 
 /// The neighbours round each site that moves, kept from one look to the next: to walk round a site
-/// waits for the memory at each step, and few flips change few rings. Laws, tested by number:
+/// waits for the memory at each step, and few flips change few rings: an update looks at the
+/// corners of their triangles only. Law, tested by number:
 ///   (1) After an update every ring is that of a fresh object, whatever happened in between.
-///   (2) After few flips an update costs as much as these flips.
 class SiteRings {
    public:
     /// Both must outlive this object.

@@ -71,6 +71,23 @@ TEST(SiteRings, AreThoseOfAFreshObjectAfterAnyMoves) {
     }
 }
 
+// Law 1 where nothing flips, but sites are wrapped on their way and triangles get offsets.
+TEST(SiteRings, AreThoseOfAFreshObjectAfterADriftOfAllSites) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    MovingDelaunay delaunay(Sites(lattice, uniform_points(lattice, 60, 1)));
+    Workers workers(1);
+    EnergyPass pass(delaunay, workers);
+    Energy energy;
+    SiteRings rings(delaunay, workers);
+    for (int k = 0; k < 30; ++k) {
+        ASSERT_TRUE(delaunay.step(testing::drift(delaunay, {0.3, -0.2}), 1, workers));
+        ASSERT_TRUE(pass.evaluate(energy));
+        delaunay.settle();
+        rings.update();
+        expect_fresh(rings, delaunay, workers);
+    }
+}
+
 TEST(SiteRings, TellAllNeighboursAwayFromTheSeam) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     MovingDelaunay delaunay(Sites(lattice, uniform_points(lattice, 2000, 1)));
