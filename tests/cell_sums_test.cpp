@@ -26,9 +26,9 @@ Points wheel(int n_spokes) {
 /// Three sites almost in a row, far from all others: their triangle is thin, its centre far away.
 Points row() {
     Points points(2, 5);
-    const Vec2 along = 1e-5 * Vec2(0.8, 0.6);
+    const Vec2 along = 1e-7 * Vec2(0.8, 0.6);
     points.col(0) = Vec2(0.5, 0.5) - along;
-    points.col(1) = Vec2(0.5, 0.5) + 1e-9 * Vec2(-0.6, 0.8);
+    points.col(1) = Vec2(0.5, 0.5) + 1e-13 * Vec2(-0.6, 0.8);
     points.col(2) = Vec2(0.5, 0.5) + along;
     points.rightCols(2) << 0.1, 0.15, 0.1, 0.9;
     return points;
@@ -118,10 +118,10 @@ TEST(CellSums, OfOneAreTheAreasOfFewManyAndCrowdedCells) {
         const std::vector<Moments> found = place.integrate(place.ordered);
         for (SiteId s = 0; s < place.delaunay.n_sites(); ++s) {
             const double area = place.uniform.mass[s];
-            EXPECT_NEAR(found[s].mass, area, 1e-12 * area);
+            EXPECT_NEAR(found[s].mass / area, 1, 1e-10);
             const Vec2 gradient = place.uniform.gradient.segment<2>(2 * Eigen::Index{s});
             const double length = std::sqrt(found[s].second / area);
-            EXPECT_LT((-2 * found[s].first - gradient).norm(), 1e-12 * area * length);
+            EXPECT_LT((-2 * found[s].first - gradient).norm(), 1e-10 * area * length);
         }
     }
 }
