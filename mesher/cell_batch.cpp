@@ -60,6 +60,7 @@ Moments& Moments::operator+=(const Moments& other) {
 void CellBatch::add_fan(CellView polygon, const CellCorner& apex, const Vec2& period, int q) {
     const TriangleRule& rule = triangle_rule(q);
     const int n_points = rule.n_points();
+    const std::size_t first_point = probe_.n_waiting();
     DensityPoint* points = probe_.room(n_points * polygon.size());
     const Vec2 origin = apex.lattice - period;
     Vec2 from = polygon.back().lattice - period;
@@ -71,12 +72,13 @@ void CellBatch::add_fan(CellView polygon, const CellCorner& apex, const Vec2& pe
         corners_.push_back(corner.plane - apex.plane);
     }
     pieces_.push_back(
-        {true, apex.plane.isZero(0), q, static_cast<int>(polygon.size()), apex.plane});
+        {true, apex.plane.isZero(0), q, static_cast<int>(polygon.size()), apex.plane, first_point});
 }
 
 void CellBatch::add_parallelogram(const CellCorner& corner, const CellCorner& along,
                                   const CellCorner& up, const Vec2& period, int q) {
     const GaussRule& rule = line_rule(q);
+    const std::size_t first_point = probe_.n_waiting();
     DensityPoint* const points = probe_.room(std::size_t(q) * q);
     for (int k = 0; k < q * q; ++k) {
         const Vec2 place = corner.lattice - period +
@@ -86,18 +88,17 @@ void CellBatch::add_parallelogram(const CellCorner& corner, const CellCorner& al
     }
     corners_.push_back(along.plane - corner.plane);
     corners_.push_back(up.plane - corner.plane);
-    pieces_.push_back({false, false, q, 2, corner.plane});
+    pieces_.push_back({false, false, q, 2, corner.plane, first_point});
 }
 
-Moments CellBatch::take_fan(const Piece& piece) {
+Moments CellBatch::take_fan(const Piece& piece, const double* rho) {
     const TriangleRule& rule = triangle_rule(piece.q);
-    Moments moments = fan_moments({corner_, std::size_t(piece.n_corners)}, rule, rho_);
+    Moments moments = fan_moments({corner_, std::size_t(piece.n_corners)}, rule, rho);
     corner_ += piece.n_corners;
-    rho_ += std::ptrdiff_t(piece.n_corners) * rule.n_points();
     return moments;
 }
 
-Moments CellBatch::take_parallelogram(const Piece& piece) {
+Moments CellBatch::take_parallelogram(const Piece& piece, const double* rho) {
     const GaussRule& rule = line_rule(piece.q);
     const int q = piece.q;
     const Vec2 p = *corner_++;
@@ -106,14 +107,13 @@ Moments CellBatch::take_parallelogram(const Piece& piece) {
     Moments sum;
     for (int k = 0; k < q * q; ++k) {
         const Vec2 d = rule.nodes[k / q] * p + rule.nodes[k % q] * r;
-        const double mass = area * rule.weights[k / q] * rule.weights[k % q] * *rho_++;
+        const double mass = area * rule.weights[k / q] * rule.weights[k % q] * *rho++;
         sum += {mass, mass * d, mass * d.squaredNorm()};
     }
     return sum;
 }
 
-const std::vector<Moments>& CellBatch::collect() {
-    rho_ = probe_.ask_waiting().data();
+const std::vector<Moments>& CellBatch::take(std::span<const double> rho) {
     corner_ = corners_.data();
     moments_.clear();
     std::size_t k = 0;
@@ -121,7 +121,9 @@ const std::vector<Moments>& CellBatch::collect() {
         Moments sum;
         for (; k < end; ++k) {
             const Piece& piece = pieces_[k];
-            const Moments moments = piece.is_fan ? take_fan(piece) : take_parallelogram(piece);
+            const double* const values = rho.data() + piece.first_point;
+            const Moments moments =
+                piece.is_fan ? take_fan(piece, values) : take_parallelogram(piece, values);
             sum += piece.is_about_site ? moments : about_site(moments, piece.place);
         }
         moments_.push_back(sum);

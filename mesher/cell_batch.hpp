@@ -27,6 +27,12 @@ struct CellCorner {
 using CellPolygon = std::vector<CellCorner>;
 using CellView = std::span<const CellCorner>;
 
+/// Lattice coordinates.
+struct LatticeBox {
+    Vec2 low;
+    Vec2 high;
+};
+
 /// Many cells in pieces, whose density is asked at once: a function that is called from another
 /// language, or that knows arrays, is so asked in much less time.
 class CellBatch {
@@ -45,27 +51,27 @@ class CellBatch {
     /// What is added from here on belongs to the next cell.
     void end_cell() { end_.push_back(pieces_.size()); }
 
-    /// Whether the density should be asked now: enough points wait.
-    bool is_full() const { return probe_.n_waiting() >= kEnoughPoints; }
     /// Asks the density and empties the batch.
     /// @returns the moments of the cells in order, until the next call.
     /// @throws BadDensity as the probe does.
-    const std::vector<Moments>& collect();
+    const std::vector<Moments>& collect() { return take(probe_.ask_waiting()); }
+    /// The same where the caller has asked.
+    /// @param rho  what the probe gave for all the points that waited.
+    const std::vector<Moments>& take(std::span<const double> rho);
 
    private:
-    /// As many as stay in the cache.
-    static constexpr std::size_t kEnoughPoints = 4096;
-
     struct Piece {
         bool is_fan;
         bool is_about_site;
         int q;
         int n_corners;
         Vec2 place;
+        /// The number of points that waited before.
+        std::size_t first_point;
     };
 
-    Moments take_fan(const Piece& piece);
-    Moments take_parallelogram(const Piece& piece);
+    Moments take_fan(const Piece& piece, const double* rho);
+    Moments take_parallelogram(const Piece& piece, const double* rho);
 
     DensityProbe& probe_;
     std::vector<Piece> pieces_;
@@ -74,9 +80,8 @@ class CellBatch {
     /// The number of pieces at the end of each cell.
     std::vector<std::size_t> end_;
     std::vector<Moments> moments_;
-    /// What is left of the corners and of the density's values while moments are taken.
+    /// What is left of the corners while moments are taken.
     const Vec2* corner_ = nullptr;
-    const double* rho_ = nullptr;
 };
 
 }  // namespace pcvt

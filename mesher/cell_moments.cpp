@@ -12,13 +12,8 @@ namespace {
 /// is that parallelogram.
 constexpr double kWhole = 1e-12;
 
-struct Box {
-    Vec2 low;
-    Vec2 high;
-};
-
-Box lattice_box(CellView polygon) {
-    Box box{polygon[0].lattice, polygon[0].lattice};
+LatticeBox lattice_box(CellView polygon) {
+    LatticeBox box{polygon[0].lattice, polygon[0].lattice};
     for (const CellCorner& corner : polygon) {
         box.low = box.low.cwiseMin(corner.lattice);
         box.high = box.high.cwiseMax(corner.lattice);
@@ -70,7 +65,7 @@ std::vector<double> between(const std::vector<double>& breaks, double low, doubl
 }
 
 void add_piece(CellView piece, int q, CellBatch& batch) {
-    const Box box = lattice_box(piece);
+    const LatticeBox box = lattice_box(piece);
     const Vec2 size = box.high - box.low;
     const Vec2 period = ((box.low + box.high) / 2).array().floor();
     const bool whole =
@@ -85,7 +80,7 @@ void add_piece(CellView piece, int q, CellBatch& batch) {
 /// Calls take(part) for the parts of a convex polygon between the breaks along one axis.
 template <class Take>
 void cut_along(CellView polygon, int axis, const std::vector<double>& breaks, const Take& take) {
-    const Box box = lattice_box(polygon);
+    const LatticeBox box = lattice_box(polygon);
     CellPolygon rest(polygon.begin(), polygon.end());
     CellPolygon below;
     CellPolygon above;
@@ -109,6 +104,7 @@ CellQuadrature::CellQuadrature(const Density& density)
             throw InvalidInput("a break line of the density is not in [0, 1); wrap it");
         }
     }
+    has_breaks_ = breaks_[0].size() > 1 || breaks_[1].size() > 1;
 }
 
 void CellQuadrature::cut_way(const Vec2& from, const Vec2& to, std::vector<double>& shares) const {
@@ -124,23 +120,22 @@ void CellQuadrature::cut_way(const Vec2& from, const Vec2& to, std::vector<doubl
     if (shares.size() > 2) std::sort(shares.begin(), shares.end());
 }
 
-bool CellQuadrature::is_cut(CellView cell, const Vec2& site) const {
-    const Vec2 period = site.array().floor();
-    const Box box = lattice_box(cell);
-    if (((box.low - period).array() < 0 || (box.high - period).array() > 1).any()) return true;
+bool CellQuadrature::is_cut_inside(const LatticeBox& box) const {
     for (const int axis : {0, 1}) {
         const std::vector<double>& breaks = breaks_[axis];
-        if (breaks.size() == 1) continue;
-        const auto next =
-            std::upper_bound(breaks.begin(), breaks.end(), box.low[axis] - period[axis]);
-        if (next != breaks.end() && *next < box.high[axis] - period[axis]) return true;
+        const auto next = std::upper_bound(breaks.begin(), breaks.end(), box.low[axis]);
+        if (next != breaks.end() && *next < box.high[axis]) return true;
     }
     return false;
 }
 
 void CellQuadrature::add(CellView cell, const Vec2& site, int q, CellBatch& batch) const {
-    if (!is_cut(cell, site)) {
-        batch.add_fan(cell, {Vec2::Zero(), site}, site.array().floor(), q);
+    const Vec2 period = site.array().floor();
+    LatticeBox box = lattice_box(cell);
+    box.low -= period;
+    box.high -= period;
+    if (!is_cut(box)) {
+        batch.add_fan(cell, {Vec2::Zero(), site}, period, q);
     } else {
         cut_along(cell, 0, breaks_[0], [&](CellView strip) {
             cut_along(strip, 1, breaks_[1], [&](CellView piece) { add_piece(piece, q, batch); });

@@ -32,12 +32,20 @@ class CellQuadrature {
     /// rising, 0 and 1 among them.
     void cut_way(const Vec2& from, const Vec2& to, std::vector<double>& shares) const;
 
-    /// Whether a break line or the seam crosses the cell.
-    bool is_cut(CellView cell, const Vec2& site) const;
+    /// Whether a break line or the seam crosses a cell with this box.
+    /// @param box  so shifted that the site lies in [0, 1).
+    bool is_cut(const LatticeBox& box) const {
+        return box.low.x() < 0 || box.low.y() < 0 || box.high.x() > 1 || box.high.y() > 1 ||
+               (has_breaks_ && is_cut_inside(box));
+    }
 
    private:
+    bool is_cut_inside(const LatticeBox& box) const;
+
     /// Coordinates in [0, 1), 0 among them, rising.
     std::array<std::vector<double>, 2> breaks_;
+    /// Whether there are others than 0.
+    bool has_breaks_;
 };
 
 }  // namespace pcvt

@@ -4,8 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
+
+#include "mesher/lanes.hpp"
+#include "mesher/vector_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -27,6 +31,30 @@ std::string digits(double value) {
         "the density is " + digits(rho[k]) + " at x = " + digits(p.x) + ", y = " + digits(p.y) +
         " (u = " + digits(p.u) + ", v = " + digits(p.v) + "); " +
         (positive ? "keep it between 1e-60 and 1e60" : "make it positive and finite everywhere"));
+}
+
+/// Widens a range by n numbers, rounded up to full lanes; returns whether all of them are
+/// densities.
+PCVT_VECTOR_CLONES bool find_extremes(const double* rho, std::size_t n, double& least,
+                                      double& greatest) {
+    Lanes low = Lanes{} + least;
+    Lanes high = Lanes{} + greatest;
+    // Stays zero until a number is infinite or none.
+    Lanes spoilt{};
+    for (std::size_t k = 0; k < n; k += kLanes) {
+        Lanes r;
+        std::memcpy(&r, rho + k, sizeof r);
+        low = r < low ? r : low;
+        high = r > high ? r : high;
+        spoilt += 0 * r;
+    }
+    bool is_sound = true;
+    for (int k = 0; k < kLanes; ++k) {
+        least = std::min(least, low[k]);
+        greatest = std::max(greatest, high[k]);
+        is_sound &= spoilt[k] == 0;
+    }
+    return is_sound && least >= kLeastDensity && greatest <= kGreatestDensity;
 }
 
 }  // namespace
@@ -51,20 +79,18 @@ DensityPoint* DensityProbe::room(std::size_t n) {
 }
 
 std::span<const double> DensityProbe::ask(std::span<const DensityPoint> points) {
-    if (rho_.size() < points.size()) rho_.resize(points.size());
+    const std::size_t n = points.size();
+    if (rho_.size() < n + kLanes) rho_.resize(n + kLanes);
     double* const rho = rho_.data();
-    function_(points, {rho, points.size()});
-    double least = range_.least;
-    double greatest = range_.greatest;
-    bool in_limits = true;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        in_limits &= rho[k] >= kLeastDensity && rho[k] <= kGreatestDensity;
-        least = std::min(least, rho[k]);
-        greatest = std::max(greatest, rho[k]);
-    }
+    function_(points, {rho, n});
+    // What fills up the last lanes adds no new extreme.
+    std::fill_n(rho + n, kLanes, n == 0 ? 1 : rho[0]);
+    DensityRange range = range_;
+    const bool in_limits = n == 0 || find_extremes(rho, n, range.least, range.greatest);
     if (!in_limits) refuse_first(points, rho);
-    range_ = {least, greatest, range_.n_evaluations + static_cast<std::int64_t>(points.size())};
-    return {rho, points.size()};
+    range.n_evaluations += static_cast<std::int64_t>(n);
+    range_ = range;
+    return {rho, n};
 }
 
 std::unique_ptr<DensityProbe> DensityProbes::take() {

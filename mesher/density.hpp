@@ -88,7 +88,12 @@ class DensityProbe {
         return {x.x(), x.y(), u.x(), u.y()};
     }
     DensityPoint point(double u, double v) const { return point(Vec2(u, v)); }
-    /// rho at many points; stays until the next call.
+    /// How a point changes with lattice coordinates, which is linear.
+    DensityPoint change(const Vec2& u) const {
+        const Vec2 x = a_ * u.x() + b_ * u.y();
+        return {x.x(), x.y(), u.x(), u.y()};
+    }
+    /// rho at many points; stays until the next call, with kLanes numbers behind that may be read.
     /// @throws BadDensity naming the first place where it is not a number in [1e-60, 1e60].
     std::span<const double> ask(std::span<const DensityPoint> points);
     /// Room for n more points, to be filled before they are asked; stays until the next call.

@@ -79,6 +79,28 @@ Points in_order(const Points& coordinates, const std::vector<SiteId>& order) {
     return ordered;
 }
 
+/// Writes flips down before it passes them on.
+class LoggedFlips final : public FlipObserver {
+   public:
+    LoggedFlips(const TorusTriangulation& triangulation, FlipObserver* observer,
+                std::vector<int>& triangles)
+        : triangulation_(triangulation), observer_(observer), triangles_(triangles) {}
+
+    void before_flip(int h) override {
+        if (observer_ != nullptr) observer_->before_flip(h);
+    }
+    void after_flip(int h) override {
+        triangles_.push_back(h / 3);
+        triangles_.push_back(triangulation_.opposite(h) / 3);
+        if (observer_ != nullptr) observer_->after_flip(h);
+    }
+
+   private:
+    const TorusTriangulation& triangulation_;
+    FlipObserver* observer_;
+    std::vector<int>& triangles_;
+};
+
 }  // namespace
 
 MovingDelaunay::MovingDelaunay(const Sites& sites)
@@ -156,13 +178,17 @@ void MovingDelaunay::shift(SiteId site, const Vec2& periods) {
 
 void MovingDelaunay::keep_in_range() {
     std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
+    bool changes = false;
     for (SiteId s = 0; s < n_sites(); ++s) {
         const Vec2 whole = coordinates_.col(s).array().floor();
         if (whole.minCoeff() >= -1 && whole.maxCoeff() <= 1) continue;
         shift(s, whole);
         change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
+        changes = true;
     }
+    if (!changes) return;
     triangulation_.add_to_offsets(change);
+    begin_flip_log();
 }
 
 std::vector<int> MovingDelaunay::inverted(const Suspects& suspects) const {
@@ -177,14 +203,22 @@ std::vector<int> MovingDelaunay::inverted(const Suspects& suspects) const {
     return found;
 }
 
+void MovingDelaunay::begin_flip_log() {
+    ++flip_log_.number;
+    flip_log_.triangles.clear();
+}
+
 std::int64_t MovingDelaunay::flip(Suspects& suspects, FlipObserver* observer) {
     LawsonFlips flips(triangulation_, coordinates_, gram_);
-    const std::int64_t n_flips = flips.flip(suspects.halfedges, observer);
+    if (flip_log_.triangles.size() > static_cast<std::size_t>(n_sites())) begin_flip_log();
+    LoggedFlips logged(triangulation_, observer, flip_log_.triangles);
+    const std::int64_t n_flips = flips.flip(suspects.halfedges, &logged);
     counts_.n_flips += n_flips;
     return n_flips;
 }
 
 bool MovingDelaunay::untangle(const std::vector<int>& inverted, Suspects& suspects) {
+    begin_flip_log();
     const auto share = static_cast<std::size_t>(kMostHeldShare * n_sites());
     const std::size_t most_held = std::max(share, kMostHeldAtLeast);
     if (inverted.size() > most_held) return rebuild();

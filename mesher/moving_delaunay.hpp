@@ -27,6 +27,15 @@ struct DelaunayCounts {
     int n_rebuilds = 0;
 };
 
+/// The triangles that flips have made, for those who keep something of each triangle.
+struct FlipLog {
+    /// Differs between logs. One begins where more may have changed than what a log tells, offsets
+    /// among it, and where one would grow long.
+    std::int64_t number = 0;
+    /// Two for each flip, in order.
+    std::vector<int> triangles;
+};
+
 /// The periodic Delaunay triangulation of moving sites, kept alive by flips.
 ///
 /// It numbers the sites anew, column by column, so that neighbours lie near to each other in
@@ -54,6 +63,7 @@ class MovingDelaunay {
     const Points& coordinates() const { return coordinates_; }
     const TorusTriangulation& triangulation() const { return triangulation_; }
     const DelaunayCounts& counts() const { return counts_; }
+    const FlipLog& flip_log() const { return flip_log_; }
     /// Length units.
     double unit() const { return unit_; }
     /// h in units.
@@ -99,6 +109,7 @@ class MovingDelaunay {
     void build(const Columns& columns);
     bool rebuild();
     void keep_in_range();
+    void begin_flip_log();
     void shift(SiteId site, const Vec2& periods);
     Sites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
 
@@ -116,6 +127,7 @@ class MovingDelaunay {
     TorusTriangulation triangulation_;
     bool settled_ = true;
     DelaunayCounts counts_;
+    FlipLog flip_log_;
 };
 
 }  // namespace pcvt

@@ -11,6 +11,8 @@ TriangleRule conical_product(int q) {
     const GaussRule radial = gauss_rule(q, 1);
     const GaussRule across = gauss_rule(q, 0);
     TriangleRule rule;
+    rule.outwards = radial.nodes;
+    rule.across = across.nodes;
     rule.weights.resize(6, q * q);
     for (int i = 0; i < q; ++i) {
         for (int j = 0; j < q; ++j) {

@@ -26,8 +26,11 @@ const GaussRule& line_rule(int q);
 ///
 ///   integral of f = cross(p, r) sum_k weight_k f(along_p[k] p + along_r[k] r)
 ///
-/// Exact for polynomials of degree 2 q - 1. All weights are positive and sum to 1/2.
+/// Exact for polynomials of degree 2 q - 1. All weights are positive and sum to 1/2. The points lie
+/// on q rays from 0: point i q + j is outwards[i] ((1 - across[j]) p + across[j] r).
 struct TriangleRule {
+    std::vector<double> outwards;
+    std::vector<double> across;
     std::vector<double> along_p;
     std::vector<double> along_r;
     /// In column k, with a = along_p[k] and b = along_r[k], the weight times 1, a, b, a^2, a b,

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <exception>
 
-#include "mesher/quadrature.hpp"
+#include "mesher/cell_sums.hpp"
 
 namespace pcvt {
 namespace {
 
 constexpr int kSitesPerTask = 512;
-constexpr std::size_t kCellsAtOnce = 64;
 
 /// An energy that jumps by so much, relatively, still counts as continuous: a hundredth of what the
 /// line search resolves.
@@ -68,28 +67,6 @@ void WeightedPass::run_tasks(
     probes_.range().require_contrast();
 }
 
-/// Puts the moments of the cells one after the other.
-void WeightedPass::integrate(std::span<const OrderedCell> cells, DensityProbe& probe,
-                             std::vector<Moments>& moments) const {
-    CellBatch batch(probe);
-    CellList list;
-    std::vector<SiteId> sites;
-    moments.clear();
-    while (!cells.empty()) {
-        const auto some = cells.first(std::min(cells.size(), kCellsAtOnce));
-        cells = cells.subspan(some.size());
-        sites.clear();
-        for (const OrderedCell& cell : some) sites.push_back(cell.site);
-        cells_.unwrap(sites, list);
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            quadrature_.add(list[k], cells_.site(sites[k]), some[k].q, batch);
-        }
-        if (!batch.is_full() && !cells.empty()) continue;
-        const std::vector<Moments>& collected = batch.collect();
-        moments.insert(moments.end(), collected.begin(), collected.end());
-    }
-}
-
 bool WeightedPass::evaluate(Energy& energy) {
     if (!restore()) return false;
     cells_.locate();
@@ -98,10 +75,11 @@ bool WeightedPass::evaluate(Energy& energy) {
     energy.mass.resize(n);
     const std::int64_t before = probes_.range().n_evaluations;
     run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task& task) {
+        CellSums sums(cells_, quadrature_, probe);
         std::vector<OrderedCell> cells;
         std::vector<Moments> moments;
         for (SiteId s = first; s < end; ++s) cells.push_back({s, order_[s], false});
-        integrate(cells, probe, moments);
+        sums.integrate(cells, moments);
         for (SiteId s = first; s < end; ++s) {
             const Moments& m = moments[s - first];
             energy.mass[s] = per_unit_ * m.mass;
@@ -116,6 +94,7 @@ bool WeightedPass::evaluate(Energy& energy) {
 }
 
 void WeightedPass::hessian(const Eigen::VectorXd& mass, BlockMatrix& hessian) {
+    cells_.locate();
     const WeightedHessian rows(delaunay_, cells_, quadrature_, order_, mass);
     rows.resize(hessian);
     run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task&) {
@@ -125,16 +104,16 @@ void WeightedPass::hessian(const Eigen::VectorXd& mass, BlockMatrix& hessian) {
 
 /// Compares the rules of the cells with the next ones, and those that differ with the next ones
 /// again.
-void WeightedPass::choose_orders(std::vector<OrderedCell> cells, double accuracy,
-                                 DensityProbe& probe, Task& task) {
+void WeightedPass::choose_orders(std::vector<OrderedCell> cells, double accuracy, CellSums& sums,
+                                 Task& task) {
     // The pieces of a cut cell come and go while it moves, and their errors with them.
     const double when_cut = std::min(accuracy, kEnergyJump * delaunay_.n_sites());
     std::vector<Moments> moments;
     std::vector<Moments> finer;
-    integrate(cells, probe, moments);
+    sums.integrate(cells, moments);
     while (!cells.empty()) {
         for (OrderedCell& cell : cells) ++cell.q;
-        integrate(cells, probe, finer);
+        sums.integrate(cells, finer);
         std::size_t n_open = 0;
         for (std::size_t k = 0; k < cells.size(); ++k) {
             const auto [site, q, is_cut] = cells[k];
@@ -158,14 +137,13 @@ void WeightedPass::choose_orders(std::vector<OrderedCell> cells, double accuracy
 RuleCheck WeightedPass::choose_orders(double accuracy, bool lower) {
     cells_.locate();
     run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task& task) {
+        CellSums sums(cells_, quadrature_, probe);
         std::vector<OrderedCell> cells;
-        CellList list;
         for (SiteId s = first; s < end; ++s) {
-            cells_.unwrap({&s, 1}, list);
             cells.push_back({s, lower ? kLeastOrder : std::min<int>(order_[s], kGreatestOrder - 1),
-                             quadrature_.is_cut(list[0], cells_.site(s))});
+                             sums.is_cut(s)});
         }
-        choose_orders(std::move(cells), accuracy, probe, task);
+        choose_orders(std::move(cells), accuracy, sums, task);
     });
     RuleCheck check;
     for (const Task& task : tasks_) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/cell_moments.hpp"
+#include "mesher/cell_sums.hpp"
 #include "mesher/energy.hpp"
 #include "mesher/weighted_hessian.hpp"
 
@@ -64,17 +64,7 @@ class WeightedPass {
 
    private:
     struct Task;
-    /// A cell, the order of its rule, and whether a break line crosses it.
-    struct OrderedCell {
-        SiteId site;
-        int q;
-        bool is_cut;
-    };
-
-    void integrate(std::span<const OrderedCell> cells, DensityProbe& probe,
-                   std::vector<Moments>& moments) const;
-    void choose_orders(std::vector<OrderedCell> cells, double accuracy, DensityProbe& probe,
-                       Task& task);
+    void choose_orders(std::vector<OrderedCell> cells, double accuracy, CellSums& sums, Task& task);
     void run_tasks(const std::function<void(SiteId, SiteId, DensityProbe&, Task&)>& look);
 
     MovingDelaunay& delaunay_;

@@ -52,43 +52,41 @@ void WeightedHessian::resize(BlockMatrix& hessian) const {
     hessian.annihilates_translations = false;
 }
 
-const GaussRule& WeightedHessian::side_rule(int h) const {
-    const std::span<const SiteId> sites = delaunay_.triangulation().corner_sites();
-    return line_rule(std::max(order_[sites[h]], order_[sites[TorusTriangulation::next(h)]]));
+const GaussRule& WeightedHessian::side_rule(SiteId site, SiteId neighbour) const {
+    return line_rule(std::max(order_[site], order_[neighbour]));
 }
 
-void WeightedHessian::place_side(int h, const CellCorner& from, const CellCorner& to, Rows& rows,
-                                 DensityProbe& probe) const {
+void WeightedHessian::place_side(const GaussRule& rule, const CellCorner& from,
+                                 const CellCorner& to, Rows& rows, DensityProbe& probe) const {
     quadrature_.cut_way(from.lattice, to.lattice, rows.shares);
     rows.n_parts.push_back(static_cast<int>(rows.shares.size()) - 1);
     const Vec2 way = to.lattice - from.lattice;
     for (std::size_t k = 1; k < rows.shares.size(); ++k) {
         place_points(from.lattice + rows.shares[k - 1] * way, from.lattice + rows.shares[k] * way,
-                     side_rule(h), probe);
+                     rule, probe);
         rows.part_end.push_back(rows.shares[k]);
     }
 }
 
 void WeightedHessian::fill_row(SiteId site, std::size_t k, Rows& rows, BlockMatrix& hessian) const {
-    const TorusTriangulation& t = delaunay_.triangulation();
-    const CellView cell = rows.cells[k];
+    const CellView cell = rows.cell(k);
     Eigen::Matrix2d diagonal = 2 * mass_[site] * Eigen::Matrix2d::Identity();
     int entry = hessian.row_begin[site];
     for (std::size_t c = 0; c < cell.size(); ++c) {
         const std::size_t side = rows.cells.begin[k] + c;
-        const int h = rows.cells.halfedges[side];
-        const GaussRule& rule = side_rule(h);
+        const SiteId neighbour = rows.cells.neighbours[side];
+        const GaussRule& rule = side_rule(site, neighbour);
         const Vec2 from = before(cell, c).plane;
         const Vec2 way = cell[c].plane - from;
         EdgeIntegrals edge;
         double share = 0;
         for (int part = 0; part < rows.n_parts[side]; ++part) {
             const double end = rows.part_end[rows.next_part++];
-            edge.add(from + share * way, from + end * way, cells_.edge(h), rule, rows.next_rho);
+            edge.add(from + share * way, from + end * way, cells_.to_neighbour(rows.cells, side),
+                     rule, rows.next_rho);
             rows.next_rho += rule.nodes.size();
             share = end;
         }
-        const SiteId neighbour = t.corner_sites()[TorusTriangulation::next(h)];
         diagonal -= edge.own;
         if (neighbour == site) {
             diagonal += edge.mixed;
@@ -108,11 +106,14 @@ void WeightedHessian::fill_rows(SiteId first, SiteId end, double per_unit, Densi
     std::iota(sites.begin(), sites.end(), first);
     Rows rows;
     cells_.unwrap(sites, rows.cells);
+    CellPolygon polygon;
     for (std::size_t k = 0; k < sites.size(); ++k) {
-        const CellView cell = rows.cells[k];
+        rows.cells.copy(k, cells_.site(sites[k]), polygon);
+        rows.corners.insert(rows.corners.end(), polygon.begin(), polygon.end());
+        const CellView cell = rows.cell(k);
         for (std::size_t c = 0; c < cell.size(); ++c) {
-            const int h = rows.cells.halfedges[rows.cells.begin[k] + c];
-            place_side(h, before(cell, c), cell[c], rows, probe);
+            const SiteId neighbour = rows.cells.neighbours[rows.cells.begin[k] + c];
+            place_side(side_rule(sites[k], neighbour), before(cell, c), cell[c], rows, probe);
         }
     }
     const std::span<const double> asked = probe.ask_waiting();

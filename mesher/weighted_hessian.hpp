@@ -44,6 +44,7 @@ class WeightedHessian {
     /// Cells and the parts of their sides, one after the other.
     struct Rows {
         CellList cells;
+        std::vector<CellCorner> corners;
         /// For each side.
         std::vector<int> n_parts;
         /// For each part the share of the side at its end.
@@ -52,11 +53,16 @@ class WeightedHessian {
         /// What is not used yet.
         std::size_t next_part = 0;
         const double* next_rho = nullptr;
+
+        CellView cell(std::size_t k) const {
+            return {corners.data() + cells.begin[k],
+                    std::size_t(cells.begin[k + 1] - cells.begin[k])};
+        }
     };
 
-    /// For the side of a cell that belongs to the halfedge.
-    const GaussRule& side_rule(int h) const;
-    void place_side(int h, const CellCorner& from, const CellCorner& to, Rows& rows,
+    /// For the side of a cell towards a neighbour.
+    const GaussRule& side_rule(SiteId site, SiteId neighbour) const;
+    void place_side(const GaussRule& rule, const CellCorner& from, const CellCorner& to, Rows& rows,
                     DensityProbe& probe) const;
     void fill_row(SiteId site, std::size_t k, Rows& rows, BlockMatrix& hessian) const;
 

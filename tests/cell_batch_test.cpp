@@ -62,7 +62,6 @@ TEST(CellBatch, AsksTheDensityOnceForAllItsCells) {
     DensityProbe probe(kSquare, density.make_function());
     CellBatch batch(probe);
     for (int k = 0; k < 9; ++k) quadrature.add(square({0.5, 0.5}, 0.1), {0.5, 0.5}, 3, batch);
-    EXPECT_FALSE(batch.is_full());
     EXPECT_EQ(n_calls, 0);
     EXPECT_EQ(batch.collect().size(), 9);
     EXPECT_EQ(n_calls, 1);

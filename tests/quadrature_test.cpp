@@ -65,6 +65,18 @@ TEST(Quadrature, PointsLieInsideAndWeightsArePositive) {
     }
 }
 
+TEST(Quadrature, PointsLieOnRaysFromTheFirstCorner) {
+    for (int q = kLeastOrder; q <= kGreatestOrder; ++q) {
+        const TriangleRule& rule = triangle_rule(q);
+        for (int k = 0; k < rule.n_points(); ++k) {
+            const double outwards = rule.outwards[k / q];
+            const double across = rule.across[k % q];
+            EXPECT_DOUBLE_EQ(rule.along_p[k], outwards * (1 - across));
+            EXPECT_DOUBLE_EQ(rule.along_r[k], outwards * across);
+        }
+    }
+}
+
 TEST(Quadrature, WeightsOfTheSecondDegreeGoWithThePoints) {
     const TriangleRule& rule = triangle_rule(5);
     for (int k = 0; k < rule.n_points(); ++k) {
