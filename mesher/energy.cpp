@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mesher/large_pages.hpp"
+#include "mesher/prefetch.hpp"
 #include "mesher/triangle_terms.hpp"
 #include "mesher/vector_clones.hpp"
 
@@ -24,17 +26,23 @@ constexpr int kSitesFetched = 192;
 constexpr int kSitesPerLine = 4;
 constexpr int kCornersPerLine = 16;
 /// The corners of a block are fetched while so many blocks before them are worked on.
-constexpr int kBlocksFetched = 2;
+constexpr int kBlocksFetched = 4;
 /// Terms with a cotangent above this are not subtracted again: they would leave their rounding.
 constexpr double kSteepest = 32;
 /// With more flips than one in this many sites a second pass is cheaper than the corrections.
-constexpr int kSitesPerFlip = 20;
+constexpr int kSitesPerFlip = 10;
 
 /// The largest of the numbers below `end`, or -1.
 PCVT_VECTOR_CLONES int last_below(int end, const int* numbers, int n) {
     int last = -1;
     for (int k = 0; k < n; ++k) last = std::max(last, numbers[k] < end ? numbers[k] : -1);
     return last;
+}
+
+void resize(Eigen::Index n, Eigen::VectorXd& sums) {
+    if (sums.size() == n) return;
+    sums.resize(n);
+    prefer_large_pages(sums);
 }
 
 void append(std::vector<int>& list, const std::vector<int>& more) {
@@ -60,6 +68,9 @@ struct EnergyPass::Slab {
     std::vector<Foreign> foreign = {};
     /// The sums of so many of the sites are cleared.
     int n_cleared = 0;
+    /// So many of the suspect halfedges stay suspects; of so many the triangle beyond is fetched.
+    std::size_t n_examined = 0;
+    std::size_t n_fetched = 0;
 
     void run(const MovingDelaunay& delaunay, Energy& energy);
 
@@ -70,7 +81,8 @@ struct EnergyPass::Slab {
     void scatter(const MovingDelaunay& delaunay, int first, int n, const TriangleBlock& block,
                  Energy& energy);
     void suspect(const MovingDelaunay& delaunay, int h, const TriangleBlock& block, int k);
-    std::size_t acquit(const MovingDelaunay& delaunay, std::size_t first, std::size_t end);
+    void look_at_suspects(const MovingDelaunay& delaunay);
+    std::size_t acquit(const MovingDelaunay& delaunay, std::size_t end);
 };
 
 namespace {
@@ -89,9 +101,10 @@ void EnergyPass::Slab::run(const MovingDelaunay& delaunay, Energy& energy) {
     suspects = {};
     foreign.clear();
     n_cleared = 0;
+    n_examined = 0;
+    n_fetched = 0;
     if (n_sites <= kSitesClearedAtOnce) clear(n_sites, energy);
     TriangleBlock block;
-    std::size_t n_examined = 0;
     for (int done = 0; done < 2 * n_sites; done += TriangleBlock::kSize) {
         const int n = std::min(TriangleBlock::kSize, 2 * n_sites - done);
         gather(delaunay, 2 * first_site + done, n, block);
@@ -99,12 +112,10 @@ void EnergyPass::Slab::run(const MovingDelaunay& delaunay, Energy& energy) {
         clear_for(
             delaunay.triangulation().corner_sites().data() + 3 * std::size_t(2 * first_site + done),
             3 * n, delaunay.coordinates(), energy);
-        // What the look at a suspect needs is fetched one block ahead.
-        const std::size_t n_fetched = suspects.halfedges.size();
+        look_at_suspects(delaunay);
         scatter(delaunay, 2 * first_site + done, n, block, energy);
-        n_examined = acquit(delaunay, n_examined, n_fetched);
     }
-    acquit(delaunay, n_examined, suspects.halfedges.size());
+    acquit(delaunay, suspects.halfedges.size());
     clear(n_sites, energy);
 }
 
@@ -119,9 +130,9 @@ void EnergyPass::Slab::clear_for(const SiteId* corners, int n_corners, const Poi
     const int begin = first_site + n_cleared;
     const int end = std::min(begin + kSitesFetched, first_site + n_sites);
     for (int s = begin; s < end; s += kSitesPerLine) {
-        __builtin_prefetch(coordinates.data() + 2 * std::size_t(s));
-        __builtin_prefetch(energy.gradient.data() + 2 * std::size_t(s), 1);
-        __builtin_prefetch(energy.mass.data() + std::size_t(s), 1);
+        prefetch(coordinates.data() + 2 * std::size_t(s));
+        prefetch(energy.gradient.data() + 2 * std::size_t(s));
+        prefetch(energy.mass.data() + std::size_t(s));
     }
 }
 
@@ -138,7 +149,7 @@ void EnergyPass::Slab::gather(const MovingDelaunay& delaunay, int first, int n,
     const double* u = delaunay.coordinates().data();
     constexpr int kCorners = 3 * TriangleBlock::kSize;
     for (int c = 0; c < kCorners; c += kCornersPerLine) {
-        __builtin_prefetch(site + kBlocksFetched * kCorners + c);
+        prefetch(site + kBlocksFetched * kCorners + c);
     }
     for (int k = 0; k < n; ++k, site += 3) {
         const double* p0 = u + 2 * std::size_t(site[0]);
@@ -206,15 +217,26 @@ void EnergyPass::Slab::suspect(const MovingDelaunay& delaunay, int h, const Tria
     delaunay.triangulation().fetch_opposite(suspects.halfedges.back());
 }
 
-/// Removes from the suspects first ... end - 1 the halfedges that are Delaunay; returns the new
-/// end.
-std::size_t EnergyPass::Slab::acquit(const MovingDelaunay& delaunay, std::size_t first,
-                                     std::size_t end) {
+/// Called once a block: what the look at a suspect needs comes in two steps, from one block to the
+/// next.
+void EnergyPass::Slab::look_at_suspects(const MovingDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const std::size_t n_suspects = suspects.halfedges.size();
+    for (std::size_t k = n_fetched; k < n_suspects; ++k) {
+        t.fetch_triangle(t.opposite(suspects.halfedges[k]));
+    }
+    n_fetched = n_suspects - acquit(delaunay, n_fetched);
+}
+
+/// Removes the halfedges that are Delaunay from the suspects before `end` that were not examined
+/// yet; returns their number.
+std::size_t EnergyPass::Slab::acquit(const MovingDelaunay& delaunay, std::size_t end) {
     const auto begin = suspects.halfedges.begin();
-    const auto kept = std::remove_if(begin + first, begin + end,
+    const auto kept = std::remove_if(begin + n_examined, begin + end,
                                      [&](int h) { return delaunay.is_certainly_delaunay(h); });
     suspects.halfedges.erase(kept, begin + end);
-    return static_cast<std::size_t>(kept - begin);
+    n_examined = static_cast<std::size_t>(kept - begin);
+    return end - n_examined;
 }
 
 EnergyPass::EnergyPass(MovingDelaunay& delaunay, Workers& workers)
@@ -231,8 +253,8 @@ EnergyPass::EnergyPass(MovingDelaunay& delaunay, Workers& workers)
 EnergyPass::~EnergyPass() = default;
 
 Suspects EnergyPass::run(Energy& energy) {
-    energy.gradient.resize(2 * delaunay_.n_sites());
-    energy.mass.resize(delaunay_.n_sites());
+    resize(2 * delaunay_.n_sites(), energy.gradient);
+    resize(delaunay_.n_sites(), energy.mass);
     workers_.for_each(static_cast<int>(slabs_.size()),
                       [&](int k) { slabs_[k].run(delaunay_, energy); });
     energy.value = 0;
@@ -269,6 +291,11 @@ void EnergyPass::add_terms(int triangle, double sign) {
 
 bool EnergyPass::corrections_pay() const {
     return !has_steep_terms_ && n_corrections_ <= 1 + delaunay_.n_sites() / kSitesPerFlip;
+}
+
+void EnergyPass::fetch(SiteId site) const {
+    prefetch(energy_->gradient.data() + 2 * std::size_t(site));
+    prefetch(energy_->mass.data() + std::size_t(site));
 }
 
 void EnergyPass::before_flip(int h) {

@@ -47,6 +47,7 @@ class EnergyPass final : private FlipObserver {
 
     void before_flip(int h) override;
     void after_flip(int h) override;
+    void fetch(SiteId site) const override;
     Suspects run(Energy& energy);
     bool corrections_pay() const;
     void add_terms(int triangle, double sign);

@@ -87,10 +87,13 @@ struct Wrapped {
 Wrapped wrap(double u);
 
 /// The nearest multiple of 2^-51. @pre |displacement| <= 1, componentwise.
-inline Vec2 snapped_displacement(const Vec2& displacement) {
+inline double snapped_displacement(double displacement) {
     // Doubles in [2, 4] are multiples of 2^-51.
     constexpr double kShift = 3;
-    return (displacement.array() + kShift - kShift).matrix();
+    return displacement + kShift - kShift;
+}
+inline Vec2 snapped_displacement(const Vec2& displacement) {
+    return {snapped_displacement(displacement.x()), snapped_displacement(displacement.y())};
 }
 
 }  // namespace pcvt

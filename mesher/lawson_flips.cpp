@@ -1,5 +1,9 @@
 #include "mesher/lawson_flips.hpp"
 
+#include <array>
+
+#include "mesher/prefetch.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -17,6 +21,69 @@ double filter(const TorusTriangulation& triangulation, const Points& coordinates
     const Vec2 s = at(TorusTriangulation::previous(o));
     return detail::in_circle_filter(gram, p - r, q - r, p - s, q - s);
 }
+
+/// Asks for what the flips of a list of suspects will touch, in steps, each of which reads only
+/// what one before has asked for. Where the triangulation is larger than the cache, a flip else
+/// waits for a dozen lines of memory one after the other, twice as long as it works.
+class Fetcher {
+   public:
+    Fetcher(const TorusTriangulation& triangulation, const Points& coordinates,
+            const std::vector<int>& suspects, const FlipObserver* observer)
+        : triangulation_(triangulation),
+          coordinates_(coordinates),
+          suspects_(suspects),
+          observer_(observer) {}
+
+    /// To be called for k = 0, 1, ..., each before suspect k is looked at.
+    void fetch_for(std::size_t k) const {
+        const auto at_step = [&](std::size_t step, const auto& fetch) {
+            if (k + step * kApart < suspects_.size()) fetch(suspects_[k + step * kApart]);
+        };
+        at_step(4, [&](int h) { triangulation_.fetch_triangle(h); });
+        at_step(3, [&](int h) { fetch_triangles(h); });
+        at_step(2, [&](int h) { fetch_sides(h); });
+        at_step(1, [&](int h) { fetch_beyond_sides(h); });
+    }
+
+   private:
+    /// So many suspects lie between two steps.
+    static constexpr std::size_t kApart = 8;
+
+    /// The halfedges of the quadrilateral's four sides.
+    std::array<int, 4> sides(int h) const {
+        const int o = triangulation_.opposite(h);
+        return {TorusTriangulation::next(h), TorusTriangulation::previous(h),
+                TorusTriangulation::next(o), TorusTriangulation::previous(o)};
+    }
+    void fetch_origin(int h) const {
+        const SiteId site = triangulation_.corner_sites()[h];
+        prefetch(coordinates_.data() + 2 * std::size_t(site));
+        if (observer_ != nullptr) observer_->fetch(site);
+    }
+    void fetch_triangles(int h) const {
+        triangulation_.fetch_triangle(triangulation_.opposite(h));
+        fetch_origin(h);
+        fetch_origin(TorusTriangulation::next(h));
+        fetch_origin(TorusTriangulation::previous(h));
+    }
+    void fetch_sides(int h) const {
+        fetch_origin(TorusTriangulation::previous(triangulation_.opposite(h)));
+        for (const int side : sides(h))
+            triangulation_.fetch_triangle(triangulation_.opposite(side));
+    }
+    void fetch_beyond_sides(int h) const {
+        for (const int side : sides(h)) {
+            const int apex = TorusTriangulation::previous(triangulation_.opposite(side));
+            const SiteId site = triangulation_.corner_sites()[apex];
+            prefetch(coordinates_.data() + 2 * std::size_t(site));
+        }
+    }
+
+    const TorusTriangulation& triangulation_;
+    const Points& coordinates_;
+    const std::vector<int>& suspects_;
+    const FlipObserver* observer_;
+};
 
 }  // namespace
 
@@ -39,11 +106,13 @@ bool LawsonFlips::is_locally_delaunay(int h) const {
                      image(coordinates_, apex.site, apex.offset)) <= 0;
 }
 
-std::int64_t LawsonFlips::flip(std::vector<int>& suspects, FlipObserver* observer) {
+/// Flips h, and what becomes suspect by that; leaves the stack empty.
+std::int64_t LawsonFlips::flip_from(int first, std::vector<int>& stack, FlipObserver* observer) {
     std::int64_t n_flips = 0;
-    while (!suspects.empty()) {
-        const int h = suspects.back();
-        suspects.pop_back();
+    stack.push_back(first);
+    while (!stack.empty()) {
+        const int h = stack.back();
+        stack.pop_back();
         if (is_locally_delaunay(h)) continue;
         if (observer != nullptr) observer->before_flip(h);
         const int o = triangulation_.opposite(h);
@@ -51,21 +120,30 @@ std::int64_t LawsonFlips::flip(std::vector<int>& suspects, FlipObserver* observe
         ++n_flips;
         if (observer != nullptr) observer->after_flip(h);
         for (const int side : {h, o}) {
-            suspects.push_back(TorusTriangulation::next(side));
-            suspects.push_back(TorusTriangulation::previous(side));
+            stack.push_back(TorusTriangulation::next(side));
+            stack.push_back(TorusTriangulation::previous(side));
         }
     }
     return n_flips;
 }
 
+std::int64_t LawsonFlips::flip(std::vector<int>& suspects, FlipObserver* observer) {
+    std::int64_t n_flips = 0;
+    std::vector<int> stack;
+    const Fetcher fetcher(triangulation_, coordinates_, suspects, observer);
+    for (std::size_t k = 0; k < suspects.size(); ++k) {
+        fetcher.fetch_for(k);
+        n_flips += flip_from(suspects[k], stack, observer);
+    }
+    suspects.clear();
+    return n_flips;
+}
+
 std::int64_t LawsonFlips::flip_all() {
     std::int64_t n_flips = 0;
-    std::vector<int> suspects;
+    std::vector<int> stack;
     for (int h = 0; h < triangulation_.n_halfedges(); ++h) {
-        if (h < triangulation_.opposite(h)) {
-            suspects.push_back(h);
-            n_flips += flip(suspects);
-        }
+        if (h < triangulation_.opposite(h)) n_flips += flip_from(h, stack, nullptr);
     }
     return n_flips;
 }

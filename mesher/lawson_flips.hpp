@@ -16,6 +16,8 @@ class FlipObserver {
    public:
     virtual void before_flip(int h) = 0;
     virtual void after_flip(int h) = 0;
+    /// A flip at this site may come soon: what is kept of it should be in the cache.
+    virtual void fetch(SiteId /*site*/) const {}
 
    protected:
     ~FlipObserver() = default;
@@ -48,6 +50,8 @@ class LawsonFlips {
     std::int64_t flip_all();
 
    private:
+    std::int64_t flip_from(int h, std::vector<int>& stack, FlipObserver* observer);
+
     TorusTriangulation& triangulation_;
     const Points& coordinates_;
     Gram gram_;

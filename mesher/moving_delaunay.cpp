@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesher/large_pages.hpp"
 #include "mesher/mirror_diagram.hpp"
 #include "mesher/untangling.hpp"
+#include "mesher/vector_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -34,7 +36,11 @@ class ToLattice {
    public:
     explicit ToLattice(const MovingDelaunay::Frame& frame)
         : per_ax_(1 / frame.ax), per_by_(1 / frame.by), bx_(frame.bx) {}
-    Vec2 operator()(double x, double y) const {
+    struct Change {
+        double u;
+        double v;
+    };
+    Change operator()(double x, double y) const {
         const double v = y * per_by_;
         return {(x - bx_ * v) * per_ax_, v};
     }
@@ -45,28 +51,47 @@ class ToLattice {
     double bx_;
 };
 
-/// Moves sites begin to end; a whole number of periods is left out of a move.
 struct MovedSites {
     bool finite;
     bool in_range;
 };
+
+/// Moves n sites and adds the number of those that left [-1, 2).
+/// @returns the number of sites that would move further than half a period: unless it is 0, all are
+///          to be moved again.
+PCVT_VECTOR_CLONES std::int64_t move_near(const float* direction, double t, ToLattice to_lattice,
+                                          const double* from, double* to, Eigen::Index n,
+                                          std::int64_t& n_outside) {
+    std::int64_t n_far = 0;
+    std::int64_t outside = 0;
+    for (Eigen::Index k = 0; k < 2 * n; k += 2) {
+        const auto [du, dv] = to_lattice(t * double(direction[k]), t * double(direction[k + 1]));
+        n_far += int(!(std::abs(du) <= 0.5)) | int(!(std::abs(dv) <= 0.5));
+        const double u = from[k] + snapped_displacement(du);
+        const double v = from[k + 1] + snapped_displacement(dv);
+        outside += int(!(std::min(u, v) >= -1)) | int(!(std::max(u, v) < 2));
+        to[k] = u;
+        to[k + 1] = v;
+    }
+    n_outside += outside;
+    return n_far;
+}
+
+/// Moves sites begin to end; a whole number of periods is left out of a move.
 MovedSites move_sites(int begin, int end, const Eigen::VectorXf& direction, double t,
                       const ToLattice& to_lattice, const Points& from, Points& to) {
-    int n_far = 0;
-    int n_outside = 0;
-    for (int s = begin; s < end; ++s) {
-        const Vec2 d = to_lattice(t * double(direction[2 * s]), t * double(direction[2 * s + 1]));
-        n_far += !(std::abs(d.x()) <= 0.5 && std::abs(d.y()) <= 0.5);
-        const Vec2 moved = from.col(s) + snapped_displacement(d);
-        n_outside += !(std::min(moved.x(), moved.y()) >= -1 && std::max(moved.x(), moved.y()) < 2);
-        to.col(s) = moved;
-    }
+    std::int64_t n_outside = 0;
+    const std::int64_t n_far =
+        move_near(direction.data() + 2 * begin, t, to_lattice, from.data() + 2 * begin,
+                  to.data() + 2 * begin, end - begin, n_outside);
     if (n_far == 0) return {true, n_outside == 0};
     for (int s = begin; s < end; ++s) {
-        const Vec2 d = to_lattice(t * double(direction[2 * s]), t * double(direction[2 * s + 1]));
+        const auto [du, dv] =
+            to_lattice(t * double(direction[2 * s]), t * double(direction[2 * s + 1]));
+        const Vec2 d(du, dv);
         if (!d.allFinite()) return {false, false};
-        const Vec2 periods(std::nearbyint(d.x()), std::nearbyint(d.y()));
-        to.col(s) = from.col(s) + snapped_displacement(d - periods);
+        const Vec2 periods(std::nearbyint(du), std::nearbyint(dv));
+        to.col(s) = from.col(s) + snapped_displacement(Vec2(d - periods));
     }
     return {true, false};
 }
@@ -86,6 +111,9 @@ class LoggedFlips final : public FlipObserver {
                 std::vector<int>& triangles)
         : triangulation_(triangulation), observer_(observer), triangles_(triangles) {}
 
+    void fetch(SiteId site) const override {
+        if (observer_ != nullptr) observer_->fetch(site);
+    }
     void before_flip(int h) override {
         if (observer_ != nullptr) observer_->before_flip(h);
     }
@@ -119,6 +147,7 @@ MovingDelaunay::MovingDelaunay(const Sites& sites)
 }
 
 void MovingDelaunay::build(const Columns& columns) {
+    prefers_large_pages_ = false;
     if (auto strips = strip_triangulation(coordinates_, columns)) {
         triangulation_ = std::move(*strips);
         counts_.n_mirrors.reset();
@@ -140,8 +169,19 @@ bool MovingDelaunay::rebuild() {
     return true;
 }
 
+/// Only what moves is looked at often enough.
+void MovingDelaunay::prefer_large_pages() {
+    if (prefers_large_pages_) return;
+    previous_.resize(2, n_sites());
+    pcvt::prefer_large_pages(previous_);
+    pcvt::prefer_large_pages(coordinates_);
+    triangulation_.prefer_large_pages();
+    prefers_large_pages_ = true;
+}
+
 bool MovingDelaunay::step(const Eigen::VectorXf& direction, double t, Workers& workers) {
     settled_ = false;
+    prefer_large_pages();
     previous_.swap(coordinates_);
     coordinates_.resize(2, previous_.cols());
     const ToLattice to_lattice(frame_);

@@ -107,6 +107,7 @@ class MovingDelaunay {
 
    private:
     void build(const Columns& columns);
+    void prefer_large_pages();
     bool rebuild();
     void keep_in_range();
     void begin_flip_log();
@@ -125,6 +126,7 @@ class MovingDelaunay {
     /// Where the sites were before the last step.
     Points previous_;
     TorusTriangulation triangulation_;
+    bool prefers_large_pages_ = false;
     bool settled_ = true;
     DelaunayCounts counts_;
     FlipLog flip_log_;

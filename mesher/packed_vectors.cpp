@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesher/large_pages.hpp"
+#include "mesher/prefetch.hpp"
 #include "mesher/vector_clones.hpp"
 
 namespace pcvt {
@@ -54,7 +56,7 @@ PCVT_VECTOR_CLONES float dot_of(const std::int16_t* numbers, const std::int16_t*
     float lane[kLanes] = {};
     Eigen::Index i = 0;
     for (; i + kLanes <= n; i += kLanes) {
-        __builtin_prefetch(next + i);
+        prefetch(next + i);
         for (Eigen::Index k = 0; k < kLanes; ++k) lane[k] += x[i + k] * float(numbers[i + k]);
     }
     for (; i < n; ++i) lane[i % kLanes] += x[i] * float(numbers[i]);
@@ -67,10 +69,20 @@ PCVT_VECTOR_CLONES void add_multiple_of(float c, const std::int16_t* numbers,
                                         const std::int16_t* next, float* sum, Eigen::Index n) {
     Eigen::Index i = 0;
     for (; i + kLanes <= n; i += kLanes) {
-        __builtin_prefetch(next + i);
+        prefetch(next + i);
         for (Eigen::Index k = 0; k < kLanes; ++k) sum[i + k] += c * float(numbers[i + k]);
     }
     for (; i < n; ++i) sum[i] += c * float(numbers[i]);
+}
+
+PCVT_VECTOR_CLONES void widen(float scale, const std::int16_t* numbers, const std::int16_t* next,
+                              float* x, Eigen::Index n) {
+    Eigen::Index i = 0;
+    for (; i + kLanes <= n; i += kLanes) {
+        prefetch(next + i);
+        for (Eigen::Index k = 0; k < kLanes; ++k) x[i + k] = scale * float(numbers[i + k]);
+    }
+    for (; i < n; ++i) x[i] = scale * float(numbers[i]);
 }
 
 }  // namespace
@@ -78,7 +90,10 @@ PCVT_VECTOR_CLONES void add_multiple_of(float c, const std::int16_t* numbers,
 PackedVectors::PackedVectors(int n_vectors, Eigen::Index n_numbers)
     : n_vectors_(n_vectors), n_numbers_(n_numbers) {
     const Eigen::Index n_blocks = (n_numbers + kBlock - 1) / kBlock;
-    numbers_.resize(static_cast<std::size_t>(n_blocks * kBlock * n_vectors));
+    const auto n_stored = static_cast<std::size_t>(n_blocks * kBlock * n_vectors);
+    numbers_.reserve(n_stored);
+    prefer_large_pages(numbers_.data(), n_stored * sizeof(std::int16_t));
+    numbers_.resize(n_stored);
     scales_.resize(static_cast<std::size_t>(n_blocks * n_vectors));
 }
 
@@ -93,6 +108,11 @@ void PackedVectors::pack(int vector, Eigen::Index block, float* x) {
     // Either NaN or as good as zero, and so is zero times it.
     std::fill_n(numbers_.data() + at * kBlock, n_in(block), std::int16_t{0});
     std::fill_n(x, n_in(block), 0 * scale);
+}
+
+void PackedVectors::unpack(int vector, Eigen::Index block, float* x) const {
+    const Eigen::Index at = place(vector, block);
+    widen(scales_[at], numbers_at(at), next_numbers(at), x, n_in(block));
 }
 
 float PackedVectors::dot(int vector, Eigen::Index block, const float* x) const {

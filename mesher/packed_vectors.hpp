@@ -23,6 +23,8 @@ class PackedVectors {
     /// Stores x and rounds it to what is stored. A block with a number that is not finite becomes
     /// NaN.
     void pack(int vector, Eigen::Index block, float* x);
+    /// x becomes what is stored.
+    void unpack(int vector, Eigen::Index block, float* x) const;
     /// The dot product with x.
     float dot(int vector, Eigen::Index block, const float* x) const;
     /// sum += c times the vector.

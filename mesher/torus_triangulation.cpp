@@ -4,6 +4,7 @@
 
 #include "mesher/edge_matching.hpp"
 #include "mesher/error.hpp"
+#include "mesher/large_pages.hpp"
 
 namespace pcvt {
 namespace {
@@ -41,6 +42,12 @@ TorusTriangulation::TorusTriangulation(int n_sites, const std::vector<Triangle>&
         throw InternalError("a torus triangulation of n sites must have 2 n triangles");
     }
     for (int t = 0; t < n_triangles(); ++t) set_triangle(t, triangles[t]);
+}
+
+void TorusTriangulation::prefer_large_pages() const {
+    pcvt::prefer_large_pages(sites_);
+    pcvt::prefer_large_pages(opposite_);
+    pcvt::prefer_large_pages(offsets_);
 }
 
 void TorusTriangulation::set_triangle(int t, const Triangle& corners) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "mesher/prefetch.hpp"
 #include "mesher/sites.hpp"
 
 namespace pcvt {
@@ -58,7 +59,13 @@ class TorusTriangulation {
     static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
     int opposite(int h) const { return opposite_[h]; }
     /// Asks for opposite(h) to be in the cache soon.
-    void fetch_opposite(int h) const { __builtin_prefetch(&opposite_[h]); }
+    void fetch_opposite(int h) const { prefetch(&opposite_[h]); }
+    /// The same for all that is known of h's triangle.
+    void fetch_triangle(int h) const {
+        fetch_opposite(h);
+        prefetch(&sites_[h]);
+        prefetch(&offsets_[h / 3]);
+    }
     /// The corner that h leaves.
     Corner corner(int h) const { return {sites_[h], offset(h)}; }
     /// Target minus origin of h.
@@ -78,6 +85,9 @@ class TorusTriangulation {
     /// The sites of all corners, three a triangle, and the offsets of all triangles.
     std::span<const SiteId> corner_sites() const { return sites_; }
     std::span<const CornerOffsets> corner_offsets() const { return offsets_; }
+
+    /// See large_pages.hpp.
+    void prefer_large_pages() const;
 
     /// Replaces the diagonal h of the quadrilateral made by its two triangles with the other one; h
     /// and its opposite become the two sides of the new edge.

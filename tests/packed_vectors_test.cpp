@@ -56,6 +56,18 @@ TEST(PackedVectors, RoundToA65534thOfTheLargestOfTheBlock) {
     }
 }
 
+TEST(PackedVectors, GiveBackWhatTheyRoundedTo) {
+    const TwoVectors two;
+    for (Eigen::Index b = 0; b < TwoVectors::kBlocks; ++b) {
+        for (const int v : {0, 1}) {
+            const VectorXf stored = TwoVectors::block_of(two.rounded[v], b);
+            VectorXf unpacked = VectorXf::Zero(stored.size());
+            two.packed.unpack(v, b, unpacked.data());
+            EXPECT_EQ(unpacked, stored);
+        }
+    }
+}
+
 TEST(PackedVectors, MultiplyAndAddWhatTheyRoundedTo) {
     const TwoVectors two;
     for (Eigen::Index b = 0; b < TwoVectors::kBlocks; ++b) {
