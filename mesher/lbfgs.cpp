@@ -48,18 +48,18 @@ double interpolate(const LinePoint& low, const LinePoint& high) {
 }
 
 /// Looks along t d for 0 < t <= longest, d the history's direction; returns t of an acceptable
-/// step, and `there` at its end.
-std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, const Evaluation& here,
-                                  double slope, double longest, Evaluation& there) {
-    const LinePoint start{0, here.value, slope};
+/// step, and the evaluation at its end.
+std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, double slope,
+                                  double longest, Evaluation& evaluation) {
+    const LinePoint start{0, evaluation.value, slope};
     LinePoint low = start;
     std::optional<LinePoint> high;
     double t = std::min(1.0, longest);
     for (int trial = 0; trial < kTrials; ++trial) {
-        if (!run.evaluate(history.direction(), t, there)) {
+        if (!run.evaluate(history.direction(), t, evaluation)) {
             high = LinePoint{t, std::numeric_limits<double>::infinity(), 0};
         } else {
-            const LinePoint point{t, there.value, history.look(here, there)};
+            const LinePoint point{t, evaluation.value, history.look(evaluation)};
             const Verdict verdict = judge(start, point);
             if (verdict == Verdict::kAccept) return t;
             if (verdict == Verdict::kTooShort && t >= longest) return t;
@@ -81,25 +81,25 @@ void begin_direction(const Objective& objective, const Evaluation& here,
     }
 }
 
-/// Takes one step, from a fresh start with the Lloyd step if need be.
+/// Takes one step, from a fresh start with the Lloyd step if need be; the evaluation is that of the
+/// point before and after.
 bool advance(OptimizerRun& run, Objective& objective, const OptimizerOptions& options,
-             LbfgsHistory& history, Evaluation& here, Evaluation& there) {
+             LbfgsHistory& history, Evaluation& evaluation) {
     for (;;) {
         const bool fresh = history.empty();
-        if (fresh) begin_direction(objective, here, history.direction());
-        const auto [slope, largest_move] = history.aim(here);
+        if (fresh) begin_direction(objective, evaluation, history.direction());
+        const auto [slope, largest_move] = history.aim();
         const double longest = options.max_move / largest_move;
         if (slope < 0) {
-            if (const auto t = search_line(run, history, here, slope, longest, there)) {
+            if (const auto t = search_line(run, history, slope, longest, evaluation)) {
                 history.add(*t);
                 run.accept();
-                std::swap(here, there);
                 return true;
             }
         }
-        // The Lloyd step wants the objective to have looked at this point last.
-        if (fresh || !run.evaluate(history.direction(), 0, here)) return false;
-        history.clear();
+        // Back to the point; the Lloyd step, too, wants it to be what was looked at last.
+        if (!run.evaluate(history.direction(), 0, evaluation) || fresh) return false;
+        history.begin(evaluation);
     }
 }
 
@@ -110,16 +110,16 @@ OptimizerResult minimize_lbfgs(Objective& objective, const OptimizerOptions& opt
     OptimizerRun run(objective, options);
     LbfgsHistory history(objective.n_variables(), workers);
     Evaluation here;
-    Evaluation there;
     if (!run.evaluate(history.direction(), 0, here)) return run.finish(Stop::kStalled, here);
+    history.begin(here);
     bool may_precondition = true;
     for (;;) {
         if (const auto stop = run.before_iteration(here)) return run.finish(*stop, here);
         if (may_precondition && here.rms_residual < options.precondition_below) {
-            if (objective.precondition(here)) history.clear();
+            if (objective.precondition(here)) history.begin(here);
             may_precondition = false;
         }
-        if (!advance(run, objective, options, history, here, there)) {
+        if (!advance(run, objective, options, history, here)) {
             return run.finish(Stop::kStalled, here);
         }
     }

@@ -5,7 +5,7 @@
 
 namespace pcvt {
 
-/// Limited-memory BFGS with 6 pairs in single precision (J. Nocedal 1980; for CVT: Y. Liu et al.
+/// Limited-memory BFGS with 5 pairs at 16 bits a number (J. Nocedal 1980; for CVT: Y. Liu et al.
 /// 2009).
 ///
 /// The first step, and each step after a reset of the history, is the Lloyd step. A step never

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/large_pages.hpp"
+#include "mesher/prefetch.hpp"
 #include "mesher/vector_clones.hpp"
 
 namespace pcvt {
@@ -12,20 +14,22 @@ namespace {
 constexpr double kWeakCurvature = 1e-8;
 constexpr Eigen::Index kBlock = PackedVectors::kBlock;
 constexpr Eigen::Index kBlocksPerTask = 16;
-/// Partial sums and maxima: enough that they do not wait for each other.
+/// Partial sums and maxima: enough that they do not wait for each other. So many doubles are a line
+/// of the cache.
 constexpr Eigen::Index kLanes = 8;
 
 PCVT_VECTOR_CLONES void scale(float c, const float* x, float* y, Eigen::Index n) {
     for (Eigen::Index i = 0; i < n; ++i) y[i] = c * x[i];
 }
 
+/// Fetches the next n numbers, wanted soon, meanwhile.
 PCVT_VECTOR_CLONES void narrow_to(const double* x, float* y, Eigen::Index n) {
-    for (Eigen::Index i = 0; i < n; ++i) y[i] = static_cast<float>(x[i]);
-}
-
-PCVT_VECTOR_CLONES void subtract(const double* x, const double* y, float* difference,
-                                 Eigen::Index n) {
-    for (Eigen::Index i = 0; i < n; ++i) difference[i] = static_cast<float>(x[i] - y[i]);
+    Eigen::Index i = 0;
+    for (; i + kLanes <= n; i += kLanes) {
+        prefetch(x + n + i);
+        for (Eigen::Index k = 0; k < kLanes; ++k) y[i + k] = static_cast<float>(x[i + k]);
+    }
+    for (; i < n; ++i) y[i] = static_cast<float>(x[i]);
 }
 
 PCVT_VECTOR_CLONES void subtract(const float* x, const float* y, float* difference,
@@ -70,11 +74,6 @@ void narrow(const Eigen::VectorXd& x, const Block& block, float* y) {
     narrow_to(x.data() + block.first, y, block.n);
 }
 
-/// The preconditioned gradient where there is one, else the gradient, which is given.
-const float* preconditioned(const Evaluation& here, const Block& block, const float* gradient) {
-    return here.preconditioned.size() == 0 ? gradient : here.preconditioned.data() + block.first;
-}
-
 /// Runs work(block, sums of its task) over all variables; returns the added sums.
 template <class Sums, class Work>
 Sums sweep(Workers& workers, Eigen::Index n_variables, const Work& work) {
@@ -90,6 +89,10 @@ Sums sweep(Workers& workers, Eigen::Index n_variables, const Work& work) {
     for (std::size_t k = 1; k < sums.size(); ++k) sums.front().add(sums[k]);
     return sums.front();
 }
+
+struct NoSums {
+    void add(const NoSums&) {}
+};
 
 /// What is summed over a direction d at the gradient g.
 struct DirectionSums {
@@ -145,7 +148,9 @@ LbfgsHistory::LbfgsHistory(Eigen::Index n_variables, Workers& workers)
     : workers_(workers),
       n_variables_(n_variables),
       direction_(n_variables),
-      packed_(2 * kPairs, n_variables) {
+      packed_(2 * kPairs, n_variables),
+      gradients_(2, n_variables) {
+    prefer_large_pages(direction_);
     make_room_for_trial();
 }
 
@@ -187,7 +192,21 @@ LbfgsHistory::Coefficients LbfgsHistory::two_loops() const {
     return c;
 }
 
-LbfgsHistory::Direction LbfgsHistory::aim(const Evaluation& here) {
+void LbfgsHistory::begin(const Evaluation& here) {
+    slots_.clear();
+    if (here.preconditioned.size() > 0 && !preconditioned_)
+        preconditioned_.emplace(2, n_variables_);
+    sweep<NoSums>(workers_, n_variables_, [&](const Block& block, NoSums&) {
+        std::array<float, kBlock> g;
+        narrow(here.gradient, block, g.data());
+        gradients_.pack(here_, block.number, g.data());
+        if (!preconditioned_) return;
+        std::copy_n(here.preconditioned.data() + block.first, block.n, g.data());
+        preconditioned_->pack(here_, block.number, g.data());
+    });
+}
+
+LbfgsHistory::Direction LbfgsHistory::aim() {
     const std::vector<int> pairs = slots_;
     Coefficients c{};
     if (!pairs.empty()) {
@@ -197,10 +216,14 @@ LbfgsHistory::Direction LbfgsHistory::aim(const Evaluation& here) {
     const auto work = [&](const Block& block, DirectionSums& sums) {
         std::array<float, kBlock> g;
         float* const d = direction_.data() + block.first;
-        narrow(here.gradient, block, g.data());
+        gradients_.unpack(here_, block.number, g.data());
         if (!pairs.empty()) {
-            const float* const p = preconditioned(here, block, g.data());
-            scale(static_cast<float>(c.gradient), p, d, block.n);
+            if (preconditioned_) {
+                preconditioned_->unpack(here_, block.number, d);
+                scale(static_cast<float>(c.gradient), d, d, block.n);
+            } else {
+                scale(static_cast<float>(c.gradient), g.data(), d, block.n);
+            }
             for (const int k : pairs) {
                 packed_.add_multiple(step(k), block.number, static_cast<float>(c.step[k]), d);
                 packed_.add_multiple(change(k), block.number, static_cast<float>(c.change[k]), d);
@@ -214,23 +237,26 @@ LbfgsHistory::Direction LbfgsHistory::aim(const Evaluation& here) {
     return {sums.slope, std::sqrt(sums.largest_square)};
 }
 
-double LbfgsHistory::look(const Evaluation& here, const Evaluation& there) {
-    const bool plain = there.preconditioned.size() == 0;
+double LbfgsHistory::look(const Evaluation& there) {
+    const int next = 1 - here_;
     const auto work = [&](const Block& block, LookSums& sums) {
         std::array<float, kBlock> g;
         std::array<float, kBlock> y;
         std::array<float, kBlock> z;
         narrow(there.gradient, block, g.data());
-        subtract(there.gradient.data() + block.first, here.gradient.data() + block.first, y.data(),
-                 block.n);
-        if (plain) {
-            std::copy_n(y.data(), block.n, z.data());
+        gradients_.unpack(here_, block.number, y.data());
+        subtract(g.data(), y.data(), y.data(), block.n);
+        if (preconditioned_) {
+            std::array<float, kBlock> p;
+            std::copy_n(there.preconditioned.data() + block.first, block.n, p.data());
+            preconditioned_->unpack(here_, block.number, z.data());
+            subtract(p.data(), z.data(), z.data(), block.n);
+            preconditioned_->pack(next, block.number, p.data());
         } else {
-            subtract(there.preconditioned.data() + block.first,
-                     here.preconditioned.data() + block.first, z.data(), block.n);
+            std::copy_n(y.data(), block.n, z.data());
         }
         packed_.pack(change(trial_), block.number, z.data());
-        if (plain) std::copy_n(z.data(), block.n, y.data());
+        if (!preconditioned_) std::copy_n(z.data(), block.n, y.data());
         sums.dg += double(packed_.dot(step(trial_), block.number, g.data()));
         sums.dy += double(packed_.dot(step(trial_), block.number, y.data()));
         sums.yy += dot(y.data(), y.data(), block.n);
@@ -240,6 +266,7 @@ double LbfgsHistory::look(const Evaluation& here, const Evaluation& there) {
             sums.sg[k] += double(packed_.dot(step(k), block.number, g.data()));
             sums.zg[k] += double(packed_.dot(change(k), block.number, g.data()));
         }
+        gradients_.pack(next, block.number, g.data());
     };
     const auto sums = sweep<LookSums>(workers_, n_variables_, work);
     for (const int k : slots_) {
@@ -255,10 +282,11 @@ double LbfgsHistory::look(const Evaluation& here, const Evaluation& there) {
 }
 
 void LbfgsHistory::add(double t) {
+    here_ = 1 - here_;
     const int added = trial_;
     const double dy = sy_[added][added];
     if (!(dy > kWeakCurvature * std::sqrt(squared_direction_ * squared_change_))) {
-        clear();
+        slots_.clear();
         return;
     }
     for (const int k : slots_) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "mesher/objective.hpp"
@@ -10,7 +11,7 @@
 
 namespace pcvt {
 
-/// The memory of L-BFGS: the last 6 pairs of step s and change of gradient y, and the product with
+/// The memory of L-BFGS: the last 5 pairs of step s and change of gradient y, and the product with
 /// the inverse Hessian that they stand for.
 ///
 /// Made for large n, where time is memory traffic: the vectors are stored at 16 bits a number, and
@@ -25,12 +26,14 @@ namespace pcvt {
 /// workers.
 class LbfgsHistory {
    public:
-    static constexpr int kPairs = 6;
+    static constexpr int kPairs = 5;
 
     LbfgsHistory(Eigen::Index n_variables, Workers& workers);
 
+    /// Forgets all pairs; the next search begins at the point `here`.
+    void begin(const Evaluation& here);
+    /// Whether there is no pair.
     bool empty() const { return slots_.empty(); }
-    void clear() { slots_.clear(); }
 
     /// The direction of the search. While the history is empty, the caller fills it in, and aim
     /// rounds it.
@@ -38,20 +41,20 @@ class LbfgsHistory {
 
     /// A direction d at the gradient g.
     struct Direction {
-        /// g.d
+        /// g.d, with g as it is stored: to some 1e-5 of |g| |d|.
         double slope;
         /// The largest |(d_2i, d_2i+1)|.
         double largest_move;
     };
-    /// Makes direction() the product of minus the approximate inverse Hessian with the gradient at
-    /// which the last pair ended; of an empty history, only measures what the caller filled in.
-    Direction aim(const Evaluation& here);
+    /// Makes direction() the product of minus the approximate inverse Hessian with the gradient
+    /// where the search begins; of an empty history, only measures what the caller filled in.
+    Direction aim();
 
-    /// The slope along direction() at a trial point, from the evaluations here and there.
-    double look(const Evaluation& here, const Evaluation& there);
+    /// The slope along direction() at a trial point.
+    double look(const Evaluation& there);
 
-    /// Adds the pair of the step t * direction() to the point that was looked at last. Where the
-    /// curvature along the step is weak it forgets everything instead.
+    /// The next search begins at the point that was looked at last, t * direction() from here. Adds
+    /// the pair of this step, or where the curvature along it is weak forgets all pairs.
     void add(double t);
 
    private:
@@ -69,6 +72,11 @@ class LbfgsHistory {
     Eigen::Index n_variables_;
     Eigen::VectorXf direction_;
     PackedVectors packed_;
+    /// Where the search begins, vector here_, and at the point looked at last, the other one.
+    PackedVectors gradients_;
+    /// The same, once an evaluation has them.
+    std::optional<PackedVectors> preconditioned_;
+    int here_ = 0;
     /// Slots of the pairs, the oldest first, and the slot of the direction.
     std::vector<int> slots_;
     int trial_ = 0;

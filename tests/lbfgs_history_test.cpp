@@ -81,23 +81,22 @@ class Walk {
         x.resize(n);
         for (double& xi : x) xi = normal(random);
         gradient = quadratic.gradient(x);
+        history.begin(with_gradient(gradient));
     }
 
     VectorXd direction() { return history.direction().cast<double>(); }
     LbfgsHistory::Direction aim() {
         if (history.empty()) history.direction() = (-0.1 * gradient).cast<float>();
-        return history.aim(with_gradient(gradient));
+        return history.aim();
     }
-    void look_at(const VectorXd& there) {
-        history.look(with_gradient(gradient), with_gradient(quadratic.gradient(there)));
-    }
+    void look_at(const VectorXd& there) { history.look(with_gradient(quadratic.gradient(there))); }
     /// Goes t times the direction; returns the slope there.
     double go(double t) {
         const VectorXd there = x + t * direction();
         const VectorXd gradient_there = quadratic.gradient(there);
         step = there - x;
         change = gradient_there - gradient;
-        const double slope = history.look(with_gradient(gradient), with_gradient(gradient_there));
+        const double slope = history.look(with_gradient(gradient_there));
         history.add(t);
         x = there;
         gradient = gradient_there;
@@ -133,7 +132,7 @@ TEST(LbfgsHistory, AimsAsTheTwoLoopRecursionDoes) {
                 const VectorXd expected = twin.direction(walk.gradient);
                 ASSERT_LT((d - expected).norm(), kRounding * expected.norm()) << k;
             }
-            ASSERT_NEAR(slope, walk.gradient.dot(d), 1e-6 * walk.gradient.norm() * d.norm());
+            ASSERT_NEAR(slope, walk.gradient.dot(d), 3e-5 * walk.gradient.norm() * d.norm());
             ASSERT_NEAR(largest_move, largest_pair(d), 1e-6 * d.norm());
             const double slope_there = walk.go(step_length(k));
             ASSERT_NEAR(slope_there, walk.gradient.dot(d), 1e-6 * walk.gradient.norm() * d.norm());
@@ -157,10 +156,11 @@ TEST(LbfgsHistory, PreconditionsAsScaledVariablesDo) {
     LbfgsHistory history(kNumbers, workers);
     TwinHistory twin(LbfgsHistory::kPairs);
     Evaluation here = evaluate(VectorXd::Zero(kNumbers));
+    history.begin(here);
     history.direction() = -here.preconditioned;
     VectorXd x = VectorXd::Zero(kNumbers);
     for (int k = 0; k < 12; ++k) {
-        history.aim(here);
+        history.aim();
         const VectorXd step = step_length(k) * history.direction().cast<double>();
         if (k > 0) {
             const VectorXd scaled = twin.direction(here.gradient.cwiseQuotient(scale));
@@ -168,7 +168,7 @@ TEST(LbfgsHistory, PreconditionsAsScaledVariablesDo) {
             EXPECT_LT((step - expected).norm(), kRounding * expected.norm()) << k;
         }
         const Evaluation there = evaluate(x + step);
-        history.look(here, there);
+        history.look(there);
         history.add(step_length(k));
         twin.add(step.cwiseProduct(scale), (there.gradient - here.gradient).cwiseQuotient(scale));
         x += step;
@@ -177,12 +177,12 @@ TEST(LbfgsHistory, PreconditionsAsScaledVariablesDo) {
 }
 
 // With one pair more or less the direction is another one.
-TEST(LbfgsHistory, RemembersSixPairs) {
-    EXPECT_EQ(LbfgsHistory::kPairs, 6);
+TEST(LbfgsHistory, RemembersFivePairs) {
+    EXPECT_EQ(LbfgsHistory::kPairs, 5);
     Workers workers(1);
     Walk walk(60, 2, workers);
-    TwinHistory longer(7);
-    TwinHistory shorter(5);
+    TwinHistory longer(6);
+    TwinHistory shorter(4);
     for (int k = 0; k < 12; ++k) {
         walk.aim();
         if (k > 7) {
@@ -222,8 +222,7 @@ TEST(LbfgsHistory, NegativeCurvatureClearsIt) {
     }
     ASSERT_FALSE(walk.history.empty());
     walk.aim();
-    walk.history.look(with_gradient(walk.gradient),
-                      with_gradient(walk.gradient - walk.direction()));
+    walk.history.look(with_gradient(walk.gradient - walk.direction()));
     walk.history.add(1);
     EXPECT_TRUE(walk.history.empty());
 }
@@ -237,25 +236,26 @@ TEST(LbfgsHistory, CurvatureIsWeakBelow1e8) {
     for (const double length : {1e-9, 1.0, 1e9}) {
         for (const double part : {0.0, 0.9e-8, 1.1e-8, 1.0}) {
             LbfgsHistory history(2 * kFar, workers);
+            history.begin(with_gradient(zero));
             history.direction() = Eigen::VectorXf::Unit(2 * kFar, 0) * float(length);
-            history.aim(with_gradient(zero));
+            history.aim();
             VectorXd change = VectorXd::Unit(2 * kFar, kFar) * length;
             change[0] = part * length;
-            history.look(with_gradient(zero), with_gradient(change));
+            history.look(with_gradient(change));
             history.add(0.5);
             EXPECT_EQ(history.empty(), part < 1e-8) << length << " " << part;
         }
     }
 }
 
-TEST(LbfgsHistory, BeginsAnewAfterItWasCleared) {
+TEST(LbfgsHistory, ForgetsAllPairsWhereItBeginsAnew) {
     Workers workers(1);
     Walk walk(60, 5, workers);
     for (int k = 0; k < 9; ++k) {
         walk.aim();
         walk.go(step_length(k));
     }
-    walk.history.clear();
+    walk.history.begin(with_gradient(walk.gradient));
     EXPECT_TRUE(walk.history.empty());
     TwinHistory twin(LbfgsHistory::kPairs);
     for (int k = 0; k < 9; ++k) {
