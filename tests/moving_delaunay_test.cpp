@@ -138,6 +138,18 @@ TEST(MovingDelaunay, SitesDriftOverTheSeamForSeveralPeriods) {
     }
 }
 
+// The engine watches that coordinates stay in range; a way back or a jump would bring them there.
+TEST(MovingDelaunay, SitesDriftFarByShortSteps) {
+    for (const auto& [name, lattice] : lattices()) {
+        CheckedEngine engine = random_engine(lattice, 40, 5);
+        for (int k = 0; k < 25; ++k) {
+            engine.move(drift(engine.delaunay(), {0.37, -0.29}));
+            engine.settle();
+        }
+        EXPECT_NO_FAULT(engine) << name;
+    }
+}
+
 TEST(MovingDelaunay, SitesThatCrossTheSeamTogetherNeedNoBuild) {
     std::mt19937_64 random(16);
     for (const auto& [name, lattice] : lattices()) {

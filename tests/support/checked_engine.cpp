@@ -86,6 +86,8 @@ void CheckedEngine::require_arrived(const Points& from, const Eigen::VectorXf& d
     // From 2^51 periods on nothing is known of the place.
     const double distance = distance_modulo_periods(delaunay_.coordinates(), expected);
     if (!(distance <= 4e-15 * longest)) require("a site is not where it was told to go");
+    const Points& u = delaunay_.coordinates();
+    if (!(u.minCoeff() >= -1.5 && u.maxCoeff() < 2.5)) require("a coordinate is out of range");
 }
 
 bool CheckedEngine::move(const Eigen::VectorXf& direction, double t) {
