@@ -1,6 +1,6 @@
 #include "mesher/large_pages.hpp"
 
-#include <cstdint>
+#include <memory>
 
 #if defined(__linux__)
 #include <asm/mman.h>
@@ -21,15 +21,15 @@ void advise(void* begin, std::size_t n_bytes) {
 void advise(void* /*begin*/, std::size_t /*n_bytes*/) {}
 #endif
 
-constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
+constexpr std::size_t kLargePage = std::size_t{1} << 21;
 
 }  // namespace
 
 void prefer_large_pages(const void* begin, std::size_t n_bytes) {
-    const auto address = reinterpret_cast<std::uintptr_t>(begin);
-    const std::uintptr_t first = (address + kLargePage - 1) / kLargePage * kLargePage;
-    const std::uintptr_t end = (address + n_bytes) / kLargePage * kLargePage;
-    if (first < end) advise(reinterpret_cast<void*>(first), end - first);
+    // Advice leaves the memory as it is, and yet madvise(2) takes a pointer to what may change.
+    void* first = const_cast<void*>(begin);
+    if (std::align(kLargePage, kLargePage, first, n_bytes) == nullptr) return;
+    advise(first, n_bytes / kLargePage * kLargePage);
 }
 
 }  // namespace pcvt
