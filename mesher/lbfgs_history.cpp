@@ -10,13 +10,15 @@
 namespace pcvt {
 namespace {
 
-/// A pair with s.y below this times |s| |y| says nothing reliable about the curvature.
-constexpr double kWeakCurvature = 1e-8;
+/// A step along which the slope changes by less than this part of itself tells nothing reliable of
+/// the curvature.
+constexpr double kWeakCurvature = 1e-3;
 constexpr Eigen::Index kBlock = PackedVectors::kBlock;
 constexpr Eigen::Index kBlocksPerTask = 16;
-/// Partial sums and maxima: enough that they do not wait for each other. So many doubles are a line
-/// of the cache.
-constexpr Eigen::Index kLanes = 8;
+/// So many doubles are a line of the cache.
+constexpr Eigen::Index kDoublesPerLine = 8;
+/// Partial maxima: enough that they do not wait for each other.
+constexpr Eigen::Index kLanes = 32;
 
 PCVT_VECTOR_CLONES void scale(float c, const float* x, float* y, Eigen::Index n) {
     for (Eigen::Index i = 0; i < n; ++i) y[i] = c * x[i];
@@ -25,9 +27,9 @@ PCVT_VECTOR_CLONES void scale(float c, const float* x, float* y, Eigen::Index n)
 /// Fetches the next n numbers, wanted soon, meanwhile.
 PCVT_VECTOR_CLONES void narrow_to(const double* x, float* y, Eigen::Index n) {
     Eigen::Index i = 0;
-    for (; i + kLanes <= n; i += kLanes) {
+    for (; i + kDoublesPerLine <= n; i += kDoublesPerLine) {
         prefetch(x + n + i);
-        for (Eigen::Index k = 0; k < kLanes; ++k) y[i + k] = static_cast<float>(x[i + k]);
+        for (Eigen::Index k = 0; k < kDoublesPerLine; ++k) y[i + k] = static_cast<float>(x[i + k]);
     }
     for (; i < n; ++i) y[i] = static_cast<float>(x[i]);
 }
@@ -35,18 +37,6 @@ PCVT_VECTOR_CLONES void narrow_to(const double* x, float* y, Eigen::Index n) {
 PCVT_VECTOR_CLONES void subtract(const float* x, const float* y, float* difference,
                                  Eigen::Index n) {
     for (Eigen::Index i = 0; i < n; ++i) difference[i] = x[i] - y[i];
-}
-
-PCVT_VECTOR_CLONES double dot(const float* x, const float* y, Eigen::Index n) {
-    double lane[kLanes] = {};
-    Eigen::Index i = 0;
-    for (; i + kLanes <= n; i += kLanes) {
-        for (Eigen::Index k = 0; k < kLanes; ++k) lane[k] += double(x[i + k]) * double(y[i + k]);
-    }
-    for (; i < n; ++i) lane[i % kLanes] += double(x[i]) * double(y[i]);
-    double sum = 0;
-    for (const double part : lane) sum += part;
-    return sum;
 }
 
 PCVT_VECTOR_CLONES double largest_pair_square(const float* x, Eigen::Index n) {
@@ -94,20 +84,13 @@ struct NoSums {
     void add(const NoSums&) {}
 };
 
-/// What is summed over a direction d at the gradient g.
+/// What is summed over a direction.
 struct DirectionSums {
     double slope = 0;
-    double squared = 0;
     double largest_square = 0;
 
-    void look_at(const float* g, const float* d, Eigen::Index n) {
-        slope += dot(g, d, n);
-        squared += dot(d, d, n);
-        largest_square = std::max(largest_square, largest_pair_square(d, n));
-    }
     void add(const DirectionSums& other) {
         slope += other.slope;
-        squared += other.squared;
         largest_square = std::max(largest_square, other.largest_square);
     }
 };
@@ -116,22 +99,16 @@ struct DirectionSums {
 struct LookSums {
     std::array<double, LbfgsHistory::kPairs> sg{};
     std::array<double, LbfgsHistory::kPairs> zg{};
-    double dg = 0;
     double dy = 0;
-    double yy = 0;
     double yz = 0;
-    double z_g = 0;
 
     void add(const LookSums& other) {
         for (int k = 0; k < LbfgsHistory::kPairs; ++k) {
             sg[k] += other.sg[k];
             zg[k] += other.zg[k];
         }
-        dg += other.dg;
         dy += other.dy;
-        yy += other.yy;
         yz += other.yz;
-        z_g += other.z_g;
     }
 };
 
@@ -230,62 +207,59 @@ LbfgsHistory::Direction LbfgsHistory::aim() {
             }
         }
         packed_.pack(step(trial_), block.number, d);
-        sums.look_at(g.data(), d, block.n);
+        sums.slope += packed_.dot(step(trial_), block.number, g.data());
+        sums.largest_square = std::max(sums.largest_square, largest_pair_square(d, block.n));
     };
     const auto sums = sweep<DirectionSums>(workers_, n_variables_, work);
-    squared_direction_ = sums.squared;
+    slope_ = sums.slope;
     return {sums.slope, std::sqrt(sums.largest_square)};
 }
 
 double LbfgsHistory::look(const Evaluation& there) {
     const int next = 1 - here_;
+    std::vector<int> looked_at = slots_;
+    looked_at.push_back(trial_);
     const auto work = [&](const Block& block, LookSums& sums) {
         std::array<float, kBlock> g;
         std::array<float, kBlock> y;
-        std::array<float, kBlock> z;
         narrow(there.gradient, block, g.data());
         gradients_.unpack(here_, block.number, y.data());
         subtract(g.data(), y.data(), y.data(), block.n);
         if (preconditioned_) {
             std::array<float, kBlock> p;
+            std::array<float, kBlock> z;
             std::copy_n(there.preconditioned.data() + block.first, block.n, p.data());
             preconditioned_->unpack(here_, block.number, z.data());
             subtract(p.data(), z.data(), z.data(), block.n);
+            packed_.pack(change(trial_), block.number, z.data());
             preconditioned_->pack(next, block.number, p.data());
         } else {
-            std::copy_n(y.data(), block.n, z.data());
+            packed_.pack(change(trial_), block.number, y.data());
         }
-        packed_.pack(change(trial_), block.number, z.data());
-        if (!preconditioned_) std::copy_n(z.data(), block.n, y.data());
-        sums.dg += double(packed_.dot(step(trial_), block.number, g.data()));
-        sums.dy += double(packed_.dot(step(trial_), block.number, y.data()));
-        sums.yy += dot(y.data(), y.data(), block.n);
-        sums.yz += dot(y.data(), z.data(), block.n);
-        sums.z_g += dot(z.data(), g.data(), block.n);
-        for (const int k : slots_) {
-            sums.sg[k] += double(packed_.dot(step(k), block.number, g.data()));
-            sums.zg[k] += double(packed_.dot(change(k), block.number, g.data()));
+        sums.dy += packed_.dot(step(trial_), block.number, y.data());
+        sums.yz += packed_.dot(change(trial_), block.number, y.data());
+        for (const int k : looked_at) {
+            sums.sg[k] += packed_.dot(step(k), block.number, g.data());
+            sums.zg[k] += packed_.dot(change(k), block.number, g.data());
         }
         gradients_.pack(next, block.number, g.data());
     };
     const auto sums = sweep<LookSums>(workers_, n_variables_, work);
-    for (const int k : slots_) {
+    scale_[trial_] = 1;
+    for (const int k : looked_at) {
         sg_there_[k] = scale_[k] * sums.sg[k];
         zg_there_[k] = sums.zg[k];
     }
-    sg_there_[trial_] = sums.dg;
-    zg_there_[trial_] = sums.z_g;
     sy_[trial_][trial_] = sums.dy;
-    squared_change_ = sums.yy;
     yz_[trial_][trial_] = sums.yz;
-    return sums.dg;
+    return sums.sg[trial_];
 }
 
 void LbfgsHistory::add(double t) {
     here_ = 1 - here_;
     const int added = trial_;
-    const double dy = sy_[added][added];
-    if (!(dy > kWeakCurvature * std::sqrt(squared_direction_ * squared_change_))) {
+    const double change_of_slope = sy_[added][added];
+    if (!(change_of_slope > kWeakCurvature * std::abs(slope_))) {
         slots_.clear();
         return;
     }
@@ -294,7 +268,7 @@ void LbfgsHistory::add(double t) {
         yz_[k][added] = yz_[added][k] = zg_there_[k] - zg_[k];
     }
     scale_[added] = t;
-    sy_[added][added] = t * dy;
+    sy_[added][added] *= t;
     sg_there_[added] *= t;
     slots_.push_back(added);
     sg_ = sg_there_;

@@ -90,8 +90,8 @@ class LbfgsHistory {
     PerSlot<double> zg_{};
     PerSlot<double> sg_there_{};
     PerSlot<double> zg_there_{};
-    double squared_direction_ = 0;
-    double squared_change_ = 0;
+    /// Along the direction, where the search begins.
+    double slope_ = 0;
 };
 
 }  // namespace pcvt

@@ -115,9 +115,9 @@ void PackedVectors::unpack(int vector, Eigen::Index block, float* x) const {
     widen(scales_[at], numbers_at(at), next_numbers(at), x, n_in(block));
 }
 
-float PackedVectors::dot(int vector, Eigen::Index block, const float* x) const {
+double PackedVectors::dot(int vector, Eigen::Index block, const float* x) const {
     const Eigen::Index at = place(vector, block);
-    return scales_[at] * dot_of(numbers_at(at), next_numbers(at), x, n_in(block));
+    return double(scales_[at]) * double(dot_of(numbers_at(at), next_numbers(at), x, n_in(block)));
 }
 
 void PackedVectors::add_multiple(int vector, Eigen::Index block, float c, float* sum) const {

@@ -26,7 +26,7 @@ class PackedVectors {
     /// x becomes what is stored.
     void unpack(int vector, Eigen::Index block, float* x) const;
     /// The dot product with x.
-    float dot(int vector, Eigen::Index block, const float* x) const;
+    double dot(int vector, Eigen::Index block, const float* x) const;
     /// sum += c times the vector.
     void add_multiple(int vector, Eigen::Index block, float c, float* sum) const;
 
