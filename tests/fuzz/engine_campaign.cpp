@@ -1,3 +1,4 @@
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -16,7 +17,7 @@
 namespace pcvt::testing {
 namespace {
 
-/// A job that takes longer hangs.
+/// A job that takes more of the processor's time hangs.
 constexpr int kSecondsPerJob = 120;
 constexpr int kMostMovesPerJob = 24;
 constexpr double kSecondsPerLine = 60;
@@ -28,7 +29,7 @@ struct Options {
     double seconds = 10;
 };
 
-/// What the alarm prints; a signal handler may not allocate.
+/// What the timer prints; a signal handler may not allocate.
 char reproduction[200];
 
 void tell_that_it_hangs(int) {
@@ -115,7 +116,7 @@ int run_campaign(const Options& options) {
     const auto seconds = [&] {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
-    std::signal(SIGALRM, tell_that_it_hangs);
+    std::signal(SIGPROF, tell_that_it_hangs);
     EngineTally sum;
     std::int64_t jobs = 0;
     double next_line = kSecondsPerLine;
@@ -125,7 +126,8 @@ int run_campaign(const Options& options) {
                       "again by: engine_campaign --seed %llu --first-job %lld --jobs 1\n",
                       static_cast<unsigned long long>(options.seed),
                       static_cast<long long>(number));
-        alarm(kSecondsPerJob);
+        const itimerval limit{{0, 0}, {kSecondsPerJob, 0}};
+        setitimer(ITIMER_PROF, &limit, nullptr);
         const Job job = run_job(options.seed, number);
         sum += job.tally;
         if (!job.fault.empty()) {
