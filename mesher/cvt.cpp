@@ -12,6 +12,7 @@
 #include "mesher/long_waves.hpp"
 #include "mesher/periodic_delaunay.hpp"
 #include "mesher/relay.hpp"
+#include "mesher/residuals.hpp"
 #include "mesher/voronoi.hpp"
 
 namespace pcvt {
@@ -52,11 +53,14 @@ class CvtObjective final : public Objective {
         energy_.gradient.swap(evaluation.gradient);
         const bool defined = go_back() && go(direction, t);
         energy_.gradient.swap(evaluation.gradient);
-        if (defined) measure(evaluation);
-        if (defined && long_waves_) {
-            long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
-        }
-        return defined;
+        if (!defined) return false;
+        const auto [largest, rms] =
+            residuals(evaluation.gradient, energy_.mass, delaunay_.spacing(), workers_);
+        evaluation.value = energy_.value;
+        evaluation.residual = largest;
+        evaluation.rms_residual = rms;
+        if (long_waves_) long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        return true;
     }
 
     bool precondition(Evaluation& evaluation) override {
@@ -97,43 +101,12 @@ class CvtObjective final : public Objective {
         return pass_.evaluate(energy_);
     }
 
-    void measure(Evaluation& evaluation) const;
-
     MovingDelaunay& delaunay_;
     Workers& workers_;
     EnergyPass pass_;
     Energy energy_;
     std::unique_ptr<LongWaves> long_waves_;
 };
-
-/// The residuals: grad_i = 2 m_i (x_i - g_i).
-void CvtObjective::measure(Evaluation& evaluation) const {
-    struct Squares {
-        double largest = 0;
-        double sum = 0;
-    };
-    const int n = delaunay_.n_sites();
-    std::vector<Squares> squares(static_cast<std::size_t>(n / kSitesPerTask + 1));
-    workers_.for_each(static_cast<int>(squares.size()), [&](int task) {
-        Squares part;
-        for (int s = task * kSitesPerTask; s < std::min((task + 1) * kSitesPerTask, n); ++s) {
-            const double square =
-                evaluation.gradient.segment<2>(2 * Eigen::Index{s}).squaredNorm() /
-                (energy_.mass[s] * energy_.mass[s]);
-            part.largest = std::max(part.largest, square);
-            part.sum += square;
-        }
-        squares[task] = part;
-    });
-    Squares total;
-    for (const Squares& part : squares) {
-        total.largest = std::max(total.largest, part.largest);
-        total.sum += part.sum;
-    }
-    evaluation.value = energy_.value;
-    evaluation.residual = std::sqrt(total.largest) / (2 * delaunay_.spacing());
-    evaluation.rms_residual = std::sqrt(total.sum / n) / (2 * delaunay_.spacing());
-}
 
 OptimizerResult minimize_by(Solver solver, Objective& objective, const OptimizerOptions& options,
                             Workers& workers) {

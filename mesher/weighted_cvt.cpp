@@ -10,6 +10,7 @@
 #include "mesher/lloyd.hpp"
 #include "mesher/long_waves.hpp"
 #include "mesher/relay.hpp"
+#include "mesher/residuals.hpp"
 #include "mesher/spacing_law.hpp"
 #include "mesher/weighted_energy.hpp"
 
@@ -135,22 +136,16 @@ bool WeightedObjective::go(const Eigen::VectorXf& direction, double t) {
     return pass_.evaluate(energy_);
 }
 
-/// The residuals: grad_i = 2 m_i (x_i - g_i).
 void WeightedObjective::measure(Evaluation& evaluation) const {
-    const int n = delaunay_.n_sites();
     evaluation.gradient.resize(n_variables());
-    double largest = 0;
-    double sum = 0;
-    for (Eigen::Index s = 0; s < n; ++s) {
-        const Vec2 gradient = energy_.gradient.segment<2>(2 * s);
-        const double square = gradient.squaredNorm() / (energy_.mass[s] * energy_.mass[s]);
-        largest = std::max(largest, square);
-        sum += square;
-        evaluation.gradient.segment<2>(2 * s) = gradient / scale_[s];
+    for (Eigen::Index s = 0; s < scale_.size(); ++s) {
+        evaluation.gradient.segment<2>(2 * s) = energy_.gradient.segment<2>(2 * s) / scale_[s];
     }
+    const auto [largest, rms] =
+        residuals(energy_.gradient, energy_.mass, delaunay_.spacing(), workers_);
     evaluation.value = energy_.value;
-    evaluation.residual = std::sqrt(largest) / (2 * delaunay_.spacing());
-    evaluation.rms_residual = std::sqrt(sum / n) / (2 * delaunay_.spacing());
+    evaluation.residual = largest;
+    evaluation.rms_residual = rms;
 }
 
 void WeightedObjective::lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const {
