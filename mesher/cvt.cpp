@@ -71,6 +71,7 @@ class CvtObjective final : public Objective {
     }
 
     void accept() override { delaunay_.settle(); }
+    void reject() override { go_back(); }
 
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
         direction.resize(n_variables());
@@ -84,9 +85,6 @@ class CvtObjective final : public Objective {
     void hessian(BlockMatrix& hessian) const override {
         assemble_hessian(delaunay_, workers_, hessian);
     }
-
-    /// Leaves the triangulation at the point.
-    void go_to_point() { go_back(); }
 
    private:
     /// Takes the triangulation back from a trial that was not accepted.
@@ -157,9 +155,7 @@ OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
             return options.progress(progress);
         };
     }
-    OptimizerResult run = minimize_by(options.solver, objective, optimizer, workers);
-    objective.go_to_point();
-    return run;
+    return minimize_by(options.solver, objective, optimizer, workers);
 }
 
 /// The triangulation of sites that are distinct; frees the points, which are needed no more.

@@ -16,7 +16,10 @@ OptimizerResult minimize_lloyd(Objective& objective, const OptimizerOptions& opt
         if (const auto stop = run.before_iteration(here)) return run.finish(*stop, here);
         objective.lloyd_step(here, step);
         const double t = std::min(1.0, options.max_move / largest_move(step));
-        if (!run.evaluate(step, t, there)) return run.finish(Stop::kStalled, here);
+        if (!run.evaluate(step, t, there)) {
+            run.reject();
+            return run.finish(Stop::kStalled, here);
+        }
         run.accept();
         std::swap(here, there);
     }

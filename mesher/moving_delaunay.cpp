@@ -8,7 +8,6 @@
 #include "mesher/large_pages.hpp"
 #include "mesher/mirror_diagram.hpp"
 #include "mesher/untangling.hpp"
-#include "mesher/vector_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,74 +25,9 @@ double unit_near(double length) {
     return std::ldexp(1.0, exponent);
 }
 
-MovingDelaunay::Frame frame_of(const Lattice& reduced, double unit) {
+Frame frame_of(const Lattice& reduced, double unit) {
     const double ax = reduced.a().norm();
     return {ax / unit, reduced.a().dot(reduced.b()) / ax / unit, reduced.area() / ax / unit};
-}
-
-/// The change of coordinates by a translation in the frame.
-class ToLattice {
-   public:
-    explicit ToLattice(const MovingDelaunay::Frame& frame)
-        : per_ax_(1 / frame.ax), per_by_(1 / frame.by), bx_(frame.bx) {}
-    struct Change {
-        double u;
-        double v;
-    };
-    Change operator()(double x, double y) const {
-        const double v = y * per_by_;
-        return {(x - bx_ * v) * per_ax_, v};
-    }
-
-   private:
-    double per_ax_;
-    double per_by_;
-    double bx_;
-};
-
-struct MovedSites {
-    bool finite;
-    bool in_range;
-};
-
-/// Moves n sites and adds the number of those that left [-1, 2).
-/// @returns the number of sites that would move further than half a period: unless it is 0, all are
-///          to be moved again.
-PCVT_VECTOR_CLONES std::int64_t move_near(const float* direction, double t, ToLattice to_lattice,
-                                          const double* from, double* to, Eigen::Index n,
-                                          std::int64_t& n_outside) {
-    std::int64_t n_far = 0;
-    std::int64_t outside = 0;
-    for (Eigen::Index k = 0; k < 2 * n; k += 2) {
-        const auto [du, dv] = to_lattice(t * double(direction[k]), t * double(direction[k + 1]));
-        n_far += int(!(std::abs(du) <= 0.5)) | int(!(std::abs(dv) <= 0.5));
-        const double u = from[k] + snapped_displacement(du);
-        const double v = from[k + 1] + snapped_displacement(dv);
-        outside += int(!(std::min(u, v) >= -1)) | int(!(std::max(u, v) < 2));
-        to[k] = u;
-        to[k + 1] = v;
-    }
-    n_outside += outside;
-    return n_far;
-}
-
-/// Moves sites begin to end; a whole number of periods is left out of a move.
-MovedSites move_sites(int begin, int end, const Eigen::VectorXf& direction, double t,
-                      const ToLattice& to_lattice, const Points& from, Points& to) {
-    std::int64_t n_outside = 0;
-    const std::int64_t n_far =
-        move_near(direction.data() + 2 * begin, t, to_lattice, from.data() + 2 * begin,
-                  to.data() + 2 * begin, end - begin, n_outside);
-    if (n_far == 0) return {true, n_outside == 0};
-    for (int s = begin; s < end; ++s) {
-        const auto [du, dv] =
-            to_lattice(t * double(direction[2 * s]), t * double(direction[2 * s + 1]));
-        const Vec2 d(du, dv);
-        if (!d.allFinite()) return {false, false};
-        const Vec2 periods(std::nearbyint(du), std::nearbyint(dv));
-        to.col(s) = from.col(s) + snapped_displacement(Vec2(d - periods));
-    }
-    return {true, false};
 }
 
 Points in_order(const Points& coordinates, const std::vector<SiteId>& order) {
@@ -163,7 +97,7 @@ void MovingDelaunay::build(const Columns& columns) {
 
 bool MovingDelaunay::rebuild() {
     if (wrapped_sites().duplicates().first >= 0) return false;
-    for (SiteId s = 0; s < n_sites(); ++s) shift(s, coordinates_.col(s).array().floor());
+    coordinates_.array() -= coordinates_.array().floor();
     build(sort_into_columns(coordinates_, gram_));
     ++counts_.n_rebuilds;
     return true;
@@ -172,48 +106,38 @@ bool MovingDelaunay::rebuild() {
 /// Only what moves is looked at often enough.
 void MovingDelaunay::prefer_large_pages() {
     if (prefers_large_pages_) return;
-    previous_.resize(2, n_sites());
-    pcvt::prefer_large_pages(previous_);
     pcvt::prefer_large_pages(coordinates_);
     triangulation_.prefer_large_pages();
     prefers_large_pages_ = true;
 }
 
 bool MovingDelaunay::step(const Eigen::VectorXf& direction, double t, Workers& workers) {
-    settled_ = false;
     prefer_large_pages();
-    previous_.swap(coordinates_);
-    coordinates_.resize(2, previous_.cols());
-    const ToLattice to_lattice(frame_);
+    const SiteMoves moves(frame_, direction, t);
     const int n_tasks = (n_sites() + kSitesPerTask - 1) / kSitesPerTask;
     std::atomic<bool> finite = true;
     std::atomic<bool> in_range = true;
     workers.for_each(n_tasks, [&](int task) {
         const int begin = task * kSitesPerTask;
         const int end = std::min(begin + kSitesPerTask, n_sites());
-        const MovedSites moved =
-            move_sites(begin, end, direction, t, to_lattice, previous_, coordinates_);
-        if (!moved.finite) finite = false;
-        if (!moved.in_range) in_range = false;
+        const SiteMoves::Outcome outcome = moves.apply(begin, end, coordinates_);
+        if (!outcome.finite) finite = false;
+        if (!outcome.in_range) in_range = false;
     });
     if (!finite) {
-        coordinates_.swap(previous_);
-        settled_ = true;
+        moves.back().apply(0, n_sites(), coordinates_);
         return false;
     }
+    settled_ = false;
+    moves_ = moves;
     if (!in_range) keep_in_range();
     return true;
 }
 
 void MovingDelaunay::step_back() {
-    coordinates_.swap(previous_);
+    moves_ = moves_->back();
     settled_ = true;
-    keep_in_range();
-}
-
-void MovingDelaunay::shift(SiteId site, const Vec2& periods) {
-    coordinates_.col(site) -= periods;
-    previous_.col(site) -= periods;
+    if (!moves_->apply(0, n_sites(), coordinates_).in_range) keep_in_range();
 }
 
 void MovingDelaunay::keep_in_range() {
@@ -222,7 +146,7 @@ void MovingDelaunay::keep_in_range() {
     for (SiteId s = 0; s < n_sites(); ++s) {
         const Vec2 whole = coordinates_.col(s).array().floor();
         if (whole.minCoeff() >= -1 && whole.maxCoeff() <= 1) continue;
-        shift(s, whole);
+        coordinates_.col(s) -= whole;
         change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
         changes = true;
     }
@@ -261,8 +185,8 @@ bool MovingDelaunay::untangle(const std::vector<int>& inverted, Suspects& suspec
     begin_flip_log();
     const auto share = static_cast<std::size_t>(kMostHeldShare * n_sites());
     const std::size_t most_held = std::max(share, kMostHeldAtLeast);
-    if (inverted.size() > most_held) return rebuild();
-    Untangling untangling(triangulation_, previous_, coordinates_, gram_);
+    if (!moves_ || inverted.size() > most_held) return rebuild();
+    Untangling untangling(triangulation_, *moves_, coordinates_, gram_);
     const bool done = untangling.run(inverted, std::move(suspects.halfedges), most_held);
     counts_.n_flips += untangling.n_flips();
     if (done) return true;
@@ -270,7 +194,6 @@ bool MovingDelaunay::untangle(const std::vector<int>& inverted, Suspects& suspec
 }
 
 std::pair<Sites, TorusTriangulation> MovingDelaunay::release() {
-    previous_.resize(2, 0);
     std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
     Points coordinates(2, n_sites());
     for (SiteId s = 0; s < n_sites(); ++s) {

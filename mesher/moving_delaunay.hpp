@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "mesher/lawson_flips.hpp"
+#include "mesher/site_moves.hpp"
 #include "mesher/strip_triangulation.hpp"
 #include "mesher/workers.hpp"
 
@@ -68,20 +69,16 @@ class MovingDelaunay {
     double unit() const { return unit_; }
     /// h in units.
     double spacing() const { return spacing_; }
-    /// The reduced period vectors in the frame, in units: a = (ax, 0), b = (bx, by).
-    struct Frame {
-        double ax;
-        double bx;
-        double by;
-
-        Vec2 to_plane(const Vec2& u) const { return {ax * u.x() + bx * u.y(), by * u.y()}; }
-    };
+    /// With the unit of length.
     const Frame& frame() const { return frame_; }
 
     /// Moves the sites by t times `direction` (x, y, x, y, ...; frame, units) from where they
     /// are. The triangulation is not restored yet.
+    /// @pre the direction lives, and stays as it is, until the sites are settled and the
+    ///      triangulation is restored there.
     /// @returns false where a move is not finite; nothing has moved then.
     bool step(const Eigen::VectorXf& direction, double t, Workers& workers);
+    bool step(Eigen::VectorXf&& direction, double t, Workers& workers) = delete;
     /// Moves back to where the sites were before the last step; not restored yet.
     void step_back();
     /// The sites stay where they are.
@@ -111,7 +108,6 @@ class MovingDelaunay {
     bool rebuild();
     void keep_in_range();
     void begin_flip_log();
-    void shift(SiteId site, const Vec2& periods);
     Sites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
 
     Lattice lattice_;
@@ -123,8 +119,8 @@ class MovingDelaunay {
     /// order_[s] is the caller's number of site s.
     std::vector<SiteId> order_;
     Points coordinates_;
-    /// Where the sites were before the last step.
-    Points previous_;
+    /// What led here from where the triangulation was restored last.
+    std::optional<SiteMoves> moves_;
     TorusTriangulation triangulation_;
     bool prefers_large_pages_ = false;
     bool settled_ = true;

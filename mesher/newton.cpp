@@ -115,6 +115,7 @@ bool Newton::advance() {
         adapt_radius(system, t, ratio);
         return true;
     }
+    run_.reject();
     return false;
 }
 

@@ -28,12 +28,14 @@ class Objective {
 
     virtual Eigen::Index n_variables() const = 0;
     /// Evaluates at the point + t direction; t = 0 is the point itself, whatever the direction.
-    /// @returns false where the function is not defined there (two sites coincide): the step is
-    /// then
-    ///          rejected and tried shorter.
+    /// The direction has to stay as it is until this trial is accepted or rejected, or until the
+    /// next evaluation.
+    /// @returns false where the function is not defined there (two sites coincide).
     virtual bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) = 0;
     /// The point becomes the one that was evaluated last.
     virtual void accept() = 0;
+    /// The point stays; whatever has gone to the trial goes back.
+    virtual void reject() {}
     /// From now on evaluations carry M^-1 gradient, M a fixed, symmetric, positive definite
     /// approximation of the Hessian near the point; fills it into that of the point too.
     /// @returns false where the objective has none.
@@ -79,8 +81,7 @@ struct OptimizerOptions {
     double precondition_below = 0;
 };
 
-/// Where an optimiser ended and why; the point itself is in the objective, perhaps behind a trial
-/// that was not accepted.
+/// Where an optimiser ended and why; the objective is at the point itself.
 struct OptimizerResult {
     Stop stop = Stop::kStalled;
     int iterations = 0;

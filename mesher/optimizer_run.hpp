@@ -15,6 +15,7 @@ class OptimizerRun {
     /// Evaluates and counts.
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation);
     void accept() { objective_.accept(); }
+    void reject() { objective_.reject(); }
     /// To be asked before each iteration; reports progress and tells why to stop, if it is time.
     std::optional<Stop> before_iteration(const Evaluation& evaluation);
     OptimizerResult finish(Stop stop, Evaluation evaluation) const;

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "mesher/predicates.hpp"
 #include "mesher/vector_clones.hpp"
 
 namespace pcvt {
 namespace {
-
-using Frame = MovingDelaunay::Frame;
 
 /// A cross product below this times the scale of its rounding belongs to a thin triangle.
 constexpr double kThin = 0x1p-10;

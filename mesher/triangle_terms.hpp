@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "mesher/moving_delaunay.hpp"
+#include "mesher/frame.hpp"
 
 namespace pcvt {
 
@@ -19,7 +19,7 @@ struct TriangleTerms {
 /// With care for thin triangles: relative to the largest of its terms the rounding stays near
 /// 1e-16 where two corners almost coincide.
 /// @param p, q  corners 1 and 2 relative to corner 0, coordinates of the reduced basis, exact.
-TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const MovingDelaunay::Frame& frame);
+TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const Frame& frame);
 
 /// The same for many triangles at once: no branch, every operation on all of them.
 struct TriangleBlock {
@@ -37,7 +37,7 @@ struct TriangleBlock {
     /// Positive where all angles are certainly acute.
     Row acute;
 
-    void compute(const MovingDelaunay::Frame& frame);
+    void compute(const Frame& frame);
 };
 
 }  // namespace pcvt

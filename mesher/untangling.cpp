@@ -27,7 +27,7 @@ bool Untangling::hold(int triangle) {
         const SiteId site = triangulation_.corner(h).site;
         if (!leaving_.insert({site, h}).second) continue;
         held_.push_back({site, coordinates_.col(site)});
-        coordinates_.col(site) = previous_.col(site);
+        coordinates_.col(site) -= moves_.of(site);
     }
     return held_.size() > n_held;
 }

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "mesher/lawson_flips.hpp"
+#include "mesher/site_moves.hpp"
 
 namespace pcvt {
 
@@ -14,14 +15,13 @@ namespace pcvt {
 /// Delaunay triangulation after each step.
 class Untangling final : private FlipObserver {
    public:
-    /// @param previous     coordinates at which the triangles should be counter-clockwise; where
-    /// they
-    ///                     are not, run gives up.
+    /// @param moves        what the sites made from coordinates at which the triangles should be
+    ///                     counter-clockwise; where they were not, run gives up.
     /// @param coordinates  those of the moved sites; changed on the way, the same in the end.
-    Untangling(TorusTriangulation& triangulation, const Points& previous, Points& coordinates,
+    Untangling(TorusTriangulation& triangulation, const SiteMoves& moves, Points& coordinates,
                const Gram& gram)
         : triangulation_(triangulation),
-          previous_(previous),
+          moves_(moves),
           coordinates_(coordinates),
           flips_(triangulation, coordinates, gram) {}
 
@@ -44,7 +44,7 @@ class Untangling final : private FlipObserver {
     bool hold(int triangle);
     /// @returns false where more sites than that would be put back, or where a triangle is inverted
     ///          with all its corners put back: after a step that failed nothing is known of
-    ///          `previous`.
+    ///          where it began.
     bool hold_inverted_stars(std::size_t most_held);
     bool star_is_counter_clockwise(int h) const;
     std::vector<int> edges_round(SiteId site) const;
@@ -53,7 +53,7 @@ class Untangling final : private FlipObserver {
     void give_up();
 
     TorusTriangulation& triangulation_;
-    const Points& previous_;
+    const SiteMoves& moves_;
     Points& coordinates_;
     LawsonFlips flips_;
     std::int64_t n_flips_ = 0;

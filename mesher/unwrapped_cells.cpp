@@ -109,7 +109,7 @@ UnwrappedCells::UnwrappedCells(const MovingDelaunay& delaunay, Workers& workers,
     : delaunay_(delaunay), rings_(delaunay, workers) {
     const Reduction reduction = reduce(lattice);
     from_reduced_ << reduction.m[0], reduction.m[2], reduction.m[1], reduction.m[3];
-    const MovingDelaunay::Frame& frame = delaunay.frame();
+    const Frame& frame = delaunay.frame();
     Eigen::Matrix2d to_frame;
     to_frame << frame.ax, frame.bx, 0, frame.by;
     from_frame_ = from_reduced_ * to_frame.inverse();
@@ -179,14 +179,14 @@ Vec2 UnwrappedCells::thin_centre(int h) const {
         const Corner c = t.corner(g);
         return image(delaunay_.coordinates(), c.site, c.offset);
     };
-    const MovingDelaunay::Frame& frame = delaunay_.frame();
+    const Frame& frame = delaunay_.frame();
     const Gram gram{frame.ax * frame.ax, frame.ax * frame.bx,
                     frame.bx * frame.bx + frame.by * frame.by};
     return frame.to_plane(circumcentre(gram, at(h), at(t.next(h)), at(t.previous(h))));
 }
 
 void UnwrappedCells::find_corners(std::span<const SiteId> sites, CellList& cells) const {
-    const MovingDelaunay::Frame& frame = delaunay_.frame();
+    const Frame& frame = delaunay_.frame();
     const Maps maps{frame.ax,          frame.bx,          frame.by,         from_frame_(0, 0),
                     from_frame_(0, 1), from_frame_(1, 0), from_frame_(1, 1)};
     const CornerArrays arrays{cells.to_u.data(),   cells.to_v.data(), cells.next_u.data(),

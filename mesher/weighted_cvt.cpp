@@ -66,6 +66,7 @@ class WeightedObjective final : public Objective {
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override;
     bool precondition(Evaluation& evaluation) override;
     void accept() override { delaunay_.settle(); }
+    void reject() override { go_back(); }
     bool has_hessian() const override { return has_hessian_; }
     void hessian(BlockMatrix& hessian) const override;
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override;
@@ -169,7 +170,6 @@ void WeightedObjective::hessian(BlockMatrix& hessian) const {
 }
 
 void WeightedObjective::begin_round(double accuracy) {
-    go_back();
     pass_.restore();
     pass_.choose_orders(accuracy, true);
     pass_.evaluate(energy_);
@@ -182,13 +182,11 @@ void WeightedObjective::begin_round(double accuracy) {
 }
 
 RuleCheck WeightedObjective::check_rules(double accuracy) {
-    go_back();
     pass_.restore();
     return pass_.choose_orders(accuracy, false);
 }
 
 DensityFigures WeightedObjective::figures() {
-    go_back();
     pass_.evaluate(energy_);
     const SpacingLaw law = compare_spacing(energy_.mass, pass_.areas());
     return {.least = pass_.range().least,

@@ -80,7 +80,8 @@ TEST(SiteRings, AreThoseOfAFreshObjectAfterADriftOfAllSites) {
     Energy energy;
     SiteRings rings(delaunay, workers);
     for (int k = 0; k < 30; ++k) {
-        ASSERT_TRUE(delaunay.step(testing::drift(delaunay, {0.3, -0.2}), 1, workers));
+        const Eigen::VectorXf drift = testing::drift(delaunay, {0.3, -0.2});
+        ASSERT_TRUE(delaunay.step(drift, 1, workers));
         ASSERT_TRUE(pass.evaluate(energy));
         delaunay.settle();
         rings.update();

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <functional>
 
+#include "mesher/moving_delaunay.hpp"
 #include "mesher/predicates.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/wide_terms.hpp"
@@ -12,7 +13,6 @@
 namespace pcvt {
 namespace {
 
-using Frame = MovingDelaunay::Frame;
 using testing::lattices;
 
 Frame frame_of(const Lattice& lattice) {

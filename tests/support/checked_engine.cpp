@@ -73,7 +73,7 @@ void CheckedEngine::compare() {
 
 void CheckedEngine::require_arrived(const Points& from, const Eigen::VectorXf& direction,
                                     double t) {
-    const MovingDelaunay::Frame& frame = delaunay_.frame();
+    const Frame& frame = delaunay_.frame();
     Points expected = from;
     double longest = 1;
     for (SiteId s = 0; s < delaunay_.n_sites(); ++s) {
@@ -93,8 +93,9 @@ void CheckedEngine::require_arrived(const Points& from, const Eigen::VectorXf& d
 bool CheckedEngine::move(const Eigen::VectorXf& direction, double t) {
     if (!delaunay_.settled()) require("a move from a place where the sites did not settle");
     home_ = delaunay_.coordinates();
+    direction_ = direction;
     ++tally_.moves;
-    if (!delaunay_.step(direction, t, workers_)) {
+    if (!delaunay_.step(direction_, t, workers_)) {
         if ((t * direction.cast<double>()).allFinite()) require("a finite step was refused");
         if (delaunay_.coordinates() != home_) require("a refused step moved a site");
         compare();

@@ -54,8 +54,9 @@ class CheckedEngine {
     MovingDelaunay delaunay_;
     EnergyPass pass_;
     Energy energy_;
-    /// Where the sites settled last.
+    /// Where the sites settled last, and where they went from there.
     Points home_;
+    Eigen::VectorXf direction_;
     EngineTally tally_;
     std::string fault_;
 };

@@ -10,7 +10,8 @@
 namespace pcvt::testing {
 
 /// An objective whose point is a vector: value, gradient and residuals are a function of it, and
-/// the Lloyd step goes against the gradient.
+/// the Lloyd step goes against the gradient. Expects of the optimiser that no trial is left open,
+/// and that its direction stays until then.
 class PlainObjective final : public Objective {
    public:
     using Function = std::function<bool(const Eigen::VectorXd& x, Evaluation& evaluation)>;
@@ -21,6 +22,9 @@ class PlainObjective final : public Objective {
           rate_(rate),
           point_(std::move(start)),
           evaluated_(point_) {}
+    ~PlainObjective() override { EXPECT_EQ(trial_, nullptr) << "a trial was left open"; }
+    PlainObjective(const PlainObjective&) = delete;
+    PlainObjective& operator=(const PlainObjective&) = delete;
 
     /// Changes each Hessian before it is told.
     void mislead_hessian(std::function<void(BlockMatrix&)> change) {
@@ -33,15 +37,22 @@ class PlainObjective final : public Objective {
     Eigen::Index n_variables() const override { return point_.size(); }
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
         ++n_evaluations_;
+        close_trial();
+        if (t != 0) {
+            trial_ = &direction;
+            trial_direction_ = direction;
+        }
         evaluated_ = point_;
         looked_at_point_ = t == 0;
         if (t != 0) evaluated_ += t * direction.cast<double>();
         return function_(evaluated_, evaluation);
     }
     void accept() override {
+        close_trial();
         point_ = evaluated_;
         looked_at_point_ = true;
     }
+    void reject() override { close_trial(); }
     bool has_hessian() const override { return has_hessian_; }
     void forget_hessian() { has_hessian_ = false; }
     /// By differences of the gradient: of one row of blocks, all of which is stored.
@@ -53,6 +64,13 @@ class PlainObjective final : public Objective {
 
    private:
     static constexpr double kDifference = 1e-6;
+
+    void close_trial() {
+        if (trial_ != nullptr) {
+            EXPECT_EQ(*trial_, trial_direction_);
+        }
+        trial_ = nullptr;
+    }
 
     Eigen::VectorXd gradient_at(const Eigen::VectorXd& x) const {
         Evaluation evaluation;
@@ -68,6 +86,8 @@ class PlainObjective final : public Objective {
     Eigen::VectorXd evaluated_;
     bool looked_at_point_ = true;
     int n_evaluations_ = 0;
+    const Eigen::VectorXf* trial_ = nullptr;
+    Eigen::VectorXf trial_direction_;
 };
 
 inline void PlainObjective::hessian(BlockMatrix& hessian) const {
