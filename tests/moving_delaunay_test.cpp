@@ -303,19 +303,37 @@ TEST(MovingDelaunay, TheFilterIsHardlyEverLeftAtRandom) {
     EXPECT_NO_FAULT(engine);
 }
 
+/// Of two sites in a row, by large parts of the periods.
+Eigen::VectorXf jump_of_two(SiteId n_sites, std::mt19937_64& random) {
+    Eigen::VectorXf jump = Eigen::VectorXf::Zero(2 * n_sites);
+    jump.segment<4>(2 * (random() % (n_sites - 1))) << 0.6f, 0.4f, -0.3f, 0.6f;
+    return jump;
+}
+
 TEST(MovingDelaunay, LloydStepsAndJumpsOfFewSitesNeedNoBuild) {
     std::mt19937_64 random(13);
     CheckedEngine engine = random_engine(Lattice::rectangle(1, 1), 1000, 1);
     for (int k = 0; k < 20; ++k) {
         engine.move(lloyd_move(engine.delaunay(), engine.energy()));
         engine.settle();
-        Eigen::VectorXf jump = Eigen::VectorXf::Zero(2000);
-        jump.segment<4>(2 * (random() % 999)) << 0.6f, 0.4f, -0.3f, 0.6f;
-        if (k >= 5) engine.move(jump);
+        if (k >= 5) engine.move(jump_of_two(1000, random));
         engine.settle();
     }
     EXPECT_EQ(engine.tally().rebuilds, 0);
     EXPECT_GE(engine.tally().local_repairs, 5);
+    EXPECT_NO_FAULT(engine);
+}
+
+// A local repair may get stuck, but seldom.
+TEST(MovingDelaunay, TheWayBackFromAJumpOfFewSitesHardlyEverNeedsABuild) {
+    std::mt19937_64 random(17);
+    CheckedEngine engine = random_engine(Lattice::rectangle(1, 1), 1000, 1);
+    for (int k = 0; k < 10; ++k) {
+        ASSERT_TRUE(engine.move(jump_of_two(1000, random)));
+        engine.step_back();
+    }
+    EXPECT_LE(engine.tally().rebuilds, 2);
+    EXPECT_GE(engine.tally().local_repairs, 15);
     EXPECT_NO_FAULT(engine);
 }
 
