@@ -27,8 +27,12 @@ constexpr int kSitesPerLine = 4;
 constexpr int kCornersPerLine = 16;
 /// The corners of a block are fetched while so many blocks before them are worked on.
 constexpr int kBlocksFetched = 4;
-/// Terms with a cotangent above this are not subtracted again: they would leave their rounding.
+/// Terms that are large beside what they are part of are not subtracted again: they would leave
+/// their rounding. Those with a cotangent above this are at once known to be, others by their
+/// largest part over F, or where there are many sites over the mean of a cell's.
 constexpr double kSteepest = 32;
+constexpr double kLargestPart = 500;
+constexpr double kLargestPartOfCell = 5e4;
 /// With more flips than one in this many sites a second pass is cheaper than the corrections.
 constexpr int kSitesPerFlip = 10;
 
@@ -286,11 +290,18 @@ void EnergyPass::add_terms(int triangle, double sign) {
         add(corner[k].site, g.x(), g.y(), sign * terms.mass[k], energy_->gradient.data(),
             energy_->mass.data());
     }
-    if (terms.steepest > kSteepest) has_steep_terms_ = true;
+    steepest_ = std::max(steepest_, terms.steepest);
+    largest_part_ = std::max(largest_part_, terms.largest_part);
 }
 
 bool EnergyPass::corrections_pay() const {
-    return !has_steep_terms_ && n_corrections_ <= 1 + delaunay_.n_sites() / kSitesPerFlip;
+    return steepest_ <= kSteepest && n_corrections_ <= 1 + delaunay_.n_sites() / kSitesPerFlip;
+}
+
+/// To be asked after the last flip, when F can be trusted to a few digits at least.
+bool EnergyPass::corrections_are_exact() const {
+    const double limit = std::min(kLargestPart, kLargestPartOfCell / delaunay_.n_sites());
+    return n_corrections_ == 0 || !(largest_part_ > limit * energy_->value);
 }
 
 void EnergyPass::fetch(SiteId site) const {
@@ -321,10 +332,11 @@ bool EnergyPass::evaluate(Energy& energy) {
             continue;
         }
         for (const int t : suspects.triangles) add_terms(t, 1);
-        has_steep_terms_ = false;
+        steepest_ = 0;
+        largest_part_ = 0;
         n_corrections_ = 0;
         delaunay_.flip(suspects, this);
-        if (corrections_pay()) break;
+        if (corrections_pay() && corrections_are_exact()) break;
     }
     return true;
 }

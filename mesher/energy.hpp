@@ -50,6 +50,7 @@ class EnergyPass final : private FlipObserver {
     void fetch(SiteId site) const override;
     Suspects run(Energy& energy);
     bool corrections_pay() const;
+    bool corrections_are_exact() const;
     void add_terms(int triangle, double sign);
 
     MovingDelaunay& delaunay_;
@@ -57,7 +58,8 @@ class EnergyPass final : private FlipObserver {
     std::vector<Slab> slabs_;
     /// What the corrections go to, and how they went.
     Energy* energy_ = nullptr;
-    bool has_steep_terms_ = false;
+    double steepest_ = 0;
+    double largest_part_ = 0;
     int n_corrections_ = 0;
 };
 

@@ -49,7 +49,9 @@ TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const Frame& frame) {
         terms.gradient[m] += across - along;
         terms.mass[k] += w * kMassPerWeight;
         terms.mass[m] += w * kMassPerWeight;
-        terms.value += -w * l * (3 + c * c) / 8;
+        const double part = -w * l * (3 + c * c) / 8;
+        terms.value += part;
+        terms.largest_part = std::max(terms.largest_part, std::abs(part));
         terms.steepest = std::max(terms.steepest, std::abs(c));
     }
     return terms;

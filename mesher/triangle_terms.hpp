@@ -14,6 +14,8 @@ struct TriangleTerms {
     std::array<double, 3> mass{};
     /// The largest |cotangent|.
     double steepest = 0;
+    /// The largest of the parts that the sides add to the value, in absolute value.
+    double largest_part = 0;
 };
 
 /// With care for thin triangles: relative to the largest of its terms the rounding stays near
