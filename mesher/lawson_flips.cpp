@@ -1,5 +1,6 @@
 #include "mesher/lawson_flips.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "mesher/prefetch.hpp"
@@ -106,8 +107,10 @@ bool LawsonFlips::is_locally_delaunay(int h) const {
                      image(coordinates_, apex.site, apex.offset)) <= 0;
 }
 
-/// Flips h, and what becomes suspect by that; leaves the stack empty.
-std::int64_t LawsonFlips::flip_from(int first, std::vector<int>& stack, FlipObserver* observer) {
+/// Flips h, and what becomes suspect by that, but for edges of which both halfedges come after
+/// `last`; leaves the stack empty.
+std::int64_t LawsonFlips::flip_from(int first, int last, std::vector<int>& stack,
+                                    FlipObserver* observer) {
     std::int64_t n_flips = 0;
     stack.push_back(first);
     while (!stack.empty()) {
@@ -119,9 +122,9 @@ std::int64_t LawsonFlips::flip_from(int first, std::vector<int>& stack, FlipObse
         triangulation_.flip(h);
         ++n_flips;
         if (observer != nullptr) observer->after_flip(h);
-        for (const int side : {h, o}) {
-            stack.push_back(TorusTriangulation::next(side));
-            stack.push_back(TorusTriangulation::previous(side));
+        for (const int side : {TorusTriangulation::next(h), TorusTriangulation::previous(h),
+                               TorusTriangulation::next(o), TorusTriangulation::previous(o)}) {
+            if (std::min(side, triangulation_.opposite(side)) <= last) stack.push_back(side);
         }
     }
     return n_flips;
@@ -133,7 +136,7 @@ std::int64_t LawsonFlips::flip(std::vector<int>& suspects, FlipObserver* observe
     const Fetcher fetcher(triangulation_, coordinates_, suspects, observer);
     for (std::size_t k = 0; k < suspects.size(); ++k) {
         fetcher.fetch_for(k);
-        n_flips += flip_from(suspects[k], stack, observer);
+        n_flips += flip_from(suspects[k], triangulation_.n_halfedges(), stack, observer);
     }
     suspects.clear();
     return n_flips;
@@ -143,7 +146,7 @@ std::int64_t LawsonFlips::flip_all() {
     std::int64_t n_flips = 0;
     std::vector<int> stack;
     for (int h = 0; h < triangulation_.n_halfedges(); ++h) {
-        if (h < triangulation_.opposite(h)) n_flips += flip_from(h, stack, nullptr);
+        if (h < triangulation_.opposite(h)) n_flips += flip_from(h, h, stack, nullptr);
     }
     return n_flips;
 }

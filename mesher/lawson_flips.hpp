@@ -50,7 +50,7 @@ class LawsonFlips {
     std::int64_t flip_all();
 
    private:
-    std::int64_t flip_from(int h, std::vector<int>& stack, FlipObserver* observer);
+    std::int64_t flip_from(int first, int last, std::vector<int>& stack, FlipObserver* observer);
 
     TorusTriangulation& triangulation_;
     const Points& coordinates_;
