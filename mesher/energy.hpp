@@ -38,7 +38,8 @@ class EnergyPass final : private FlipObserver {
     ~EnergyPass();
 
     /// Restores the triangulation after a step, and evaluates. Terms of triangles that were flipped
-    /// are corrected one by one, unless they are so many or so thin that a second pass is better.
+    /// are corrected one by one, unless they are so many, or so large beside F, that a second pass
+    /// is better.
     /// @returns false where two sites coincide.
     bool evaluate(Energy& energy);
 
