@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/tile_file.hpp"
-#include "mesher/tile.hpp"
+#include "io/tiles/tile_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 

@@ -2,9 +2,9 @@
 // walk along its seam. Prints each identified pair of boundary edges once.
 #include <cstdio>
 
-#include "mesher/cvt.hpp"
-#include "mesher/outline.hpp"
-#include "mesher/tile.hpp"
+#include "mesher/cvt/cvt.hpp"
+#include "mesher/mesh/outline.hpp"
+#include "mesher/tile/tile.hpp"
 
 int main() {
     const pcvt::Lattice lattice({1, 0}, {0.37, 0.81});

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mesher/density_breaks.hpp"
-#include "plugin/job_density.hpp"
+#include "mesher/density/density_breaks.hpp"
+#include "plugin/job/job_density.hpp"
 
 namespace pcvt::abi {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plugin/abi/guard.hpp"
-#include "plugin/job.hpp"
+#include "plugin/job/job.hpp"
 
 namespace pcvt::abi {
 

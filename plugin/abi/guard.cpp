@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/output.hpp"
-#include "mesher/density.hpp"
+#include "io/bytes/output.hpp"
+#include "mesher/density/density.hpp"
 
 namespace pcvt::abi {
 namespace {

@@ -6,7 +6,7 @@
 #include <exception>
 #include <string>
 
-#include "mesher/error.hpp"
+#include "mesher/base/error.hpp"
 #include "plugin/pcvt.h"
 
 namespace pcvt::abi {

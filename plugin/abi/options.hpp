@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "plugin/abi/guard.hpp"
-#include "plugin/job.hpp"
+#include "plugin/job/job.hpp"
 
 namespace pcvt::abi {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesher/quality.hpp"
+#include "mesher/mesh/quality.hpp"
 #include "plugin/abi/guard.hpp"
-#include "plugin/job_files.hpp"
-#include "plugin/job_tiles.hpp"
+#include "plugin/job/job_files.hpp"
+#include "plugin/job/job_tiles.hpp"
 
 namespace pcvt::abi {
 namespace {

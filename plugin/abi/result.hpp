@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-#include "plugin/job.hpp"
+#include "plugin/job/job.hpp"
 #include "plugin/pcvt.h"
 
 namespace pcvt::abi {

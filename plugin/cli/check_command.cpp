@@ -9,16 +9,16 @@
 #include <filesystem>
 #include <optional>
 
-#include "io/mpas_reader.hpp"
-#include "io/text.hpp"
+#include "io/bytes/text.hpp"
+#include "io/mpas/mpas_reader.hpp"
 #include "io/tile_formats.hpp"
-#include "mesher/c_grid_proof.hpp"
-#include "mesher/validate_voronoi.hpp"
-#include "mesher/weighted_centroid.hpp"
-#include "plugin/cli/console.hpp"
+#include "mesher/density/weighted_centroid.hpp"
+#include "mesher/finite_volume/c_grid_proof.hpp"
+#include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/density_option.hpp"
 #include "plugin/cli/option_values.hpp"
-#include "plugin/job_files.hpp"
+#include "plugin/cli/terminal/console.hpp"
+#include "plugin/job/job_files.hpp"
 
 namespace pcvt::cli {
 namespace {

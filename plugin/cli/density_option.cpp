@@ -1,8 +1,8 @@
 #include "plugin/cli/density_option.hpp"
 
-#include "io/text.hpp"
+#include "io/bytes/text.hpp"
 #include "plugin/cli/option_values.hpp"
-#include "plugin/job_density.hpp"
+#include "plugin/job/job_density.hpp"
 
 namespace pcvt::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/density.hpp"
+#include "mesher/density/density.hpp"
 
 namespace pcvt::cli {
 

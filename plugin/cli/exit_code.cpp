@@ -4,9 +4,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "io/output.hpp"
-#include "io/tile_file.hpp"
-#include "mesher/error.hpp"
+#include "io/bytes/output.hpp"
+#include "io/tiles/tile_file.hpp"
+#include "mesher/base/error.hpp"
 
 namespace pcvt::cli {
 namespace {

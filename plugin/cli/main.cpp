@@ -3,15 +3,15 @@
 #include <CLI/Formatter.hpp>
 #include <cstdio>
 
-#include "mesher/error.hpp"
-#include "plugin/cli/cancel_signal.hpp"
+#include "mesher/base/error.hpp"
 #include "plugin/cli/check_command.hpp"
-#include "plugin/cli/console.hpp"
-#include "plugin/cli/memory_habits.hpp"
 #include "plugin/cli/mesh_command.hpp"
 #include "plugin/cli/pattern_command.hpp"
 #include "plugin/cli/study_command.hpp"
-#include "plugin/version.hpp"
+#include "plugin/cli/terminal/cancel_signal.hpp"
+#include "plugin/cli/terminal/console.hpp"
+#include "plugin/cli/terminal/memory_habits.hpp"
+#include "plugin/job/version.hpp"
 
 namespace pcvt::cli {
 namespace {

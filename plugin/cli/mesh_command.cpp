@@ -3,13 +3,13 @@
 #include <csignal>
 #include <cstdio>
 
-#include "io/output.hpp"
-#include "io/site_reader.hpp"
-#include "mesher/density_survey.hpp"
-#include "plugin/cli/cancel_signal.hpp"
-#include "plugin/cli/console.hpp"
-#include "plugin/cli/progress_display.hpp"
+#include "io/bytes/output.hpp"
+#include "io/run_files/site_reader.hpp"
+#include "mesher/density/density_survey.hpp"
 #include "plugin/cli/summary.hpp"
+#include "plugin/cli/terminal/cancel_signal.hpp"
+#include "plugin/cli/terminal/console.hpp"
+#include "plugin/cli/terminal/progress_display.hpp"
 
 namespace pcvt::cli {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "plugin/cli/density_option.hpp"
 #include "plugin/cli/option_values.hpp"
-#include "plugin/job_density.hpp"
-#include "plugin/job_files.hpp"
+#include "plugin/job/job_density.hpp"
+#include "plugin/job/job_files.hpp"
 
 namespace pcvt::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/job.hpp"
+#include "plugin/job/job.hpp"
 
 namespace CLI {
 class App;

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/text.hpp"
-#include "mesher/error.hpp"
-#include "plugin/job.hpp"
+#include "io/bytes/text.hpp"
+#include "mesher/base/error.hpp"
+#include "plugin/job/job.hpp"
 
 namespace pcvt::cli {
 namespace {

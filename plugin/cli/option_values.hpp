@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "mesher/lattice.hpp"
+#include "mesher/lattice/lattice.hpp"
 
 namespace pcvt::cli {
 

@@ -3,13 +3,13 @@
 #include <csignal>
 #include <cstdio>
 
-#include "io/output.hpp"
-#include "io/text.hpp"
-#include "io/tile_file.hpp"
-#include "plugin/cli/cancel_signal.hpp"
-#include "plugin/cli/console.hpp"
-#include "plugin/cli/status_line.hpp"
-#include "plugin/study_files.hpp"
+#include "io/bytes/output.hpp"
+#include "io/bytes/text.hpp"
+#include "io/tiles/tile_file.hpp"
+#include "plugin/cli/terminal/cancel_signal.hpp"
+#include "plugin/cli/terminal/console.hpp"
+#include "plugin/cli/terminal/status_line.hpp"
+#include "plugin/study/study_files.hpp"
 
 namespace pcvt::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <thread>
 
-#include "mesher/error.hpp"
-#include "mesher/sites.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/lattice/sites.hpp"
 #include "plugin/cli/option_values.hpp"
 
 namespace pcvt::cli {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/study.hpp"
+#include "plugin/study/study.hpp"
 
 namespace CLI {
 class App;

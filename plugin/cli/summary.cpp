@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "plugin/cli/console.hpp"
+#include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "plugin/job.hpp"
+#include "plugin/job/job.hpp"
 
 namespace pcvt::cli {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesher/cvt.hpp"
+#include "mesher/cvt/cvt.hpp"
 #include "plugin/pcvt.h"
 #include "tests/bench/cases.hpp"
 

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <vector>
 
-#include "mesher/sites.hpp"
+#include "mesher/lattice/sites.hpp"
 
 namespace pcvt::bench {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "mesher/lattice.hpp"
+#include "mesher/lattice/lattice.hpp"
 
 namespace pcvt::bench {
 

@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-#include "io/density_expression.hpp"
-#include "mesher/density_survey.hpp"
-#include "mesher/weighted_energy.hpp"
+#include "io/run_files/density_expression.hpp"
+#include "mesher/density/density_survey.hpp"
+#include "mesher/energy/weighted_energy.hpp"
 
 namespace pcvt {
 namespace {

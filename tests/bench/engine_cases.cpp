@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "mesher/cvt.hpp"
-#include "mesher/energy.hpp"
+#include "mesher/cvt/cvt.hpp"
+#include "mesher/energy/energy.hpp"
 #include "tests/bench/cases.hpp"
 #include "tests/bench/mirror_run.hpp"
 

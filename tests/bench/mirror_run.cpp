@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "mesher/lbfgs.hpp"
-#include "mesher/mirror_diagram.hpp"
-#include "mesher/predicates.hpp"
-#include "mesher/triangle_terms.hpp"
+#include "mesher/delaunay/mirror_diagram.hpp"
+#include "mesher/delaunay/predicates.hpp"
+#include "mesher/energy/triangle_terms.hpp"
+#include "mesher/optimize/lbfgs.hpp"
 
 namespace pcvt::bench {
 namespace {

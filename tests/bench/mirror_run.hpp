@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesher/objective.hpp"
-#include "mesher/sites.hpp"
+#include "mesher/lattice/sites.hpp"
+#include "mesher/optimize/objective.hpp"
 
 namespace pcvt::bench {
 

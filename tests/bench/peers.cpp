@@ -10,8 +10,8 @@
 #include <vector>
 #include <voro++/voro++.hh>
 
-#include "mesher/mirror_diagram.hpp"
-#include "mesher/sites.hpp"
+#include "mesher/delaunay/mirror_diagram.hpp"
+#include "mesher/lattice/sites.hpp"
 
 namespace pcvt::bench {
 namespace {

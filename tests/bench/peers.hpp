@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "mesher/lattice.hpp"
+#include "mesher/lattice/lattice.hpp"
 
 namespace pcvt::bench {
 

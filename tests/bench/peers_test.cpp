@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-#include "mesher/sites.hpp"
+#include "mesher/lattice/sites.hpp"
 
 namespace pcvt::bench {
 namespace {

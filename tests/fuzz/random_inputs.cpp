@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mesher/error.hpp"
+#include "mesher/base/error.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt::testing {

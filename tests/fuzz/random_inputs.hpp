@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "mesher/sites.hpp"
+#include "mesher/lattice/sites.hpp"
 
 namespace pcvt::testing {
 

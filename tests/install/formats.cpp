@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "io/tile_formats.hpp"
-#include "mesher/cvt.hpp"
-#include "mesher/outline.hpp"
+#include "mesher/cvt/cvt.hpp"
+#include "mesher/mesh/outline.hpp"
 
 int main() {
     const pcvt::Lattice lattice = pcvt::Lattice::rectangle(1, 1);

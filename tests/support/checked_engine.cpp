@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesher/periodic_delaunay.hpp"
+#include "mesher/delaunay/periodic_delaunay.hpp"
 #include "tests/support/engine_twin.hpp"
 
 namespace pcvt::testing {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/energy.hpp"
+#include "mesher/energy/energy.hpp"
 
 namespace pcvt::testing {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/tile_file.hpp"
+#include "io/tiles/tile_file.hpp"
 
 namespace pcvt::testing {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/block_matrix.hpp"
+#include "mesher/base/block_matrix.hpp"
 
 namespace pcvt::testing {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/density.hpp"
+#include "mesher/density/density.hpp"
 
 namespace pcvt::testing {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/energy.hpp"
+#include "mesher/energy/energy.hpp"
 
 namespace pcvt::testing {
 

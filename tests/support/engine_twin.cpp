@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "mesher/mirror_diagram.hpp"
-#include "mesher/polygon.hpp"
+#include "mesher/delaunay/mirror_diagram.hpp"
+#include "mesher/lattice/polygon.hpp"
 
 namespace pcvt::testing {
 namespace {

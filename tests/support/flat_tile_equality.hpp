@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesher/flat_tile.hpp"
+#include "mesher/tile/flat_tile.hpp"
 
 namespace pcvt::testing {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/flat_tile.hpp"
+#include "mesher/tile/flat_tile.hpp"
 
 namespace pcvt::testing {
 

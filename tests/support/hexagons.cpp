@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mesher/voronoi.hpp"
+#include "mesher/mesh/voronoi.hpp"
 
 namespace pcvt::testing {
 

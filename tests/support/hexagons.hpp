@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/periodic_mesh.hpp"
+#include "mesher/mesh/periodic_mesh.hpp"
 
 namespace pcvt::testing {
 

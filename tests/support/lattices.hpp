@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/lattice.hpp"
+#include "mesher/lattice/lattice.hpp"
 
 namespace pcvt::testing {
 

@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "mesher/energy.hpp"
+#include "mesher/energy/energy.hpp"
 
 namespace pcvt::testing {
 

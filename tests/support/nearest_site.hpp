@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "mesher/sites.hpp"
+#include "mesher/lattice/sites.hpp"
 
 namespace pcvt::testing {
 

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "mesher/block_matrix.hpp"
-#include "mesher/objective.hpp"
+#include "mesher/base/block_matrix.hpp"
+#include "mesher/optimize/objective.hpp"
 
 namespace pcvt::testing {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesher/flat_tile.hpp"
-#include "mesher/polygon.hpp"
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/tile/flat_tile.hpp"
 
 namespace pcvt::testing {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "io/tile_file.hpp"
+#include "io/tiles/tile_file.hpp"
 
 namespace pcvt::testing {
 

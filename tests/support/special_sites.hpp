@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/sites.hpp"
+#include "mesher/lattice/sites.hpp"
 
 namespace pcvt::testing {
 

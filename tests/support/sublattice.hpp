@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/sites.hpp"
+#include "mesher/lattice/sites.hpp"
 
 namespace pcvt::testing {
 

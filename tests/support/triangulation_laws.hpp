@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesher/torus_triangulation.hpp"
+#include "mesher/delaunay/torus_triangulation.hpp"
 
 namespace pcvt::testing {
 

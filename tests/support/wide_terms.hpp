@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/triangle_terms.hpp"
+#include "mesher/energy/triangle_terms.hpp"
 
 namespace pcvt::testing {
 

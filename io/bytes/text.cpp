@@ -1,0 +1,197 @@
+#include "io/bytes/text.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "io/bytes/char_set.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr std::size_t kMostQuoted = 40;
+constexpr CharSet kBlanks(" \t\v\f");
+constexpr CharSet kLineEnds("\r\n");
+constexpr CharSet kWordEnds(" \t\v\f\r\n");
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string_view without_plus(std::string_view word) {
+    const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
+    return plus ? word.substr(1) : word;
+}
+
+/// NaN and infinity, which std::from_chars would take for numbers.
+bool spells_no_finite_number(std::string_view word) {
+    const std::size_t at = word.find_first_not_of("+-");
+    if (at == std::string_view::npos) return false;
+    const char c = word[at];
+    const std::string_view head = word.substr(at, 3);
+    return (c == 'n' || c == 'N' || c == 'i' || c == 'I') && head.size() == 3 &&
+           (head == "nan" || head == "NaN" || head == "NAN" || head == "inf" || head == "Inf" ||
+            head == "INF");
+}
+
+[[noreturn]] void refuse_number(std::string_view word, std::errc fault) {
+    std::string complaint = in_quotes(word);
+    if (fault == std::errc::result_out_of_range) {
+        complaint += " is beyond the range of its type; scale the input";
+    } else if (spells_no_finite_number(word)) {
+        complaint += " is not a finite number; give finite numbers";
+    } else if (word.find(',') != std::string_view::npos) {
+        complaint += " is not a number; use a decimal point, and blanks between numbers";
+    } else {
+        complaint += " is not a number; write a decimal such as -1.5e3";
+    }
+    throw InvalidInput(complaint);
+}
+
+template <class Number>
+Number parse(std::string_view word) {
+    const std::string_view digits = without_plus(word);
+    const char* end = digits.data() + digits.size();
+    const std::size_t first = !digits.empty() && digits[0] == '-' ? 1 : 0;
+    const bool begins_well =
+        first < digits.size() && (is_digit(digits[first]) || digits[first] == '.');
+    Number value = 0;
+    const auto [stop, fault] = std::from_chars(digits.data(), end, value);
+    if (!begins_well || stop != end) refuse_number(word, std::errc::invalid_argument);
+    if (fault != std::errc()) refuse_number(word, fault);
+    return value;
+}
+
+int open_to_read(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }
+
+/// Reads a file from its beginning to its end, and closes it.
+class BlockReader {
+   public:
+    /// @param file  its descriptor; negative where errno tells why it could not be opened.
+    BlockReader(const std::string& name, int file) : name_(name), file_(file), block_(1 << 16) {
+        if (file_ < 0) refuse();
+    }
+    ~BlockReader() {
+        if (file_ > STDIN_FILENO) ::close(file_);
+    }
+    BlockReader(const BlockReader&) = delete;
+    BlockReader& operator=(const BlockReader&) = delete;
+
+    /// The next bytes, which hold until the call after; empty at the end.
+    std::string_view next() {
+        while (true) {
+            const ssize_t n = ::read(file_, block_.data(), block_.size());
+            if (n >= 0) return {block_.data(), static_cast<std::size_t>(n)};
+            if (errno != EINTR) refuse();
+        }
+    }
+
+   private:
+    [[noreturn]] void refuse() const {
+        throw BadFile(name_ + ": cannot read: " + std::generic_category().message(errno) +
+                      "; give a readable file");
+    }
+
+    const std::string& name_;
+    int file_;
+    std::vector<char> block_;
+};
+
+}  // namespace
+
+void append_number(std::string& text, double value) {
+    if (!std::isfinite(value)) throw InternalError("a number to be written is not finite");
+    std::array<char, 32> digits;
+    const double written = value == 0 ? 0.0 : value;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), written).ptr;
+    text.append(digits.data(), end);
+}
+
+void append_number(std::string& text, int value) {
+    std::array<char, 16> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text.append(digits.data(), end);
+}
+
+double parse_number(std::string_view word) { return parse<double>(word); }
+
+int parse_integer(std::string_view word) { return parse<int>(word); }
+
+std::string in_quotes(std::string_view word) {
+    std::string text = "'";
+    for (const char c : word.substr(0, kMostQuoted)) text += c >= ' ' && c <= '~' ? c : '?';
+    if (word.size() > kMostQuoted) text += "...";
+    return text + "'";
+}
+
+LineScanner::LineScanner(std::string name, std::string_view text)
+    : name_(std::move(name)), rest_(text) {
+    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+}
+
+bool LineScanner::next() {
+    words_.clear();
+    if (rest_.empty()) return false;
+    ++line_;
+    while (true) {
+        rest_.remove_prefix(kBlanks.skip_in(rest_));
+        if (rest_.empty() || kLineEnds.holds(rest_.front())) break;
+        const std::size_t length = kWordEnds.find_in(rest_);
+        words_.push_back(rest_.substr(0, length));
+        rest_.remove_prefix(length);
+    }
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : rest_.empty() ? 0 : 1);
+    return true;
+}
+
+double LineScanner::number(std::string_view word) const {
+    try {
+        return parse_number(word);
+    } catch (const InvalidInput& fault) {
+        refuse(fault.what());
+    }
+}
+
+int LineScanner::integer(std::string_view word) const {
+    try {
+        return parse_integer(word);
+    } catch (const InvalidInput& fault) {
+        refuse(fault.what());
+    }
+}
+
+void LineScanner::refuse(const std::string& complaint) const {
+    throw BadFile(name_ + ":" + std::to_string(line_) + ": " + complaint);
+}
+
+void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy) {
+    if (text.find('\0') == std::string_view::npos) return;
+    throw BadFile(name + ": looks like a binary file; " + remedy);
+}
+
+std::string read_whole_file(const std::string& path, bool or_standard_input) {
+    const bool standard_input = or_standard_input && path == "-";
+    const std::string name = standard_input ? "standard input" : path;
+    BlockReader reader(name, standard_input ? STDIN_FILENO : open_to_read(path));
+    std::string bytes;
+    for (std::string_view block = reader.next(); !block.empty(); block = reader.next()) {
+        bytes += block;
+    }
+    return bytes;
+}
+
+bool file_holds(const std::string& path, std::string_view bytes) {
+    BlockReader reader(path, open_to_read(path));
+    for (std::string_view block = reader.next(); !block.empty(); block = reader.next()) {
+        if (!bytes.starts_with(block)) return false;
+        bytes.remove_prefix(block.size());
+    }
+    return bytes.empty();
+}
+
+}  // namespace pcvt

@@ -1,0 +1,306 @@
+#include "io/gltf/gltf_reader.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "io/gltf/gltf_document.hpp"
+#include "io/tiles/raw_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+using Json = GltfDocument::Json;
+
+/// Modes of a primitive; below are points and lines, above strips and fans of triangles.
+constexpr std::size_t kTriangles = 4;
+constexpr std::string_view kCellPrefix = "cell_";
+constexpr SiteId kMaxSite = 1 << 28;
+/// Also of corners; far below the end of int.
+constexpr std::size_t kMaxVertices = std::size_t{1} << 29;
+
+/// Where the vertices of one accessor stand in a list of all.
+struct VertexRange {
+    std::size_t first;
+    std::size_t n;
+};
+
+/// What the walk over the nodes has found so far.
+struct Finding {
+    explicit Finding(const EncodedFile& file) : document(file) {}
+
+    GltfDocument document;
+    /// extras.periodic of the one node that has it.
+    const Json* periodic = nullptr;
+    std::vector<Vec2> points;
+    /// The vertices of each POSITION accessor that has been met.
+    std::map<std::size_t, VertexRange> ranges;
+    std::vector<int> corners;
+    /// Of each face; -1 where the file does not tell.
+    std::vector<SiteId> face_site;
+    /// Of each point; -1 likewise.
+    std::vector<SiteId> vertex_site;
+
+    const Json& periodic_member(const std::string& key) const {
+        static const Json kNone;
+        return GltfDocument::member(periodic ? *periodic : kNone, key);
+    }
+};
+
+std::vector<SiteId> read_sites(const GltfDocument& document, std::size_t accessor,
+                               std::size_t n_vertices) {
+    const std::vector<float> numbers = document.floats(accessor, 1);
+    if (numbers.size() != n_vertices) document.refuse("the number of ids is not that of vertices");
+    std::vector<SiteId> sites;
+    for (const float number : numbers) {
+        if (number < 0 || number >= kMaxSite || number != std::floor(number)) {
+            document.refuse("an id in _CELL_ID or _SITE_ID is not a whole number from 0 on");
+        }
+        sites.push_back(static_cast<SiteId>(number));
+    }
+    return sites;
+}
+
+/// The site in a node's name; -1 where there is none.
+SiteId named_site(const Json& node) {
+    const Json& name = GltfDocument::member(node, "name");
+    if (!name.is_string()) return -1;
+    const auto& text = name.get_ref<const std::string&>();
+    if (!text.starts_with(kCellPrefix)) return -1;
+    SiteId site = -1;
+    const char* end = text.data() + text.size();
+    const auto [stop, fault] = std::from_chars(text.data() + kCellPrefix.size(), end, site);
+    return fault == std::errc() && stop == end && site >= 0 && site < kMaxSite ? site : -1;
+}
+
+VertexRange add_points(std::size_t accessor, Finding& finding) {
+    const auto known = finding.ranges.find(accessor);
+    if (known != finding.ranges.end()) return known->second;
+    const std::vector<float> numbers = finding.document.floats(accessor, 3);
+    const VertexRange range{finding.points.size(), numbers.size() / 3};
+    for (std::size_t k = 0; k < numbers.size(); k += 3) {
+        finding.points.emplace_back(numbers[k], numbers[k + 1]);
+    }
+    if (finding.points.size() > kMaxVertices) finding.document.refuse("too many vertices");
+    finding.vertex_site.resize(finding.points.size(), -1);
+    finding.ranges.emplace(accessor, range);
+    return range;
+}
+
+std::vector<int> primitive_corners(const GltfDocument& document, const Json& primitive,
+                                   std::size_t n_vertices) {
+    std::vector<int> corners;
+    if (primitive.contains("indices")) {
+        corners = document.indices(document.count_in(primitive, "indices"), n_vertices);
+    } else {
+        for (std::size_t k = 0; k < n_vertices; ++k) corners.push_back(static_cast<int>(k));
+    }
+    if (corners.size() % 3 != 0) document.refuse("a primitive ends within a triangle");
+    return corners;
+}
+
+void add_faces(const std::vector<int>& corners, const std::vector<SiteId>& cells, SiteId otherwise,
+               Finding& finding) {
+    for (std::size_t k = 0; k < corners.size(); k += 3) {
+        const SiteId site = cells.empty() ? otherwise : cells[corners[k]];
+        for (std::size_t l = k; l < k + 3 && !cells.empty(); ++l) {
+            if (cells[corners[l]] == site) continue;
+            finding.document.refuse("a triangle has corners of two cells in _CELL_ID");
+        }
+        finding.face_site.push_back(site);
+    }
+}
+
+void add_triangles(const Json& node, const Json& primitive, Finding& finding) {
+    const GltfDocument& document = finding.document;
+    const Json& attributes = GltfDocument::member(primitive, "attributes");
+    const VertexRange range = add_points(document.count_in(attributes, "POSITION"), finding);
+    const std::vector<int> corners = primitive_corners(document, primitive, range.n);
+    std::vector<SiteId> cells;
+    if (attributes.contains("_CELL_ID")) {
+        cells = read_sites(document, document.count_in(attributes, "_CELL_ID"), range.n);
+    }
+    if (attributes.contains("_SITE_ID")) {
+        const auto sites = read_sites(document, document.count_in(attributes, "_SITE_ID"), range.n);
+        std::copy(sites.begin(), sites.end(),
+                  finding.vertex_site.begin() + std::ptrdiff_t(range.first));
+    }
+    add_faces(corners, cells, named_site(node), finding);
+    for (const int corner : corners)
+        finding.corners.push_back(static_cast<int>(range.first) + corner);
+    if (finding.corners.size() > kMaxVertices) document.refuse("too many triangles");
+}
+
+void add_mesh(const Json& node, Finding& finding) {
+    const GltfDocument& document = finding.document;
+    const Json& mesh = document.entry("meshes", document.count_in(node, "mesh"));
+    const Json& primitives = GltfDocument::member(mesh, "primitives");
+    if (!primitives.is_array()) document.refuse("a mesh has no list of primitives");
+    for (const Json& primitive : primitives) {
+        const std::size_t mode = document.count_in(primitive, "mode", kTriangles);
+        if (mode == kTriangles) add_triangles(node, primitive, finding);
+        if (mode > kTriangles) document.refuse("triangle strips and fans; export triangles");
+    }
+}
+
+void visit(const Json& node, Finding& finding) {
+    for (const char* key : {"matrix", "translation", "rotation", "scale"}) {
+        if (node.contains(key)) {
+            finding.document.refuse("a node is moved by '" + std::string(key) +
+                                    "'; apply the transformation before exporting");
+        }
+    }
+    const Json& extras = GltfDocument::member(node, "extras");
+    if (extras.contains("periodic")) {
+        if (finding.periodic) finding.document.refuse("two nodes have extras.periodic; keep one");
+        finding.periodic = &GltfDocument::member(extras, "periodic");
+    }
+    if (node.contains("mesh")) add_mesh(node, finding);
+}
+
+void push_nodes(const Json& parent, const std::string& key, const GltfDocument& document,
+                std::vector<std::size_t>& stack) {
+    const Json& children = GltfDocument::member(parent, key);
+    if (children.is_null()) return;
+    if (!children.is_array()) document.refuse("'" + key + "' is not a list");
+    for (auto child = children.rbegin(); child != children.rend(); ++child) {
+        stack.push_back(document.count(*child, key));
+    }
+}
+
+void walk_scene(Finding& finding) {
+    const GltfDocument& document = finding.document;
+    std::vector<std::size_t> stack;
+    const std::size_t scene = document.count_in(document.root(), "scene", 0);
+    push_nodes(document.entry("scenes", scene), "nodes", document, stack);
+    std::vector<bool> seen(GltfDocument::member(document.root(), "nodes").size());
+    while (!stack.empty()) {
+        const std::size_t index = stack.back();
+        stack.pop_back();
+        const Json& node = document.entry("nodes", index);
+        if (seen[index]) document.refuse("a node has two parents; export the file again");
+        seen[index] = true;
+        visit(node, finding);
+        push_nodes(node, "children", document, stack);
+    }
+    if (finding.corners.empty()) document.refuse("there are no triangles in its scene");
+}
+
+Lattice read_lattice(const GltfDocument& document, const Json& rows) {
+    const auto is_vector = [](const Json& row) {
+        return row.is_array() && row.size() == 2 && row[0].is_number() && row[1].is_number();
+    };
+    if (!rows.is_array() || rows.size() != 2 || !is_vector(rows[0]) || !is_vector(rows[1])) {
+        document.refuse("extras.periodic.lattice is not [[ax, ay], [bx, by]]");
+    }
+    const auto vector = [](const Json& row) {
+        return Vec2(row[0].get<double>(), row[1].get<double>());
+    };
+    try {
+        return {vector(rows[0]), vector(rows[1])};
+    } catch (const InvalidInput& fault) {
+        document.refuse(std::string("extras.periodic.lattice: ") + fault.what());
+    }
+}
+
+Lattice find_lattice(const Finding& finding, const std::optional<Lattice>& given) {
+    const Json& rows = finding.periodic_member("lattice");
+    if (!rows.is_null()) return read_lattice(finding.document, rows);
+    if (!given)
+        finding.document.refuse("has no lattice in extras.periodic; pass --lattice AX,AY,BX,BY");
+    return *given;
+}
+
+int pair_entry(const GltfDocument& document, const Json& number, int least, int most) {
+    const bool small = number.is_number_integer() &&
+                       (!number.is_number_unsigned() || number.get<std::uint64_t>() <= INT64_MAX);
+    const std::int64_t value = small ? number.get<std::int64_t>() : INT64_MAX;
+    if (value < least || value > most) {
+        document.refuse("an entry of extras.periodic.vertexPairs is out of range");
+    }
+    return static_cast<int>(value);
+}
+
+std::vector<VertexPair> read_pairs(const Finding& finding, const Json& rows) {
+    const GltfDocument& document = finding.document;
+    constexpr int kMost = std::numeric_limits<int>::max();
+    if (finding.ranges.size() != 1) {
+        document.refuse("vertexPairs need one POSITION accessor for all triangles");
+    }
+    if (!rows.is_array()) document.refuse("extras.periodic.vertexPairs is not a list");
+    const int last = static_cast<int>(finding.points.size()) - 1;
+    std::vector<VertexPair> pairs;
+    for (const Json& row : rows) {
+        if (!row.is_array() || row.size() != 4) {
+            document.refuse("an entry of extras.periodic.vertexPairs is not [v, w, i, j]");
+        }
+        pairs.push_back({pair_entry(document, row[0], 0, last),
+                         pair_entry(document, row[1], 0, last),
+                         {pair_entry(document, row[2], -kMost, kMost),
+                          pair_entry(document, row[3], -kMost, kMost)}});
+    }
+    return pairs;
+}
+
+/// The last vertices may be copies of earlier ones: vertexCopies says of which.
+std::vector<int> read_copies(const Finding& finding, const Json& copies) {
+    const GltfDocument& document = finding.document;
+    if (!copies.is_array() || finding.ranges.size() != 1 || copies.size() > finding.points.size()) {
+        document.refuse("extras.periodic.vertexCopies is not a list of vertices");
+    }
+    const std::size_t n_first = finding.points.size() - copies.size();
+    std::vector<int> originals;
+    originals.reserve(copies.size());
+    for (const Json& copy : copies) {
+        const std::size_t v = document.count(copy, "vertexCopies");
+        const std::size_t own = n_first + originals.size();
+        if (v >= n_first || finding.points[v] != finding.points[own]) {
+            document.refuse("vertex " + std::to_string(own) +
+                            " is not a copy of the vertex that vertexCopies names");
+        }
+        originals.push_back(static_cast<int>(v));
+    }
+    return originals;
+}
+
+TileKind tile_kind(const Finding& finding) {
+    const auto unknown = std::count(finding.face_site.begin(), finding.face_site.end(), -1);
+    const Json& kind = finding.periodic_member("kind");
+    const bool grains =
+        kind.is_string() && kind_of_word(kind.get<std::string>()) == TileKind::kGrains;
+    if (unknown == 0) return grains ? TileKind::kGrains : TileKind::kCells;
+    if (unknown < std::ssize(finding.face_site)) {
+        finding.document.refuse(
+            "some triangles belong to a cell and some do not; keep the tile only");
+    }
+    return TileKind::kTriangles;
+}
+
+bool all_known(const std::vector<SiteId>& sites) {
+    return std::find(sites.begin(), sites.end(), -1) == sites.end();
+}
+
+}  // namespace
+
+TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+    Finding finding(files.at(0));
+    walk_scene(finding);
+    FlatTile tile{find_lattice(finding, lattice), tile_kind(finding), {}, {}, {}, {}, {}, {}, {}};
+    const Json& pairs = finding.periodic_member("vertexPairs");
+    if (!pairs.is_null()) tile.vertex_pairs = read_pairs(finding, pairs);
+    const Json& copies = finding.periodic_member("vertexCopies");
+    if (!copies.is_null()) tile.copies = read_copies(finding, copies);
+    for (int k = 0; k <= std::ssize(finding.corners); k += 3) tile.face_begin.push_back(k);
+    tile.points = std::move(finding.points);
+    tile.corners = std::move(finding.corners);
+    if (faces_have_sites(tile.kind)) {
+        tile.face_site = std::move(finding.face_site);
+    } else if (all_known(finding.vertex_site)) {
+        tile.vertex_site = std::move(finding.vertex_site);
+    }
+    return {std::move(tile), Precision::kSingle, !pairs.is_null(), false};
+}
+
+}  // namespace pcvt

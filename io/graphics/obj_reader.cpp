@@ -1,0 +1,178 @@
+#include "io/graphics/obj_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+#include "io/bytes/text.hpp"
+#include "io/graphics/seam_json.hpp"
+#include "io/tiles/raw_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr std::array<std::string_view, 8> kPassedOver{"vn", "vt", "vp",     "o",
+                                                      "g",  "s",  "usemtl", "mtllib"};
+
+/// Reads one OBJ line by line.
+class ObjParser {
+   public:
+    ObjParser(const std::string& name, std::string_view text)
+        : scanner_(name, text), raw_{name, 1, {}, {}, {}, {0}, {}, {}, {}, {}, {}} {}
+
+    RawTile parse() {
+        while (scanner_.next()) parse_line();
+        return std::move(raw_);
+    }
+
+   private:
+    using Words = std::span<const std::string_view>;
+
+    void parse_line() {
+        Words words = scanner_.words();
+        if (words.size() >= 2 && words[0] == "#" && words[1] == "pcvt") {
+            parse_seam(words.subspan(2));
+            return;
+        }
+        const auto comment = std::find_if(words.begin(), words.end(),
+                                          [](std::string_view word) { return word[0] == '#'; });
+        words = words.first(static_cast<std::size_t>(comment - words.begin()));
+        if (words.empty()) return;
+        const std::string_view statement = words.front();
+        words = words.subspan(1);
+        if (statement == "v") {
+            parse_vertex(words);
+        } else if (statement == "f") {
+            parse_face(words);
+        } else if (std::find(kPassedOver.begin(), kPassedOver.end(), statement) ==
+                   kPassedOver.end()) {
+            scanner_.refuse(in_quotes(statement) + " is no statement of a tile; remove the line");
+        }
+    }
+
+    void parse_vertex(Words words) {
+        if (words.size() != 3 && words.size() != 6) {
+            scanner_.refuse("a vertex has 3 numbers, or 6 with its colour; write \"v x y 0\"");
+        }
+        std::array<double, 6> numbers{};
+        for (std::size_t k = 0; k < words.size(); ++k) numbers[k] = scanner_.number(words[k]);
+        if (numbers[2] != 0) scanner_.refuse("z is not 0; lay the tile into the plane z = 0");
+        raw_.points.emplace_back(numbers[0], numbers[1]);
+    }
+
+    void parse_face(Words words) {
+        std::vector<int> corners;
+        for (const std::string_view word : words) corners.push_back(parse_corner(word));
+        raw_.add_face(corners, scanner_.line());
+    }
+
+    /// Index from 0; one that is out of range comes back negative or too large, for finish().
+    int parse_corner(std::string_view word) {
+        std::string_view rest = word;
+        std::array<int, 3> indices{};
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            const std::size_t length = std::min(rest.find('/'), rest.size());
+            const std::string_view part = rest.substr(0, length);
+            if (k != 1 || !part.empty()) indices[k] = scanner_.integer(part);
+            if (length == rest.size()) {
+                if (indices[0] == 0) scanner_.refuse("vertex 0 does not exist; count from 1");
+                const int n_vertices = static_cast<int>(raw_.points.size());
+                return indices[0] > 0 ? indices[0] - 1 : n_vertices + indices[0];
+            }
+            rest.remove_prefix(length + 1);
+        }
+        scanner_.refuse(in_quotes(word) + " is not a corner; write v, v/vt, v//vn or v/vt/vn");
+    }
+
+    /// A line of ours, without "# pcvt".
+    void parse_seam(Words words) {
+        if (words.empty()) scanner_.refuse("a word is missing after \"# pcvt\"; remove the line");
+        const std::string_view key = words.front();
+        const Words values = words.subspan(1);
+        if (key == "kind") {
+            raw_.take_kind(scanner_, values);
+        } else if (key == "lattice") {
+            raw_.take_lattice(scanner_, values);
+        } else if (key == "vertex_pair") {
+            const auto [v, w, i, j] = integers<4>(values);
+            raw_.vertex_pairs.push_back({from_zero(v), from_zero(w), {i, j}});
+        } else if (key == "edge_pair") {
+            const auto [v0, v1, w0, w1, i, j] = integers<6>(values);
+            raw_.edge_pairs.push_back(
+                {from_zero(v0), from_zero(v1), from_zero(w0), from_zero(w1), {i, j}});
+        } else if (key == "sites") {
+            for (const std::string_view word : values) raw_.sites.push_back(scanner_.integer(word));
+        } else {
+            scanner_.refuse("pcvt does not know " + in_quotes(key) + "; remove the line");
+        }
+    }
+
+    template <std::size_t kCount>
+    std::array<int, kCount> integers(Words values) {
+        if (values.size() != kCount) {
+            scanner_.refuse("a pair has " + std::to_string(kCount) + " numbers here, not " +
+                            std::to_string(values.size()) + "; write the file again with pcvt");
+        }
+        std::array<int, kCount> numbers{};
+        for (std::size_t k = 0; k < kCount; ++k) numbers[k] = scanner_.integer(values[k]);
+        return numbers;
+    }
+
+    /// The index from 0 of one from 1.
+    int from_zero(int index) {
+        if (index < 1)
+            scanner_.refuse("vertex " + std::to_string(index) + " does not exist; count from 1");
+        return index - 1;
+    }
+
+    LineScanner scanner_;
+    RawTile raw_;
+};
+
+bool has_seam(const RawTile& raw) {
+    return raw.kind || raw.lattice || !raw.sites.empty() || !raw.vertex_pairs.empty() ||
+           !raw.edge_pairs.empty();
+}
+
+void take_seam(RawTile& raw, Seam seam) {
+    raw.kind = seam.kind;
+    raw.lattice = seam.lattice;
+    raw.vertex_pairs = std::move(seam.vertex_pairs);
+    raw.edge_pairs = std::move(seam.edge_pairs);
+    raw.sites = std::move(seam.sites);
+}
+
+void compare_seam(const RawTile& raw, const Seam& seam, const std::string& sidecar) {
+    const auto require = [&](bool equal, const char* what) {
+        if (equal) return;
+        throw BadFile(sidecar + ": its " + what + " differ from those in the comments of " +
+                      raw.name + "; write both again or remove the sidecar");
+    };
+    require(raw.kind == seam.kind, "kind and lattice");
+    require(raw.lattice && raw.lattice->a() == seam.lattice.a(), "kind and lattice");
+    require(raw.lattice && raw.lattice->b() == seam.lattice.b(), "kind and lattice");
+    require(raw.vertex_pairs == seam.vertex_pairs, "vertex pairs");
+    require(raw.edge_pairs == seam.edge_pairs, "edge pairs");
+    require(raw.sites == seam.sites, "sites");
+}
+
+}  // namespace
+
+TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+    const EncodedFile& obj = files.front();
+    refuse_binary(obj.path, obj.bytes, "give a Wavefront OBJ");
+    RawTile raw = ObjParser(obj.path, obj.bytes).parse();
+    for (const EncodedFile& file : files) {
+        if (!file.path.ends_with(".seam.json")) continue;
+        Seam seam = decode_seam(file.path, file.bytes);
+        if (has_seam(raw)) {
+            compare_seam(raw, seam, file.path);
+        } else {
+            take_seam(raw, std::move(seam));
+        }
+    }
+    return finish(std::move(raw), lattice, Precision::kDouble);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,144 @@
+#include "io/graphics/obj_writer.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <initializer_list>
+#include <numeric>
+#include <set>
+
+#include "io/bytes/text.hpp"
+#include "io/graphics/seam_json.hpp"
+#include "io/tiles/finite.hpp"
+#include "io/tiles/palette.hpp"
+#include "io/tiles/raw_tile.hpp"
+#include "mesher/mesh/quality.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr std::size_t kSitesALine = 16;
+constexpr Colour kTriangleColour{0.8, 0.8, 0.8};
+
+constexpr const char* kExplanation =
+    "# A periodic tile, written by pcvt. Comments that begin with \"# pcvt\" hold its seam:\n"
+    "#   kind cells|triangles|grains\n"
+    "#   lattice ax ay bx by        the period vectors a and b\n"
+    "#   vertex_pair v w i j        vertex w lies at vertex v + i a + j b\n"
+    "#   edge_pair v0 v1 w0 w1 i j  boundary edge v0 v1 + i a + j b is boundary edge w0 w1\n"
+    "#   sites s ...                the site of each face (or vertex of triangles), in order\n"
+    "# Vertices count from 1, sites from 0.\n";
+
+template <class Number>
+void append_words(std::string& text, std::initializer_list<Number> numbers) {
+    for (const Number number : numbers) {
+        text += ' ';
+        append_number(text, number);
+    }
+    text += '\n';
+}
+
+std::string material(const FlatTile& tile, int sides) {
+    return faces_have_sites(tile.kind) ? "sides_" + std::to_string(sides) : "triangle";
+}
+
+/// Number of sides by which each face gets its material.
+std::vector<int> sides_of_faces(const FlatTile& tile) {
+    if (faces_have_sites(tile.kind)) return cell_sides(tile);
+    return std::vector<int>(static_cast<std::size_t>(tile.n_faces()), 3);
+}
+
+/// The tile with its faces in the order `order`.
+FlatTile with_faces_in_order(const FlatTile& tile, const std::vector<int>& order) {
+    FlatTile sorted = tile;
+    sorted.face_begin = {0};
+    sorted.corners.clear();
+    sorted.face_site.clear();
+    for (const int f : order) {
+        sorted.corners.insert(sorted.corners.end(), tile.corners.begin() + tile.face_begin[f],
+                              tile.corners.begin() + tile.face_begin[f + 1]);
+        sorted.face_begin.push_back(static_cast<int>(sorted.corners.size()));
+        if (!tile.face_site.empty()) sorted.face_site.push_back(tile.face_site[f]);
+    }
+    return sorted;
+}
+
+void append_seam(std::string& text, const FlatTile& tile) {
+    const Vec2& a = tile.lattice.a();
+    const Vec2& b = tile.lattice.b();
+    text += "# pcvt kind " + kind_word(tile.kind) + "\n# pcvt lattice";
+    append_words(text, {a.x(), a.y(), b.x(), b.y()});
+    for (const VertexPair& p : tile.vertex_pairs) {
+        text += "# pcvt vertex_pair";
+        append_words(text, {p.v + 1, p.w + 1, p.offset.i, p.offset.j});
+    }
+    for (const EdgePair& p : tile.edge_pairs) {
+        text += "# pcvt edge_pair";
+        append_words(text, {p.v0 + 1, p.v1 + 1, p.w0 + 1, p.w1 + 1, p.offset.i, p.offset.j});
+    }
+    const auto& sites = faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        if (k % kSitesALine == 0) text += k == 0 ? "# pcvt sites" : "\n# pcvt sites";
+        text += ' ';
+        append_number(text, sites[k]);
+    }
+    text += '\n';
+}
+
+std::string obj_text(const FlatTile& tile, const std::vector<int>& sides,
+                     const std::string& material_file) {
+    std::string text = kExplanation;
+    append_seam(text, tile);
+    text += "mtllib " + material_file + "\n";
+    for (const Vec2& p : tile.points) {
+        text += 'v';
+        append_words(text, {p.x(), p.y(), 0.0});
+    }
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        if (f == 0 || sides[f] != sides[f - 1]) text += "usemtl " + material(tile, sides[f]) + "\n";
+        text += 'f';
+        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
+            text += ' ';
+            append_number(text, tile.corners[c] + 1);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string mtl_text(const FlatTile& tile, const std::vector<int>& sides) {
+    std::string text = "# Materials of a periodic tile, written by pcvt\n";
+    for (const int n : std::set<int>(sides.begin(), sides.end())) {
+        const bool owned = faces_have_sites(tile.kind);
+        const Colour colour = owned ? side_colour(n) : kTriangleColour;
+        text += "newmtl " + material(tile, n) + "\nKd";
+        append_words(text, {colour.r, colour.g, colour.b});
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> obj_paths(const std::string& path) {
+    const auto with = [&](const char* extension) {
+        return std::filesystem::path(path).replace_extension(extension).string();
+    };
+    return {path, with(".mtl"), with(".seam.json")};
+}
+
+std::vector<EncodedFile> encode_obj(const FlatTile& tile, const std::string& path) {
+    require_finite(tile);
+    std::vector<int> sides = sides_of_faces(tile);
+    std::vector<int> order(sides.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int f, int g) { return sides[f] < sides[g]; });
+    const FlatTile sorted = with_faces_in_order(tile, order);
+    std::sort(sides.begin(), sides.end());
+    const std::vector<std::string> paths = obj_paths(path);
+    const std::string material_file = std::filesystem::path(paths[1]).filename().string();
+    std::vector<EncodedFile> files = only_file(paths[0], obj_text(sorted, sides, material_file));
+    files.push_back({paths[1], mtl_text(sorted, sides)});
+    files.push_back({paths[2], encode_seam(sorted)});
+    return files;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,262 @@
+#include "io/graphics/om_reader.hpp"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "io/tiles/raw_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The format of OpenMesh 9, and what its chunk headers say for each part of our files.
+constexpr char kVersion = 'B';
+constexpr unsigned kPositions = 0x5600;
+constexpr unsigned kEnd = 0x001c;
+constexpr unsigned kKindMask = 0x01ff;
+constexpr unsigned kTopologyOfVertices = 0x00e0;
+constexpr unsigned kTopologyOfHalfedges = 0x00f8;
+constexpr unsigned kTopologyOfFaces = 0x00e8;
+/// A chunk with a name: a property.
+constexpr unsigned kIsNamed = 0x0002;
+
+class OmParser {
+   public:
+    OmParser(const std::string& name, std::string_view bytes) : name_(name), rest_(bytes) {}
+
+    TileFile parse() {
+        read_header();
+        while (read_chunk()) {
+        }
+        if (!rest_.empty()) refuse("goes on after its end");
+        FlatTile tile{lattice(), kind_, std::move(points_), {0}, {}, {}, {}, {}, {}};
+        read_faces(tile);
+        read_orbits(tile);
+        read_partners(tile);
+        auto sites = integers("pcvt_face_site", 1, n_faces_);
+        // Triangles are grains where they have sites.
+        if (kind_ == TileKind::kTriangles && sites[0] >= 0) tile.kind = TileKind::kGrains;
+        const bool owned = faces_have_sites(tile.kind);
+        if (!owned) sites = integers("pcvt_vertex_site", 1, n_vertices_);
+        (owned ? tile.face_site : tile.vertex_site) = std::move(sites);
+        return {std::move(tile), Precision::kDouble, true, true};
+    }
+
+   private:
+    [[noreturn]] void refuse(const std::string& complaint) const {
+        throw BadFile(name_ + ": " + complaint + "; write the file again with pcvt");
+    }
+
+    std::string_view take(std::size_t n_bytes) {
+        if (n_bytes > rest_.size()) refuse("is cut short");
+        const std::string_view taken = rest_.substr(0, n_bytes);
+        rest_.remove_prefix(n_bytes);
+        return taken;
+    }
+
+    /// A little-endian integer, its sign from its own width.
+    static std::int64_t integer_of(std::string_view bytes) {
+        std::uint64_t value = 0;
+        for (std::size_t k = 0; k < bytes.size(); ++k) {
+            value |= std::uint64_t{static_cast<unsigned char>(bytes[k])} << (8 * k);
+        }
+        const auto unused = static_cast<int>(64 - 8 * bytes.size());
+        return static_cast<std::int64_t>(value << unused) >> unused;
+    }
+
+    static double double_of(std::string_view bytes) {
+        return std::bit_cast<double>(integer_of(bytes.substr(0, 8)));
+    }
+
+    std::size_t read_size(std::size_t width) {
+        return static_cast<std::size_t>(integer_of(take(width)) &
+                                        ((std::int64_t{1} << 8 * width) - 1));
+    }
+
+    /// Each element is at least one byte of the file, so that a wrong count asks for no memory.
+    std::size_t read_count() {
+        const std::size_t count = read_size(4);
+        if (count > rest_.size()) refuse("is cut short");
+        return count;
+    }
+
+    void read_header() {
+        const std::string_view magic = take(4);
+        const bool known = magic.substr(0, 2) == "OM" && (magic[2] == 'P' || magic[2] == 'T');
+        if (!known || magic[3] != kVersion) refuse("is not a mesh as OpenMesh 9 writes it");
+        kind_ = magic[2] == 'P' ? TileKind::kCells : TileKind::kTriangles;
+        n_vertices_ = read_count();
+        n_faces_ = read_count();
+        n_halfedges_ = 2 * read_count();
+        if (n_vertices_ == 0 || n_faces_ == 0 || n_halfedges_ == 0) refuse("holds no face");
+    }
+
+    /// False at the end.
+    bool read_chunk() {
+        const std::size_t header = read_size(2);
+        if (header == kEnd) return false;
+        const std::size_t width = std::size_t{1} << (header >> 14);
+        if ((header & kIsNamed) != 0) {
+            read_property();
+        } else if (header == kPositions && points_.empty()) {
+            read_positions();
+        } else if ((header & kKindMask) == kTopologyOfVertices) {
+            take(n_vertices_ * width);
+        } else if ((header & kKindMask) == kTopologyOfHalfedges && halfedges_.empty()) {
+            halfedges_ = read_handles(3 * n_halfedges_, width);
+        } else if ((header & kKindMask) == kTopologyOfFaces && face_halfedge_.empty()) {
+            face_halfedge_ = read_handles(n_faces_, width);
+        } else {
+            refuse("has a part that no tile has");
+        }
+        return true;
+    }
+
+    void read_positions() {
+        for (std::size_t v = 0; v < n_vertices_; ++v) {
+            const std::string_view bytes = take(24);
+            const Vec2 p(double_of(bytes), double_of(bytes.substr(8)));
+            if (!p.allFinite() || double_of(bytes.substr(16)) != 0) {
+                refuse("has a vertex that is not finite or not in the plane z = 0");
+            }
+            points_.push_back(p);
+        }
+    }
+
+    std::vector<std::int64_t> read_handles(std::size_t count, std::size_t width) {
+        std::vector<std::int64_t> handles;
+        const std::string_view bytes = take(count * width);
+        for (std::size_t k = 0; k < count; ++k) {
+            handles.push_back(integer_of(bytes.substr(k * width, width)));
+        }
+        return handles;
+    }
+
+    void read_property() {
+        const std::string_view property = take(read_size(1));
+        take(read_size(1));
+        properties_[property] = take(read_size(4));
+    }
+
+    std::string_view property(const char* name, std::size_t n_bytes) const {
+        const auto found = properties_.find(name);
+        if (found == properties_.end()) refuse(std::string("has no property ") + name);
+        if (found->second.size() != n_bytes)
+            refuse(std::string("has too little or too much ") + name);
+        return found->second;
+    }
+
+    std::vector<int> integers(const char* name, std::size_t dimension, std::size_t count) const {
+        const std::string_view bytes = property(name, 4 * dimension * count);
+        std::vector<int> values;
+        for (std::size_t k = 0; k < dimension * count; ++k) {
+            values.push_back(static_cast<int>(integer_of(bytes.substr(4 * k, 4))));
+        }
+        return values;
+    }
+
+    Lattice lattice() const {
+        // The number of entries stands before them.
+        const std::string_view bytes = property("pcvt_lattice", 4 + 4 * 8);
+        const auto number = [&](std::size_t k) { return double_of(bytes.substr(4 + 8 * k)); };
+        try {
+            return {Vec2(number(0), number(1)), Vec2(number(2), number(3))};
+        } catch (const InvalidInput& fault) {
+            throw BadFile(name_ + ": " + fault.what());
+        }
+    }
+
+    std::size_t checked(std::int64_t index, std::size_t count) const {
+        if (index < 0 || static_cast<std::size_t>(index) >= count) {
+            refuse("names a vertex or an edge that does not exist");
+        }
+        return static_cast<std::size_t>(index);
+    }
+
+    std::size_t next(std::size_t h) const { return checked(halfedges_[3 * h], n_halfedges_); }
+    int to_vertex(std::size_t h) const {
+        return static_cast<int>(checked(halfedges_[3 * h + 1], n_vertices_));
+    }
+    int from_vertex(std::size_t h) const { return to_vertex(h ^ 1); }
+
+    void read_faces(FlatTile& tile) const {
+        if (tile.points.empty() || halfedges_.empty() || face_halfedge_.empty()) {
+            refuse("lacks its vertices or its faces");
+        }
+        for (std::size_t f = 0; f < n_faces_; ++f) {
+            const std::size_t first = checked(face_halfedge_[f], n_halfedges_);
+            std::size_t h = first;
+            do {
+                if (halfedges_[3 * h + 2] != static_cast<std::int64_t>(f) ||
+                    tile.corners.size() == n_halfedges_) {
+                    refuse("has a face that does not close");
+                }
+                tile.corners.push_back(to_vertex(h));
+                h = next(h);
+            } while (h != first);
+            tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
+            if (tile.face_size(static_cast<int>(f)) < 3) refuse("has a face without three corners");
+        }
+    }
+
+    std::vector<int> offsets(const char* name, std::size_t count) const {
+        std::vector<int> values = integers(name, 2, count);
+        for (const int k : values) {
+            if (k < -kLargestOffset || k > kLargestOffset) refuse("has a huge offset");
+        }
+        return values;
+    }
+
+    void read_orbits(FlatTile& tile) const {
+        const std::vector<int> orbit = integers("pcvt_orbit", 1, n_vertices_);
+        const std::vector<int> offset = offsets("pcvt_orbit_offset", n_vertices_);
+        for (std::size_t v = 0; v < n_vertices_; ++v) {
+            const auto representative = checked(orbit[v], n_vertices_);
+            if (representative == v) continue;
+            tile.vertex_pairs.push_back(
+                {orbit[v], static_cast<int>(v), {offset[2 * v], offset[2 * v + 1]}});
+        }
+    }
+
+    void read_partners(FlatTile& tile) const {
+        const std::vector<int> partner = integers("pcvt_partner", 1, n_halfedges_);
+        const std::vector<int> offset = offsets("pcvt_partner_offset", n_halfedges_);
+        for (std::size_t h = 0; h < n_halfedges_; ++h) {
+            if (partner[h] < 0) continue;
+            const std::size_t p = checked(partner[h], n_halfedges_);
+            const Offset across{offset[2 * h], offset[2 * h + 1]};
+            const Offset back{offset[2 * p], offset[2 * p + 1]};
+            if (partner[p] != static_cast<int>(h) || across + back != Offset{}) {
+                refuse("has a boundary edge whose partner does not answer");
+            }
+            if (across < Offset{}) continue;
+            tile.edge_pairs.push_back(
+                {to_vertex(h), from_vertex(h), from_vertex(p), to_vertex(p), across});
+        }
+    }
+
+    const std::string& name_;
+    std::string_view rest_;
+    TileKind kind_ = TileKind::kCells;
+    std::size_t n_vertices_ = 0;
+    std::size_t n_faces_ = 0;
+    std::size_t n_halfedges_ = 0;
+    std::vector<Vec2> points_;
+    /// Of each halfedge: the next one, the vertex that it points to, its face or -1.
+    std::vector<std::int64_t> halfedges_;
+    std::vector<std::int64_t> face_halfedge_;
+    std::map<std::string_view, std::string_view> properties_;
+};
+
+}  // namespace
+
+TileFile decode_om(const std::vector<EncodedFile>& files, const std::optional<Lattice>&) {
+    return OmParser(files.front().path, files.front().bytes).parse();
+}
+
+}  // namespace pcvt

@@ -1,0 +1,51 @@
+// OpenMesh wants its readers and writers included before any mesh.
+// clang-format off
+#include <OpenMesh/Core/IO/MeshIO.hh>
+// clang-format on
+
+#include "io/graphics/om_writer.hpp"
+
+#include <sstream>
+
+#include "io/bytes/library_lock.hpp"
+#include "io/tiles/finite.hpp"
+
+namespace pcvt {
+namespace {
+
+/// OpenMesh counts bytes on std::clog and complains on std::cerr; a library prints nothing.
+class SilentOpenMesh {
+   public:
+    SilentOpenMesh() : log_(omlog().is_enabled()), errors_(omerr().is_enabled()) {
+        omlog().disable();
+        omerr().disable();
+    }
+    ~SilentOpenMesh() {
+        if (log_) omlog().enable();
+        if (errors_) omerr().enable();
+    }
+    SilentOpenMesh(const SilentOpenMesh&) = delete;
+    SilentOpenMesh& operator=(const SilentOpenMesh&) = delete;
+
+   private:
+    bool log_;
+    bool errors_;
+};
+
+}  // namespace
+
+std::vector<EncodedFile> encode_om(const AnyTile& tile, const std::string& path) {
+    require_finite(flatten(tile));
+    const std::lock_guard lock(library_lock());
+    const SilentOpenMesh silence;
+    const OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
+    std::ostringstream stream(std::ios::binary);
+    const bool written = std::visit(
+        [&](const auto& any) { return OpenMesh::IO::write_mesh(any.mesh, stream, ".om", options); },
+        tile);
+    // OpenMesh reports success also after its stream has failed.
+    if (!written || !stream) throw InternalError("OpenMesh could not write " + path);
+    return only_file(path, std::move(stream).str());
+}
+
+}  // namespace pcvt

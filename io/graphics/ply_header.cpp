@@ -1,0 +1,114 @@
+#include "io/graphics/ply_header.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace pcvt {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+constexpr std::array<std::string_view, 12> kIntegerTypes{"char",  "uchar",  "short", "ushort",
+                                                         "int",   "uint",   "int8",  "uint8",
+                                                         "int16", "uint16", "int32", "uint32"};
+constexpr std::array<std::string_view, 2> kSingleTypes{"float", "float32"};
+constexpr std::array<std::string_view, 2> kDoubleTypes{"double", "float64"};
+
+template <class List>
+bool contains(const List& list, std::string_view word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+void check_format(const LineScanner& scanner) {
+    const Words& words = scanner.words();
+    if (words.size() == 3 && words[1].starts_with("binary")) {
+        scanner.refuse("this PLY is binary; export it as ASCII");
+    }
+    if (words != Words{"format", "ascii", "1.0"}) {
+        scanner.refuse("the format is not known; write \"format ascii 1.0\"");
+    }
+}
+
+void read_comment(const LineScanner& scanner, RawTile& raw) {
+    const Words& words = scanner.words();
+    if (words.size() < 3 || words[1] != "pcvt") return;
+    const Words values(words.begin() + 3, words.end());
+    if (words[2] == "kind") {
+        raw.take_kind(scanner, values);
+    } else if (words[2] == "lattice") {
+        raw.take_lattice(scanner, values);
+    } else {
+        scanner.refuse("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
+    }
+}
+
+void read_element(const LineScanner& scanner, std::vector<PlyElement>& elements) {
+    const Words& words = scanner.words();
+    if (words.size() != 3) scanner.refuse("an element has a name and a count; write both");
+    const int count = scanner.integer(words[2]);
+    if (count < 0) scanner.refuse("a count is negative; correct it");
+    for (const PlyElement& element : elements) {
+        if (element.name == words[1]) {
+            scanner.refuse("element " + in_quotes(words[1]) + " is declared twice; remove one");
+        }
+    }
+    elements.push_back({words[1], count, {}});
+}
+
+void read_property(const LineScanner& scanner, std::vector<PlyElement>& elements) {
+    const Words& words = scanner.words();
+    const bool is_list =
+        words.size() == 5 && words[1] == "list" && contains(kIntegerTypes, words[2]);
+    if (!is_list && words.size() != 3) {
+        scanner.refuse("a property has a type and a name; write \"property double x\"");
+    }
+    if (elements.empty()) scanner.refuse("a property stands before any element; remove it");
+    const std::string_view type = words[words.size() - 2];
+    const bool is_single = contains(kSingleTypes, type);
+    const bool is_real = is_single || contains(kDoubleTypes, type);
+    if (!is_real && !contains(kIntegerTypes, type)) {
+        scanner.refuse("the type " + in_quotes(type) + " is not known; write int or double");
+    }
+    if (elements.back().find(words.back())) {
+        scanner.refuse("property " + in_quotes(words.back()) + " is declared twice; remove one");
+    }
+    elements.back().properties.push_back({words.back(), is_real, is_single, is_list});
+}
+
+}  // namespace
+
+const PlyProperty* PlyElement::find(std::string_view property) const {
+    const auto found = std::find_if(properties.begin(), properties.end(),
+                                    [&](const PlyProperty& p) { return p.name == property; });
+    return found == properties.end() ? nullptr : &*found;
+}
+
+std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw) {
+    if (!scanner.next() || scanner.words() != Words{"ply"}) {
+        throw BadFile(raw.name + ": does not begin with the line \"ply\"; give a PLY file");
+    }
+    bool has_format = false;
+    std::vector<PlyElement> elements;
+    while (scanner.next()) {
+        const std::string_view key = scanner.words().empty() ? "" : scanner.words().front();
+        if (key == "end_header") {
+            if (!has_format) scanner.refuse("the format is missing; write \"format ascii 1.0\"");
+            return elements;
+        }
+        if (key == "comment") {
+            read_comment(scanner, raw);
+        } else if (key == "element") {
+            read_element(scanner, elements);
+        } else if (key == "property") {
+            read_property(scanner, elements);
+        } else if (key == "format") {
+            check_format(scanner);
+            has_format = true;
+        } else if (!key.empty() && key != "obj_info") {
+            scanner.refuse(in_quotes(key) + " has no place in the header; remove the line");
+        }
+    }
+    throw BadFile(raw.name + ": the header does not end; write \"end_header\" after it");
+}
+
+}  // namespace pcvt

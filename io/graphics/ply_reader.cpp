@@ -1,0 +1,189 @@
+#include "io/graphics/ply_reader.hpp"
+
+#include <utility>
+
+#include "io/bytes/text.hpp"
+#include "io/graphics/ply_header.hpp"
+#include "io/tiles/raw_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The values of one line after the other: a number has one, a list its items.
+class PlyValues {
+   public:
+    explicit PlyValues(const PlyElement& element) {
+        for (const PlyProperty& property : element.properties) of_.emplace_back(property.name, 0);
+    }
+
+    /// Those of property k, without the ones of the line before.
+    std::vector<double>& renew(std::size_t k) {
+        of_[k].second.clear();
+        return of_[k].second;
+    }
+    const std::vector<double>& list(std::string_view name) const {
+        static const std::vector<double> none;
+        for (const auto& [key, values] : of_) {
+            if (key == name) return values;
+        }
+        return none;
+    }
+    /// 0 where the property is not there.
+    double number(std::string_view name) const {
+        const std::vector<double>& values = list(name);
+        return values.empty() ? 0 : values.front();
+    }
+    int integer(std::string_view name) const { return static_cast<int>(number(name)); }
+
+   private:
+    std::vector<std::pair<std::string_view, std::vector<double>>> of_;
+};
+
+/// The numbers of the current line, as `element` declares them.
+void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValues& values) {
+    std::size_t at = 0;
+    const auto next_word = [&] {
+        if (at == scanner.words().size()) {
+            scanner.refuse("the line is too short; correct it or the header");
+        }
+        return scanner.words()[at++];
+    };
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        const int count = property.is_list ? scanner.integer(next_word()) : 1;
+        if (count < 0) scanner.refuse("a list has a negative length; correct it");
+        std::vector<double>& numbers = values.renew(p);
+        for (int k = 0; k < count; ++k) {
+            const std::string_view word = next_word();
+            numbers.push_back(property.is_real ? scanner.number(word) : scanner.integer(word));
+        }
+    }
+    if (at != scanner.words().size()) {
+        scanner.refuse("the line is too long; correct it or the header");
+    }
+}
+
+class PlyParser {
+   public:
+    PlyParser(const std::string& name, std::string_view text)
+        : scanner_(name, text), raw_{name, 0, {}, {}, {}, {0}, {}, {}, {}, {}, {}} {
+        elements_ = read_ply_header(scanner_, raw_);
+        refuse_binary(name, text, "export it as ASCII");
+    }
+
+    RawTile parse() {
+        for (const PlyElement& element : elements_) {
+            if (element.name == "vertex") require_vertex(element);
+            if (element.name == "face") require_face(element);
+            PlyValues values(element);
+            for (int k = 0; k < element.count; ++k) parse_element(element, values);
+        }
+        while (scanner_.next()) {
+            if (scanner_.words().empty()) continue;
+            scanner_.refuse("the file goes on after its last element; correct the counts");
+        }
+        return std::move(raw_);
+    }
+
+    Precision precision() const { return is_single_ ? Precision::kSingle : Precision::kDouble; }
+
+   private:
+    enum class Type { kInteger, kNumber, kIntegerList };
+
+    void require(const PlyElement& element, std::string_view name, Type type) const {
+        const PlyProperty* found = element.find(name);
+        if (found && found->is_list == (type == Type::kIntegerList) &&
+            (type == Type::kNumber || !found->is_real)) {
+            return;
+        }
+        throw BadFile(raw_.name + ": element " + in_quotes(element.name) + " lacks a proper " +
+                      in_quotes(name) + "; export the file with it");
+    }
+
+    void require_vertex(const PlyElement& vertex) {
+        require(vertex, "x", Type::kNumber);
+        require(vertex, "y", Type::kNumber);
+        if (vertex.find("z")) require(vertex, "z", Type::kNumber);
+        is_single_ = vertex.find("x")->is_single || vertex.find("y")->is_single;
+        n_vertices_ = vertex.count;
+        has_orbits_ = vertex.find("orbit") || vertex.find("offset_i") || vertex.find("offset_j");
+        if (has_orbits_) {
+            require(vertex, "orbit", Type::kInteger);
+            require(vertex, "offset_i", Type::kInteger);
+            require(vertex, "offset_j", Type::kInteger);
+        }
+        require_sites(vertex, false);
+    }
+
+    void require_face(const PlyElement& face) {
+        list_name_ = face.find("vertex_index") ? "vertex_index" : "vertex_indices";
+        require(face, list_name_, Type::kIntegerList);
+        require_sites(face, true);
+    }
+
+    /// `site` means something only in a file of ours, in the element that owns the sites.
+    void require_sites(const PlyElement& element, bool of_faces) {
+        has_sites_ = raw_.kind && faces_have_sites(*raw_.kind) == of_faces && element.find("site");
+        if (has_sites_) require(element, "site", Type::kInteger);
+    }
+
+    void parse_element(const PlyElement& element, PlyValues& values) {
+        do {
+            if (!scanner_.next()) {
+                throw BadFile(raw_.name + ": ends before its last " + in_quotes(element.name) +
+                              "; correct the counts or give the whole file");
+            }
+        } while (scanner_.words().empty());
+        parse_values(scanner_, element, values);
+        if (element.name == "vertex") add_vertex(values);
+        if (element.name == "face") add_face(values);
+    }
+
+    void add_vertex(const PlyValues& values) {
+        if (values.number("z") != 0) {
+            scanner_.refuse("z is not 0; lay the tile into the plane z = 0");
+        }
+        raw_.points.emplace_back(values.number("x"), values.number("y"));
+        if (has_orbits_) add_orbit(values);
+        if (has_sites_) raw_.sites.push_back(values.integer("site"));
+    }
+
+    void add_orbit(const PlyValues& values) {
+        const int orbit = values.integer("orbit");
+        const int v = static_cast<int>(raw_.points.size()) - 1;
+        const Offset offset{values.integer("offset_i"), values.integer("offset_j")};
+        if (orbit < 0 || orbit >= n_vertices_) {
+            scanner_.refuse("orbit " + std::to_string(orbit) + " is no vertex; correct the index");
+        }
+        if (orbit != v) {
+            raw_.vertex_pairs.push_back({orbit, v, offset});
+        } else if (offset != Offset{}) {
+            scanner_.refuse("a vertex has an offset to itself; write the file again with pcvt");
+        }
+    }
+
+    void add_face(const PlyValues& values) {
+        const std::vector<double>& list = values.list(list_name_);
+        raw_.add_face(std::vector<int>(list.begin(), list.end()), scanner_.line());
+        if (has_sites_) raw_.sites.push_back(values.integer("site"));
+    }
+
+    LineScanner scanner_;
+    RawTile raw_;
+    std::vector<PlyElement> elements_;
+    std::string_view list_name_;
+    int n_vertices_ = 0;
+    bool has_orbits_ = false;
+    bool has_sites_ = false;
+    bool is_single_ = false;
+};
+
+}  // namespace
+
+TileFile decode_ply(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+    PlyParser parser(files.front().path, files.front().bytes);
+    RawTile raw = parser.parse();
+    return finish(std::move(raw), lattice, parser.precision());
+}
+
+}  // namespace pcvt

@@ -1,0 +1,124 @@
+#include "io/graphics/ply_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "io/bytes/text.hpp"
+#include "io/tiles/finite.hpp"
+#include "io/tiles/palette.hpp"
+#include "io/tiles/raw_tile.hpp"
+#include "mesher/mesh/quality.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr Colour kPlain{1, 1, 1};
+/// The most corners that a list counted by uchar can have.
+constexpr int kMostByUchar = 255;
+
+template <class Number>
+void append_word(std::string& text, Number number) {
+    append_number(text, number);
+    text += ' ';
+}
+
+std::string words(Colour colour) {
+    std::string text;
+    for (const double part : {colour.r, colour.g, colour.b}) {
+        append_word(text, static_cast<int>(std::lround(255 * part)));
+    }
+    return text;
+}
+
+/// The colours of numbers of sides as words, each made once.
+class SideColours {
+   public:
+    const std::string& of(int sides) {
+        const auto [found, is_new] = words_.try_emplace(sides);
+        if (is_new) found->second = words(side_colour(sides));
+        return found->second;
+    }
+
+   private:
+    std::map<int, std::string> words_;
+};
+
+void end_line(std::string& text) { text.back() = '\n'; }
+
+std::string header(const FlatTile& tile) {
+    const bool owned = faces_have_sites(tile.kind);
+    const Vec2& a = tile.lattice.a();
+    const Vec2& b = tile.lattice.b();
+    std::string text =
+        "ply\nformat ascii 1.0\ncomment A periodic tile, written by pcvt\n"
+        "comment position = position(orbit) + offset_i a + offset_j b, lattice ax ay bx by\n"
+        "comment pcvt kind " +
+        kind_word(tile.kind) + "\ncomment pcvt lattice ";
+    for (const double number : {a.x(), a.y(), b.x(), b.y()}) append_word(text, number);
+    end_line(text);
+    text += "element vertex " + std::to_string(tile.n_vertices()) +
+            "\nproperty double x\nproperty double y\nproperty double z\n"
+            "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+            "property int orbit\nproperty int offset_i\nproperty int offset_j\n";
+    if (!owned) text += "property int site\n";
+    int most_corners = 0;
+    for (int f = 0; f < tile.n_faces(); ++f)
+        most_corners = std::max(most_corners, tile.face_size(f));
+    text += "element face " + std::to_string(tile.n_faces()) + "\nproperty list ";
+    text += most_corners <= kMostByUchar ? "uchar" : "int";
+    text += " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
+    if (owned) text += "property int site\n";
+    return text + "end_header\n";
+}
+
+void append_vertices(std::string& text, const FlatTile& tile) {
+    const bool owned = faces_have_sites(tile.kind);
+    const std::vector<int> valences = owned ? std::vector<int>() : vertex_valences(tile);
+    const std::string plain = words(kPlain);
+    SideColours colours;
+    std::vector<VertexPair> orbits;
+    orbits.reserve(tile.points.size());
+    for (int v = 0; v < tile.n_vertices(); ++v) orbits.push_back({v, v, {}});
+    for (const VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        append_word(text, tile.points[v].x());
+        append_word(text, tile.points[v].y());
+        append_word(text, 0);
+        text += owned ? plain : colours.of(valences[v]);
+        append_word(text, orbits[v].v);
+        append_word(text, orbits[v].offset.i);
+        append_word(text, orbits[v].offset.j);
+        if (!owned) append_word(text, tile.vertex_site[v]);
+        end_line(text);
+    }
+}
+
+void append_faces(std::string& text, const FlatTile& tile) {
+    const bool owned = faces_have_sites(tile.kind);
+    const std::vector<int> sides = owned ? cell_sides(tile) : std::vector<int>();
+    const std::string plain = words(kPlain);
+    SideColours colours;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        append_word(text, tile.face_size(f));
+        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
+            append_word(text, tile.corners[c]);
+        }
+        text += owned ? colours.of(sides[f]) : plain;
+        if (owned) append_word(text, tile.face_site[f]);
+        end_line(text);
+    }
+}
+
+}  // namespace
+
+std::vector<EncodedFile> encode_ply(const FlatTile& tile, const std::string& path) {
+    require_finite(tile);
+    std::string text = header(tile);
+    append_vertices(text, tile);
+    append_faces(text, tile);
+    return only_file(path, std::move(text));
+}
+
+}  // namespace pcvt

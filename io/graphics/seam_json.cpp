@@ -1,0 +1,184 @@
+#include "io/graphics/seam_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/bytes/text.hpp"
+#include "io/tiles/raw_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kVersion = 1;
+constexpr std::size_t kSitesALine = 16;
+
+/// `values` as a JSON list, without a line break.
+template <class Values>
+void append_list(std::string& text, const Values& values) {
+    text += '[';
+    for (const auto value : values) {
+        if (text.back() != '[') text += ", ";
+        append_number(text, value);
+    }
+    text += ']';
+}
+
+/// A named list of rows, one a line.
+template <class Rows, class ToNumbers>
+void append_rows(std::string& text, const char* key, const Rows& rows, ToNumbers to_numbers) {
+    text += std::string("  \"") + key + "\": [";
+    const char* separator = "\n    ";
+    for (const auto& row : rows) {
+        text += separator;
+        append_list(text, to_numbers(row));
+        separator = ",\n    ";
+    }
+    text += "\n  ],\n";
+}
+
+void append_sites(std::string& text, const std::vector<SiteId>& sites) {
+    text += "  \"sites\": [";
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        if (k > 0) text += ',';
+        text += k % kSitesALine == 0 ? "\n    " : " ";
+        append_number(text, sites[k]);
+    }
+    text += "\n  ]\n";
+}
+
+/// Reads the parts of a seam and names the part that is at fault.
+class SeamDecoder {
+   public:
+    SeamDecoder(const std::string& name, const Json& json) : name_(name), json_(json) {}
+
+    [[noreturn]] void refuse(const std::string& complaint) const {
+        throw BadFile(name_ + ": " + complaint + "; write the file again with pcvt");
+    }
+
+    const Json& at(const char* key) const {
+        const auto found = json_.is_object() ? json_.find(key) : json_.end();
+        if (!json_.is_object() || found == json_.end()) {
+            refuse(std::string("the key \"") + key + "\" is missing");
+        }
+        return *found;
+    }
+
+    const Json& list(const Json& json, const char* key) const {
+        if (!json.is_array())
+            refuse(std::string("\"") + key + "\" does not hold lists as it should");
+        return json;
+    }
+
+    int integer(const Json& json, const char* key) const {
+        using Limits = std::numeric_limits<int>;
+        // Beyond 2^63 the library would wrap on the way to a signed number.
+        const bool small = !json.is_number_unsigned() || json.get<std::uint64_t>() <= Limits::max();
+        const std::int64_t value = json.is_number_integer() && small
+                                       ? json.get<std::int64_t>()
+                                       : std::int64_t{Limits::max()} + 1;
+        if (value < Limits::min() || value > Limits::max()) {
+            refuse(std::string("\"") + key + "\" holds what is not a 32-bit integer");
+        }
+        return static_cast<int>(value);
+    }
+
+    template <std::size_t kWidth>
+    std::vector<std::array<int, kWidth>> rows(const char* key) const {
+        std::vector<std::array<int, kWidth>> result;
+        for (const Json& row : list(at(key), key)) {
+            if (list(row, key).size() != kWidth) {
+                refuse(std::string("an entry of \"") + key + "\" does not have " +
+                       std::to_string(kWidth) + " numbers");
+            }
+            auto& numbers = result.emplace_back();
+            for (std::size_t k = 0; k < kWidth; ++k) numbers[k] = integer(row[k], key);
+        }
+        return result;
+    }
+
+    Vec2 vector(const Json& json) const {
+        const bool good =
+            json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number();
+        if (!good) refuse("\"lattice\" is not [[ax, ay], [bx, by]]");
+        return {json[0].get<double>(), json[1].get<double>()};
+    }
+
+    Lattice lattice() const {
+        const Json& json = list(at("lattice"), "lattice");
+        if (json.size() != 2) refuse("\"lattice\" is not [[ax, ay], [bx, by]]");
+        try {
+            return {vector(json[0]), vector(json[1])};
+        } catch (const BadFile&) {
+            throw;
+        } catch (const InvalidInput& fault) {
+            throw BadFile(name_ + ": " + fault.what());
+        }
+    }
+
+   private:
+    const std::string& name_;
+    const Json& json_;
+};
+
+Json parse_json(const std::string& name, std::string_view text) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::exception& fault) {
+        const auto* parse_fault = dynamic_cast<const Json::parse_error*>(&fault);
+        const std::size_t at = parse_fault ? std::min(parse_fault->byte, text.size()) : 0;
+        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
+        throw BadFile(name + ":" + std::to_string(line) +
+                      ": is not valid JSON; write the file again with pcvt");
+    }
+}
+
+}  // namespace
+
+std::string encode_seam(const FlatTile& tile) {
+    const Vec2& a = tile.lattice.a();
+    const Vec2& b = tile.lattice.b();
+    std::string text = "{\n  \"format\": \"pcvt seam\",\n  \"version\": ";
+    append_number(text, kVersion);
+    text += ",\n  \"kind\": \"" + kind_word(tile.kind) + "\",\n  \"lattice\": [";
+    append_list(text, a);
+    text += ", ";
+    append_list(text, b);
+    text += "],\n  \"index_base\": 0,\n";
+    append_rows(text, "vertex_pairs", tile.vertex_pairs, [](const VertexPair& p) {
+        return std::array{p.v, p.w, p.offset.i, p.offset.j};
+    });
+    append_rows(text, "edge_pairs", tile.edge_pairs, [](const EdgePair& p) {
+        return std::array{p.v0, p.v1, p.w0, p.w1, p.offset.i, p.offset.j};
+    });
+    append_sites(text, faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site);
+    return text + "}\n";
+}
+
+Seam decode_seam(const std::string& name, std::string_view text) {
+    const Json json = parse_json(name, text);
+    const SeamDecoder decoder(name, json);
+    if (decoder.at("format") != "pcvt seam") decoder.refuse("it is not a seam of pcvt");
+    if (decoder.at("version") != kVersion) decoder.refuse("its version is not 1");
+    if (decoder.at("index_base") != 0) decoder.refuse("its index base is not 0");
+    const Json& word = decoder.at("kind");
+    const auto kind = word.is_string() ? kind_of_word(word.get<std::string>()) : std::nullopt;
+    if (!kind) decoder.refuse("its kind is none of cells, triangles and grains");
+    Seam seam{*kind, decoder.lattice(), {}, {}, {}};
+    for (const auto& [v, w, i, j] : decoder.rows<4>("vertex_pairs")) {
+        seam.vertex_pairs.push_back({v, w, {i, j}});
+    }
+    for (const auto& [v0, v1, w0, w1, i, j] : decoder.rows<6>("edge_pairs")) {
+        seam.edge_pairs.push_back({v0, v1, w0, w1, {i, j}});
+    }
+    for (const Json& site : decoder.list(decoder.at("sites"), "sites")) {
+        seam.sites.push_back(decoder.integer(site, "sites"));
+    }
+    return seam;
+}
+
+}  // namespace pcvt

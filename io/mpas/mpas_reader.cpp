@@ -1,0 +1,154 @@
+#include "io/mpas/mpas_reader.hpp"
+
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <limits>
+
+#include "io/bytes/library_lock.hpp"
+#include "io/mpas/mpas_format.hpp"
+#include "io/tiles/tile_file.hpp"
+
+namespace pcvt {
+namespace {
+
+/// A netCDF file that lies in memory.
+class MpasInput {
+   public:
+    MpasInput(const std::string& path, const std::string& bytes) : path_(path), bytes_(bytes) {
+        if (bytes.size() < 4 || !bytes.starts_with("CDF")) {
+            refuse("not a netCDF file of the classic formats; convert it with nccopy -k nc6");
+        }
+        // The library takes a pointer to what it will not write to.
+        void* memory = const_cast<char*>(bytes.data());
+        require(nc_open_mem(path.c_str(), NC_NOWRITE, bytes.size(), memory, &id_), "the header");
+    }
+    ~MpasInput() { nc_close(id_); }
+    MpasInput(const MpasInput&) = delete;
+    MpasInput& operator=(const MpasInput&) = delete;
+
+    [[noreturn]] void refuse(const std::string& complaint) const {
+        throw BadFile(path_ + ": " + complaint);
+    }
+
+    int dimension(const char* name) const {
+        int number = 0;
+        std::size_t length = 0;
+        require(nc_inq_dimid(id_, name, &number), name);
+        require(nc_inq_dimlen(id_, number, &length), name);
+        // No dimension of a whole file is longer than the file.
+        if (length == 0 || length > bytes_.size() ||
+            length > std::size_t(std::numeric_limits<int>::max())) {
+            refuse("dimension " + std::string(name) + " has the size " + std::to_string(length) +
+                   "; give the whole file");
+        }
+        return static_cast<int>(length);
+    }
+
+    double attribute(const char* name) const {
+        double value = 0;
+        std::size_t length = 0;
+        require(nc_inq_attlen(id_, NC_GLOBAL, name, &length), name);
+        if (length != 1) refuse("attribute " + std::string(name) + " is not one number");
+        require(nc_get_att_double(id_, NC_GLOBAL, name, &value), name);
+        return value;
+    }
+
+    void read(const MpasVariable& variable, const CGrid& grid, std::vector<int>& values) const {
+        values.resize(entries(variable, grid, sizeof(int)));
+        require(nc_get_var_int(id_, number(variable), values.data()), variable.name);
+    }
+    void read(const MpasVariable& variable, const CGrid& grid, std::vector<double>& values) const {
+        values.resize(entries(variable, grid, sizeof(double)));
+        require(nc_get_var_double(id_, number(variable), values.data()), variable.name);
+    }
+
+    /// The ids of the file are its indices.
+    void require_ids(const std::string& name, int n) const {
+        int variable = 0;
+        int dimension = 0;
+        int n_dimensions = 0;
+        std::size_t length = 0;
+        require(nc_inq_varid(id_, name.c_str(), &variable), name);
+        require(nc_inq_varndims(id_, variable, &n_dimensions), name);
+        if (n_dimensions == 1) {
+            require(nc_inq_vardimid(id_, variable, &dimension), name);
+            require(nc_inq_dimlen(id_, dimension, &length), name);
+        }
+        std::vector<int> ids(static_cast<std::size_t>(n));
+        if (length == ids.size()) require(nc_get_var_int(id_, variable, ids.data()), name);
+        for (int k = 0; k < n; ++k) {
+            if (ids[k] == k + 1) continue;
+            refuse(name + " does not count from 1; give the whole file, or number it anew");
+        }
+    }
+
+   private:
+    void require(int status, const std::string& what) const {
+        if (status == NC_NOERR) return;
+        refuse(what + " cannot be read: " + nc_strerror(status) + "; give an MPAS mesh file");
+    }
+
+    int number(const MpasVariable& variable) const {
+        int found = 0;
+        require(nc_inq_varid(id_, variable.name, &found), variable.name);
+        return found;
+    }
+
+    /// The number of entries that the variable should have, and has.
+    std::size_t entries(const MpasVariable& variable, const CGrid& grid, std::size_t size) const {
+        int n_dimensions = 0;
+        int dimensions[NC_MAX_VAR_DIMS] = {};
+        require(
+            nc_inq_var(id_, number(variable), nullptr, nullptr, &n_dimensions, dimensions, nullptr),
+            variable.name);
+        std::size_t found = 1;
+        for (int k = 0; k < n_dimensions; ++k) {
+            std::size_t length = 0;
+            require(nc_inq_dimlen(id_, dimensions[k], &length), variable.name);
+            found *= length;
+        }
+        const std::size_t wanted = static_cast<std::size_t>(mpas_size(grid, variable.rows)) *
+                                   mpas_size(grid, variable.columns);
+        if (n_dimensions > 2 || found != wanted || wanted > bytes_.size() / size) {
+            refuse(std::string(variable.name) + " has " + std::to_string(found) + " entries, not " +
+                   std::to_string(wanted) + "; give the whole file");
+        }
+        return wanted;
+    }
+
+    const std::string& path_;
+    const std::string& bytes_;
+    int id_ = 0;
+};
+
+}  // namespace
+
+CGrid decode_mpas(const std::string& path, const std::string& bytes) {
+    const std::lock_guard lock(library_lock());
+    const MpasInput file(path, bytes);
+    CGrid grid{};
+    grid.x_period = file.attribute("x_period");
+    grid.y_period = file.attribute("y_period");
+    grid.n_cells = file.dimension("nCells");
+    grid.n_edges = file.dimension("nEdges");
+    grid.n_vertices = file.dimension("nVertices");
+    grid.max_edges = file.dimension("maxEdges");
+    if (grid.max_edges > std::numeric_limits<int>::max() / 2) file.refuse("maxEdges is too large");
+    for (const MpasVariable& variable : mpas_variables()) {
+        if (variable.indices != nullptr) {
+            file.read(variable, grid, grid.*variable.indices);
+            for (int& index : grid.*variable.indices) index = index > 0 ? index - 1 : -1;
+        } else if (variable.counts != nullptr) {
+            file.read(variable, grid, grid.*variable.counts);
+        } else {
+            file.read(variable, grid, grid.*variable.numbers);
+        }
+    }
+    file.require_ids("indexToCellID", grid.n_cells);
+    file.require_ids("indexToEdgeID", grid.n_edges);
+    file.require_ids("indexToVertexID", grid.n_vertices);
+    return grid;
+}
+
+}  // namespace pcvt

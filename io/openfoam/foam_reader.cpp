@@ -1,0 +1,171 @@
+#include "io/openfoam/foam_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "io/openfoam/foam_scanner.hpp"
+#include "io/tiles/raw_tile.hpp"
+#include "mesher/finite_volume/slab_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+const EncodedFile& file_named(const std::vector<EncodedFile>& files, const std::string& name) {
+    const std::string end = "constant/polyMesh/" + name;
+    for (const EncodedFile& file : files) {
+        if (file.path.ends_with(end)) return file;
+    }
+    throw BadFile(files.front().path + ": there is no " + end + " beside it; give a whole case");
+}
+
+void read_points(const EncodedFile& file, SlabMesh& slab) {
+    FoamScanner scanner(file.path, file.bytes);
+    const int n = scanner.begin_list();
+    slab.points.reserve(static_cast<std::size_t>(n));
+    for (int k = 0; k < n; ++k) {
+        scanner.expect("(");
+        const double x = scanner.number();
+        const double y = scanner.number();
+        const double z = scanner.number();
+        slab.points.emplace_back(x, y, z);
+        scanner.expect(")");
+    }
+    scanner.expect(")");
+}
+
+void read_faces(const EncodedFile& file, SlabMesh& slab) {
+    FoamScanner scanner(file.path, file.bytes);
+    const int n = scanner.begin_list();
+    slab.face_begin.reserve(static_cast<std::size_t>(n) + 1);
+    for (int k = 0; k < n; ++k) {
+        for (int left = scanner.begin_list(); left > 0; --left) {
+            slab.corners.push_back(scanner.integer());
+        }
+        scanner.expect(")");
+        slab.face_begin.push_back(static_cast<int>(slab.corners.size()));
+    }
+    scanner.expect(")");
+}
+
+std::vector<int> read_labels(const EncodedFile& file) {
+    FoamScanner scanner(file.path, file.bytes);
+    std::vector<int> labels(static_cast<std::size_t>(scanner.begin_list()));
+    for (int& label : labels) label = scanner.integer();
+    scanner.expect(")");
+    return labels;
+}
+
+/// (I, J) of the name seam_I_J.
+std::optional<Offset> named_offset(const std::string& name) {
+    const std::string head = "seam_";
+    const std::size_t cut = name.find('_', head.size());
+    if (!name.starts_with(head) || cut == std::string::npos) return std::nullopt;
+    try {
+        return Offset{parse_integer(name.substr(head.size(), cut - head.size())),
+                      parse_integer(name.substr(cut + 1))};
+    } catch (const InvalidInput&) {
+        return std::nullopt;
+    }
+}
+
+Vec2 read_separation(FoamScanner& scanner) {
+    scanner.expect("(");
+    const double x = scanner.number();
+    const double y = scanner.number();
+    if (scanner.number() != 0) scanner.refuse("a separation leaves the plane; make z 0");
+    scanner.expect(")");
+    return {x, y};
+}
+
+/// A patch as it stands, with the name of its partner: empty where it has none.
+std::pair<SlabPatch, std::string> read_patch(FoamScanner& scanner) {
+    SlabPatch patch{std::string(scanner.next()), -1, -1, -1, Offset{}, Vec2(0, 0)};
+    std::string type;
+    std::string partner;
+    scanner.expect("{");
+    for (std::string_view key = scanner.next(); key != "}"; key = scanner.next()) {
+        if (key.empty()) scanner.refuse("a patch does not end; give the whole file");
+        if (key == "type") type = scanner.next();
+        if (key == "neighbourPatch") partner = scanner.next();
+        if (key == "nFaces") patch.n_faces = scanner.integer();
+        if (key == "startFace") patch.first_face = scanner.integer();
+        if (key == "separationVector") patch.separation = read_separation(scanner);
+        scanner.skip_entry();
+    }
+    if (type == "empty" && partner.empty()) return {patch, partner};
+    const std::optional<Offset> offset = named_offset(patch.name);
+    const auto fits = [](int k) { return k >= -kLargestOffset && k <= kLargestOffset; };
+    if (type != "cyclic" || partner.empty() || !offset || !fits(offset->i) || !fits(offset->j)) {
+        scanner.refuse("patch " + in_quotes(patch.name) +
+                       " is neither an empty one nor one side of a seam; name the cyclic ones "
+                       "seam_I_J and give each a neighbourPatch");
+    }
+    patch.offset = *offset;
+    return {patch, partner};
+}
+
+void read_boundary(const EncodedFile& file, SlabMesh& slab) {
+    FoamScanner scanner(file.path, file.bytes);
+    std::vector<std::string> partners;
+    for (int left = scanner.begin_list(); left > 0; --left) {
+        auto [patch, partner] = read_patch(scanner);
+        slab.patches.push_back(std::move(patch));
+        partners.push_back(std::move(partner));
+    }
+    scanner.expect(")");
+    std::map<std::string, int> index;
+    for (const SlabPatch& patch : slab.patches) {
+        index.emplace(patch.name, static_cast<int>(index.size()));
+    }
+    if (index.size() != slab.patches.size())
+        scanner.refuse("two patches have one name; rename one");
+    for (std::size_t p = 0; p < partners.size(); ++p) {
+        if (partners[p].empty()) continue;
+        const auto found = index.find(partners[p]);
+        if (found == index.end()) {
+            scanner.refuse("there is no patch " + in_quotes(partners[p]) +
+                           "; name an existing one");
+        }
+        slab.patches[p].partner = found->second;
+    }
+}
+
+/// Our comments `// pcvt kind ...` and `// pcvt lattice ...`.
+RawTile read_comments(const EncodedFile& file) {
+    RawTile raw{};
+    raw.name = file.path;
+    LineScanner scanner(file.path, file.bytes);
+    while (scanner.next()) {
+        const auto& words = scanner.words();
+        if (words.size() < 3 || words[0] != "//" || words[1] != "pcvt") continue;
+        const std::vector<std::string_view> values(words.begin() + 3, words.end());
+        if (words[2] == "kind") raw.take_kind(scanner, values);
+        if (words[2] == "lattice") raw.take_lattice(scanner, values);
+    }
+    return raw;
+}
+
+}  // namespace
+
+TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+    const EncodedFile& boundary = file_named(files, "boundary");
+    for (const EncodedFile& file : files) {
+        refuse_binary(file.path, file.bytes, "write the case with writeFormat ascii");
+    }
+    const RawTile comments = read_comments(boundary);
+    const std::optional<Lattice> known = comments.lattice ? comments.lattice : lattice;
+    if (!known) {
+        throw BadFile(boundary.path + ": the file names no lattice; pass --lattice AX,AY,BX,BY");
+    }
+    SlabMesh slab{*known, comments.kind.value_or(TileKind::kCells), {}, {0}, {}, {}, {}, {}};
+    read_points(file_named(files, "points"), slab);
+    read_faces(file_named(files, "faces"), slab);
+    slab.owner = read_labels(file_named(files, "owner"));
+    slab.neighbour = read_labels(file_named(files, "neighbour"));
+    read_boundary(boundary, slab);
+    return {slab_tile(slab), Precision::kDouble, false, true};
+}
+
+}  // namespace pcvt

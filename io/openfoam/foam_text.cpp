@@ -1,0 +1,38 @@
+#include "io/openfoam/foam_text.hpp"
+
+#include "io/bytes/text.hpp"
+
+namespace pcvt {
+
+std::string foam_header(const std::string& kind, const std::string& location,
+                        const std::string& object, const std::string& note) {
+    std::string text =
+        "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       " + kind +
+        ";\n";
+    if (!note.empty()) text += "    note        \"" + note + "\";\n";
+    return text + "    location    \"" + location + "\";\n    object      " + object + ";\n}\n\n";
+}
+
+void append_foam_vector(std::string& text, std::initializer_list<double> numbers) {
+    char before = '(';
+    for (const double number : numbers) {
+        text += before;
+        append_number(text, number);
+        before = ' ';
+    }
+    text += ')';
+}
+
+std::string foam_fill(std::string text, std::initializer_list<FoamNumber> numbers) {
+    for (const FoamNumber& number : numbers) {
+        const std::string name = std::string("$") + number.name;
+        std::string digits;
+        append_number(digits, number.value);
+        for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at)) {
+            text.replace(at, name.size(), digits);
+        }
+    }
+    return text;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,167 @@
+#include "io/pictures/cell_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pcvt {
+namespace {
+
+constexpr double kMargin = 24;
+constexpr double kGap = 28;
+constexpr double kHeading = 52;
+constexpr double kLine = 17;
+constexpr double kEntryHeight = 30;
+/// An entry's mark and the gap behind its label.
+constexpr double kEntryGap = 40;
+/// Pixels a character of 13 pixel sans-serif, on the wide side.
+constexpr double kCharacter = 6.6;
+/// Dots nearer to each other than this would only grey the picture.
+constexpr double kLeastDottedSpacing = 7;
+constexpr const char* kEdgeColour = "#565c68";
+constexpr const char* kInk = "#1c1f26";
+
+/// Where the panels stand.
+struct Grid {
+    PanelLayout layout;
+    int n_panels;
+    std::size_t n_lines;
+
+    int rows() const { return (n_panels + layout.columns - 1) / layout.columns; }
+    int columns() const { return std::min(layout.columns, n_panels); }
+    double row_height() const {
+        return layout.size + kGap + kLine * static_cast<double>(n_lines) + 4;
+    }
+    Vec2 corner(int panel) const {
+        const int row = panel / layout.columns;
+        const int column = panel % layout.columns;
+        return {kMargin + (layout.size + kGap) * column, kHeading + row_height() * row};
+    }
+    double width() const { return 2 * kMargin + columns() * (layout.size + kGap) - kGap; }
+    double height() const { return kHeading + rows() * row_height(); }
+};
+
+/// From length units, y upwards, to the pixels of one panel.
+class PanelFrame {
+   public:
+    PanelFrame(const Polygon& outline, const Vec2& corner, double size) : corner_(corner) {
+        low_ = high_ = outline.at(0);
+        for (const Vec2& p : outline) {
+            low_ = low_.cwiseMin(p);
+            high_ = high_.cwiseMax(p);
+        }
+        scale_ = size / (high_ - low_).maxCoeff();
+    }
+    Vec2 pixel(const Vec2& p) const {
+        return corner_ + scale_ * Vec2(p.x() - low_.x(), high_.y() - p.y());
+    }
+    double scale() const { return scale_; }
+    double height() const { return scale_ * (high_.y() - low_.y()); }
+
+   private:
+    Vec2 corner_;
+    Vec2 low_;
+    Vec2 high_;
+    double scale_;
+};
+
+void append_hundredths(std::string& text, double value) {
+    append_pixels(text, std::round(100 * value) / 100);
+}
+
+void append_polygon(std::string& path, const Polygon& polygon, const PanelFrame& frame) {
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2 pixel = frame.pixel(polygon[k]);
+        path += k == 0 ? 'M' : 'L';
+        append_hundredths(path, pixel.x());
+        path += ' ';
+        append_hundredths(path, pixel.y());
+    }
+    path += 'Z';
+}
+
+std::string draw_cells(const CellPanel& panel, const PanelFrame& frame) {
+    std::map<std::string, std::string> by_colour;
+    for (const CellPanel::Cell& cell : panel.cells) {
+        append_polygon(by_colour[cell.colour], cell.polygon, frame);
+    }
+    std::string svg;
+    for (const auto& [colour, path] : by_colour) {
+        svg += "<path fill=\"" + colour + "\" d=\"" + path + "\"/>\n";
+    }
+    return svg;
+}
+
+std::string draw_sites(const CellPanel& panel, const PanelFrame& frame) {
+    if (panel.sites.empty()) return "";
+    const double spacing = frame.scale() * std::sqrt(std::abs(polygon_area(panel.outline)) /
+                                                     static_cast<double>(panel.sites.size()));
+    if (spacing < kLeastDottedSpacing) return "";
+    std::string path;
+    for (const Vec2& site : panel.sites) {
+        const Vec2 pixel = frame.pixel(site);
+        path += 'M';
+        append_hundredths(path, pixel.x());
+        path += ' ';
+        append_hundredths(path, pixel.y());
+        path += "h0";
+    }
+    return "<path stroke=\"#30343c\" stroke-linecap=\"round\"" +
+           svg_attribute("stroke-width", std::clamp(0.09 * spacing, 1.0, 5.0)) + " d=\"" + path +
+           "\"/>\n";
+}
+
+std::string draw_panel(const CellPanel& panel, const Vec2& corner, double size) {
+    const PanelFrame frame(panel.outline, corner, size);
+    std::string outline;
+    append_polygon(outline, panel.outline, frame);
+    std::string svg = std::string("<g stroke=\"") + kEdgeColour +
+                      "\" stroke-width=\"0.7\" stroke-linejoin=\"round\">\n" +
+                      draw_cells(panel, frame) + draw_sites(panel, frame) + "</g>\n";
+    svg += std::string("<path fill=\"none\" stroke-width=\"1.2\" stroke=\"") + kInk + "\" d=\"" +
+           outline + "\"/>\n";
+    double y = corner.y() + frame.height() + 5;
+    for (std::size_t k = 0; k < panel.caption.size(); ++k) {
+        y += kLine;
+        svg += svg_text({corner.x(), y}, panel.caption[k], k == 0 ? R"( font-weight="bold")" : "");
+    }
+    return svg;
+}
+
+std::string draw_entries(const std::vector<LegendEntry>& entries, double y) {
+    double x = kMargin;
+    std::string svg;
+    for (const LegendEntry& entry : entries) {
+        svg += legend_entry(x, y, entry);
+        x += kEntryGap + kCharacter * static_cast<double>(n_characters(entry.label));
+    }
+    return svg;
+}
+
+double entries_width(const std::vector<LegendEntry>& entries) {
+    double x = 2 * kMargin;
+    for (const LegendEntry& entry : entries) {
+        x += kEntryGap + kCharacter * static_cast<double>(n_characters(entry.label));
+    }
+    return x;
+}
+
+}  // namespace
+
+std::string encode_cell_panels(const Legend& legend, const std::vector<CellPanel>& panels,
+                               const PanelLayout& layout) {
+    Grid grid{layout, static_cast<int>(panels.size()), 0};
+    for (const CellPanel& panel : panels)
+        grid.n_lines = std::max(grid.n_lines, panel.caption.size());
+    const double heading = 2 * kMargin + 9 * static_cast<double>(n_characters(legend.caption));
+    const double width = std::max({grid.width(), heading, entries_width(legend.entries)});
+    std::string svg = svg_head(legend.caption, width, grid.height() + kEntryHeight);
+    svg += std::string(R"(<g font-family="sans-serif" font-size="13" fill=")") + kInk + "\">\n";
+    svg += svg_text({kMargin, 32}, legend.caption, R"( font-weight="bold" font-size="16")");
+    for (int k = 0; k < grid.n_panels; ++k) {
+        svg += draw_panel(panels[k], grid.corner(k), layout.size);
+    }
+    return svg + draw_entries(legend.entries, grid.height()) + "</g>\n</svg>\n";
+}
+
+}  // namespace pcvt

@@ -1,0 +1,350 @@
+#include "io/pictures/plot_svg.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "io/pictures/svg_canvas.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr double kPanelWidth = 620;
+constexpr double kPanelHeight = 460;
+constexpr double kLeft = 72;
+constexpr double kRight = 26;
+constexpr double kTop = 96;
+constexpr double kBottom = 56;
+/// Pixels a character of 13 pixel sans-serif, on average.
+constexpr double kCharacter = 6.9;
+constexpr const char* kInk = "#1c1f26";
+constexpr const char* kFaint = "#e4e6ea";
+/// Of the range: air between the outermost points and the border.
+constexpr double kAir = 0.04;
+/// About so many marks along a linear axis.
+constexpr int kWantedTicks = 6;
+constexpr std::size_t kFewestTicks = 3;
+/// Roundings of this size do not push a mark off its axis.
+constexpr double kRounding = 1e-9;
+
+/// The step of 1, 2 or 5 times a power of ten that comes nearest, by ratio, to the wanted one.
+double nice_step(double range) {
+    const double rough = range / kWantedTicks;
+    const double decade = std::pow(10.0, std::floor(std::log10(rough)));
+    const double digit = rough / decade;
+    // The bounds are the geometric means of neighbouring steps.
+    if (digit < std::sqrt(2)) return decade;
+    if (digit < std::sqrt(10)) return 2 * decade;
+    if (digit < std::sqrt(50)) return 5 * decade;
+    return 10 * decade;
+}
+
+std::vector<double> linear_ticks(double low, double high) {
+    const double step = nice_step(high - low);
+    std::vector<double> ticks;
+    const double air = kRounding * (high - low);
+    for (double k = std::ceil((low - air) / step); k * step <= high + air; ++k) {
+        ticks.push_back(k * step);
+    }
+    return ticks;
+}
+
+std::vector<double> digit_ticks(double low, double high, const std::vector<int>& digits) {
+    std::vector<double> ticks;
+    for (int k = static_cast<int>(std::floor(std::log10(low)));
+         k <= static_cast<int>(std::ceil(std::log10(high))); ++k) {
+        for (const int digit : digits) {
+            const double tick = digit * std::pow(10.0, k);
+            if (tick >= low * (1 - kRounding) && tick <= high * (1 + kRounding)) {
+                ticks.push_back(tick);
+            }
+        }
+    }
+    return ticks;
+}
+
+std::string superscript(int exponent) {
+    static const std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴",
+                                                     "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(exponent))) text += kDigits[digit - '0'];
+    return text;
+}
+
+/// With so many digits behind the point.
+std::string fixed(double value, int digits) {
+    std::array<char, 400> text{};
+    const auto end =
+        std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed, digits).ptr;
+    return {text.begin(), end};
+}
+
+int exponent_of(double value) {
+    return value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)) + kRounding));
+}
+
+/// What stands at the marks of one axis, and the power of ten that it is to be multiplied by.
+struct TickLabels {
+    std::vector<std::string> texts;
+    std::string factor;
+};
+
+TickLabels linear_labels(const std::vector<double>& ticks) {
+    TickLabels labels;
+    double largest = 0;
+    for (const double tick : ticks) largest = std::max(largest, std::abs(tick));
+    int exponent = exponent_of(largest);
+    if (exponent >= -2 && exponent <= 4) exponent = 0;
+    if (exponent != 0) labels.factor = "× 10" + superscript(exponent);
+    const double unit = std::pow(10.0, exponent);
+    const double step = ticks.size() > 1 ? (ticks[1] - ticks[0]) / unit : 1;
+    for (const double tick : ticks) {
+        labels.texts.push_back(fixed(tick / unit + 0.0, std::max(0, -exponent_of(step))));
+    }
+    return labels;
+}
+
+std::string logarithmic_label(double tick, bool as_power) {
+    const int exponent = exponent_of(tick);
+    if (!as_power) return fixed(tick, std::max(0, -exponent));
+    const long digit = std::lround(tick / std::pow(10.0, exponent));
+    return (digit == 1 ? "" : std::to_string(digit) + "·") + "10" + superscript(exponent);
+}
+
+TickLabels logarithmic_labels(const std::vector<double>& ticks) {
+    TickLabels labels;
+    const bool as_power = ticks.front() < 1e-2 || ticks.back() > 9999;
+    for (const double tick : ticks) labels.texts.push_back(logarithmic_label(tick, as_power));
+    return labels;
+}
+
+/// One axis: from values to pixels.
+class Scale {
+   public:
+    Scale(const PlotAxis& axis, double low, double high, double from, double to)
+        : logarithmic_(axis.logarithmic), from_(from), to_(to) {
+        if (!std::isfinite(low) || !std::isfinite(high) || (logarithmic_ && !(low > 0))) {
+            throw InternalError("a point of the plot '" + axis.label + "' cannot be drawn");
+        }
+        low_ = place(low);
+        high_ = place(high);
+        const double range = high_ - low_;
+        const double air = range > 0 ? kAir * range : std::max(std::abs(low_), 1.0) / 10;
+        // Quantities that begin at zero are drawn from zero.
+        const bool from_zero = !logarithmic_ && low >= 0 && low < 0.3 * high;
+        low_ = from_zero ? 0 : low_ - air;
+        high_ += air;
+    }
+
+    double pixel(double value) const {
+        return from_ + (to_ - from_) * (place(value) - low_) / (high_ - low_);
+    }
+    std::vector<double> ticks() const {
+        if (!logarithmic_) return axis_ticks(low_, high_, false);
+        return axis_ticks(std::pow(10, low_), std::pow(10, high_), true);
+    }
+    TickLabels labels() const {
+        return logarithmic_ && ticks().size() > 1 ? logarithmic_labels(ticks())
+                                                  : linear_labels(ticks());
+    }
+
+   private:
+    double place(double value) const { return logarithmic_ ? std::log10(value) : value; }
+
+    bool logarithmic_;
+    double from_;
+    double to_;
+    double low_;
+    double high_;
+};
+
+struct Bounds {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void take(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+/// One panel with its place on the canvas.
+class Panel {
+   public:
+    Panel(const Plot& plot, double left)
+        : plot_(plot),
+          left_(left),
+          x_(plot.x, bounds(0).low, bounds(0).high, left + kLeft, left + kPanelWidth - kRight),
+          y_(plot.y, bounds(1).low, bounds(1).high, kPanelHeight - kBottom, kTop) {}
+
+    std::string draw() const {
+        std::string svg =
+            svg_text({left_ + kLeft, 30}, plot_.title, R"( font-weight="bold" font-size="16")");
+        svg += legend() + x_axis() + y_axis();
+        for (const PlotSeries& series : plot_.series) svg += line(series);
+        for (const PlotSeries& series : plot_.series) svg += bars(series) + dots(series);
+        return svg;
+    }
+
+   private:
+    Bounds bounds(int axis) const {
+        Bounds bounds;
+        for (const PlotSeries& series : plot_.series) {
+            for (std::size_t k = 0; k < series.points.size(); ++k) {
+                const double error = axis == 1 && k < series.errors.size() ? series.errors[k] : 0;
+                bounds.take(series.points[k][axis] - error);
+                bounds.take(series.points[k][axis] + error);
+            }
+        }
+        return bounds;
+    }
+    double bottom() const { return kPanelHeight - kBottom; }
+    double right() const { return left_ + kPanelWidth - kRight; }
+
+    std::string legend() const;
+    std::string x_axis() const;
+    std::string y_axis() const;
+    std::string line(const PlotSeries& series) const;
+    std::string bars(const PlotSeries& series) const;
+    std::string dots(const PlotSeries& series) const;
+
+    const Plot& plot_;
+    double left_;
+    Scale x_;
+    Scale y_;
+};
+
+std::string straight(const Vec2& from, const Vec2& to, const std::string& attributes) {
+    return "<line" + svg_attribute("x1", from.x()) + svg_attribute("y1", from.y()) +
+           svg_attribute("x2", to.x()) + svg_attribute("y2", to.y()) + attributes + "/>\n";
+}
+
+std::string stroke(const std::string& colour, double width) {
+    return " stroke=\"" + colour + "\"" + svg_attribute("stroke-width", width);
+}
+
+std::string disc(const Vec2& centre, double radius, const std::string& colour) {
+    return "<circle" + svg_attribute("cx", centre.x()) + svg_attribute("cy", centre.y()) +
+           svg_attribute("r", radius) + " fill=\"" + colour + "\"/>\n";
+}
+
+bool has_line(const PlotSeries& series) { return series.mark != PlotSeries::Mark::kDots; }
+
+bool has_dots(const PlotSeries& series) {
+    return series.mark == PlotSeries::Mark::kDots || series.mark == PlotSeries::Mark::kLineAndDots;
+}
+
+std::string line_stroke(const PlotSeries& series) {
+    const bool dashed = series.mark == PlotSeries::Mark::kDashes;
+    return stroke(series.colour, dashed ? 1.4 : 2) + (dashed ? " stroke-dasharray=\"6 4\"" : "");
+}
+
+std::string Panel::legend() const {
+    constexpr double kMarkWidth = 30;
+    constexpr double kGap = 18;
+    constexpr double kRow = 52;
+    double x = left_ + kLeft;
+    std::string svg;
+    for (const PlotSeries& series : plot_.series) {
+        if (series.label.empty()) continue;
+        if (has_line(series))
+            svg += straight({x, kRow - 4}, {x + 22, kRow - 4}, line_stroke(series));
+        if (has_dots(series)) svg += disc({x + 11, kRow - 4}, 3.5, series.colour);
+        svg += svg_text({x + kMarkWidth, kRow}, series.label, "");
+        x += kMarkWidth + kCharacter * static_cast<double>(n_characters(series.label)) + kGap;
+    }
+    return svg;
+}
+
+std::string Panel::x_axis() const {
+    const std::vector<double> ticks = x_.ticks();
+    const TickLabels labels = x_.labels();
+    std::string svg;
+    for (std::size_t k = 0; k < ticks.size(); ++k) {
+        const double x = x_.pixel(ticks[k]);
+        svg += straight({x, kTop}, {x, bottom()}, stroke(kFaint, 1));
+        svg += svg_text({x, bottom() + 18}, labels.texts[k], R"( text-anchor="middle")");
+    }
+    svg += straight({left_ + kLeft, bottom()}, {right(), bottom()}, stroke(kInk, 1));
+    const std::string factor = labels.factor.empty() ? "" : " (" + labels.factor + ")";
+    return svg + svg_text({(left_ + kLeft + right()) / 2, bottom() + 42}, plot_.x.label + factor,
+                          R"( text-anchor="middle")");
+}
+
+std::string Panel::y_axis() const {
+    const std::vector<double> ticks = y_.ticks();
+    const TickLabels labels = y_.labels();
+    std::string svg;
+    for (std::size_t k = 0; k < ticks.size(); ++k) {
+        const double y = y_.pixel(ticks[k]);
+        svg += straight({left_ + kLeft, y}, {right(), y}, stroke(kFaint, 1));
+        svg += svg_text({left_ + kLeft - 8, y + 4}, labels.texts[k], R"( text-anchor="end")");
+    }
+    const std::string factor = labels.factor.empty() ? "" : " (" + labels.factor + ")";
+    return svg + svg_text({left_ + kLeft, kTop - 16}, plot_.y.label + factor,
+                          std::string(" fill=\"") + kPlotGrey + "\"");
+}
+
+std::string Panel::line(const PlotSeries& series) const {
+    if (!has_line(series) || series.points.empty()) return "";
+    std::string path;
+    for (const Vec2& point : series.points) {
+        path += path.empty() ? 'M' : 'L';
+        append_pixels(path, x_.pixel(point.x()));
+        path += ' ';
+        append_pixels(path, y_.pixel(point.y()));
+    }
+    return "<path fill=\"none\" stroke-linejoin=\"round\"" + line_stroke(series) + " d=\"" + path +
+           "\"/>\n";
+}
+
+std::string Panel::bars(const PlotSeries& series) const {
+    std::string svg;
+    for (std::size_t k = 0; k < series.errors.size(); ++k) {
+        const Vec2& point = series.points[k];
+        const double x = x_.pixel(point.x());
+        const double low = y_.pixel(point.y() - series.errors[k]);
+        const double high = y_.pixel(point.y() + series.errors[k]);
+        if (low - high < 1) continue;
+        svg += straight({x, low}, {x, high}, stroke(series.colour, 1.4));
+        for (const double y : {low, high}) {
+            svg += straight({x - 4, y}, {x + 4, y}, stroke(series.colour, 1.4));
+        }
+    }
+    return svg;
+}
+
+std::string Panel::dots(const PlotSeries& series) const {
+    if (!has_dots(series)) return "";
+    std::string svg;
+    for (const Vec2& point : series.points) {
+        svg += disc({x_.pixel(point.x()), y_.pixel(point.y())}, 3.5, series.colour);
+    }
+    return svg;
+}
+
+}  // namespace
+
+std::vector<double> axis_ticks(double low, double high, bool logarithmic) {
+    if (!logarithmic) return linear_ticks(low, high);
+    for (const std::vector<int>& digits :
+         {std::vector<int>{1}, {1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
+        std::vector<double> ticks = digit_ticks(low, high, digits);
+        if (ticks.size() >= kFewestTicks) return ticks;
+    }
+    return linear_ticks(low, high);
+}
+
+std::string encode_plots(const std::string& title, const std::vector<Plot>& plots) {
+    std::string svg =
+        svg_head(title, kPanelWidth * static_cast<double>(plots.size()), kPanelHeight);
+    svg += std::string(R"(<g font-family="sans-serif" font-size="13" fill=")") + kInk + "\">\n";
+    for (std::size_t k = 0; k < plots.size(); ++k) {
+        svg += Panel(plots[k], kPanelWidth * static_cast<double>(k)).draw();
+    }
+    return svg + "</g>\n</svg>\n";
+}
+
+}  // namespace pcvt

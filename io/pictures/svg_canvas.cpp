@@ -1,0 +1,124 @@
+#include "io/pictures/svg_canvas.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+namespace pcvt {
+namespace {
+
+constexpr double kMargin = 20;
+constexpr double kTypicalSide = 800;
+constexpr double kLongestSide = 1600;
+/// libxml2, behind librsvg and others, refuses attributes of about 10 MB.
+constexpr std::size_t kLongestAttribute = 1 << 20;
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    }
+    return result;
+}
+
+}  // namespace
+
+SvgFrame::SvgFrame(const std::vector<Vec2>& points) {
+    low_ = points.at(0);
+    Vec2 high = low_;
+    for (const Vec2& p : points) {
+        low_ = low_.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const double longest = (high - low_).maxCoeff();
+    const double shortest = std::max((high - low_).minCoeff(), 1e-6 * longest);
+    const double typical = std::sqrt(shortest) * std::sqrt(longest);
+    scale_ = std::min(kTypicalSide / typical, kLongestSide / longest);
+    size_ = (high - low_) * scale_ + Vec2::Constant(2 * kMargin);
+}
+
+Vec2 SvgFrame::pixel(const Vec2& point) const {
+    const Vec2 from_low = (point - low_) * scale_;
+    return {kMargin + from_low.x(), size_.y() - kMargin - from_low.y()};
+}
+
+void append_pixels(std::string& text, double value) {
+    const std::int64_t thousandths = std::llround(1000 * value);
+    const std::int64_t size = std::abs(thousandths);
+    // From the last digit to the first; zeros behind the point go.
+    std::array<char, 24> digits{};
+    char* begin = digits.end();
+    std::int64_t rest = size;
+    for (int k = 0; k < 3; ++k, rest /= 10) {
+        if (begin != digits.end() || rest % 10 != 0) *--begin = static_cast<char>('0' + rest % 10);
+    }
+    if (begin != digits.end()) *--begin = '.';
+    do {
+        *--begin = static_cast<char>('0' + rest % 10);
+        rest /= 10;
+    } while (rest > 0);
+    if (thousandths < 0) *--begin = '-';
+    text.append(begin, digits.end());
+}
+
+SvgPath& SvgPath::add(char command, const Vec2& point) {
+    const Vec2 pixel = frame_.pixel(point);
+    text_ += command;
+    append_pixels(text_, pixel.x());
+    text_ += ' ';
+    append_pixels(text_, pixel.y());
+    return *this;
+}
+
+SvgPath& SvgPath::close() {
+    text_ += 'Z';
+    return *this;
+}
+
+SvgPath& SvgPath::dot(const Vec2& point) {
+    move(point);
+    text_ += "h0";
+    return *this;
+}
+
+std::string SvgPath::element(const std::string& attributes) const {
+    std::string svg;
+    for (std::size_t begin = 0; begin < text_.size();) {
+        const std::size_t end = std::min(text_.find('M', begin + kLongestAttribute), text_.size());
+        svg.append("<path").append(attributes).append(" d=\"");
+        svg.append(text_, begin, end - begin).append("\"/>\n");
+        begin = end;
+    }
+    return svg;
+}
+
+std::string svg_attribute(const std::string& name, double pixels) {
+    std::string text = " " + name + "=\"";
+    append_pixels(text, pixels);
+    return text + '"';
+}
+
+std::string svg_head(const std::string& title, double width, double height) {
+    const std::string size = svg_attribute("width", width) + svg_attribute("height", height);
+    std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg")" + size + " viewBox=\"0 0 ";
+    append_pixels(text, width);
+    text += ' ';
+    append_pixels(text, height);
+    return text + "\">\n<title>" + escaped(title) + "</title>\n<rect" + size +
+           " fill=\"#ffffff\"/>\n";
+}
+
+std::string svg_text(const Vec2& place, const std::string& text, const std::string& attributes) {
+    return "<text" + svg_attribute("x", place.x()) + svg_attribute("y", place.y()) + attributes +
+           ">" + escaped(text) + "</text>\n";
+}
+
+std::size_t n_characters(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    }));
+}
+
+}  // namespace pcvt

@@ -1,0 +1,57 @@
+#include "io/pictures/svg_domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcvt {
+namespace {
+
+/// The domain is drawn in the typed basis unless its diagonal is longer than the reduced one times
+/// this.
+constexpr double kOblique = 1.5;
+/// Lattice coordinates that should agree differ by less.
+constexpr double kRounding = 1e-9;
+
+double longest_diagonal(const Lattice& lattice) {
+    return std::max((lattice.a() + lattice.b()).norm(), (lattice.a() - lattice.b()).norm());
+}
+
+/// The corner of the parallelogram, which has no extent above 1, where cells are cut along it.
+std::optional<Vec2> box_corner(const FlatTile& tile) {
+    if (tile.whole_sides.empty()) return std::nullopt;
+    Vec2 low = tile.lattice.to_lattice(tile.points[0]);
+    Vec2 high = low;
+    for (const Vec2& p : tile.points) {
+        const Vec2 u = tile.lattice.to_lattice(p);
+        low = low.cwiseMin(u);
+        high = high.cwiseMax(u);
+    }
+    if ((high - low).maxCoeff() > 1 + kRounding) return std::nullopt;
+    return tile.lattice.to_plane(low);
+}
+
+}  // namespace
+
+SvgDomain drawn_domain(const FlatTile& tile) {
+    if (const auto corner = box_corner(tile)) {
+        const Vec2& a = tile.lattice.a();
+        const Vec2& b = tile.lattice.b();
+        return {{*corner, *corner + a, *corner + a + b, *corner + b}, "domain"};
+    }
+    const Lattice reduced = reduce(tile.lattice).reduced;
+    const bool oblique = longest_diagonal(tile.lattice) > kOblique * longest_diagonal(reduced);
+    const Lattice& basis = oblique ? reduced : tile.lattice;
+    Vec2 low = tile.points[0];
+    Vec2 high = low;
+    for (const Vec2& p : tile.points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const Vec2 middle = basis.to_lattice(low + (high - low) / 2);
+    const Vec2 corner = basis.to_plane((middle - Vec2(0.5, 0.5)).array().round().matrix());
+    return {{corner, corner + basis.a(), corner + basis.a() + basis.b(), corner + basis.b()},
+            oblique ? "reduced domain" : "domain"};
+}
+
+}  // namespace pcvt

@@ -1,0 +1,85 @@
+#include "io/run_files/density_expression.hpp"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+
+namespace pcvt {
+namespace {
+
+[[noreturn]] void refuse(std::size_t character, const std::string& what) {
+    throw InvalidInput("character " + std::to_string(character) + ": " + what);
+}
+
+/// muParser's words without its position, which counts from 0.
+std::string complaint(const mu::ParserError& error) {
+    std::string text = error.GetMsg();
+    for (const char* before : {" found at position", " at expression position", " at position"}) {
+        text = text.substr(0, text.find(before));
+    }
+    while (!text.empty() && text.back() == '.') text.pop_back();
+    return text;
+}
+
+/// A density has no memory: x = 3 would change what is asked. muParser takes it as a formula.
+void refuse_assignment(const std::string& text) {
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] != '=') continue;
+        const bool compares = k > 0 && std::string("<>!").find(text[k - 1]) != std::string::npos;
+        if (!compares && text[k + 1] != '=') {
+            refuse(k + 1, "an assignment; write == to compare");
+        }
+        if (!compares) ++k;
+    }
+}
+
+/// The formula for one thread.
+class Formula {
+   public:
+    explicit Formula(const std::string& text) {
+        refuse_assignment(text);
+        try {
+            parser_.DefineConst("pi", std::numbers::pi);
+            parser_.DefineVar("x", &point_.x);
+            parser_.DefineVar("y", &point_.y);
+            parser_.DefineVar("u", &point_.u);
+            parser_.DefineVar("v", &point_.v);
+            parser_.SetExpr(text);
+            // The first evaluation parses.
+            parser_.Eval();
+        } catch (const mu::ParserError& error) {
+            const int place = error.GetPos();
+            const std::size_t at = place < 0 ? text.size() : static_cast<std::size_t>(place);
+            refuse(std::min(at, text.size()) + 1,
+                   complaint(error) + "; write a formula in x, y, u and v");
+        }
+        if (parser_.GetNumResults() != 1) {
+            refuse(text.find(',') + 1, "several formulas; write one, with a decimal point");
+        }
+    }
+    Formula(const Formula&) = delete;
+    Formula& operator=(const Formula&) = delete;
+
+    double operator()(const DensityPoint& point) {
+        point_ = point;
+        return parser_.Eval();
+    }
+
+   private:
+    DensityPoint point_{0.5, 0.5, 0.5, 0.5};
+    mu::Parser parser_;
+};
+
+}  // namespace
+
+Density expression_density(const std::string& expression) {
+    const Formula once(expression);
+    return {[expression]() -> DensityFunction {
+        const auto formula = std::make_shared<Formula>(expression);
+        return pointwise([formula](const DensityPoint& point) { return (*formula)(point); });
+    }};
+}
+
+}  // namespace pcvt

@@ -1,0 +1,126 @@
+#include "io/run_files/report.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "io/bytes/text.hpp"
+
+namespace pcvt {
+namespace {
+
+std::string word(double value) {
+    std::string text;
+    append_number(text, value);
+    return text;
+}
+
+std::string word(int value) { return std::to_string(value); }
+
+std::string word(const std::string& value) {
+    return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string word(const Vec2& v) { return "[" + word(v.x()) + ", " + word(v.y()) + "]"; }
+
+std::string word(const Report::Grains& grains) {
+    std::string corners;
+    for (const Report::SharpCorner& corner : grains.sharp_corners) {
+        corners += corners.empty() ? "[" : ", ";
+        corners += "[" + word(corner.site) + ", " + word(corner.point.x()) + ", " +
+                   word(corner.point.y()) + ", " + word(corner.angle) + "]";
+    }
+    return "{\"triangles\": " + word(grains.triangles) +
+           ", \"smallest_angle\": " + word(grains.smallest_angle) +
+           ", \"sharp_corners\": " + (corners.empty() ? "[]" : corners + "]") + "}";
+}
+
+template <class Number>
+std::string word(const std::optional<Number>& value) {
+    return value ? word(*value) : "null";
+}
+
+std::string word(const std::map<int, int>& counts) {
+    std::string text;
+    for (const auto& [key, count] : counts) {
+        text += text.empty() ? "{" : ", ";
+        text += "\"" + std::to_string(key) + "\": " + std::to_string(count);
+    }
+    return text.empty() ? "{}" : text + "}";
+}
+
+std::string word(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& entry : words) text += (text.empty() ? "[" : ", ") + word(entry);
+    return text.empty() ? "[]" : text + "]";
+}
+
+std::string word(const Report::Seconds& s) {
+    return "{\"build\": " + word(s.build) + ", \"optimize\": " + word(s.optimize) +
+           ", \"write\": " + word(s.write) + ", \"total\": " + word(s.total) + "}";
+}
+
+std::string word(const Lattice& lattice) {
+    return "[" + word(lattice.a()) + ", " + word(lattice.b()) + "]";
+}
+
+std::string word(const Report::Pattern& pattern) {
+    const auto [a, b, d] = pattern.hermite;
+    return "{\"basis\": " + word(pattern.basis) + ", \"hermite\": [" + word(a) + ", " + word(b) +
+           ", " + word(d) + "], \"energy\": " + word(pattern.energy) +
+           ", \"minimum\": " + word(pattern.minimum) +
+           ", \"smallest_eigenvalue\": " + word(pattern.smallest_eigenvalue) + "}";
+}
+
+}  // namespace
+
+std::string encode_report(const Report& report) {
+    std::vector<std::pair<std::string, std::string>> entries{
+        {"version", word(report.version)},
+        {"sites", std::to_string(report.sites)},
+        {"lattice", word(report.lattice)},
+        {"seed", std::to_string(report.seed)},
+        {"solver", word(report.solver)},
+        {"start", word(report.start)},
+        {"stop", word(report.stop)},
+        {"iterations", std::to_string(report.iterations)},
+        {"evaluations", std::to_string(report.evaluations)},
+        {"hessians", std::to_string(report.hessians)},
+        {"cg_products", std::to_string(report.cg_products)},
+        {"energy", word(report.energy)},
+        {"energy_bound", word(report.energy_bound)},
+        {"residual", word(report.residual)},
+        {"minimum", word(report.minimum)},
+        {"hexagons", std::to_string(report.hexagons)},
+        {"valences", word(report.valences)},
+        {"mirrors", word(report.mirrors)},
+        {"threads", std::to_string(report.threads)},
+        {"seconds", word(report.seconds)},
+        {"files", word(report.files)},
+    };
+    if (!report.found.empty()) entries.emplace_back("found", word(report.found));
+    if (report.pattern) entries.emplace_back("pattern", word(*report.pattern));
+    if (report.box_shortest_edge) {
+        entries.emplace_back("box_shortest_edge", word(*report.box_shortest_edge));
+    }
+    if (report.grains) entries.emplace_back("grains", word(*report.grains));
+    if (report.density) {
+        const Report::Density& density = *report.density;
+        entries.insert(entries.end(), {{"density", word(density.name)},
+                                       {"density_least", word(density.least)},
+                                       {"density_greatest", word(density.greatest)},
+                                       {"density_evaluations", word(density.evaluations_per_site)},
+                                       {"mass", word(density.mass)},
+                                       {"mass_deviation", word(density.mass_deviation)},
+                                       {"expected_energy", word(density.expected_energy)},
+                                       {"spacing_deviation", word(density.spacing_deviation)},
+                                       {"quadrature_error", word(density.quadrature_error)},
+                                       {"rough_cells", word(density.rough_cells)}});
+    }
+    std::string text;
+    for (const auto& [key, value] : entries) {
+        text += (text.empty() ? "{\n  \"" : ",\n  \"") + key + "\": " + value;
+    }
+    return text + "\n}\n";
+}
+
+}  // namespace pcvt

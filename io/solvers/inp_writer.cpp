@@ -1,0 +1,190 @@
+#include "io/solvers/inp_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "io/bytes/text.hpp"
+#include "io/tiles/boundary_runs.hpp"
+#include "io/tiles/finite.hpp"
+#include "io/tiles/narrow_numbers.hpp"
+#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/solver_nodes.hpp"
+#include "io/tiles/triangle_elements.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr std::size_t kIdsALine = 8;
+constexpr std::size_t kSitesALine = 16;
+
+constexpr const char* kExplanation =
+    "** The mesh of a periodic tile, written by pcvt: *INCLUDE it in a job that adds a material,\n"
+    "** a *SOLID SECTION for EALL or each CELL_s, and steps. FIXED 1,2 holds the tile. The mean\n"
+    "** strain is the displacement of the control nodes: CONTROL_1 has e_xx, e_xy in 1, 2, and\n"
+    "** CONTROL_2 has e_yy in 2. Lines that begin with \"** pcvt\" hold what no card does.\n";
+
+/// The largest absolute value of a coordinate or of a component of a translation.
+double largest_number(const FlatTile& tile) {
+    double largest = 0;
+    for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    for (const VertexPair& pair : tile.vertex_pairs) {
+        const Vec2 translation = tile.lattice.translation(pair.offset);
+        largest = std::max(largest, translation.cwiseAbs().maxCoeff());
+    }
+    return largest;
+}
+
+/// The text of one file, card by card.
+class InpText {
+   public:
+    InpText(const FlatTile& tile, std::string path)
+        : tile_(tile),
+          nodes_(solver_nodes(tile)),
+          path_(std::move(path)),
+          numbers_(largest_number(tile)) {}
+
+    std::string write() {
+        append_comments();
+        append_nodes();
+        append_elements();
+        append_cells();
+        append_node_sets();
+        append_equations();
+        return std::move(text_);
+    }
+
+   private:
+    int control(int k) const { return nodes_.n_nodes() + k; }
+
+    void append_real(double value) {
+        if (numbers_.append(text_, value)) return;
+        throw InvalidInput(
+            path_ +
+            ": solvers read 20 characters of a number there, too few for this tile; "
+            "take a unit of length in which its coordinates lie between 0.1 and 1e6");
+    }
+
+    void append_comments() {
+        const Vec2& a = tile_.lattice.a();
+        const Vec2& b = tile_.lattice.b();
+        text_ = kExplanation;
+        text_ += "** pcvt kind " + kind_word(tile_.kind) + "\n** pcvt lattice";
+        for (const double number : {a.x(), a.y(), b.x(), b.y()}) {
+            text_ += ' ';
+            append_number(text_, number);
+        }
+        for (std::size_t k = 0; k < tile_.vertex_site.size(); ++k) {
+            text_ += k % kSitesALine == 0 ? "\n** pcvt sites " : " ";
+            append_number(text_, tile_.vertex_site[k]);
+        }
+        text_ += '\n';
+    }
+
+    void append_node(int number, const Vec2& p) {
+        append_number(text_, number);
+        text_ += ',';
+        append_real(p.x());
+        text_ += ',';
+        append_real(p.y());
+        text_ += ",0\n";
+    }
+
+    void append_nodes() {
+        text_ += "*NODE,NSET=NALL\n";
+        for (int v = 0; v < nodes_.n_nodes(); ++v) append_node(v + 1, nodes_.points[v]);
+        text_ += "*NODE,NSET=CONTROL_1\n";
+        append_node(control(1), tile_.points[0]);
+        text_ += "*NODE,NSET=CONTROL_2\n";
+        append_node(control(2), tile_.points[0]);
+    }
+
+    void append_elements() {
+        text_ += tile_.order == 2 ? "*ELEMENT,TYPE=CPE6,ELSET=EALL\n"
+                                  : "*ELEMENT,TYPE=CPE3,ELSET=EALL\n";
+        for (int f = 0; f < tile_.n_faces(); ++f) {
+            append_number(text_, f + 1);
+            for (const int v : element_nodes(tile_, nodes_, f)) {
+                text_ += ',';
+                append_number(text_, v + 1);
+            }
+            text_ += '\n';
+        }
+    }
+
+    void append_ids(const std::vector<int>& ids) {
+        for (std::size_t k = 0; k < ids.size(); ++k) {
+            append_number(text_, ids[k]);
+            text_ += (k + 1) % kIdsALine == 0 || k + 1 == ids.size() ? '\n' : ',';
+        }
+    }
+
+    void append_cells() {
+        const std::vector<SiteId> cells = element_cells(tile_);
+        std::map<SiteId, std::vector<int>> elements;
+        for (int f = 0; f < tile_.n_faces(); ++f) elements[cells[f]].push_back(f + 1);
+        for (const auto& [cell, ids] : elements) {
+            text_ += "*ELSET,ELSET=CELL_" + std::to_string(cell) + "\n";
+            append_ids(ids);
+        }
+    }
+
+    void append_node_sets() {
+        std::map<Offset, std::set<int>> seams;
+        for (const BoundaryRun& run : boundary_runs(tile_, nodes_.middles)) {
+            for (const int v : run.vertices) seams[run.offset].insert(v + 1);
+            for (const int v : run.middles) seams[run.offset].insert(v + 1);
+        }
+        for (const auto& [offset, ids] : seams) {
+            text_ += "*NSET,NSET=" + seam_name(offset) + "\n";
+            append_ids({ids.begin(), ids.end()});
+        }
+        text_ += "*NSET,NSET=FIXED\n1\n";
+    }
+
+    /// `node,dof,coefficient`, a comma before all but the first term of an equation.
+    void append_term(int node, int dof, double coefficient) {
+        append_number(text_, node);
+        text_ += dof == 1 ? ",1," : ",2,";
+        append_real(coefficient);
+    }
+
+    void append_equation(const VertexPair& pair, int dof) {
+        const Vec2 t = tile_.lattice.translation(pair.offset);
+        text_ += "4\n";
+        append_term(pair.w + 1, dof, 1);
+        text_ += ',';
+        append_term(pair.v + 1, dof, -1);
+        text_ += ',';
+        append_term(control(1), dof, -t.x());
+        text_ += ',';
+        append_term(control(dof), 2, -t.y());
+        text_ += '\n';
+    }
+
+    void append_equations() {
+        text_ += "*EQUATION\n";
+        for (const VertexPair& pair : nodes_.pairs) {
+            append_equation(pair, 1);
+            append_equation(pair, 2);
+        }
+    }
+
+    const FlatTile& tile_;
+    SolverNodes nodes_;
+    std::string path_;
+    NarrowNumbers numbers_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::vector<EncodedFile> encode_inp(const FlatTile& tile, const std::string& path) {
+    require_triangles(tile.kind, path);
+    require_finite(tile);
+    return only_file(path, InpText(tile, path).write());
+}
+
+}  // namespace pcvt

@@ -1,0 +1,261 @@
+#include "io/solvers/msh_writer.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <map>
+
+#include "io/bytes/text.hpp"
+#include "io/tiles/boundary_runs.hpp"
+#include "io/tiles/finite.hpp"
+#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/solver_nodes.hpp"
+#include "io/tiles/triangle_elements.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Gmsh's element types by the order of the tile.
+constexpr int kLine[] = {0, 1, 8};
+constexpr int kTriangle[] = {0, 2, 9};
+constexpr int kPoints = 0;
+constexpr int kCurves = 1;
+constexpr int kSurfaces = 2;
+constexpr int kSurface = 1;
+
+template <class Number>
+void append_words(std::string& text, std::initializer_list<Number> numbers) {
+    for (const Number number : numbers) {
+        append_number(text, number);
+        text += ' ';
+    }
+}
+
+template <class Number>
+void append_line(std::string& text, std::initializer_list<Number> numbers) {
+    append_words(text, numbers);
+    text.back() = '\n';
+}
+
+/// The boundary as Gmsh sees it. Point k + 1 is where run k begins, curve k + 1 is run k.
+struct Seam {
+    std::vector<BoundaryRun> runs;
+    /// Physical group of the curves with one offset, from 1.
+    std::map<Offset, int> groups;
+
+    int n_runs() const { return static_cast<int>(runs.size()); }
+    int begin(int run) const { return runs[run].vertices.front(); }
+    int surface_group() const { return static_cast<int>(groups.size()) + 1; }
+};
+
+Seam make_seam(const FlatTile& tile, const SolverNodes& nodes) {
+    Seam seam{boundary_runs(tile, nodes.middles), {}};
+    for (const BoundaryRun& run : seam.runs) seam.groups[run.offset] = 0;
+    int n = 0;
+    for (auto& [offset, group] : seam.groups) group = ++n;
+    return seam;
+}
+
+void append_head(std::string& text, const FlatTile& tile, const Seam& seam) {
+    const Vec2& a = tile.lattice.a();
+    const Vec2& b = tile.lattice.b();
+    text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
+    text += "pcvt kind " + kind_word(tile.kind) + "\npcvt lattice ";
+    append_line(text, {a.x(), a.y(), b.x(), b.y()});
+    text += "$EndComments\n$PhysicalNames\n" + std::to_string(seam.surface_group()) + "\n";
+    for (const auto& [offset, group] : seam.groups) {
+        text += "1 " + std::to_string(group) + " \"" + seam_name(offset) + "\"\n";
+    }
+    text += "2 " + std::to_string(seam.surface_group()) + " \"tile\"\n$EndPhysicalNames\n";
+}
+
+/// `min_x min_y 0 max_x max_y 0 `.
+template <class Vertices>
+void append_bounds(std::string& text, const FlatTile& tile, const Vertices& vertices) {
+    Vec2 low = tile.points[vertices.front()];
+    Vec2 high = low;
+    for (const int v : vertices) {
+        low = low.cwiseMin(tile.points[v]);
+        high = high.cwiseMax(tile.points[v]);
+    }
+    append_words(text, {low.x(), low.y(), 0.0, high.x(), high.y(), 0.0});
+}
+
+void append_entities(std::string& text, const FlatTile& tile, const Seam& seam) {
+    const int n = seam.n_runs();
+    text += "$Entities\n";
+    append_line(text, {n, n, 1, 0});
+    for (int k = 0; k < n; ++k) {
+        const Vec2& p = tile.points[seam.begin(k)];
+        append_words(text, {k + 1});
+        append_words(text, {p.x(), p.y(), 0.0});
+        append_line(text, {0});
+    }
+    for (int k = 0; k < n; ++k) {
+        const BoundaryRun& run = seam.runs[k];
+        append_words(text, {k + 1});
+        append_bounds(text, tile, run.vertices);
+        append_line(text, {1, seam.groups.at(run.offset), 2, k + 1, -((k + 1) % n + 1)});
+    }
+    text += "1 ";
+    append_bounds(text, tile, tile.corners);
+    append_words(text, {1, seam.surface_group(), n});
+    for (int k = 0; k < n; ++k) append_words(text, {k + 1});
+    text.back() = '\n';
+    text += "$EndEntities\n";
+}
+
+/// One block of nodes; nothing for an entity without any of its own.
+void append_block(std::string& text, const SolverNodes& nodes, int dimension, int entity,
+                  const std::vector<int>& block) {
+    if (block.empty()) return;
+    append_line(text, {dimension, entity, 0, static_cast<int>(block.size())});
+    for (const int v : block) append_line(text, {v + 1});
+    for (const int v : block) {
+        append_line(text, {nodes.points[v].x(), nodes.points[v].y(), 0.0});
+    }
+}
+
+/// The nodes of a curve without its ends.
+std::vector<int> inner_nodes(const BoundaryRun& run) {
+    std::vector<int> inner(run.vertices.begin() + 1, run.vertices.end() - 1);
+    inner.insert(inner.end(), run.middles.begin(), run.middles.end());
+    return inner;
+}
+
+/// The nodes of the surface, on no curve.
+std::vector<int> surface_nodes(const SolverNodes& nodes, const Seam& seam) {
+    std::vector<bool> inside(nodes.points.size(), true);
+    for (const BoundaryRun& run : seam.runs) {
+        for (const int v : run.vertices) inside[v] = false;
+        for (const int v : run.middles) inside[v] = false;
+    }
+    std::vector<int> inner;
+    for (int v = 0; v < nodes.n_nodes(); ++v) {
+        if (inside[v]) inner.push_back(v);
+    }
+    return inner;
+}
+
+void append_nodes(std::string& text, const SolverNodes& nodes, const Seam& seam) {
+    const std::vector<int> surface = surface_nodes(nodes, seam);
+    int n_blocks = seam.n_runs() + (surface.empty() ? 0 : 1);
+    for (const BoundaryRun& run : seam.runs) n_blocks += inner_nodes(run).empty() ? 0 : 1;
+    text += "$Nodes\n";
+    append_line(text, {n_blocks, nodes.n_nodes(), 1, nodes.n_nodes()});
+    for (int k = 0; k < seam.n_runs(); ++k) {
+        append_block(text, nodes, kPoints, k + 1, {seam.begin(k)});
+    }
+    for (int k = 0; k < seam.n_runs(); ++k) {
+        append_block(text, nodes, kCurves, k + 1, inner_nodes(seam.runs[k]));
+    }
+    append_block(text, nodes, kSurfaces, kSurface, surface);
+    text += "$EndNodes\n";
+}
+
+int n_lines(const Seam& seam) {
+    int n = 0;
+    for (const BoundaryRun& run : seam.runs) n += static_cast<int>(run.vertices.size()) - 1;
+    return n;
+}
+
+void append_elements(std::string& text, const FlatTile& tile, const SolverNodes& nodes,
+                     const Seam& seam) {
+    const int n_elements = tile.n_faces() + n_lines(seam);
+    text += "$Elements\n";
+    append_line(text, {seam.n_runs() + 1, n_elements, 1, n_elements});
+    int element = tile.n_faces();
+    for (int k = 0; k < seam.n_runs(); ++k) {
+        const BoundaryRun& run = seam.runs[k];
+        const std::size_t n = run.vertices.size() - 1;
+        append_line(text, {kCurves, k + 1, kLine[tile.order], static_cast<int>(n)});
+        for (std::size_t e = 0; e < n; ++e) {
+            append_words(text, {++element, run.vertices[e] + 1, run.vertices[e + 1] + 1});
+            if (!run.middles.empty()) append_words(text, {run.middles[e] + 1});
+            text.back() = '\n';
+        }
+    }
+    append_line(text, {kSurfaces, kSurface, kTriangle[tile.order], tile.n_faces()});
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        append_words(text, {f + 1});
+        for (const int v : element_nodes(tile, nodes, f)) append_words(text, {v + 1});
+        text.back() = '\n';
+    }
+    text += "$EndElements\n";
+}
+
+/// The head of one link: slave = master + translation(offset) as a 4 x 4 matrix, row by row.
+void append_link(std::string& text, const FlatTile& tile, int dimension, int slave, int master,
+                 Offset offset, std::size_t n_nodes) {
+    const Vec2 t = tile.lattice.translation(offset);
+    append_line(text, {dimension, slave, master});
+    text += "16 ";
+    append_words(text, {1.0, 0.0, 0.0, t.x()});
+    append_words(text, {0.0, 1.0, 0.0, t.y()});
+    append_line(text, {0, 0, 1, 0, 0, 0, 0, 1});
+    append_line(text, {static_cast<int>(n_nodes)});
+}
+
+void append_curve_link(std::string& text, const FlatTile& tile, const Seam& seam, int k) {
+    const BoundaryRun& slave = seam.runs[k];
+    const BoundaryRun& master = seam.runs[slave.partner];
+    const auto append_pairs = [&](const std::vector<int>& slaves, const std::vector<int>& masters) {
+        for (std::size_t v = 0; v < slaves.size(); ++v) {
+            append_line(text, {slaves[v] + 1, masters[slaves.size() - 1 - v] + 1});
+        }
+    };
+    append_link(text, tile, kCurves, k + 1, slave.partner + 1, master.offset,
+                slave.vertices.size() + slave.middles.size());
+    append_pairs(slave.vertices, master.vertices);
+    append_pairs(slave.middles, master.middles);
+}
+
+void append_periodic(std::string& text, const FlatTile& tile, const Seam& seam) {
+    std::map<int, int> point_of;
+    std::map<int, VertexPair> slaves;
+    for (int k = 0; k < seam.n_runs(); ++k) point_of[seam.begin(k)] = k + 1;
+    for (const VertexPair& pair : tile.vertex_pairs) {
+        if (point_of.count(pair.w) > 0) slaves.emplace(point_of[pair.w], pair);
+    }
+    text += "$Periodic\n";
+    append_line(text, {static_cast<int>(slaves.size()) + seam.n_runs() / 2});
+    for (const auto& [point, pair] : slaves) {
+        append_link(text, tile, kPoints, point, point_of.at(pair.v), pair.offset, 1);
+        append_line(text, {pair.w + 1, pair.v + 1});
+    }
+    for (int k = 0; k < seam.n_runs(); ++k) {
+        if (seam.runs[k].offset < Offset{}) append_curve_link(text, tile, seam, k);
+    }
+    text += "$EndPeriodic\n";
+}
+
+/// One integer for each of the first items of a list, `kRest` for those that follow.
+void append_data(std::string& text, const char* section, const std::vector<int>& values,
+                 int n_rest) {
+    constexpr int kRest = -1;
+    const int n = static_cast<int>(values.size());
+    text += std::string("$") + section + "\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n";
+    append_line(text, {n + n_rest});
+    for (int k = 0; k < n; ++k) append_line(text, {k + 1, values[k]});
+    for (int k = n; k < n + n_rest; ++k) append_line(text, {k + 1, kRest});
+    text += std::string("$End") + section + "\n";
+}
+
+}  // namespace
+
+std::vector<EncodedFile> encode_msh(const FlatTile& tile, const std::string& path) {
+    require_triangles(tile.kind, path);
+    require_finite(tile);
+    const SolverNodes nodes = solver_nodes(tile);
+    const Seam seam = make_seam(tile, nodes);
+    std::string text;
+    append_head(text, tile, seam);
+    append_entities(text, tile, seam);
+    append_nodes(text, nodes, seam);
+    append_elements(text, tile, nodes, seam);
+    append_periodic(text, tile, seam);
+    append_data(text, "ElementData", element_cells(tile), n_lines(seam));
+    if (!tile.vertex_site.empty()) append_data(text, "NodeData", tile.vertex_site, 0);
+    return only_file(path, std::move(text));
+}
+
+}  // namespace pcvt

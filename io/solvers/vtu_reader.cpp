@@ -1,0 +1,325 @@
+#include "io/solvers/vtu_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "io/bytes/char_set.hpp"
+#include "io/bytes/text.hpp"
+#include "io/bytes/xml_scanner.hpp"
+#include "io/tiles/middle_nodes.hpp"
+#include "io/tiles/raw_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+using Event = XmlScanner::Event;
+
+constexpr int kVtkTriangle = 5;
+constexpr int kVtkPolygon = 7;
+constexpr int kVtkQuadraticTriangle = 22;
+
+/// A DataArray that the tile needs.
+struct Array {
+    int line;
+    std::string type;
+    /// 1 where the file names none.
+    int n_components;
+    std::vector<double> values;
+    /// The line of each value.
+    std::vector<int> lines;
+
+    std::size_t size() const { return values.size(); }
+    int integer(std::size_t k) const { return static_cast<int>(values[k]); }
+    bool is_real() const { return type == "Float32" || type == "Float64"; }
+};
+
+/// The arrays that mean something, as SECTION/NAME.
+constexpr std::array<std::string_view, 9> kKnown{"FieldData/PeriodicLattice",
+                                                 "PointData/PeriodicPointIds",
+                                                 "PointData/PeriodicOffset",
+                                                 "PointData/CellId",
+                                                 "CellData/CellId",
+                                                 "Points/Points",
+                                                 "Cells/connectivity",
+                                                 "Cells/offsets",
+                                                 "Cells/types"};
+
+/// The arrays of a file and the counts of its piece.
+class VtuArrays {
+   public:
+    VtuArrays(const std::string& name, std::string_view text) : scanner_(name, text) {
+        if (scanner_.next() != Event::kBegin || scanner_.element() != "VTKFile" ||
+            scanner_.attribute("type") != "UnstructuredGrid") {
+            throw BadFile(name + ": is no VTKFile with an UnstructuredGrid; give a VTU");
+        }
+        std::string section;
+        for (Event event = scanner_.next(); event != Event::kNothing; event = scanner_.next()) {
+            if (event == Event::kEnd) continue;
+            if (scanner_.element() == "Piece") {
+                read_piece();
+            } else if (scanner_.element() == "DataArray") {
+                read_array(section);
+            } else {
+                section = std::string(scanner_.element());
+            }
+        }
+        if (n_points_ < 0) throw BadFile(name + ": holds no Piece; give a VTU with a grid");
+    }
+
+    int n_points() const { return n_points_; }
+    int n_cells() const { return n_cells_; }
+
+    /// nullptr where the file lacks it.
+    const Array* find(const std::string& key) const {
+        const auto found = arrays_.find(key);
+        return found == arrays_.end() ? nullptr : &found->second;
+    }
+
+    /// An array with `n_tuples` tuples of `n_components`; any number of tuples below 0.
+    const Array& get(const std::string& key, int n_tuples, int n_components,
+                     bool of_integers) const {
+        const Array* array = find(key);
+        if (array == nullptr) {
+            throw BadFile(scanner_.name() + ": lacks the array " + key +
+                          "; export the file with it");
+        }
+        const auto wanted = static_cast<std::size_t>(std::max(n_tuples, 0)) *
+                            static_cast<std::size_t>(n_components);
+        if (array->n_components != n_components || (n_tuples >= 0 && array->size() != wanted) ||
+            (of_integers && array->is_real())) {
+            scanner_.refuse(array->line, "the array " + key + " has not the size or type of " +
+                                             "its kind; write the file again");
+        }
+        return *array;
+    }
+
+    const XmlScanner& scanner() const { return scanner_; }
+
+   private:
+    int count(std::string_view key) const {
+        const auto word = scanner_.attribute(key);
+        if (!word)
+            scanner_.refuse(scanner_.line(), "the Piece lacks " + std::string(key) + "; add it");
+        const int n = integer(*word, scanner_.line());
+        if (n < 0) scanner_.refuse(scanner_.line(), "a count is negative; correct it");
+        return n;
+    }
+
+    int integer(std::string_view word, int line) const {
+        try {
+            return parse_integer(word);
+        } catch (const InvalidInput& fault) {
+            scanner_.refuse(line, fault.what());
+        }
+    }
+
+    void read_piece() {
+        if (n_points_ >= 0) scanner_.refuse(scanner_.line(), "a second Piece; merge the pieces");
+        n_points_ = count("NumberOfPoints");
+        n_cells_ = count("NumberOfCells");
+    }
+
+    void read_array(const std::string& section) {
+        // VTK names the points as it likes.
+        const std::string name(scanner_.attribute("Name").value_or(""));
+        const std::string key = section + "/" + (section == "Points" ? "Points" : name);
+        if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) return;
+        if (scanner_.attribute("format").value_or("ascii") != "ascii") {
+            scanner_.refuse(scanner_.line(), "the array " + key + " is binary; export it as ASCII");
+        }
+        Array array{
+            scanner_.line(), std::string(scanner_.attribute("type").value_or("")), 1, {}, {}};
+        const auto components = scanner_.attribute("NumberOfComponents");
+        if (components) array.n_components = integer(*components, scanner_.line());
+        // VTK itself may add elements that tell of ranges; only the array's own text is numbers.
+        int depth = 1;
+        while (depth > 0) {
+            const Event event = scanner_.next();
+            if (depth == 1) read_values(scanner_.text(), scanner_.text_line(), array);
+            depth += event == Event::kBegin ? 1 : -1;
+        }
+        if (!arrays_.emplace(key, std::move(array)).second) {
+            scanner_.refuse(scanner_.line(), "the array " + key + " is there twice; remove one");
+        }
+    }
+
+    void read_values(std::string_view text, int line, Array& array) const {
+        static constexpr CharSet kBlanks(" \t\r");
+        static constexpr CharSet kWordEnds(" \t\r\n");
+        while (!text.empty()) {
+            text.remove_prefix(kBlanks.skip_in(text));
+            if (text.empty()) return;
+            if (text.front() == '\n') {
+                ++line;
+                text.remove_prefix(1);
+                continue;
+            }
+            const std::size_t length = kWordEnds.find_in(text);
+            add_value(text.substr(0, length), line, array);
+            text.remove_prefix(length);
+        }
+    }
+
+    void add_value(std::string_view word, int line, Array& array) const {
+        try {
+            array.values.push_back(array.is_real() ? parse_number(word) : parse_integer(word));
+        } catch (const InvalidInput& fault) {
+            scanner_.refuse(line, fault.what());
+        }
+        array.lines.push_back(line);
+    }
+
+    XmlScanner scanner_;
+    std::map<std::string, Array> arrays_;
+    int n_points_ = -1;
+    int n_cells_ = -1;
+};
+
+/// Turns the arrays into a tile.
+class VtuTile {
+   public:
+    VtuTile(const std::string& name, const VtuArrays& arrays)
+        : arrays_(arrays), raw_{name, 0, {}, {}, {}, {0}, {}, {}, {}, {}, {}} {}
+
+    RawTile make(const std::optional<Lattice>& lattice, Precision precision) {
+        take_points();
+        take_faces();
+        if (const Array* periods = arrays_.find("FieldData/PeriodicLattice"))
+            take_lattice(*periods);
+        if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
+        take_kind_and_sites();
+        if (type_ == kVtkQuadraticTriangle) take_off_middles(raw_, lattice, precision);
+        return std::move(raw_);
+    }
+
+   private:
+    [[noreturn]] void refuse(int line, const std::string& complaint) const {
+        arrays_.scanner().refuse(line, complaint);
+    }
+
+    void take_points() {
+        const Array& points = arrays_.get("Points/Points", arrays_.n_points(), 3, false);
+        for (std::size_t k = 0; k < points.size(); k += 3) {
+            if (points.values[k + 2] != 0) {
+                refuse(points.lines[k + 2], "z is not 0; lay the tile into the plane z = 0");
+            }
+            raw_.points.emplace_back(points.values[k], points.values[k + 1]);
+        }
+    }
+
+    void take_faces() {
+        const Array& corners = arrays_.get("Cells/connectivity", -1, 1, true);
+        const Array& ends = arrays_.get("Cells/offsets", arrays_.n_cells(), 1, true);
+        const Array& types = arrays_.get("Cells/types", arrays_.n_cells(), 1, true);
+        std::size_t begin = 0;
+        for (std::size_t f = 0; f < ends.size(); ++f) {
+            const auto end = static_cast<std::size_t>(std::max(ends.integer(f), 0));
+            if (end <= begin || end > corners.size()) {
+                refuse(ends.lines[f],
+                       "the offsets do not rise within the connectivity; correct them");
+            }
+            take_type(types.integer(f), types.lines[f]);
+            std::vector<int> face;
+            for (std::size_t c = begin; c < end; ++c) face.push_back(corners.integer(c));
+            require_nodes(face, corners.lines[begin]);
+            raw_.add_face(face, corners.lines[begin]);
+            begin = end;
+        }
+        if (begin != corners.size()) {
+            refuse(corners.line,
+                   "the connectivity goes on after its last face; correct the offsets");
+        }
+    }
+
+    /// One type for all faces.
+    void take_type(int type, int line) {
+        const bool known =
+            type == kVtkPolygon || type == kVtkTriangle || type == kVtkQuadraticTriangle;
+        if (!known || type_.value_or(type) != type) {
+            refuse(line,
+                   "the faces are not all polygons (7), all triangles (5) or all quadratic "
+                   "triangles (22); give such a grid");
+        }
+        type_ = type;
+    }
+
+    void require_nodes(const std::vector<int>& face, int line) const {
+        if (type_ == kVtkPolygon) return;
+        const std::size_t wanted = type_ == kVtkTriangle ? 3 : 6;
+        if (face.size() != wanted) {
+            refuse(line, "a triangle here has " + std::to_string(wanted) + " points, not " +
+                             std::to_string(face.size()) + "; correct the offsets");
+        }
+        for (const int v : face) {
+            if (v >= 0 && v < arrays_.n_points()) continue;
+            refuse(line, "point " + std::to_string(v) + " does not exist; correct the index");
+        }
+    }
+
+    void take_lattice(const Array& array) {
+        arrays_.get("FieldData/PeriodicLattice", 2, 2, false);
+        const std::vector<double>& n = array.values;
+        try {
+            raw_.lattice.emplace(Vec2(n[0], n[1]), Vec2(n[2], n[3]));
+        } catch (const InvalidInput& fault) {
+            refuse(array.line, fault.what());
+        }
+    }
+
+    void take_orbits() {
+        const int n = arrays_.n_points();
+        const Array& orbits = arrays_.get("PointData/PeriodicPointIds", n, 1, true);
+        const Array& offsets = arrays_.get("PointData/PeriodicOffset", n, 2, true);
+        for (int v = 0; v < n; ++v) {
+            const auto k = static_cast<std::size_t>(v);
+            const int orbit = orbits.integer(k);
+            const Offset offset{offsets.integer(2 * k), offsets.integer(2 * k + 1)};
+            if (orbit < 0 || orbit >= n) {
+                refuse(orbits.lines[k],
+                       "point " + std::to_string(orbit) + " does not exist; correct the id");
+            }
+            if (orbit != v) {
+                raw_.vertex_pairs.push_back({orbit, v, offset});
+            } else if (offset != Offset{}) {
+                refuse(offsets.lines[2 * k],
+                       "a point has an offset to itself; write the file again with pcvt");
+            }
+        }
+    }
+
+    /// Of triangles the points have sites, or each one lies in a cell: grains. Without a lattice of
+    /// ours the arrays mean something else.
+    void take_kind_and_sites() {
+        const bool of_points = arrays_.find("PointData/CellId") != nullptr;
+        const bool of_faces = arrays_.find("CellData/CellId") != nullptr && !of_points;
+        raw_.kind = type_ == kVtkPolygon       ? TileKind::kCells
+                    : of_faces && raw_.lattice ? TileKind::kGrains
+                                               : TileKind::kTriangles;
+        const bool owned = faces_have_sites(*raw_.kind);
+        const std::string key = owned ? "CellData/CellId" : "PointData/CellId";
+        if (arrays_.find(key) == nullptr || !raw_.lattice) return;
+        const Array& sites =
+            arrays_.get(key, owned ? arrays_.n_cells() : arrays_.n_points(), 1, true);
+        for (std::size_t k = 0; k < sites.size(); ++k) raw_.sites.push_back(sites.integer(k));
+    }
+
+    const VtuArrays& arrays_;
+    RawTile raw_;
+    std::optional<int> type_;
+};
+
+}  // namespace
+
+TileFile decode_vtu(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+    const EncodedFile& vtu = files.front();
+    refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
+    const VtuArrays arrays(vtu.path, vtu.bytes);
+    const Array* points = arrays.find("Points/Points");
+    const bool single = points != nullptr && points->type == "Float32";
+    const Precision precision = single ? Precision::kSingle : Precision::kDouble;
+    return finish(VtuTile(vtu.path, arrays).make(lattice, precision), lattice, precision);
+}
+
+}  // namespace pcvt

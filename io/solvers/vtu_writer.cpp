@@ -1,0 +1,144 @@
+#include "io/solvers/vtu_writer.hpp"
+
+#include <numeric>
+
+#include "io/bytes/text.hpp"
+#include "io/tiles/finite.hpp"
+#include "io/tiles/solver_nodes.hpp"
+#include "io/tiles/triangle_elements.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr int kVtkTriangle = 5;
+constexpr int kVtkPolygon = 7;
+constexpr int kVtkQuadraticTriangle = 22;
+
+template <class Number>
+void append_word(std::string& text, Number number) {
+    append_number(text, number);
+    text += ' ';
+}
+
+void end_line(std::string& text) { text.back() = '\n'; }
+
+/// Opens an array; `attributes` are the further ones, with a blank before each.
+void open_array(std::string& text, const char* type, const char* name,
+                const std::string& attributes = "") {
+    text += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\"" + attributes +
+            " format=\"ascii\">\n";
+}
+
+void close_array(std::string& text) { text += "</DataArray>\n"; }
+
+void append_integers(std::string& text, const char* type, const char* name,
+                     const std::vector<int>& values) {
+    open_array(text, type, name);
+    for (const int value : values) {
+        append_word(text, value);
+        end_line(text);
+    }
+    close_array(text);
+}
+
+void append_lattice(std::string& text, const Lattice& lattice) {
+    text += "<FieldData>\n";
+    open_array(text, "Float64", "PeriodicLattice",
+               " NumberOfTuples=\"2\" NumberOfComponents=\"2\"");
+    for (const Vec2& period : {lattice.a(), lattice.b()}) {
+        append_word(text, period.x());
+        append_word(text, period.y());
+        end_line(text);
+    }
+    close_array(text);
+    text += "</FieldData>\n";
+}
+
+void append_point_data(std::string& text, const FlatTile& tile, const SolverNodes& nodes) {
+    std::vector<int> ids(nodes.points.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    std::vector<int> orbits = ids;
+    std::vector<Offset> offsets(nodes.points.size());
+    for (const VertexPair& pair : nodes.pairs) {
+        orbits[pair.w] = pair.v;
+        offsets[pair.w] = pair.offset;
+    }
+    text += "<PointData GlobalIds=\"GlobalIds\">\n";
+    append_integers(text, "Int64", "GlobalIds", ids);
+    append_integers(text, "Int64", "PeriodicPointIds", orbits);
+    open_array(text, "Int32", "PeriodicOffset", " NumberOfComponents=\"2\"");
+    for (const Offset& offset : offsets) {
+        append_word(text, offset.i);
+        append_word(text, offset.j);
+        end_line(text);
+    }
+    close_array(text);
+    if (!tile.vertex_site.empty()) {
+        std::vector<SiteId> sites = tile.vertex_site;
+        sites.resize(nodes.points.size(), -1);
+        append_integers(text, "Int32", "CellId", sites);
+    }
+    text += "</PointData>\n";
+}
+
+void append_points(std::string& text, const std::vector<Vec2>& points) {
+    text += "<Points>\n";
+    open_array(text, "Float64", "Points", " NumberOfComponents=\"3\"");
+    for (const Vec2& p : points) {
+        append_word(text, p.x());
+        append_word(text, p.y());
+        append_word(text, 0);
+        end_line(text);
+    }
+    close_array(text);
+    text += "</Points>\n";
+}
+
+int vtk_type(const FlatTile& tile) {
+    if (tile.kind == TileKind::kCells) return kVtkPolygon;
+    return tile.order == 2 ? kVtkQuadraticTriangle : kVtkTriangle;
+}
+
+void append_cells(std::string& text, const FlatTile& tile, const SolverNodes& nodes) {
+    std::vector<int> ends;
+    int end = 0;
+    text += "<Cells>\n";
+    open_array(text, "Int64", "connectivity");
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        for (const int v : element_nodes(tile, nodes, f)) {
+            append_word(text, v);
+            ++end;
+        }
+        end_line(text);
+        ends.push_back(end);
+    }
+    close_array(text);
+    append_integers(text, "Int64", "offsets", ends);
+    append_integers(text, "UInt8", "types",
+                    std::vector<int>(static_cast<std::size_t>(tile.n_faces()), vtk_type(tile)));
+    text += "</Cells>\n";
+}
+
+}  // namespace
+
+std::vector<EncodedFile> encode_vtu(const FlatTile& tile, const std::string& path) {
+    require_finite(tile);
+    const SolverNodes nodes = solver_nodes(tile);
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<!-- A periodic tile, written by pcvt -->\n"
+        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "<UnstructuredGrid>\n";
+    append_lattice(text, tile.lattice);
+    text += "<Piece NumberOfPoints=\"" + std::to_string(nodes.n_nodes()) + "\" NumberOfCells=\"" +
+            std::to_string(tile.n_faces()) + "\">\n";
+    append_point_data(text, tile, nodes);
+    text += "<CellData>\n";
+    append_integers(text, "Int32", "CellId", element_cells(tile));
+    text += "</CellData>\n";
+    append_points(text, nodes.points);
+    append_cells(text, tile, nodes);
+    text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    return only_file(path, std::move(text));
+}
+
+}  // namespace pcvt

@@ -1,0 +1,170 @@
+#include "io/tiles/numbered_tile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "io/tiles/middle_nodes.hpp"
+
+namespace pcvt {
+namespace {
+
+/// A printed translation is rounded, and so are the period vectors.
+constexpr double kUlps = 4;
+
+[[noreturn]] void refuse(const std::string& name, int line, const std::string& complaint) {
+    throw BadFile(name + ":" + std::to_string(line) + ": " + complaint);
+}
+
+template <class Item>
+void sort_by_number(std::vector<Item>& items, const std::string& name, const char* word) {
+    std::stable_sort(items.begin(), items.end(),
+                     [](const Item& s, const Item& t) { return s.number < t.number; });
+    const auto twice =
+        std::adjacent_find(items.begin(), items.end(),
+                           [](const Item& s, const Item& t) { return s.number == t.number; });
+    if (twice == items.end()) return;
+    refuse(name, (twice + 1)->line,
+           std::string(word) + " " + std::to_string(twice->number) +
+               " is given twice; number each one once");
+}
+
+/// Place of a number among sorted items; refused, at the line that names it, if it is not there.
+template <class Item>
+int place(const std::vector<Item>& items, int number, const std::string& name, int line,
+          const char* word) {
+    const auto guess = static_cast<std::size_t>(std::int64_t{number} - 1);
+    if (guess < items.size() && items[guess].number == number) return static_cast<int>(guess);
+    const auto found =
+        std::lower_bound(items.begin(), items.end(), number,
+                         [](const Item& item, int wanted) { return item.number < wanted; });
+    if (found == items.end() || found->number != number) {
+        refuse(name, line,
+               std::string(word) + " " + std::to_string(number) +
+                   " does not exist; correct the number");
+    }
+    return static_cast<int>(found - items.begin());
+}
+
+Offset offset_of(const Lattice& lattice, const Vec2& translation, const std::string& name,
+                 int line) {
+    const Vec2 periods = lattice.to_lattice(translation);
+    if (periods.allFinite() && periods.cwiseAbs().maxCoeff() < kLargestOffset) {
+        const Offset offset{static_cast<int>(std::lround(periods.x())),
+                            static_cast<int>(std::lround(periods.y()))};
+        const Vec2 exact = lattice.translation(offset);
+        const double largest = std::max({translation.cwiseAbs().maxCoeff(),
+                                         std::abs(offset.i) * lattice.a().cwiseAbs().maxCoeff(),
+                                         std::abs(offset.j) * lattice.b().cwiseAbs().maxCoeff()});
+        const double tolerance = kUlps * std::numeric_limits<double>::epsilon() * largest;
+        if ((exact - translation).cwiseAbs().maxCoeff() <= tolerance) return offset;
+    }
+    refuse(name, line,
+           "the nodes are tied by a translation that is no vector of the lattice; write the file "
+           "again with pcvt");
+}
+
+class Resolver {
+   public:
+    Resolver(NumberedTile& numbered, const std::optional<Lattice>& lattice)
+        : numbered_(numbered), raw_(numbered.raw) {
+        if (!raw_.lattice) raw_.lattice = lattice;
+        sort_by_number(numbered.nodes, raw_.name, "node");
+        sort_by_number(numbered.triangles, raw_.name, "element");
+    }
+
+    void resolve() {
+        for (const NumberedTile::Node& node : numbered_.nodes) raw_.points.push_back(node.point);
+        for (const NumberedTile::Triangle& triangle : numbered_.triangles) {
+            std::vector<int> corners;
+            for (const int number : triangle.nodes) corners.push_back(node(number, triangle.line));
+            raw_.add_face(corners, triangle.line);
+        }
+        take_sites();
+        if (raw_.lattice) take_pairs();
+        if (is_second_order()) {
+            require_middles_of_edges();
+            take_off_middles(raw_, std::nullopt, Precision::kDouble);
+        }
+    }
+
+   private:
+    int node(int number, int line) const {
+        return place(numbered_.nodes, number, raw_.name, line, "node");
+    }
+
+    /// All triangles have six nodes; refused where only some have.
+    bool is_second_order() const {
+        const auto& triangles = numbered_.triangles;
+        const auto other =
+            std::find_if(triangles.begin(), triangles.end(), [&](const NumberedTile::Triangle& t) {
+                return t.nodes.size() != triangles.front().nodes.size();
+            });
+        if (other != triangles.end()) {
+            refuse(raw_.name, other->line, "triangles of two orders; give a mesh of one order");
+        }
+        return !triangles.empty() && triangles.front().nodes.size() == 6;
+    }
+
+    void require_middles_of_edges() const {
+        const std::vector<MiddleNode> edges = middle_nodes(raw_);
+        for (const NumberedTile::Edge& edge : numbered_.edges) {
+            const auto [low, high] =
+                std::minmax({node(edge.nodes[0], edge.line), node(edge.nodes[1], edge.line)});
+            const auto found =
+                std::lower_bound(edges.begin(), edges.end(), std::make_pair(low, high),
+                                 [](const MiddleNode& e, const std::pair<int, int>& ends) {
+                                     return std::make_pair(e.low, e.high) < ends;
+                                 });
+            if (found != edges.end() && found->low == low && found->high == high && edge.middle &&
+                found->node == node(*edge.middle, edge.line)) {
+                continue;
+            }
+            refuse(raw_.name, edge.line,
+                   "the line is no edge of a triangle with its middle node; correct its nodes");
+        }
+    }
+
+    void take_sites() {
+        if (!raw_.sites.empty()) return;
+        const bool of_nodes = !numbered_.node_sites.empty();
+        const auto& sites = of_nodes ? numbered_.node_sites : numbered_.triangle_sites;
+        raw_.sites.assign(sites.size(), -1);
+        for (const NumberedTile::SiteOf& item : sites) {
+            const int owner =
+                of_nodes ? node(item.number, item.line)
+                         : place(numbered_.triangles, item.number, raw_.name, item.line, "element");
+            if (owner >= static_cast<int>(sites.size()) || raw_.sites[owner] >= 0) {
+                refuse(raw_.name, item.line, "the sites are unclear; give each item one");
+            }
+            raw_.sites[owner] = item.site;
+        }
+    }
+
+    void take_pairs() {
+        for (const NumberedTile::Link& link : numbered_.links) {
+            raw_.vertex_pairs.push_back(
+                {node(link.master, link.line), node(link.slave, link.line),
+                 offset_of(*raw_.lattice, link.translation, raw_.name, link.line)});
+        }
+        for (const NumberedTile::Edge& edge : numbered_.edges) {
+            const auto at = [&](int k) { return node(edge.nodes[k], edge.line); };
+            raw_.edge_pairs.push_back(
+                {at(0), at(1), at(2), at(3),
+                 offset_of(*raw_.lattice, edge.translation, raw_.name, edge.line)});
+        }
+    }
+
+    NumberedTile& numbered_;
+    RawTile& raw_;
+};
+
+}  // namespace
+
+TileFile finish(NumberedTile numbered, const std::optional<Lattice>& lattice) {
+    Resolver(numbered, lattice).resolve();
+    return finish(std::move(numbered.raw), lattice, Precision::kDouble);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,38 @@
+#include "io/tiles/triangle_elements.hpp"
+
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+int corner_nearest_to_centroid(const FlatTile& tile, int f) {
+    const int* corners = &tile.corners[tile.face_begin[f]];
+    const Vec2 centroid =
+        (tile.points[corners[0]] + tile.points[corners[1]] + tile.points[corners[2]]) / 3;
+    int nearest = corners[0];
+    for (const int v : {corners[1], corners[2]}) {
+        const double distance = (tile.points[v] - centroid).squaredNorm();
+        if (distance < (tile.points[nearest] - centroid).squaredNorm()) nearest = v;
+    }
+    return nearest;
+}
+
+}  // namespace
+
+void require_triangles(TileKind kind, const std::string& path) {
+    if (kind != TileKind::kCells) return;
+    throw InvalidInput(path +
+                       ": the format has no polygons; take --mesh delaunay or --mesh grains");
+}
+
+std::vector<SiteId> element_cells(const FlatTile& tile) {
+    if (!tile.face_site.empty()) return tile.face_site;
+    std::vector<SiteId> cells;
+    cells.reserve(static_cast<std::size_t>(tile.n_faces()));
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        cells.push_back(tile.vertex_site[corner_nearest_to_centroid(tile, f)]);
+    }
+    return cells;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,105 @@
+#include "mesher/cvt/coarse_start.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "mesher/density/density_survey.hpp"
+
+namespace pcvt {
+namespace {
+
+/// From the coarsest problem on the number of sites grows fourfold twice: more steps lead to lower
+/// minima, but to those the last optimisation takes longer.
+constexpr int kRefinements = 2;
+/// Fewer sites are not refined any further.
+constexpr int kCoarsest = 16;
+/// How far a site is shaken, in units of h of the finer problem: without, sites stay where they
+/// were set although their neighbourhood is a bad one.
+constexpr double kShake = 0.25;
+/// Of a hexagonal arrangement, h over the distance between neighbours.
+const double kSpacingPerEdge = std::sqrt(std::sqrt(3.0) / 2);
+/// Where a coarser problem is left for the next, and where its long waves are treated apart.
+constexpr double kRmsTolerance = 1e-4;
+constexpr double kPreconditionBelow = 1e-3;
+
+/// The sites of the finer problem before they are shaken.
+struct Refined {
+    /// Reduced basis.
+    Points coordinates;
+    /// For each site the local h, length units.
+    Eigen::VectorXd spacing;
+};
+
+/// The optimised sites and the midpoints between them; the last ones are left out beyond n.
+Refined with_midpoints(const PeriodicDelaunay& delaunay, int n) {
+    const Sites& sites = delaunay.sites();
+    const TorusTriangulation& t = delaunay.triangulation();
+    Eigen::VectorXd n_edges = Eigen::VectorXd::Zero(sites.n_sites());
+    for (const SiteId site : t.corner_sites()) n_edges[site] += 1;
+    Refined finer{Points(2, n), Eigen::VectorXd::Zero(n)};
+    finer.coordinates.leftCols(sites.n_sites()) = sites.coordinates();
+    int next = sites.n_sites();
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        if (h > t.opposite(h)) continue;
+        const Corner from = t.corner(h);
+        const Corner to = t.corner(TorusTriangulation::next(h));
+        const Vec2 way = difference(image(sites.coordinates(), from.site, from.offset),
+                                    image(sites.coordinates(), to.site, to.offset));
+        const double half = sites.reduction().reduced.to_plane(way).norm() / 2;
+        for (const SiteId end : {from.site, to.site}) {
+            finer.spacing[end] += kSpacingPerEdge * half / n_edges[end];
+        }
+        if (next == n) continue;
+        finer.coordinates.col(next) = sites.coordinates().col(from.site) + way / 2;
+        finer.spacing[next++] = kSpacingPerEdge * half;
+    }
+    return finer;
+}
+
+/// Coordinates in the reduced basis to points, each moved by a random part of the shake.
+Points shaken(const Lattice& reduced, const Refined& sites, std::uint64_t seed) {
+    std::mt19937_64 generator(seed);
+    const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -52) - 1; };
+    Points points(2, sites.coordinates.cols());
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        const double x = uniform();
+        const double y = uniform();
+        points.col(s) =
+            reduced.to_plane(sites.coordinates.col(s)) + kShake * sites.spacing[s] * Vec2(x, y);
+    }
+    return points;
+}
+
+}  // namespace
+
+Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options) {
+    const int n_wanted = n;
+    std::vector<int> finer;
+    for (; finer.size() < kRefinements && n > kCoarsest; n = (n + 3) / 4) finer.push_back(n);
+    Points points = options.density ? graded_points(lattice, *options.density, n, options.seed)
+                                    : uniform_points(lattice, n, options.seed);
+    for (; !finer.empty(); finer.pop_back()) {
+        bool cancelled = false;
+        CvtOptions level;
+        // Where the density is not smooth, 1e-4 may be out of reach.
+        level.tolerance = options.density ? kRmsTolerance : 0;
+        level.n_threads = options.n_threads;
+        level.precondition_below = kPreconditionBelow;
+        level.density = options.density;
+        const double share = double(points.cols()) / n_wanted;
+        level.progress = [&](Progress progress) {
+            progress.value *= share;
+            cancelled = options.progress && !options.progress(progress);
+            return !cancelled && progress.rms_residual > kRmsTolerance;
+        };
+        const CvtResult coarse = compute_cvt(lattice, std::move(points), level);
+        if (cancelled) return {};
+        Refined refined = with_midpoints(coarse.delaunay, finer.back());
+        const Lattice& reduced = coarse.delaunay.sites().reduction().reduced;
+        if (!options.density) refined.spacing.setConstant(std::sqrt(reduced.area() / finer.back()));
+        points = shaken(reduced, refined, options.seed + static_cast<std::uint64_t>(finer.back()));
+    }
+    return points;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,201 @@
+#include "mesher/cvt/cvt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "mesher/base/error.hpp"
+#include "mesher/delaunay/periodic_delaunay.hpp"
+#include "mesher/energy/energy.hpp"
+#include "mesher/energy/hessian.hpp"
+#include "mesher/energy/long_waves.hpp"
+#include "mesher/energy/residuals.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/optimize/lbfgs.hpp"
+#include "mesher/optimize/lloyd.hpp"
+#include "mesher/optimize/relay.hpp"
+
+namespace pcvt {
+namespace {
+
+/// In units of h. A site that moves further leaves its neighbourhood, and the model with it.
+constexpr double kLargestMove = 0.5;
+constexpr int kSitesPerTask = 1 << 14;
+
+/// The nearest neighbours of all sites are joined by Delaunay edges, so no pair is overlooked.
+void require_distinct(const MovingDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    std::pair<SiteId, SiteId> found{-1, -1};
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        const Corner from = t.corner(h);
+        const Corner to = t.corner(TorusTriangulation::next(h));
+        const Vec2 edge = delaunay.frame().to_plane(
+            difference(image(delaunay.coordinates(), from.site, from.offset),
+                       image(delaunay.coordinates(), to.site, to.offset)));
+        if (edge.norm() >= kSameVertex * delaunay.spacing()) continue;
+        const std::pair<SiteId, SiteId> pair =
+            std::minmax({delaunay.original_id(from.site), delaunay.original_id(to.site)});
+        if (found.first < 0 || pair < found) found = pair;
+    }
+    if (found.first >= 0) throw DuplicateSites(found.first, found.second);
+}
+
+/// The energy as a function of moving sites, in the frame and the unit of the triangulation: so
+/// neither the optimiser's products nor its thresholds depend on the user's unit of length.
+class CvtObjective final : public Objective {
+   public:
+    CvtObjective(MovingDelaunay& delaunay, Workers& workers)
+        : delaunay_(delaunay), workers_(workers), pass_(delaunay, workers) {}
+
+    Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
+
+    bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
+        energy_.gradient.swap(evaluation.gradient);
+        const bool defined = go_back() && go(direction, t);
+        energy_.gradient.swap(evaluation.gradient);
+        if (!defined) return false;
+        const auto [largest, rms] =
+            residuals(evaluation.gradient, energy_.mass, delaunay_.spacing(), workers_);
+        evaluation.value = energy_.value;
+        evaluation.residual = largest;
+        evaluation.rms_residual = rms;
+        if (long_waves_) long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        return true;
+    }
+
+    bool precondition(Evaluation& evaluation) override {
+        if (delaunay_.n_sites() < kFewestForLongWaves) return false;
+        long_waves_ = std::make_unique<LongWaves>(delaunay_, workers_);
+        long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        return true;
+    }
+
+    void accept() override { delaunay_.settle(); }
+    void reject() override { go_back(); }
+
+    void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
+        direction.resize(n_variables());
+        for (Eigen::Index s = 0; s < delaunay_.n_sites(); ++s) {
+            direction.segment<2>(2 * s) =
+                (evaluation.gradient.segment<2>(2 * s) / (-2 * energy_.mass[s])).cast<float>();
+        }
+    }
+
+    bool has_hessian() const override { return true; }
+    void hessian(BlockMatrix& hessian) const override {
+        assemble_hessian(delaunay_, workers_, hessian);
+    }
+
+   private:
+    /// Takes the triangulation back from a trial that was not accepted.
+    bool go_back() {
+        if (delaunay_.settled()) return true;
+        delaunay_.step_back();
+        return pass_.evaluate(energy_);
+    }
+
+    bool go(const Eigen::VectorXf& direction, double t) {
+        if (t != 0 && !delaunay_.step(direction, t, workers_)) return false;
+        return pass_.evaluate(energy_);
+    }
+
+    MovingDelaunay& delaunay_;
+    Workers& workers_;
+    EnergyPass pass_;
+    Energy energy_;
+    std::unique_ptr<LongWaves> long_waves_;
+};
+
+OptimizerResult minimize_by(Solver solver, Objective& objective, const OptimizerOptions& options,
+                            Workers& workers) {
+    switch (solver) {
+        case Solver::kLbfgs:
+            return minimize_relay(objective, options, NewtonStart::kNear, workers);
+        case Solver::kNewton:
+            return minimize_relay(objective, options, NewtonStart::kAtOnce, workers);
+        case Solver::kPlainLbfgs:
+            return minimize_lbfgs(objective, options, workers);
+        case Solver::kLloyd:
+            return minimize_lloyd(objective, options);
+    }
+    throw InternalError("no such solver");
+}
+
+/// With a density; fills in `figures`.
+OptimizerResult minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
+                         const CvtOptions& options, std::optional<DensityFigures>& figures) {
+    Workers workers(options.n_threads);
+    const bool plain = options.solver == Solver::kPlainLbfgs;
+    WeightedOptions weighted{
+        .lloyd = options.solver == Solver::kLloyd,
+        .optimizer = {.tolerance = options.tolerance,
+                      .max_iterations = options.max_iterations,
+                      .max_move = kLargestMove * delaunay.spacing(),
+                      .progress = options.progress,
+                      .precondition_below = plain ? 0 : options.precondition_below}};
+    if (plain) weighted.newton.reset();
+    if (options.solver == Solver::kNewton) weighted.newton = NewtonStart::kAtOnce;
+    WeightedResult result = minimize_weighted(delaunay, workers, lattice, density, weighted);
+    figures = result.figures;
+    return std::move(result.run);
+}
+
+OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
+    const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
+    Workers workers(std::min(options.n_threads, n_tasks));
+    CvtObjective objective(delaunay, workers);
+    const bool plain = options.solver == Solver::kPlainLbfgs;
+    OptimizerOptions optimizer{.tolerance = options.tolerance,
+                               .max_iterations = options.max_iterations,
+                               .max_move = kLargestMove * delaunay.spacing(),
+                               .precondition_below = plain ? 0 : options.precondition_below};
+    if (options.progress) {
+        optimizer.progress = [&](Progress progress) {
+            progress.value *= std::pow(delaunay.unit(), 4);
+            return options.progress(progress);
+        };
+    }
+    return minimize_by(options.solver, objective, optimizer, workers);
+}
+
+/// The triangulation of sites that are distinct; frees the points, which are needed no more.
+MovingDelaunay triangulate(const Lattice& lattice, Points points) {
+    return MovingDelaunay(Sites(lattice, points));
+}
+
+}  // namespace
+
+CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options) {
+    MovingDelaunay delaunay = triangulate(lattice, std::move(points));
+    require_distinct(delaunay);
+    const double value_unit = std::pow(delaunay.unit(), 4);
+    std::optional<DensityFigures> figures;
+    const OptimizerResult run =
+        options.density ? minimize(delaunay, lattice, *options.density, options, figures)
+                        : minimize(delaunay, options);
+    const DelaunayCounts counts = delaunay.counts();
+    auto [sites, triangulation] = delaunay.release();
+    const double bound = hexagonal_bound(lattice.area(), sites.n_sites());
+    return {.delaunay = {std::move(sites), std::move(triangulation)},
+            .stop = run.stop,
+            .iterations = run.iterations,
+            .evaluations = run.evaluations,
+            .hessians = run.hessians,
+            .cg_products = run.cg_products,
+            .energy = figures ? run.evaluation.value : run.evaluation.value * value_unit,
+            .energy_bound = bound,
+            .residual = run.evaluation.residual,
+            .rms_residual = run.evaluation.rms_residual,
+            .counts = counts,
+            .density = figures};
+}
+
+PeriodicMesh periodic_mesh(const CvtResult& result, TileKind kind) {
+    return kind == TileKind::kCells ? cell_mesh(result.delaunay) : triangle_mesh(result.delaunay);
+}
+
+double hexagonal_bound(double area, int n_sites) {
+    return 5 * area * area / (18 * std::sqrt(3.0) * n_sites);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,210 @@
+#include "mesher/delaunay/moving_delaunay.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "mesher/base/large_pages.hpp"
+#include "mesher/delaunay/mirror_diagram.hpp"
+#include "mesher/delaunay/untangling.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Sites a task moves.
+constexpr int kSitesPerTask = 1 << 14;
+/// A local repair that puts more sites back than this share, and this number, costs more than a
+/// build.
+constexpr double kMostHeldShare = 0.02;
+constexpr std::size_t kMostHeldAtLeast = 16;
+
+double unit_near(double length) {
+    int exponent = 0;
+    std::frexp(length, &exponent);
+    return std::ldexp(1.0, exponent);
+}
+
+Frame frame_of(const Lattice& reduced, double unit) {
+    const double ax = reduced.a().norm();
+    return {ax / unit, reduced.a().dot(reduced.b()) / ax / unit, reduced.area() / ax / unit};
+}
+
+Points in_order(const Points& coordinates, const std::vector<SiteId>& order) {
+    Points ordered(2, coordinates.cols());
+    for (Eigen::Index s = 0; s < coordinates.cols(); ++s) {
+        ordered.col(s) = coordinates.col(order[s]);
+    }
+    return ordered;
+}
+
+/// Writes flips down before it passes them on.
+class LoggedFlips final : public FlipObserver {
+   public:
+    LoggedFlips(const TorusTriangulation& triangulation, FlipObserver* observer,
+                std::vector<int>& triangles)
+        : triangulation_(triangulation), observer_(observer), triangles_(triangles) {}
+
+    void fetch(SiteId site) const override {
+        if (observer_ != nullptr) observer_->fetch(site);
+    }
+    void before_flip(int h) override {
+        if (observer_ != nullptr) observer_->before_flip(h);
+    }
+    void after_flip(int h) override {
+        triangles_.push_back(h / 3);
+        triangles_.push_back(triangulation_.opposite(h) / 3);
+        if (observer_ != nullptr) observer_->after_flip(h);
+    }
+
+   private:
+    const TorusTriangulation& triangulation_;
+    FlipObserver* observer_;
+    std::vector<int>& triangles_;
+};
+
+}  // namespace
+
+MovingDelaunay::MovingDelaunay(const Sites& sites)
+    : lattice_(sites.lattice()),
+      reduction_(sites.reduction()),
+      gram_(gram_of(reduction_.reduced)),
+      unit_(unit_near(sites.spacing())),
+      spacing_(sites.spacing() / unit_),
+      frame_(frame_of(reduction_.reduced, unit_)),
+      triangulation_(0, {}) {
+    Columns columns = sort_into_columns(sites.coordinates(), gram_);
+    order_ = columns.order;
+    coordinates_ = in_order(sites.coordinates(), order_);
+    std::iota(columns.order.begin(), columns.order.end(), 0);
+    build(columns);
+}
+
+void MovingDelaunay::build(const Columns& columns) {
+    prefers_large_pages_ = false;
+    if (auto strips = strip_triangulation(coordinates_, columns)) {
+        triangulation_ = std::move(*strips);
+        counts_.n_mirrors.reset();
+        LawsonFlips(triangulation_, coordinates_, gram_).flip_all();
+        return;
+    }
+    MirrorDiagram diagram = mirror_diagram(wrapped_sites());
+    std::sort(diagram.triangles.begin(), diagram.triangles.end(),
+              [](const Triangle& s, const Triangle& t) { return s[0].site < t[0].site; });
+    triangulation_ = TorusTriangulation(n_sites(), diagram.triangles);
+    counts_.n_mirrors = diagram.n_mirrors;
+}
+
+bool MovingDelaunay::rebuild() {
+    if (wrapped_sites().duplicates().first >= 0) return false;
+    coordinates_.array() -= coordinates_.array().floor();
+    build(sort_into_columns(coordinates_, gram_));
+    ++counts_.n_rebuilds;
+    return true;
+}
+
+/// Only what moves is looked at often enough.
+void MovingDelaunay::prefer_large_pages() {
+    if (prefers_large_pages_) return;
+    pcvt::prefer_large_pages(coordinates_);
+    triangulation_.prefer_large_pages();
+    prefers_large_pages_ = true;
+}
+
+bool MovingDelaunay::step(const Eigen::VectorXf& direction, double t, Workers& workers) {
+    prefer_large_pages();
+    const SiteMoves moves(frame_, direction, t);
+    const int n_tasks = (n_sites() + kSitesPerTask - 1) / kSitesPerTask;
+    std::atomic<bool> finite = true;
+    std::atomic<bool> in_range = true;
+    workers.for_each(n_tasks, [&](int task) {
+        const int begin = task * kSitesPerTask;
+        const int end = std::min(begin + kSitesPerTask, n_sites());
+        const SiteMoves::Outcome outcome = moves.apply(begin, end, coordinates_);
+        if (!outcome.finite) finite = false;
+        if (!outcome.in_range) in_range = false;
+    });
+    if (!finite) {
+        moves.back().apply(0, n_sites(), coordinates_);
+        return false;
+    }
+    settled_ = false;
+    moves_ = moves;
+    if (!in_range) keep_in_range();
+    return true;
+}
+
+void MovingDelaunay::step_back() {
+    moves_ = moves_->back();
+    settled_ = true;
+    if (!moves_->apply(0, n_sites(), coordinates_).in_range) keep_in_range();
+}
+
+void MovingDelaunay::keep_in_range() {
+    std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
+    bool changes = false;
+    for (SiteId s = 0; s < n_sites(); ++s) {
+        const Vec2 whole = coordinates_.col(s).array().floor();
+        if (whole.minCoeff() >= -1 && whole.maxCoeff() <= 1) continue;
+        coordinates_.col(s) -= whole;
+        change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
+        changes = true;
+    }
+    if (!changes) return;
+    triangulation_.add_to_offsets(change);
+    begin_flip_log();
+}
+
+std::vector<int> MovingDelaunay::inverted(const Suspects& suspects) const {
+    std::vector<int> found;
+    for (const int t : suspects.triangles) {
+        const auto corner = [&](int k) {
+            const Corner c = triangulation_.corner(3 * t + k);
+            return image(coordinates_, c.site, c.offset);
+        };
+        if (orientation(corner(0), corner(1), corner(2)) <= 0) found.push_back(t);
+    }
+    return found;
+}
+
+void MovingDelaunay::begin_flip_log() {
+    ++flip_log_.number;
+    flip_log_.triangles.clear();
+}
+
+std::int64_t MovingDelaunay::flip(Suspects& suspects, FlipObserver* observer) {
+    LawsonFlips flips(triangulation_, coordinates_, gram_);
+    if (flip_log_.triangles.size() > static_cast<std::size_t>(n_sites())) begin_flip_log();
+    LoggedFlips logged(triangulation_, observer, flip_log_.triangles);
+    const std::int64_t n_flips = flips.flip(suspects.halfedges, &logged);
+    counts_.n_flips += n_flips;
+    return n_flips;
+}
+
+bool MovingDelaunay::untangle(const std::vector<int>& inverted, Suspects& suspects) {
+    begin_flip_log();
+    const auto share = static_cast<std::size_t>(kMostHeldShare * n_sites());
+    const std::size_t most_held = std::max(share, kMostHeldAtLeast);
+    if (!moves_ || inverted.size() > most_held) return rebuild();
+    Untangling untangling(triangulation_, *moves_, coordinates_, gram_);
+    const bool done = untangling.run(inverted, std::move(suspects.halfedges), most_held);
+    counts_.n_flips += untangling.n_flips();
+    if (done) return true;
+    return rebuild();
+}
+
+std::pair<Sites, TorusTriangulation> MovingDelaunay::release() {
+    std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
+    Points coordinates(2, n_sites());
+    for (SiteId s = 0; s < n_sites(); ++s) {
+        const Vec2 whole = coordinates_.col(s).array().floor();
+        change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
+        coordinates.col(order_[s]) = coordinates_.col(s) - whole;
+    }
+    coordinates_.resize(2, 0);
+    triangulation_.add_to_offsets(change);
+    triangulation_.renumber_sites(order_);
+    return {Sites(lattice_, reduction_, std::move(coordinates)), std::move(triangulation_)};
+}
+
+}  // namespace pcvt

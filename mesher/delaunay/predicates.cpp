@@ -1,0 +1,175 @@
+#include "mesher/delaunay/predicates.hpp"
+
+#include <CGAL/MP_Float.h>
+
+#include <cmath>
+
+namespace pcvt {
+namespace {
+
+constexpr double kCircumcentreError = 32 * kUnitRoundoff;
+/// A triangle with |d x e| above this times the scale of its rounding is far from collinear:
+/// doubles give its circumcentre to twelve digits.
+constexpr double kFarFromCollinear = 1e-3;
+
+int sign(double x) { return (x > 0) - (x < 0); }
+int sign(const CGAL::MP_Float& x) { return CGAL::sign(x); }
+
+/// The predicates' polynomials, in double for the filter and in MP_Float for the exact value.
+/// `Bound` is the same polynomial with absolute values and only sums: the scale of its rounding.
+template <class Number>
+struct Vector {
+    Number u;
+    Number v;
+};
+
+template <class Number>
+Vector<Number> vector(const Image& p, const Image& q) {
+    return {(Number(q.u) - Number(p.u)) + Number(q.offset.i - p.offset.i),
+            (Number(q.v) - Number(p.v)) + Number(q.offset.j - p.offset.j)};
+}
+
+Vector<double> absolute(const Vector<double>& d) { return {std::abs(d.u), std::abs(d.v)}; }
+Gram absolute(const Gram& g) { return {g.aa, std::abs(g.ab), g.bb}; }
+
+template <class Number>
+Number cross(const Vector<Number>& d, const Vector<Number>& e) {
+    return d.u * e.v - d.v * e.u;
+}
+
+double cross_bound(const Vector<double>& d, const Vector<double>& e) {
+    return d.u * e.v + d.v * e.u;
+}
+
+template <class Number>
+Number norm(const Gram& g, const Vector<Number>& d) {
+    const Number twice_ab = Number(2) * Number(g.ab);
+    return Number(g.aa) * d.u * d.u + twice_ab * d.u * d.v + Number(g.bb) * d.v * d.v;
+}
+
+template <class Number>
+Number in_circle_value(const Gram& g, const Vector<Number>& p, const Vector<Number>& q,
+                       const Vector<Number>& r) {
+    return norm(g, p) * cross(q, r) + norm(g, q) * cross(r, p) + norm(g, r) * cross(p, q);
+}
+
+/// The circumcentre c of the triangle with corners at `corner`, corner + d, corner + e solves
+/// 2 G(d, c - corner) = G(d, d) and the same for e. These are det(G) (d x e) 2 (c - line) for its
+/// two coordinates, where `line` is 0 or 1.
+template <class Number>
+Number centre_u(const Gram& g, const Vector<Number>& d, const Vector<Number>& e, Number corner) {
+    const Number det = Number(g.aa) * Number(g.bb) - Number(g.ab) * Number(g.ab);
+    const Number gd = Number(g.ab) * d.u + Number(g.bb) * d.v;
+    const Number ge = Number(g.ab) * e.u + Number(g.bb) * e.v;
+    return norm(g, d) * ge - norm(g, e) * gd + Number(2) * det * cross(d, e) * corner;
+}
+
+double centre_u_bound(const Gram& g, const Vector<double>& d, const Vector<double>& e,
+                      double corner) {
+    return norm(g, d) * (g.ab * e.u + g.bb * e.v) + norm(g, e) * (g.ab * d.u + g.bb * d.v) +
+           2 * (g.aa * g.bb + g.ab * g.ab) * cross_bound(d, e) * corner;
+}
+
+bool differences_exact(const Vector<double>& d) {
+    return std::abs(d.u) < kExactDifference && std::abs(d.v) < kExactDifference;
+}
+
+/// The sign of the circumcentre's first coordinate minus `line`.
+int centre_side(const Gram& g, const Image& p, const Image& q, const Image& r, int line) {
+    ++detail::predicate_counts.asked;
+    const auto d = vector<double>(p, q);
+    const auto e = vector<double>(p, r);
+    const double corner = p.u + (p.offset.i - line);
+    if (differences_exact(d) && differences_exact(e) && std::abs(corner) < kExactDifference) {
+        const double value = centre_u(g, d, e, corner);
+        const double bound =
+            centre_u_bound(absolute(g), absolute(d), absolute(e), std::abs(corner));
+        if (std::abs(value) > kCircumcentreError * bound) return sign(value);
+    }
+    ++detail::predicate_counts.exact;
+    using Exact = CGAL::MP_Float;
+    return sign(centre_u<Exact>(g, vector<Exact>(p, q), vector<Exact>(p, r),
+                                Exact(p.u) + Exact(p.offset.i - line)));
+}
+
+/// The same triangle with its two coordinates exchanged: clockwise becomes counter-clockwise when
+/// two corners are exchanged as well.
+Image transposed(const Image& p) { return {p.v, p.u, p.site, {p.offset.j, p.offset.i}}; }
+
+Vector<double> transposed(const Vector<double>& d) { return {d.v, d.u}; }
+Gram transposed(const Gram& g) { return {g.bb, g.ab, g.aa}; }
+
+/// The circumcentre relative to the common corner of d and e, with the products taken in `Number`.
+template <class Number>
+Vec2 centre(const Gram& g, const Vector<double>& d, const Vector<double>& e) {
+    const auto widen = [](const Vector<double>& x) {
+        return Vector<Number>{Number(x.u), Number(x.v)};
+    };
+    const Vector<Number> dn = widen(d);
+    const Vector<Number> en = widen(e);
+    const Number det = Number(g.aa) * Number(g.bb) - Number(g.ab) * Number(g.ab);
+    const auto u = centre_u<Number>(g, dn, en, Number(0));
+    const auto v =
+        centre_u<Number>(transposed(g), widen(transposed(e)), widen(transposed(d)), Number(0));
+    const double divisor = CGAL::to_double(Number(Number(2) * det * cross(dn, en)));
+    return {CGAL::to_double(u) / divisor, CGAL::to_double(v) / divisor};
+}
+
+}  // namespace
+
+namespace detail {
+
+constinit thread_local PredicateCounts predicate_counts;
+
+int exact_orientation(const Image& p, const Image& q, const Image& r) {
+    ++predicate_counts.exact;
+    using Exact = CGAL::MP_Float;
+    return sign(cross(vector<Exact>(p, q), vector<Exact>(p, r)));
+}
+
+int exact_in_circle(const Gram& gram, const Image& p, const Image& q, const Image& r,
+                    const Image& s) {
+    ++predicate_counts.exact;
+    using Exact = CGAL::MP_Float;
+    return sign(
+        in_circle_value(gram, vector<Exact>(s, p), vector<Exact>(s, q), vector<Exact>(s, r)));
+}
+
+}  // namespace detail
+
+Gram gram_of(const Lattice& reduced) {
+    int exponent = 0;
+    std::frexp(reduced.a().norm(), &exponent);
+    const Vec2 a(std::ldexp(reduced.a().x(), -exponent), std::ldexp(reduced.a().y(), -exponent));
+    const Vec2 b(std::ldexp(reduced.b().x(), -exponent), std::ldexp(reduced.b().y(), -exponent));
+    return {a.squaredNorm(), a.dot(b), b.squaredNorm()};
+}
+
+bool circumcentre_in_domain(const Gram& gram, const Image& p, const Image& q, const Image& r) {
+    if (centre_side(gram, p, q, r, 0) < 0 || centre_side(gram, p, q, r, 1) >= 0) return false;
+    const Gram exchanged = transposed(gram);
+    const Image pt = transposed(p);
+    const Image qt = transposed(q);
+    const Image rt = transposed(r);
+    return centre_side(exchanged, pt, rt, qt, 0) >= 0 && centre_side(exchanged, pt, rt, qt, 1) < 0;
+}
+
+Vec2 circumcentre(const Gram& gram, const Image& p, const Image& q, const Image& r) {
+    const auto d = vector<double>(p, q);
+    const auto e = vector<double>(p, r);
+    const double scale = cross_bound(absolute(d), absolute(e));
+    if (std::abs(cross(d, e)) > kFarFromCollinear * scale) return centre<double>(gram, d, e);
+    return centre<CGAL::MP_Float>(gram, d, e);
+}
+
+int compare_u(const Image& p, const Image& q) {
+    return -sign((q.u - p.u) + (q.offset.i - p.offset.i));
+}
+
+int compare_v(const Image& p, const Image& q) {
+    return -sign((q.v - p.v) + (q.offset.j - p.offset.j));
+}
+
+PredicateCounts predicate_counts() { return detail::predicate_counts; }
+
+}  // namespace pcvt

@@ -1,0 +1,115 @@
+#include "mesher/delaunay/torus_triangulation.hpp"
+
+#include <algorithm>
+
+#include "mesher/base/error.hpp"
+#include "mesher/base/large_pages.hpp"
+#include "mesher/lattice/edge_matching.hpp"
+
+namespace pcvt {
+namespace {
+
+std::int8_t narrow(int x) {
+    const auto small = static_cast<std::int8_t>(x);
+    if (small != x) throw InternalError("a triangle spans more than 127 periods");
+    return small;
+}
+
+std::vector<int> match_sides(const std::vector<Triangle>& triangles) {
+    std::vector<DirectedEdge> halfedges;
+    halfedges.reserve(3 * triangles.size());
+    for (const Triangle& t : triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const Corner& to = t[(k + 1) % 3];
+            halfedges.push_back({t[k].site, to.site, to.offset - t[k].offset});
+        }
+    }
+    return match_edges(halfedges);
+}
+
+}  // namespace
+
+TorusTriangulation::TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles)
+    : TorusTriangulation(n_sites, triangles, match_sides(triangles)) {}
+
+TorusTriangulation::TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles,
+                                       std::vector<int> opposite)
+    : n_sites_(n_sites),
+      sites_(3 * triangles.size()),
+      opposite_(std::move(opposite)),
+      offsets_(triangles.size()) {
+    if (triangles.size() != 2 * static_cast<std::size_t>(n_sites)) {
+        throw InternalError("a torus triangulation of n sites must have 2 n triangles");
+    }
+    for (int t = 0; t < n_triangles(); ++t) set_triangle(t, triangles[t]);
+}
+
+void TorusTriangulation::prefer_large_pages() const {
+    pcvt::prefer_large_pages(sites_);
+    pcvt::prefer_large_pages(opposite_);
+    pcvt::prefer_large_pages(offsets_);
+}
+
+void TorusTriangulation::set_triangle(int t, const Triangle& corners) {
+    const Offset first = corners[1].offset - corners[0].offset;
+    const Offset second = corners[2].offset - corners[0].offset;
+    offsets_[t] = {narrow(first.i), narrow(first.j), narrow(second.i), narrow(second.j)};
+    for (int k = 0; k < 3; ++k) sites_[3 * t + k] = corners[k].site;
+}
+
+void TorusTriangulation::flip(int h) {
+    // The quadrilateral a, d, b, c with h: a -> b, c its apex and d the apex across.
+    const int o = opposite_[h];
+    const int h1 = next(h);
+    const int h2 = previous(h);
+    const int o1 = next(o);
+    const int o2 = previous(o);
+    const Corner a = corner(h);
+    const Corner b = corner(h1);
+    const Corner c = corner(h2);
+    const Corner d = apex_across(h);
+
+    // h becomes d -> c, with a to its left; o becomes c -> d, with b to its left. The four outer
+    // sides keep what lies beyond them, which may be another one of the four when n is small.
+    const std::array<int, 4> before{h2, o1, o2, h1};
+    const std::array<int, 4> after{h1, h2, o1, o2};
+    std::array<int, 4> beyond{};
+    for (int k = 0; k < 4; ++k) {
+        const auto own = std::find(before.begin(), before.end(), opposite_[before[k]]);
+        beyond[k] = own == before.end() ? opposite_[before[k]] : after[own - before.begin()];
+    }
+    for (int k = 0; k < 4; ++k) {
+        opposite_[after[k]] = beyond[k];
+        opposite_[beyond[k]] = after[k];
+    }
+    const auto turned = [](int halfedge, const Corner& at, const Corner& at_next,
+                           const Corner& at_previous) -> Triangle {
+        switch (halfedge % 3) {
+            case 0:
+                return {at, at_next, at_previous};
+            case 1:
+                return {at_previous, at, at_next};
+            default:
+                return {at_next, at_previous, at};
+        }
+    };
+    set_triangle(h / 3, turned(h, d, c, a));
+    set_triangle(o / 3, turned(o, c, d, b));
+}
+
+void TorusTriangulation::add_to_offsets(const std::vector<Offset>& change) {
+    for (int t = 0; t < n_triangles(); ++t) {
+        const Offset first = change[sites_[3 * t]];
+        const Offset second = change[sites_[3 * t + 1]] - first;
+        const Offset third = change[sites_[3 * t + 2]] - first;
+        CornerOffsets& o = offsets_[t];
+        o = {narrow(o.i1 + second.i), narrow(o.j1 + second.j), narrow(o.i2 + third.i),
+             narrow(o.j2 + third.j)};
+    }
+}
+
+void TorusTriangulation::renumber_sites(const std::vector<SiteId>& number) {
+    for (SiteId& site : sites_) site = number[site];
+}
+
+}  // namespace pcvt

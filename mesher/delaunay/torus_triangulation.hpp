@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "mesher/base/prefetch.hpp"
+#include "mesher/lattice/sites.hpp"
+
+namespace pcvt {
+
+/// A corner of a triangle: the image of a site, offset in the reduced basis.
+struct Corner {
+    SiteId site;
+    Offset offset;
+};
+using Triangle = std::array<Corner, 3>;
+
+/// The offsets of a triangle's corners 1 and 2 in the frame of its corner 0, in four bytes.
+struct CornerOffsets {
+    std::int8_t i1 = 0;
+    std::int8_t j1 = 0;
+    std::int8_t i2 = 0;
+    std::int8_t j2 = 0;
+
+    friend bool operator==(const CornerOffsets&, const CornerOffsets&) = default;
+    bool all_zero() const { return std::bit_cast<std::uint32_t>(*this) == 0; }
+};
+
+/// A triangulation of the torus as a Delta-complex in flat arrays; topology only.
+///
+/// An edge may join a site to its own image and two edges may join the same two sites, so n = 1 is
+/// a triangulation like any other (2 triangles, 3 edges). Halfedge 3 t + k leaves corner k of
+/// triangle t; corners run counter-clockwise; offsets are told in the frame of the triangle, in
+/// which its corner 0 has offset (0, 0). 28 bytes a triangle.
+///
+/// Laws, tested by number:
+///   (1) opposite is an involution without fixed points.
+///   (2) A halfedge and its opposite join the same two images: edge_offset(opposite(h)) is
+///       -edge_offset(h), with origins and targets exchanged.
+///   (3) n_triangles = 2 n_sites, so V - E + F = 0.
+///   (4) A flip followed by a flip of the same halfedge restores every triangle, as a set.
+class TorusTriangulation {
+   public:
+    /// Links triangles along equal edges.
+    /// @throws InternalError unless each edge has exactly two sides and there are 2 n triangles, or
+    ///         where offsets within a triangle differ by more than 127, as all below.
+    TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles);
+    /// Takes triangles that are linked already: opposite[h] for each of the 6 n halfedges.
+    TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles,
+                       std::vector<int> opposite);
+
+    int n_sites() const { return n_sites_; }
+    int n_triangles() const { return static_cast<int>(offsets_.size()); }
+    int n_halfedges() const { return static_cast<int>(sites_.size()); }
+
+    static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+    static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+    int opposite(int h) const { return opposite_[h]; }
+    /// Asks for opposite(h) to be in the cache soon.
+    void fetch_opposite(int h) const { prefetch(&opposite_[h]); }
+    /// The same for all that is known of h's triangle.
+    void fetch_triangle(int h) const {
+        fetch_opposite(h);
+        prefetch(&sites_[h]);
+        prefetch(&offsets_[h / 3]);
+    }
+    /// The corner that h leaves.
+    Corner corner(int h) const { return {sites_[h], offset(h)}; }
+    /// Target minus origin of h.
+    Offset edge_offset(int h) const { return offset(next(h)) - offset(h); }
+    /// What to add to an offset in the frame of opposite(h)'s triangle to get it in that of h's.
+    Offset frame_across(int h) const { return offset(h) - offset(next(opposite_[h])); }
+    /// The corner beyond h, in the frame of h's triangle.
+    Corner apex_across(int h) const {
+        const int apex = previous(opposite_[h]);
+        return {sites_[apex], offset(apex) + frame_across(h)};
+    }
+    /// Whether not all corners of h's triangle have offset (0, 0).
+    bool has_offsets(int h) const { return !offsets_[h / 3].all_zero(); }
+    /// The halfedge after h, counter-clockwise round the site that h leaves.
+    int next_round_site(int h) const { return opposite_[previous(h)]; }
+
+    /// The sites of all corners, three a triangle, and the offsets of all triangles.
+    std::span<const SiteId> corner_sites() const { return sites_; }
+    std::span<const CornerOffsets> corner_offsets() const { return offsets_; }
+
+    /// See large_pages.hpp.
+    void prefer_large_pages() const;
+
+    /// Replaces the diagonal h of the quadrilateral made by its two triangles with the other one; h
+    /// and its opposite become the two sides of the new edge.
+    void flip(int h);
+    /// Adds change[s] to the offset of every corner at site s.
+    void add_to_offsets(const std::vector<Offset>& change);
+    /// Gives site s the number number[s], a permutation of 0 ... n - 1.
+    void renumber_sites(const std::vector<SiteId>& number);
+
+   private:
+    Offset offset(int h) const {
+        const CornerOffsets& o = offsets_[h / 3];
+        const int k = h % 3;
+        if (k == 0) return {};
+        return k == 1 ? Offset{o.i1, o.j1} : Offset{o.i2, o.j2};
+    }
+    void set_triangle(int t, const Triangle& corners);
+
+    int n_sites_;
+    std::vector<SiteId> sites_;
+    std::vector<int> opposite_;
+    std::vector<CornerOffsets> offsets_;
+};
+
+}  // namespace pcvt

@@ -1,0 +1,150 @@
+#include "mesher/density/density_survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "mesher/density/quadrature.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The majorant is the largest value at the corners of a square times this.
+constexpr double kHeadroom = 1.25;
+/// A square whose density is far below its majorant almost everywhere is taken as it is.
+constexpr int kTrials = 1000;
+/// Asked at once.
+constexpr int kCandidates = 4096;
+/// Intervals of the product rule along each direction, at least.
+constexpr int kIntervals = 128;
+constexpr int kIntegralOrder = 4;
+
+/// A place where a site may be drawn: it is taken where rho^(1/2) is above the threshold.
+struct Candidate {
+    double u;
+    double v;
+    double threshold;
+};
+
+/// Splits [0, 1) at the breaks, and further to intervals of 1 / kIntervals at most; nodes and
+/// weights of a Gauss rule on each.
+GaussRule composite_rule(std::vector<double> breaks) {
+    breaks.push_back(0);
+    breaks.push_back(1);
+    std::sort(breaks.begin(), breaks.end());
+    const GaussRule gauss = gauss_rule(kIntegralOrder, 0);
+    GaussRule rule;
+    for (std::size_t k = 1; k < breaks.size(); ++k) {
+        const double length = breaks[k] - breaks[k - 1];
+        const int parts = std::max(1, static_cast<int>(std::ceil(length * kIntervals)));
+        for (int p = 0; p < parts; ++p) {
+            for (int i = 0; i < kIntegralOrder; ++i) {
+                rule.nodes.push_back(breaks[k - 1] + (p + gauss.nodes[i]) * length / parts);
+                rule.weights.push_back(gauss.weights[i] * length / parts);
+            }
+        }
+    }
+    return rule;
+}
+
+}  // namespace
+
+DensitySurvey::DensitySurvey(const Lattice& lattice, const Density& density, int resolution)
+    : lattice_(lattice), resolution_(resolution), probe_(lattice, density.make_function()) {
+    rho_.reserve(static_cast<std::size_t>(resolution) * resolution);
+    for (int j = 0; j < resolution; ++j) {
+        DensityPoint* const row = probe_.room(resolution);
+        for (int i = 0; i < resolution; ++i) {
+            row[i] = probe_.point(double(i) / resolution, double(j) / resolution);
+        }
+        const std::span<const double> rho = probe_.ask_waiting();
+        rho_.insert(rho_.end(), rho.begin(), rho.end());
+    }
+    range_ = probe_.take_range();
+    range_.require_contrast();
+}
+
+double DensitySurvey::unit() const {
+    const double mean = std::accumulate(rho_.begin(), rho_.end(), 0.0) / double(rho_.size());
+    int exponent = 0;
+    std::frexp(mean, &exponent);
+    return std::ldexp(1.0, exponent);
+}
+
+double DensitySurvey::mean_root_squared() const {
+    double sum = 0;
+    for (const double rho : rho_) sum += std::sqrt(rho);
+    const double mean = sum / double(rho_.size());
+    return mean * mean;
+}
+
+double DensitySurvey::majorant(int i, int j) const {
+    const auto at = [&](int column, int row) {
+        return rho_[(row % resolution_) * resolution_ + column % resolution_];
+    };
+    const double most = std::max({at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
+    return kHeadroom * std::sqrt(most);
+}
+
+Points DensitySurvey::draw(int n, std::uint64_t seed) {
+    if (n < 1) throw InvalidInput("the number of sites must be at least 1");
+    std::vector<double> sums;
+    sums.reserve(rho_.size());
+    double total = 0;
+    for (int k = 0; k < static_cast<int>(rho_.size()); ++k) {
+        total += majorant(k % resolution_, k / resolution_);
+        sums.push_back(total);
+    }
+    std::mt19937_64 generator(seed);
+    const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -53); };
+    Points points(2, n);
+    std::vector<Candidate> candidates;
+    int trial = 0;
+    for (int filled = 0; filled < n;) {
+        candidates.resize(std::min(n - filled, kCandidates));
+        for (Candidate& candidate : candidates) {
+            const auto found = std::upper_bound(sums.begin(), sums.end(), uniform() * total);
+            const int k = static_cast<int>(std::min(found, sums.end() - 1) - sums.begin());
+            const int i = k % resolution_;
+            const int j = k / resolution_;
+            candidate.u = (i + uniform()) / resolution_;
+            candidate.v = (j + uniform()) / resolution_;
+            candidate.threshold = uniform() * majorant(i, j);
+            *probe_.room(1) = probe_.point(candidate.u, candidate.v);
+        }
+        const std::span<const double> rho = probe_.ask_waiting();
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
+            const bool refused = candidates[k].threshold >= std::sqrt(rho[k]);
+            if (refused && trial++ < kTrials) continue;
+            points.col(filled++) = lattice_.to_plane({candidates[k].u, candidates[k].v});
+            trial = 0;
+        }
+    }
+    return points;
+}
+
+Points graded_points(const Lattice& lattice, const Density& density, int n, std::uint64_t seed) {
+    const int resolution = std::clamp(2 * static_cast<int>(std::sqrt(n)), kSurveyResolution, 1024);
+    return DensitySurvey(lattice, density, resolution).draw(n, seed);
+}
+
+double integral(const Lattice& lattice, const Density& density) {
+    const GaussRule along = composite_rule(density.u_breaks);
+    const GaussRule up = composite_rule(density.v_breaks);
+    DensityProbe probe(lattice, density.make_function());
+    double sum = 0;
+    for (std::size_t j = 0; j < up.nodes.size(); ++j) {
+        DensityPoint* const row = probe.room(along.nodes.size());
+        for (std::size_t i = 0; i < along.nodes.size(); ++i) {
+            row[i] = probe.point(along.nodes[i], up.nodes[j]);
+        }
+        const std::span<const double> rho = probe.ask_waiting();
+        double part = 0;
+        for (std::size_t i = 0; i < rho.size(); ++i) part += along.weights[i] * rho[i];
+        sum += up.weights[j] * part;
+    }
+    return sum * lattice.area();
+}
+
+}  // namespace pcvt

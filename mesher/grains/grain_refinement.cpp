@@ -1,0 +1,307 @@
+#include "mesher/grains/grain_refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "mesher/base/error.hpp"
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/lattice/triangle_shape.hpp"
+
+namespace pcvt {
+namespace {
+
+using Edge = GrainTriangulation::Edge;
+
+/// A triangle is too large where its circumradius exceeds this many sizes; edges then are one size
+/// long on average.
+constexpr double kLargestRadius = 0.8;
+/// Edges of cells are cut into round(length / size) parts; one that is shorter than this many sizes
+/// stays.
+constexpr double kLongEdge = 1.5;
+/// Heights over an edge, in lengths of the edge: lower over a firm edge no vertex is put, and lower
+/// over a free edge it is put onto it.
+constexpr double kNeedle = 0.1;
+constexpr double kOnEdge = 1e-6;
+/// So many vertices a vertex of the cells, and so many a square of `size`, are never needed unless
+/// a cell is thousands of times longer than wide.
+constexpr double kMostAVertex = 1000;
+constexpr double kMostASquare = 20;
+/// A walk or a search that meets more triangles than this has lost its way.
+constexpr int kLongestWalk = 10000;
+
+class Refiner {
+   public:
+    Refiner(GrainTriangulation& grains, const RefinementSizes& sizes)
+        : grains_(grains),
+          sizes_(sizes),
+          wanted_sine_(std::sin(kWantedAngle * M_PI / 180)),
+          off_centre_(0.5 / std::tan(kWantedAngle * M_PI / 360)),
+          most_vertices_(kMostAVertex * grains.n_vertices() + kMostASquare * squares()) {}
+
+    RefinementLeft run() {
+        split_long_edges();
+        for (int t = 0; t < grains_.n_triangles(); ++t) inspect(t);
+        for (;;) {
+            if (grains_.n_vertices() > most_vertices_) {
+                throw LimitExceeded(
+                    "a piece of a cell is too thin to be meshed by grains; give "
+                    "another origin, or none, or take the whole outline");
+            }
+            if (!encroached_.empty()) {
+                split_encroached();
+            } else if (!bad_.empty()) {
+                mend_worst();
+            } else {
+                return std::move(left_);
+            }
+        }
+    }
+
+   private:
+    /// What the triangles cover, in squares of the size of their cell.
+    double squares() const {
+        double sum = 0;
+        for (int t = 0; t < grains_.n_triangles(); ++t) {
+            const auto [p, q, r] = grains_.triangle(t);
+            sum += cross(q - p, r - p) / 2 / (size(t) * size(t));
+        }
+        return sum;
+    }
+
+    double size(int t) const { return sizes_.of_cell[grains_.cell(t)]; }
+    double length(int h) const {
+        return (grains_.point(GrainTriangulation::next(h)) - grains_.point(h)).norm();
+    }
+
+    void split_long_edges() {
+        std::vector<int> suspects;
+        for (int h = 0; h < grains_.n_halfedges(); ++h) suspects.push_back(h);
+        while (!suspects.empty()) {
+            const int h = suspects.back();
+            suspects.pop_back();
+            if (grains_.edge(h) != Edge::kCell || length(h) < kLongEdge * sizes_.of_edges) continue;
+            const double parts = std::round(length(h) / sizes_.of_edges);
+            grains_.split_edge(h, std::floor(parts / 2) / parts);
+            for (const int t : grains_.touched()) {
+                suspects.insert(suspects.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+            }
+        }
+    }
+
+    /// Whether p sees the edge under more than 90 degrees.
+    bool encroaches(const Vec2& p, int h) const {
+        const Vec2 from = grains_.point(h) - p;
+        const Vec2 to = grains_.point(GrainTriangulation::next(h)) - p;
+        return from.dot(to) < 0;
+    }
+    bool is_encroached(int h) const {
+        return grains_.edge(h) == Edge::kCell &&
+               encroaches(grains_.point(GrainTriangulation::previous(h)), h);
+    }
+
+    bool is_too_large(int t, const Vec2& centre) const {
+        return (centre - grains_.point(3 * t)).norm() > kLargestRadius * size(t);
+    }
+    bool is_too_thin(int t) const { return smallest_sine(grains_.triangle(t)) < wanted_sine_; }
+
+    /// Notes what is to be done about triangle t as it is now.
+    void inspect(int t) {
+        stamps_.resize(static_cast<std::size_t>(grains_.n_triangles()), 0);
+        ++stamps_[t];
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (is_encroached(h)) encroached_.push_back(h);
+        }
+        if (grains_.is_guard(t)) return;
+        const Vec2 centre = circumcentre(grains_.triangle(t));
+        if (is_too_large(t, centre) || is_too_thin(t)) {
+            bad_.push({(centre - grains_.point(3 * t)).norm(), -t, stamps_[t]});
+        }
+    }
+    void inspect_touched() {
+        const std::vector<int> touched = grains_.touched();
+        for (const int t : touched) inspect(t);
+    }
+
+    void split(int h) {
+        grains_.split_edge(h, 0.5);
+        inspect_touched();
+    }
+    void split_encroached() {
+        const int h = encroached_.back();
+        encroached_.pop_back();
+        if (is_encroached(h)) split(h);
+    }
+
+    void mend_worst() {
+        const auto [radius, minus_t, stamp] = bad_.top();
+        bad_.pop();
+        const int t = -minus_t;
+        if (stamp != stamps_[t]) return;
+        if (!mend(t, radius)) ++left_.n_given_up;
+    }
+
+    /// Where a new vertex would mend the triangle.
+    Vec2 new_vertex(int t) const {
+        const std::array<Vec2, 3> triangle = grains_.triangle(t);
+        Vec2 centre = circumcentre(triangle);
+        if (is_too_large(t, centre)) return centre;
+        const auto sides = side_lengths(triangle);
+        const auto k = std::min_element(sides.begin(), sides.end()) - sides.begin();
+        const Vec2 middle = (triangle[static_cast<std::size_t>(k)] +
+                             triangle[static_cast<std::size_t>((k + 1) % 3)]) /
+                            2;
+        const Vec2 way = centre - middle;
+        const double enough = off_centre_ * sides[static_cast<std::size_t>(k)];
+        return way.norm() > enough ? Vec2(middle + enough / way.norm() * way) : centre;
+    }
+
+    struct Place {
+        int triangle;
+        /// The edge of a cell or of a guard in the way; -1: none.
+        int barrier;
+    };
+
+    /// Walks straight from the middle of triangle t to p.
+    Place locate(int t, const Vec2& p) const {
+        const std::array<Vec2, 3> first = grains_.triangle(t);
+        const Vec2 start = (first[0] + first[1] + first[2]) / 3;
+        const Vec2 way = p - start;
+        int from = -1;
+        for (int step = 0; step < kLongestWalk; ++step) {
+            int exit = -1;
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (h == from) continue;
+                const Vec2& a = grains_.point(h);
+                const Vec2& b = grains_.point(GrainTriangulation::next(h));
+                if (cross(b - a, p - a) >= 0) continue;
+                if (cross(way, a - start) <= 0 && cross(way, b - start) >= 0) exit = h;
+            }
+            if (exit < 0) return {t, -1};
+            if (grains_.edge(exit) != Edge::kFree) return {t, exit};
+            from = grains_.opposite(exit);
+            t = from / 3;
+        }
+        return {t, -1};
+    }
+
+    /// Whether p lies in the circumcircle of the triangle across the free edge h.
+    bool in_circle_across(int h, const Vec2& p) const {
+        const Vec2& d = grains_.point(GrainTriangulation::previous(grains_.opposite(h)));
+        const Vec2 pa = grains_.point(h) - p;
+        const Vec2 pb = grains_.point(GrainTriangulation::next(h)) - p;
+        const Vec2 da = grains_.point(h) - d;
+        const Vec2 db = grains_.point(GrainTriangulation::next(h)) - d;
+        return cross(pa, pb) * da.dot(db) + pa.dot(pb) * cross(db, da) < 0;
+    }
+
+    /// Edges of cells that p would encroach if it were put into triangle t.
+    std::vector<int> encroached_by(int t, const Vec2& p) const {
+        std::vector<int> found;
+        std::vector<int> stack{3 * t, 3 * t + 1, 3 * t + 2};
+        for (int step = 0; !stack.empty() && step < kLongestWalk; ++step) {
+            const int h = stack.back();
+            stack.pop_back();
+            if (grains_.edge(h) == Edge::kCell && encroaches(p, h)) found.push_back(h);
+            if (grains_.edge(h) != Edge::kFree || !in_circle_across(h, p)) continue;
+            const int o = grains_.opposite(h);
+            stack.push_back(GrainTriangulation::next(o));
+            stack.push_back(GrainTriangulation::previous(o));
+        }
+        return found;
+    }
+
+    /// How high p lies over an edge of its triangle, in lengths of the edge.
+    double height_over(int h, const Vec2& p) const {
+        const Vec2 along = grains_.point(GrainTriangulation::next(h)) - grains_.point(h);
+        return cross(along, p - grains_.point(h)) / along.squaredNorm();
+    }
+
+    /// Notes the firm edge h that keeps triangle t from being mended.
+    void blame(int h, int t) {
+        if (smallest_sine(grains_.triangle(t)) > smallest_sine_) return;
+        for (const int end : {h, GrainTriangulation::next(h)}) {
+            left_.in_the_way.push_back(grains_.vertex(end));
+        }
+    }
+
+    /// Puts a vertex at p, in triangle t or on one of its free edges, to mend triangle `bad`.
+    /// @returns false where p lies so near to a firm edge that it would make a needle of it.
+    bool insert(int t, const Vec2& p, int bad) {
+        int lowest = 3 * t;
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const double height = height_over(h, p);
+            if (grains_.edge(h) != Edge::kFree && height < kNeedle) {
+                if (grains_.edge(h) == Edge::kFirm) blame(h, bad);
+                return false;
+            }
+            if (height < height_over(lowest, p)) lowest = h;
+        }
+        if (height_over(lowest, p) > kOnEdge) {
+            grains_.insert(t, p);
+        } else {
+            const Vec2 along =
+                grains_.point(GrainTriangulation::next(lowest)) - grains_.point(lowest);
+            const double part = along.dot(p - grains_.point(lowest)) / along.squaredNorm();
+            if (!(part > 0 && part < 1)) return false;
+            grains_.split_edge(lowest, part);
+        }
+        inspect_touched();
+        return true;
+    }
+
+    /// @returns false where the triangle is given up.
+    bool mend(int t, double radius) {
+        const Vec2 p = new_vertex(t);
+        const Place place = locate(t, p);
+        if (place.barrier >= 0) {
+            if (grains_.edge(place.barrier) != Edge::kCell) {
+                blame(place.barrier, t);
+                return false;
+            }
+            split(place.barrier);
+            again(t, radius);
+            return true;
+        }
+        const std::vector<int> in_the_way = encroached_by(place.triangle, p);
+        if (!in_the_way.empty()) {
+            // Splitting one may rename the others; those still in the way are found again.
+            split(in_the_way.front());
+            again(t, radius);
+            return true;
+        }
+        return insert(place.triangle, p, t);
+    }
+    /// Where the split did not touch it, it is still bad.
+    void again(int t, double radius) {
+        const std::vector<int>& touched = grains_.touched();
+        if (std::find(touched.begin(), touched.end(), t) == touched.end()) {
+            bad_.push({radius, -t, stamps_[t]});
+        }
+    }
+
+    /// Circumradius, minus the triangle, and its stamp when it was noted.
+    using Bad = std::tuple<double, int, int>;
+
+    GrainTriangulation& grains_;
+    const RefinementSizes& sizes_;
+    double wanted_sine_;
+    double smallest_sine_ = std::sin(kSmallestAngle * M_PI / 180);
+    /// How far from the shortest edge its off-centre lies, in lengths of that edge.
+    double off_centre_;
+    double most_vertices_;
+    std::vector<int> encroached_;
+    std::priority_queue<Bad> bad_;
+    std::vector<int> stamps_;
+    RefinementLeft left_;
+};
+
+}  // namespace
+
+RefinementLeft refine(GrainTriangulation& grains, const RefinementSizes& sizes) {
+    return Refiner(grains, sizes).run();
+}
+
+}  // namespace pcvt

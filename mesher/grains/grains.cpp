@@ -1,0 +1,176 @@
+#include "mesher/grains/grains.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "mesher/grains/corner_guards.hpp"
+#include "mesher/grains/grain_refinement.hpp"
+#include "mesher/grains/grain_smoothing.hpp"
+#include "mesher/grains/grain_triangulation.hpp"
+#include "mesher/lattice/triangle_shape.hpp"
+#include "mesher/mesh/quality.hpp"
+
+namespace pcvt {
+namespace {
+
+using Edge = GrainTriangulation::Edge;
+
+/// Vertices that have moved may let in a vertex that found no room before; more passes were not
+/// seen to help.
+constexpr int kPasses = 3;
+
+/// A corner sharper than this, degrees, cuts the edges at its vertex so finely that chords which
+/// stay whole leave no room for good triangles there.
+constexpr double kVerySharp = 7;
+
+/// For each vertex the sharpest corner at it, degrees; 180 where none is sharp.
+std::vector<double> sharpest_corners(const PeriodicMesh& cells, const GuardedCells& guarded) {
+    std::vector<double> sharpest(cells.vertices.size(), 180);
+    for (const SharpCorner& corner : guarded.sharp) {
+        double& angle = sharpest[cells.corner_vertex[corner.corner]];
+        angle = std::min(angle, corner.angle);
+    }
+    return sharpest;
+}
+
+/// Makes the triangles of the guards, where the triangulation has them. A chord may be split, which
+/// makes several angles of the one in the tip, where that is small anyway or must become so.
+void make_guards(const PeriodicMesh& cells, const GuardedCells& guarded,
+                 GrainTriangulation& grains) {
+    const std::vector<double> sharpest = sharpest_corners(cells, guarded);
+    for (std::size_t k = 0; k < guarded.tip.size(); ++k) {
+        const SharpCorner& corner = guarded.sharp[k];
+        const bool splits = corner.angle <= kSmallestAngle ||
+                            sharpest[cells.corner_vertex[corner.corner]] < kVerySharp;
+        const int h = grains.halfedge_of_corner(guarded.tip[k]);
+        const int chord = GrainTriangulation::next(h);
+        const int back = GrainTriangulation::previous(h);
+        if (grains.edge(chord) != Edge::kFree || grains.edge(back) == Edge::kFree) continue;
+        grains.make_guard(h, splits ? Edge::kCell : Edge::kFirm);
+    }
+}
+
+/// The only small angle of a guard is in its tip.
+double smallest_angle(const GrainTriangulation& grains) {
+    double smallest = 180;
+    for (int t = 0; t < grains.n_triangles(); ++t) {
+        if (grains.is_guard(t)) continue;
+        for (int k = 0; k < 3; ++k) {
+            smallest = std::min(smallest, angle_at(grains.triangle(t), k));
+        }
+    }
+    return smallest;
+}
+
+/// Guards whose sides stand in the way of good triangles are halved so many times.
+constexpr int kAttempts = 12;
+
+/// How large triangles are, as each step is told.
+struct Sizes {
+    RefinementSizes refinement;
+    GuardOptions guards;
+};
+
+struct Attempt {
+    GuardedCells guarded;
+    GrainTriangulation grains;
+    double smallest_angle = 0;
+    /// Vertices whose guards stood in the way.
+    std::set<int> in_the_way = {};
+};
+
+Attempt attempt(const PeriodicMesh& cells, const Sizes& sizes) {
+    GuardedCells guarded = guard_corners(cells, sizes.guards);
+    GrainTriangulation grains(guarded.cells);
+    Attempt result{std::move(guarded), std::move(grains)};
+    make_guards(cells, result.guarded, result.grains);
+    RefinementLeft left;
+    for (int pass = 0; pass < kPasses; ++pass) {
+        left = refine(result.grains, sizes.refinement);
+        if (left.n_given_up == 0) break;
+        widen_angles(result.grains, kWantedAngle);
+    }
+    result.smallest_angle = smallest_angle(result.grains);
+    for (const int v : left.in_the_way) {
+        if (v < cells.n_vertices()) continue;
+        const int tip = result.guarded.tip_of_new[v - cells.n_vertices()];
+        if (tip >= 0) result.in_the_way.insert(tip);
+    }
+    return result;
+}
+
+/// Where a neighbour of a guard has no room for good triangles beside its long sides, the guard
+/// shrinks and all is meshed anew.
+Attempt best_attempt(const PeriodicMesh& cells, Sizes sizes) {
+    sizes.guards.part.assign(cells.vertices.size(), 1);
+    Attempt best = attempt(cells, sizes);
+    std::set<int> in_the_way = best.in_the_way;
+    for (int k = 1; k < kAttempts && best.smallest_angle <= kSmallestAngle; ++k) {
+        if (in_the_way.empty()) break;
+        for (const int v : in_the_way) sizes.guards.part[v] /= 2;
+        Attempt next = attempt(cells, sizes);
+        in_the_way = next.in_the_way;
+        if (next.smallest_angle > best.smallest_angle) best = std::move(next);
+    }
+    return best;
+}
+
+/// Corners with small angles in the triangles of their guards.
+std::vector<NamedCorner> named_corners(const PeriodicMesh& cells, const Attempt& attempt) {
+    std::set<std::tuple<int, double, double>> tips;
+    const GrainTriangulation& grains = attempt.grains;
+    for (int t = 0; t < grains.n_triangles(); ++t) {
+        for (int k = 0; k < 3 && grains.is_guard(t); ++k) {
+            if (angle_at(grains.triangle(t), k) > kSmallestAngle) continue;
+            const Vec2& tip = grains.point(3 * t + k);
+            tips.emplace(grains.cell(t), tip.x(), tip.y());
+        }
+    }
+    std::vector<NamedCorner> named;
+    for (const SharpCorner& corner : attempt.guarded.sharp) {
+        const Vec2 tip = cells.point(corner.corner);
+        if (corner.angle > kSmallestAngle &&
+            !tips.contains({cells.corner_face[corner.corner], tip.x(), tip.y()})) {
+            continue;
+        }
+        named.push_back({corner.corner, corner.angle});
+    }
+    return named;
+}
+
+Grains mesh(const PeriodicMesh& cells, const Sizes& sizes) {
+    const Attempt best = best_attempt(cells, sizes);
+    const GrainTriangulation& grains = best.grains;
+    Grains result{grains.mesh(cells), {}, named_corners(cells, best), best.smallest_angle};
+    const std::vector<int> sides = cell_sides(cells);
+    for (int t = 0; t < grains.n_triangles(); ++t) {
+        result.cell.push_back(grains.cell(t));
+        result.triangles.whole_sides.push_back(sides[grains.cell(t)]);
+    }
+    return result;
+}
+
+}  // namespace
+
+Grains mesh_grains(const PeriodicMesh& cells, double size) {
+    return mesh(cells, {{std::vector<double>(cells.site.size(), size), size}, {size}});
+}
+
+Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts) {
+    constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+    RefinementSizes refinement{{}, kNoLimit};
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        double perimeter = 0;
+        for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
+            perimeter += (cells.point(cells.next(c)) - cells.point(c)).norm();
+        }
+        refinement.of_cell.push_back(perimeter /
+                                     ((cells.face_begin[f + 1] - cells.face_begin[f]) * parts));
+    }
+    return mesh(cells, {std::move(refinement), {kNoLimit, parts}});
+}
+
+}  // namespace pcvt

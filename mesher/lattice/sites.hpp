@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "mesher/lattice/lattice.hpp"
+
+namespace pcvt {
+
+/// Sites are numbered from 0 in the order of the input, everywhere.
+using SiteId = std::int32_t;
+
+inline constexpr int kMostSites = 1 << 28;
+/// A point further than this many periods from the origin is refused instead of wrapped.
+inline constexpr double kFarthestPeriod = 0x1p30;
+
+/// The sites of a torus, in coordinates of the reduced basis.
+///
+/// Each coordinate is a multiple of 2^-51 in [0, 1), so that every image of a site and every
+/// difference of nearby images is exact in a double (the ground on which the predicates stand).
+class Sites {
+   public:
+    /// @param lattice  any basis of the lattice.
+    /// @param points   2 x n, n >= 1, length units; wrapped here, need not lie in the domain.
+    /// @throws InvalidInput   no site, more than 2^28, or a coordinate that is not finite or lies
+    ///                        more than 2^30 periods away.
+    /// @throws DuplicateSites naming the first two ids on one orbit, by the smaller and the larger.
+    Sites(const Lattice& lattice, const Points& points);
+    /// Sites at coordinates of the reduced basis, wrapped here; duplicates are not looked for.
+    /// @param coordinates  2 x n, multiples of 2^-51.
+    Sites(const Lattice& lattice, const Reduction& reduction, Points coordinates);
+
+    int n_sites() const { return static_cast<int>(coordinates_.cols()); }
+    const Lattice& lattice() const { return lattice_; }
+    const Reduction& reduction() const { return reduction_; }
+    /// 2 x n, in [0, 1)^2, coordinates in the reduced basis.
+    const Points& coordinates() const { return coordinates_; }
+    /// Length units; the image of the site whose reduced coordinates lie in [0, 1)^2.
+    Vec2 position(SiteId site) const;
+    /// The length scale h = sqrt(area / n).
+    double spacing() const;
+
+    /// The first two ids on one orbit; {-1, -1} if all sites are distinct.
+    std::pair<SiteId, SiteId> duplicates() const;
+
+   private:
+    Lattice lattice_;
+    Reduction reduction_;
+    Points coordinates_;
+};
+
+/// n points uniform in the fundamental domain: the same for the same seed on every machine.
+/// @returns 2 x n, length units.
+Points uniform_points(const Lattice& lattice, int n, std::uint64_t seed);
+
+}  // namespace pcvt

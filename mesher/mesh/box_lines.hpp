@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesher/lattice/lattice.hpp"
+
+namespace pcvt {
+
+/// An image of a vertex orbit.
+struct BoxNode {
+    int vertex;
+    Offset offset;
+    friend bool operator==(const BoxNode&, const BoxNode&) = default;
+};
+
+/// Corners in order, counter-clockwise.
+using BoxPolygon = std::vector<BoxNode>;
+
+/// The lines u = k, which run along b (axis 0), and v = l, which run along a (axis 1), in lattice
+/// coordinates with the corner of the box at 0, and vertex orbits between and on them.
+///
+/// A representative lies in the half-open box, and on a line where its coordinate is 0 to the bit.
+/// How an image stands to each line is so told by integers and never by comparing coordinates.
+class BoxLines {
+   public:
+    static constexpr std::array kAxes{0, 1};
+    static int whole(Offset o, int axis) { return axis == 0 ? o.i : o.j; }
+    static Offset along(int axis, int k) { return axis == 0 ? Offset{k, 0} : Offset{0, k}; }
+
+    explicit BoxLines(const Lattice& lattice) : lattice_(lattice) {}
+
+    int n_vertices() const { return static_cast<int>(vertices_.size()); }
+    /// Lattice coordinates of the representative, in [0, 1).
+    const Vec2& vertex(int v) const { return vertices_[v]; }
+    bool on_line(int v, int axis) const { return vertices_[v][axis] == 0; }
+    bool on_any_line(int v) const { return on_line(v, 0) || on_line(v, 1); }
+    int add_vertex(const Vec2& u) {
+        vertices_.push_back(u);
+        if (corner_ < 0 && u == Vec2::Zero()) corner_ = n_vertices() - 1;
+        return n_vertices() - 1;
+    }
+    /// The vertex at the corner of the box, added where there is none yet.
+    int corner_vertex() { return corner_ < 0 ? add_vertex({0, 0}) : corner_; }
+
+    double coordinate(const BoxNode& node, int axis) const {
+        return whole(node.offset, axis) + vertices_[node.vertex][axis];
+    }
+    Vec2 coordinates(const BoxNode& node) const {
+        return {coordinate(node, 0), coordinate(node, 1)};
+    }
+    /// Lines of a family that lie strictly between two nodes: none if first > last.
+    struct Range {
+        int first;
+        int last;
+    };
+    Range lines_between(const BoxNode& p, const BoxNode& q, int axis) const;
+
+    /// The parts into which the lines cut a simple polygon, each in one image of the box. Where a
+    /// line crosses a side of the polygon, a node stands there already.
+    std::vector<BoxPolygon> split(const BoxPolygon& polygon);
+
+   private:
+    /// Line k of a family, run through so that the parts on the side `kept` lie on its left.
+    struct Line {
+        int axis;
+        int k;
+        int kept;
+    };
+    /// A part of a polygon's boundary that lies on the kept side, with its ends on the line.
+    struct Chain {
+        BoxPolygon nodes;
+        bool taken = false;
+    };
+
+    int side(const BoxNode& node, int axis, int k) const;
+    bool comes_before(const BoxNode& p, const BoxNode& q, const Line& line) const;
+    bool turns_left(const BoxNode& p, const BoxNode& q, const BoxNode& r) const;
+    BoxPolygon corners_on_line(const BoxNode& from, const BoxNode& to, const Line& line);
+    BoxPolygon nodes_on_line(const BoxPolygon& polygon, const Line& line);
+    std::vector<Chain> chains_of(const BoxPolygon& polygon, const Line& line) const;
+    std::vector<BoxPolygon> kept_parts(const BoxPolygon& polygon, const Line& line);
+    void split_by(const BoxPolygon& polygon, int axis, int k, std::vector<BoxPolygon>& before,
+                  std::vector<BoxPolygon>& behind);
+    std::vector<BoxPolygon> split_along(const std::vector<BoxPolygon>& polygons, int axis);
+
+    Lattice lattice_;
+    std::vector<Vec2> vertices_;
+    int corner_ = -1;
+};
+
+}  // namespace pcvt

@@ -1,0 +1,257 @@
+#include "mesher/mesh/box_outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/mesh/box_lines.hpp"
+#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/voronoi.hpp"
+
+namespace pcvt {
+namespace {
+
+/// A cell keeps this part of its area or more when vertices move onto the cut.
+constexpr double kKeptArea = 0.5;
+/// Where they would tear a cell, they move by this much less.
+constexpr double kLessSnap = 4;
+
+/// Length units; an edge that near to a corner of the box passes through it.
+double least_snap(const PeriodicMesh& cells) {
+    return kSameVertex * std::sqrt(cells.lattice.area() / cells.n_faces());
+}
+
+class BoxCutter {
+   public:
+    BoxCutter(const PeriodicMesh& cells, const Vec2& origin, double snap)
+        : cells_(cells), lattice_(cells.lattice), origin_(origin), snap_(snap), lines_(lattice_) {
+        for (int v = 0; v < cells.n_vertices(); ++v) add_cell_vertex(v);
+    }
+
+    /// Whether no cell was torn or squashed when vertices moved onto the cut.
+    bool keeps_cells() const {
+        if (n_at_corner_ > 1) return false;
+        Polygon before;
+        Polygon after;
+        for (int f = 0; f < cells_.n_faces(); ++f) {
+            before.clear();
+            after.clear();
+            for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
+                before.push_back(cells_.point(c));
+                after.push_back(lattice_.to_plane(lines_.coordinates(corner_node(c))));
+            }
+            if (polygon_area(after) < kKeptArea * polygon_area(before)) return false;
+            if (crosses_itself(after, 0)) return false;
+        }
+        return true;
+    }
+
+    BoxCut cut() {
+        cut_edges();
+        const std::vector<int> sides = cell_sides(cells_);
+        BoxCut box{{lattice_, TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}}, 0};
+        for (int f = 0; f < cells_.n_faces(); ++f) {
+            for (const BoxPolygon& piece : pieces_of(f)) {
+                add_piece(f, piece, box.pieces);
+                box.pieces.whole_sides.push_back(sides[f]);
+            }
+        }
+        for (int v = 0; v < lines_.n_vertices(); ++v) box.pieces.vertices.push_back(position(v));
+        link_faces(box.pieces);
+        box.shortest_edge = shortest_edge(box.pieces);
+        return box;
+    }
+
+   private:
+    Vec2 position(int v) const {
+        // Away from the cut a vertex stays where it was, but for a translation.
+        if (!lines_.on_any_line(v)) return cells_.vertices[v] - lattice_.translation(moved_[v]);
+        // Term by term, so that the sides along an axis of the plane are straight to the last bit.
+        Vec2 p = origin_;
+        if (!lines_.on_line(v, 0)) p += lines_.vertex(v)[0] * lattice_.a();
+        if (!lines_.on_line(v, 1)) p += lines_.vertex(v)[1] * lattice_.b();
+        return p;
+    }
+    /// The distance of two neighbouring lines of a family.
+    double line_spacing(int axis) const {
+        return lattice_.area() / (axis == 0 ? lattice_.b() : lattice_.a()).norm();
+    }
+
+    void add_cell_vertex(int v) {
+        Vec2 u = lattice_.to_lattice(cells_.vertices[v] - origin_);
+        Vec2 nearest = u.array().round();
+        const bool at_corner = lattice_.to_plane(u - nearest).norm() < snap_;
+        std::array<double, 2> distance;
+        for (const int axis : BoxLines::kAxes) {
+            distance[axis] = std::abs(u[axis] - nearest[axis]) * line_spacing(axis);
+        }
+        // Where the lines meet at a small angle, both may be near though the corner is not.
+        const int nearer = distance[1] < distance[0] ? 1 : 0;
+        for (const int axis : BoxLines::kAxes) {
+            const bool snaps = at_corner || (distance[axis] < snap_ && axis == nearer);
+            if (snaps) u[axis] = nearest[axis];
+        }
+        const Vec2 floor = u.array().floor();
+        moved_.push_back({static_cast<int>(floor.x()), static_cast<int>(floor.y())});
+        lines_.add_vertex(u - floor);
+        n_at_corner_ += at_corner;
+    }
+
+    BoxNode corner_node(int c) const {
+        const int v = cells_.corner_vertex[c];
+        return {v, cells_.corner_offset[c] + moved_[v]};
+    }
+
+    /// A node on an edge, at the part t of its way.
+    struct Crossing {
+        double t;
+        BoxNode node;
+    };
+
+    /// The corners of boxes through which the edge p q passes.
+    std::vector<Crossing> corners_between(const Vec2& p, const Vec2& q, const BoxNode& from,
+                                          const BoxNode& to) {
+        std::vector<Crossing> found;
+        const Vec2 way = lattice_.to_plane(q - p);
+        for (const int axis : BoxLines::kAxes) {
+            const BoxLines::Range lines = lines_.lines_between(from, to, axis);
+            for (int k = lines.first; k <= lines.last; ++k) {
+                const double t = (k - p[axis]) / (q[axis] - p[axis]);
+                Vec2 corner = (p + t * (q - p)).array().round();
+                corner[axis] = k;
+                const Vec2 from_p = lattice_.to_plane(corner - p);
+                const double at = from_p.dot(way) / way.squaredNorm();
+                if (std::abs(cross(way, from_p)) > least_snap(cells_) * way.norm() || at <= 0 ||
+                    at >= 1)
+                    continue;
+                const Offset offset{static_cast<int>(corner.x()), static_cast<int>(corner.y())};
+                const bool known = std::any_of(found.begin(), found.end(), [&](const Crossing& x) {
+                    return x.node.offset == offset;
+                });
+                if (!known) found.push_back({at, {lines_.corner_vertex(), offset}});
+            }
+        }
+        return found;
+    }
+
+    /// The nodes that the lines make on the edge which corner c leaves, in its order.
+    std::vector<BoxNode> cut_edge(int c) {
+        const BoxNode from = corner_node(c);
+        const BoxNode to = corner_node(cells_.next(c));
+        const Vec2 p = lines_.coordinates(from);
+        const Vec2 q = lines_.coordinates(to);
+        std::vector<Crossing> crossings = corners_between(p, q, from, to);
+        const std::size_t n_corners = crossings.size();
+        for (const int axis : BoxLines::kAxes) {
+            const BoxLines::Range lines = lines_.lines_between(from, to, axis);
+            for (int k = lines.first; k <= lines.last; ++k) {
+                // A corner stands for the crossing of either line through it.
+                const bool at_corner = std::any_of(
+                    crossings.begin(), crossings.begin() + std::ptrdiff_t(n_corners),
+                    [&](const Crossing& x) { return BoxLines::whole(x.node.offset, axis) == k; });
+                if (at_corner) continue;
+                const double t = (k - p[axis]) / (q[axis] - p[axis]);
+                const double other = p[1 - axis] + t * (q[1 - axis] - p[1 - axis]);
+                Vec2 u(0, 0);
+                u[1 - axis] = other - std::floor(other);
+                const int l = static_cast<int>(std::floor(other));
+                const Offset offset = BoxLines::along(axis, k) + BoxLines::along(1 - axis, l);
+                crossings.push_back({t, {lines_.add_vertex(u), offset}});
+            }
+        }
+        std::sort(crossings.begin(), crossings.end(),
+                  [](const Crossing& x, const Crossing& y) { return x.t < y.t; });
+        BoxPolygon nodes;
+        for (const Crossing& crossing : crossings) nodes.push_back(crossing.node);
+        return nodes;
+    }
+
+    void cut_edges() {
+        on_edge_.resize(static_cast<std::size_t>(cells_.n_corners()));
+        for (int c = 0; c < cells_.n_corners(); ++c) {
+            const int o = cells_.opposite[c];
+            if (o < c) continue;
+            on_edge_[c] = cut_edge(c);
+            const Offset frame = cells_.frame_across(c);
+            for (auto node = on_edge_[c].rbegin(); node != on_edge_[c].rend(); ++node) {
+                on_edge_[o].push_back({node->vertex, node->offset - frame});
+            }
+        }
+    }
+
+    std::vector<BoxPolygon> pieces_of(int f) {
+        BoxPolygon polygon;
+        for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
+            polygon.push_back(corner_node(c));
+            polygon.insert(polygon.end(), on_edge_[c].begin(), on_edge_[c].end());
+        }
+        return lines_.split(polygon);
+    }
+
+    /// Moves the piece into the box and appends it.
+    void add_piece(int f, const BoxPolygon& piece, PeriodicMesh& mesh) const {
+        Offset box = piece.front().offset;
+        for (const BoxNode& node : piece) {
+            box = {std::min(box.i, node.offset.i), std::min(box.j, node.offset.j)};
+        }
+        for (const BoxNode& node : piece) {
+            mesh.corner_vertex.push_back(node.vertex);
+            mesh.corner_offset.push_back(node.offset - box);
+        }
+        mesh.face_begin.push_back(mesh.n_corners());
+        mesh.site.push_back(cells_.site[f]);
+        mesh.site_points.push_back(cells_.site_points[f] - lattice_.translation(box));
+    }
+
+    double shortest_edge(const PeriodicMesh& pieces) const {
+        double shortest = std::numeric_limits<double>::infinity();
+        const auto on_cut = [&](int c) { return lines_.on_any_line(pieces.corner_vertex[c]); };
+        for (int c = 0; c < pieces.n_corners(); ++c) {
+            const int next = pieces.next(c);
+            if (!on_cut(c) && !on_cut(next)) continue;
+            shortest = std::min(shortest, (pieces.point(next) - pieces.point(c)).norm());
+        }
+        return shortest;
+    }
+
+    const PeriodicMesh& cells_;
+    const Lattice& lattice_;
+    Vec2 origin_;
+    double snap_;
+    /// Its vertices are those of the cells, then those that the cut makes.
+    BoxLines lines_;
+    /// By which offset a vertex of the cells was moved into the box.
+    std::vector<Offset> moved_;
+    int n_at_corner_ = 0;
+    /// For each corner the nodes on the edge that it leaves.
+    std::vector<BoxPolygon> on_edge_;
+};
+
+bool are_polygons(const PeriodicMesh& mesh) {
+    Polygon polygon;
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        polygon.clear();
+        for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            polygon.push_back(mesh.point(c));
+        }
+        if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, 0)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap) {
+    const double least = least_snap(cells);
+    for (; snap > least; snap /= kLessSnap) {
+        BoxCutter cutter(cells, origin, snap);
+        if (!cutter.keeps_cells()) continue;
+        BoxCut box = cutter.cut();
+        if (are_polygons(box.pieces)) return box;
+    }
+    return BoxCutter(cells, origin, least).cut();
+}
+
+}  // namespace pcvt

@@ -1,0 +1,214 @@
+#include "mesher/mesh/outline.hpp"
+
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <string>
+#include <tuple>
+
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+/// More rounds of trimming were never seen to move a face.
+constexpr int kTrimRounds = 8;
+
+/// Faces placed so far: a disc in the plane, grown and trimmed face by face.
+class Disc {
+   public:
+    explicit Disc(const PeriodicMesh& mesh) : mesh_(mesh), placed_(faces()), placement_(faces()) {}
+
+    bool placed(int f) const { return placed_[f]; }
+    bool contains(int f, Offset at) const { return placed_[f] && placement_[f] == at; }
+    const std::vector<Offset>& placement() const { return placement_; }
+    int face_across(int c) const { return mesh_.corner_face[mesh_.opposite[c]]; }
+    /// Where the face across c stands when the face of c stands at `at`.
+    Offset offset_across(int c, Offset at) const { return at + mesh_.frame_across(c); }
+    void place(int f, Offset at) {
+        placed_[f] = true;
+        placement_[f] = at;
+    }
+    void remove(int f) { placed_[f] = false; }
+
+    /// Whether the disc stays a disc with face f at `at`: f must touch it along one path of edges
+    /// and nowhere else.
+    bool can_add(int f, Offset at) const {
+        return is_one_path(
+            f, [&](int c) { return across_in_disc(c, at); },
+            [&](int c) { return star_of(c, at).in_disc > 0; });
+    }
+    /// Whether the disc stays a disc without face f: its boundary must run along one path of f's
+    /// edges and touch f nowhere else.
+    bool can_remove(int f) const {
+        const Offset at = placement_[f];
+        return is_one_path(
+            f, [&](int c) { return !across_in_disc(c, at); },
+            [&](int c) {
+                const Star star = star_of(c, at);
+                return star.in_disc < star.others;
+            });
+    }
+
+   private:
+    std::size_t faces() const { return static_cast<std::size_t>(mesh_.n_faces()); }
+    bool across_in_disc(int c, Offset at) const {
+        return contains(face_across(c), offset_across(c, at));
+    }
+
+    /// The faces round a corner, its own one not counted.
+    struct Star {
+        int others = 0;
+        int in_disc = 0;
+    };
+    Star star_of(int c, Offset at) const {
+        Star star;
+        int turning = c;
+        for (;;) {
+            at = offset_across(turning, at);
+            turning = mesh_.next(mesh_.opposite[turning]);
+            if (turning == c) return star;
+            ++star.others;
+            star.in_disc += contains(mesh_.corner_face[turning], at);
+        }
+    }
+
+    /// Whether the marked edges of face f are one path, and the marked corners those on it.
+    template <class MarkedEdge, class MarkedCorner>
+    bool is_one_path(int f, MarkedEdge marked_edge, MarkedCorner marked_corner) const {
+        int edges = 0;
+        int corners = 0;
+        int path_ends = 0;
+        bool previous = marked_edge(mesh_.face_begin[f + 1] - 1);
+        for (int c = mesh_.face_begin[f]; c < mesh_.face_begin[f + 1]; ++c) {
+            const bool here = marked_edge(c);
+            edges += here;
+            path_ends += here != previous;
+            corners += marked_corner(c);
+            previous = here;
+        }
+        return path_ends == 2 && corners == edges + 1;
+    }
+
+    const PeriodicMesh& mesh_;
+    std::vector<char> placed_;
+    std::vector<Offset> placement_;
+};
+
+/// Where each face would like to stand, and how much.
+struct Wishes {
+    Lattice lattice;
+    Vec2 centre;                 ///< of the domain, length units
+    std::vector<Vec2> centroid;  ///< of each face in its own frame
+    std::vector<Offset> natural;
+
+    double distance(int f, Offset at) const {
+        return (centroid[f] + lattice.translation(at) - centre).squaredNorm();
+    }
+};
+
+Wishes wishes_of(const PeriodicMesh& mesh, const Vec2& origin) {
+    const Reduction reduction = reduce(mesh.lattice);
+    const Lattice& reduced = reduction.reduced;
+    Wishes wishes{mesh.lattice, origin + (reduced.a() + reduced.b()) / 2, {}, {}};
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        Vec2 sum(0, 0);
+        for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            sum += mesh.vertices[mesh.corner_vertex[c]] +
+                   mesh.lattice.translation(mesh.corner_offset[c]);
+        }
+        const Vec2 centroid = sum / (mesh.face_begin[f + 1] - mesh.face_begin[f]);
+        const Vec2 u = reduced.to_lattice(centroid - origin);
+        wishes.centroid.push_back(centroid);
+        wishes.natural.push_back(reduction.to_original({-wrap(u.x()).whole, -wrap(u.y()).whole}));
+    }
+    return wishes;
+}
+
+/// A face that could be placed next: natural places first, then the nearest to the centre.
+struct Candidate {
+    bool unnatural;
+    double distance;
+    int face;
+    Offset at;
+    friend bool operator>(const Candidate& c, const Candidate& d) {
+        return std::tie(c.unnatural, c.distance, c.face, c.at) >
+               std::tie(d.unnatural, d.distance, d.face, d.at);
+    }
+};
+using Queue = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
+
+int innermost_face(const Wishes& wishes) {
+    int best = 0;
+    for (int f = 1; f < static_cast<int>(wishes.natural.size()); ++f) {
+        if (wishes.distance(f, wishes.natural[f]) < wishes.distance(best, wishes.natural[best])) {
+            best = f;
+        }
+    }
+    return best;
+}
+
+/// Places every face. A face that would close a ring now is put off until the queue is empty: the
+/// ring encloses other faces still to be placed, the innermost of which always fits.
+void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
+    Queue queue;
+    std::vector<Candidate> put_off;
+    int n_placed = 0;
+    const auto place = [&](int f, Offset at) {
+        disc.place(f, at);
+        ++n_placed;
+        for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            const int g = disc.face_across(c);
+            const Offset there = disc.offset_across(c, at);
+            if (disc.placed(g)) continue;
+            queue.push({there != wishes.natural[g], wishes.distance(g, there), g, there});
+        }
+    };
+    const int first = innermost_face(wishes);
+    place(first, wishes.natural[first]);
+    while (n_placed < mesh.n_faces()) {
+        const int before = n_placed;
+        while (!queue.empty()) {
+            const Candidate candidate = queue.top();
+            queue.pop();
+            if (disc.placed(candidate.face)) continue;
+            if (disc.can_add(candidate.face, candidate.at)) {
+                place(candidate.face, candidate.at);
+            } else {
+                put_off.push_back(candidate);
+            }
+        }
+        if (n_placed == before) throw InternalError("the tile's outline could not be completed");
+        for (const Candidate& candidate : put_off) queue.push(candidate);
+        put_off.clear();
+    }
+}
+
+/// Moves faces to their natural place where the disc stays whole.
+void trim(const Wishes& wishes, Disc& disc) {
+    bool moved = true;
+    for (int round = 0; moved && round < kTrimRounds; ++round) {
+        moved = false;
+        for (int f = 0; f < static_cast<int>(wishes.natural.size()); ++f) {
+            const Offset at = disc.placement()[f];
+            const Offset natural = wishes.natural[f];
+            if (at == natural || !disc.can_remove(f)) continue;
+            disc.remove(f);
+            const bool fits = disc.can_add(f, natural);
+            disc.place(f, fits ? natural : at);
+            moved = moved || fits;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Offset> whole_outline(const PeriodicMesh& mesh, const Vec2& origin) {
+    const Wishes wishes = wishes_of(mesh, origin);
+    Disc disc(mesh);
+    grow(mesh, wishes, disc);
+    trim(wishes, disc);
+    return disc.placement();
+}
+
+}  // namespace pcvt

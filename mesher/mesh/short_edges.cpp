@@ -1,0 +1,174 @@
+#include "mesher/mesh/short_edges.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "mesher/lattice/offset_union.hpp"
+#include "mesher/lattice/polygon.hpp"
+
+namespace pcvt {
+namespace {
+
+/// A cell keeps this part of its area or more when an edge goes.
+constexpr double kKeptArea = 0.5;
+
+struct MeshCorner {
+    int vertex;
+    Offset offset;
+    friend auto operator<=>(const MeshCorner&, const MeshCorner&) = default;
+};
+
+/// The mesh while vertices are joined: corners of the old faces stand at the roots of their
+/// vertices.
+class Shrinking {
+   public:
+    explicit Shrinking(const PeriodicMesh& mesh)
+        : mesh_(mesh),
+          joined_(mesh.n_vertices()),
+          position_(mesh.vertices),
+          corners_at_(mesh.vertices.size()),
+          weight_(mesh.vertices.size(), 1) {
+        for (int c = 0; c < mesh.n_corners(); ++c) corners_at_[mesh.corner_vertex[c]].push_back(c);
+    }
+
+    MeshCorner corner(int c) {
+        const auto root = joined_.root(mesh_.corner_vertex[c]);
+        return {root.orbit, root.offset + mesh_.corner_offset[c]};
+    }
+    Vec2 point(const MeshCorner& corner) const {
+        return position_[corner.vertex] + mesh_.lattice.translation(corner.offset);
+    }
+    /// The corners of face f; those that were joined stand once.
+    std::vector<MeshCorner> corners_of(int f) {
+        std::vector<MeshCorner> corners;
+        for (int c = mesh_.face_begin[f]; c < mesh_.face_begin[f + 1]; ++c) {
+            if (corners.empty() || corners.back() != corner(c)) corners.push_back(corner(c));
+        }
+        while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+        return corners;
+    }
+    /// 0 where the ends are joined already.
+    double length(int c) { return (point(corner(mesh_.next(c))) - point(corner(c))).norm(); }
+    /// An edge between two images of one vertex cannot go.
+    bool joins_orbits(int c) {
+        return joined_.root(mesh_.corner_vertex[c]).orbit !=
+               joined_.root(mesh_.corner_vertex[mesh_.next(c)]).orbit;
+    }
+
+    /// Shrinks the edge that corner c leaves, unless that would tear or squash a cell.
+    bool shrink(int c) {
+        const MeshCorner from = corner(c);
+        const MeshCorner to = corner(mesh_.next(c));
+        const Vec2 middle = (weight_[from.vertex] * point(from) + weight_[to.vertex] * point(to)) /
+                            (weight_[from.vertex] + weight_[to.vertex]);
+        for (const int v : {from.vertex, to.vertex}) {
+            for (const int d : corners_at_[v]) {
+                if (!survives(mesh_.corner_face[d], from, to, middle)) return false;
+            }
+        }
+        join(from, to, middle);
+        return true;
+    }
+
+    PeriodicMesh result() {
+        PeriodicMesh mesh{mesh_.lattice, mesh_.kind, {}, {0}, {}, {}, {}, {}, mesh_.site};
+        mesh.site_points = mesh_.site_points;
+        mesh.whole_sides = mesh_.whole_sides;
+        std::vector<int> number(position_.size(), -1);
+        for (int v = 0; v < mesh_.n_vertices(); ++v) {
+            if (joined_.root(v).orbit != v) continue;
+            number[v] = mesh.n_vertices();
+            mesh.vertices.push_back(position_[v]);
+        }
+        for (int f = 0; f < mesh_.n_faces(); ++f) {
+            for (const MeshCorner& corner : corners_of(f)) {
+                mesh.corner_vertex.push_back(number[corner.vertex]);
+                mesh.corner_offset.push_back(corner.offset);
+            }
+            mesh.face_begin.push_back(mesh.n_corners());
+        }
+        link_faces(mesh);
+        return mesh;
+    }
+
+   private:
+    /// Whether face f stays a polygon when `to` joins `from`, and both stand at `middle`, a place
+    /// in the frame in which they are given.
+    bool survives(int f, const MeshCorner& from, const MeshCorner& to, const Vec2& middle) {
+        const std::vector<MeshCorner> before = corners_of(f);
+        std::vector<MeshCorner> after;
+        Polygon old_polygon;
+        Polygon polygon;
+        for (const MeshCorner& old : before) {
+            old_polygon.push_back(point(old));
+            const bool moves = old.vertex == from.vertex || old.vertex == to.vertex;
+            const Offset frame = old.offset - (old.vertex == to.vertex ? to : from).offset;
+            const MeshCorner now = moves ? MeshCorner{from.vertex, from.offset + frame} : old;
+            if (!after.empty() && after.back() == now) continue;
+            after.push_back(now);
+            polygon.push_back(moves ? Vec2(middle + mesh_.lattice.translation(frame)) : point(old));
+        }
+        if (after.size() > 1 && after.front() == after.back()) {
+            after.pop_back();
+            polygon.pop_back();
+        }
+        std::sort(after.begin(), after.end());
+        return after.size() >= 3 && std::adjacent_find(after.begin(), after.end()) == after.end() &&
+               polygon_area(polygon) >= kKeptArea * polygon_area(old_polygon) &&
+               !crosses_itself(polygon, 0);
+    }
+
+    void join(const MeshCorner& from, const MeshCorner& to, const Vec2& middle) {
+        const int weight = weight_[from.vertex] + weight_[to.vertex];
+        joined_.join(from.vertex, to.vertex, to.offset - from.offset);
+        // One of the two is the root now.
+        const bool stays = joined_.root(from.vertex).orbit == from.vertex;
+        const MeshCorner& root = stays ? from : to;
+        const MeshCorner& other = stays ? to : from;
+        position_[root.vertex] = middle - mesh_.lattice.translation(root.offset);
+        weight_[root.vertex] = weight;
+        std::vector<int>& corners = corners_at_[other.vertex];
+        corners_at_[root.vertex].insert(corners_at_[root.vertex].end(), corners.begin(),
+                                        corners.end());
+        corners.clear();
+    }
+
+    const PeriodicMesh& mesh_;
+    OffsetUnion joined_;
+    /// Of each root.
+    std::vector<Vec2> position_;
+    std::vector<std::vector<int>> corners_at_;
+    /// How many vertices were joined there.
+    std::vector<int> weight_;
+};
+
+/// Halfedges of the edges shorter than `shortest`, one an edge, the shortest first.
+std::vector<int> short_halfedges(const PeriodicMesh& cells, Shrinking& shrinking, double shortest) {
+    std::vector<std::tuple<double, int>> found;
+    for (int c = 0; c < cells.n_corners(); ++c) {
+        if (cells.opposite[c] < c || !shrinking.joins_orbits(c)) continue;
+        const double length = shrinking.length(c);
+        if (length < shortest) found.emplace_back(length, c);
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<int> halfedges;
+    for (const auto& [length, c] : found) halfedges.push_back(c);
+    return halfedges;
+}
+
+}  // namespace
+
+PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest) {
+    Shrinking shrinking(cells);
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const int c : short_halfedges(cells, shrinking, shortest)) {
+            // Its neighbours may have changed it since it was found.
+            if (!shrinking.joins_orbits(c) || !(shrinking.length(c) < shortest)) continue;
+            changed = shrinking.shrink(c) || changed;
+        }
+    }
+    return shrinking.result();
+}
+
+}  // namespace pcvt

@@ -1,0 +1,176 @@
+#include "mesher/mesh/voronoi.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mesher/base/error.hpp"
+#include "mesher/lattice/offset_union.hpp"
+#include "mesher/lattice/polygon.hpp"
+
+namespace pcvt {
+namespace {
+
+/// In units of h: sides that cross by less than this cross by rounding.
+constexpr double kCrossing = 1e-3 * kSameVertex;
+
+/// The circumcentre in the triangle's frame, length units.
+Vec2 dual_vertex(const PeriodicDelaunay& delaunay, int triangle) {
+    const Sites& sites = delaunay.sites();
+    const Lattice& reduced = sites.reduction().reduced;
+    std::array<Image, 3> corner;
+    for (int k = 0; k < 3; ++k) {
+        const Corner& c = delaunay.triangulation().corner(3 * triangle + k);
+        corner[k] = image(sites, c.site, c.offset);
+    }
+    const Vec2 centre = circumcentre(delaunay.gram(), corner[0], corner[1], corner[2]);
+    return sites.position(corner[0].site) + reduced.translation(corner[0].offset) +
+           reduced.to_plane(centre);
+}
+
+/// Voronoi vertices before and after merging.
+struct DualVertices {
+    std::vector<Vec2> position;  ///< of each triangle's circumcentre, in the triangle's frame
+    OffsetUnion merged;
+};
+
+DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const Lattice& reduced = delaunay.sites().reduction().reduced;
+    DualVertices dual{{}, OffsetUnion(t.n_triangles())};
+    for (int k = 0; k < t.n_triangles(); ++k) dual.position.push_back(dual_vertex(delaunay, k));
+
+    const double shortest = kSameVertex * delaunay.sites().spacing();
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        const int o = t.opposite(h);
+        if (o < h) continue;
+        const Offset frame = t.frame_across(h);
+        const Vec2 across = dual.position[o / 3] + reduced.translation(frame);
+        if ((across - dual.position[h / 3]).norm() < shortest)
+            dual.merged.join(h / 3, o / 3, frame);
+    }
+    return dual;
+}
+
+struct MeshCorner {
+    int vertex;
+    Offset offset;
+    friend auto operator<=>(const MeshCorner&, const MeshCorner&) = default;
+};
+
+/// The corners of the cell of the site that h leaves, round the image of the site at offset (0, 0).
+std::vector<MeshCorner> cell_corners(const TorusTriangulation& t, OffsetUnion& merged, int h) {
+    std::vector<MeshCorner> corners;
+    const int first = h;
+    do {
+        const auto root = merged.root(h / 3);
+        const MeshCorner corner{root.orbit, root.offset - t.corner(h).offset};
+        if (corners.empty() || corners.back() != corner) corners.push_back(corner);
+        h = t.opposite(TorusTriangulation::previous(h));
+    } while (h != first);
+    while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+    return corners;
+}
+
+void require_polygon(const std::vector<MeshCorner>& corners, SiteId site) {
+    std::vector<MeshCorner> sorted = corners;
+    std::sort(sorted.begin(), sorted.end());
+    const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    if (corners.size() < 3 || !distinct) {
+        throw InvalidInput("the cell of site " + std::to_string(site) +
+                           " is smaller than 1e-9 of the spacing: its neighbours are too close; "
+                           "remove or move one of them");
+    }
+}
+
+/// Merged vertices stand where one of them stood; a cell as small as their spread may be torn by
+/// that.
+void require_simple_cells(const PeriodicMesh& mesh) {
+    const double h = std::sqrt(mesh.lattice.area() / mesh.n_faces());
+    Polygon polygon;
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        polygon.clear();
+        for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            polygon.push_back(mesh.point(c));
+        }
+        if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, kCrossing * h)) {
+            throw InvalidInput("the corners of the cell of site " + std::to_string(f) +
+                               " are too close to be told apart: too many sites lie on one circle; "
+                               "move some of them");
+        }
+    }
+}
+
+/// Moves each representative into the fundamental domain of the reduced basis.
+void wrap_vertices(PeriodicMesh& mesh, const Lattice& reduced) {
+    std::vector<Offset> moved(mesh.vertices.size());
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const Vec2 u = reduced.to_lattice(mesh.vertices[v]);
+        moved[v] = {wrap(u.x()).whole, wrap(u.y()).whole};
+        mesh.vertices[v] -= reduced.translation(moved[v]);
+    }
+    for (std::size_t c = 0; c < mesh.corner_vertex.size(); ++c) {
+        mesh.corner_offset[c] = mesh.corner_offset[c] + moved[mesh.corner_vertex[c]];
+    }
+}
+
+/// Offsets into the user's basis, and the halfedges across.
+void finish(PeriodicMesh& mesh, const Reduction& reduction) {
+    for (Offset& offset : mesh.corner_offset) offset = reduction.to_original(offset);
+    link_faces(mesh);
+}
+
+std::vector<int> outgoing_halfedges(const TorusTriangulation& t) {
+    std::vector<int> outgoing(static_cast<std::size_t>(t.n_sites()), -1);
+    for (int h = t.n_halfedges(); h-- > 0;) outgoing[t.corner(h).site] = h;
+    return outgoing;
+}
+
+}  // namespace
+
+PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    DualVertices dual = dual_vertices(delaunay);
+    PeriodicMesh mesh{delaunay.sites().lattice(), TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}};
+    std::vector<int> vertex_of(dual.position.size(), -1);
+    for (int k = 0; k < t.n_triangles(); ++k) {
+        if (dual.merged.root(k).orbit != k) continue;
+        vertex_of[k] = mesh.n_vertices();
+        mesh.vertices.push_back(dual.position[k]);
+    }
+    const auto outgoing = outgoing_halfedges(t);
+    for (SiteId s = 0; s < t.n_sites(); ++s) {
+        const auto corners = cell_corners(t, dual.merged, outgoing[s]);
+        require_polygon(corners, s);
+        for (const MeshCorner& corner : corners) {
+            mesh.corner_vertex.push_back(vertex_of[corner.vertex]);
+            mesh.corner_offset.push_back(corner.offset);
+        }
+        mesh.face_begin.push_back(static_cast<int>(mesh.corner_vertex.size()));
+        mesh.site.push_back(s);
+        mesh.site_points.push_back(delaunay.sites().position(s));
+    }
+    wrap_vertices(mesh, delaunay.sites().reduction().reduced);
+    finish(mesh, delaunay.sites().reduction());
+    require_simple_cells(mesh);
+    return mesh;
+}
+
+PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    PeriodicMesh mesh{
+        delaunay.sites().lattice(), TileKind::kTriangles, {}, {0}, {}, {}, {}, {}, {}};
+    for (SiteId s = 0; s < t.n_sites(); ++s) {
+        mesh.vertices.push_back(delaunay.sites().position(s));
+        mesh.site.push_back(s);
+    }
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        mesh.corner_vertex.push_back(t.corner(h).site);
+        mesh.corner_offset.push_back(t.corner(h).offset);
+        if (h % 3 == 2) mesh.face_begin.push_back(h + 1);
+    }
+    finish(mesh, delaunay.sites().reduction());
+    return mesh;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,187 @@
+#include "mesher/proof/glued_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+
+#include "mesher/base/bucket_sort.hpp"
+#include "mesher/proof/refusal.hpp"
+
+namespace pcvt {
+namespace {
+
+using std::to_string;
+
+const char* const kFaceLaw = "(1), faces";
+const char* const kSeamLaw = "(2), seam";
+
+/// A halfedge under the name that all images of its edge share.
+struct Side {
+    int low;
+    int high;
+    Offset offset;
+    bool reversed;
+    int halfedge;
+
+    friend auto operator<=>(const Side&, const Side&) = default;
+    bool same_edge(const Side& other) const {
+        return low == other.low && high == other.high && offset == other.offset;
+    }
+};
+
+class Gluing {
+   public:
+    Gluing(const FlatTile& tile, const VertexOrbits& orbits, Precision precision)
+        : tile_(tile), orbits_(orbits), precision_(precision) {}
+
+    GluedFaces glue() {
+        collect_faces();
+        match_sides();
+        return std::move(faces_);
+    }
+
+   private:
+    void collect_faces() {
+        faces_.face_begin.push_back(0);
+        faces_.corners.reserve(tile_.corners.size());
+        faces_.face_of.reserve(tile_.corners.size());
+        std::vector<int> corners;
+        for (int f = 0; f < tile_.n_faces(); ++f) {
+            distinct_corners(f, corners);
+            if (corners.size() < 3) continue;
+            const int face = faces_.n_faces();
+            faces_.file_face.push_back(f);
+            faces_.corners.insert(faces_.corners.end(), corners.begin(), corners.end());
+            faces_.face_of.resize(faces_.corners.size(), face);
+            faces_.face_begin.push_back(faces_.n_halfedges());
+        }
+    }
+
+    void distinct_corners(int f, std::vector<int>& corners) {
+        corners.clear();
+        for (int c = tile_.face_begin[f]; c < tile_.face_begin[f + 1]; ++c) {
+            const int v = orbits_.first_copy[tile_.corners[c]];
+            if (corners.empty() || corners.back() != v) corners.push_back(v);
+        }
+        while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+        const bool dropped = static_cast<int>(corners.size()) < tile_.face_size(f);
+        scratch_ = corners;
+        std::sort(scratch_.begin(), scratch_.end());
+        const auto twice = std::adjacent_find(scratch_.begin(), scratch_.end());
+        if (dropped && precision_ == Precision::kDouble) {
+            refuse(kFaceLaw, "face " + to_string(f) + " has the same corner twice in a row");
+        }
+        if (corners.size() >= 3 && twice != scratch_.end()) {
+            refuse(kFaceLaw, "face " + to_string(f) + " meets vertex " + to_string(*twice) +
+                                 " more than once");
+        }
+    }
+
+    Side side(int h) const {
+        const int from = faces_.corners[h];
+        const int to = faces_.corners[faces_.next(h)];
+        const int r = orbits_.representative[from];
+        const int s = orbits_.representative[to];
+        const Offset offset = orbits_.offset[to] - orbits_.offset[from];
+        if (std::tie(r, s, offset) < std::make_tuple(s, r, -offset)) {
+            return {r, s, offset, false, h};
+        }
+        return {s, r, -offset, true, h};
+    }
+
+    void match_sides() {
+        std::vector<Side> sides;
+        sides.reserve(faces_.corners.size());
+        for (int h = 0; h < faces_.n_halfedges(); ++h) sides.push_back(side(h));
+        bucket_sort(sides, tile_.n_vertices(), [](const Side& side) { return side.low; });
+        faces_.opposite.assign(sides.size(), -1);
+        faces_.across.resize(sides.size());
+        for (std::size_t k = 0; k < sides.size();) {
+            std::size_t end = k + 1;
+            while (end < sides.size() && sides[end].same_edge(sides[k])) ++end;
+            // Of one edge the sides that run forward come first.
+            for (std::size_t l = k + 1; l < end; ++l) {
+                if (sides[l].reversed == sides[l - 1].reversed) {
+                    refuse_overlap(sides[l - 1].halfedge, sides[l].halfedge);
+                }
+            }
+            if (end == k + 2) link(sides[k].halfedge, sides[k + 1].halfedge);
+            k = end;
+        }
+        require_partners();
+    }
+
+    void link(int g, int h) {
+        faces_.opposite[g] = h;
+        faces_.opposite[h] = g;
+        faces_.across[g] =
+            orbits_.offset[faces_.corners[faces_.next(h)]] - orbits_.offset[faces_.corners[g]];
+        faces_.across[h] = -faces_.across[g];
+    }
+
+    std::string edge(int h) const {
+        return edge_in_words(faces_.corners[h], faces_.corners[faces_.next(h)]);
+    }
+    std::string face(int h) const {
+        return "face " + to_string(faces_.file_face[faces_.face_of[h]]);
+    }
+
+    [[noreturn]] void refuse_overlap(int g, int h) const {
+        const Offset by = orbits_.offset[faces_.corners[h]] - orbits_.offset[faces_.corners[g]];
+        refuse(kSeamLaw,
+               "edge " + edge(g) + " of " + face(g) + " and edge " + edge(h) + " of " + face(h) +
+                   (by == Offset{}
+                        ? " are the same edge in the same direction"
+                        : " are images by " + in_words(by) + " that run in the same direction") +
+                   ": the faces overlap, or one of them is turned round");
+    }
+
+    void require_partners() const {
+        const auto lonely = std::find(faces_.opposite.begin(), faces_.opposite.end(), -1);
+        if (lonely == faces_.opposite.end()) return;
+        const int h = static_cast<int>(lonely - faces_.opposite.begin());
+        std::string what = "boundary edge " + edge(h) + " of " + face(h) +
+                           " has no reversed partner by any lattice vector";
+        const auto [nearest, apart] = nearest_lonely(h);
+        if (nearest >= 0) {
+            what += "; the nearest is edge " + edge(nearest) + " of " + face(nearest) +
+                    ", off by " + in_words(apart);
+        }
+        refuse(kSeamLaw, what);
+    }
+
+    /// Of the other halfedges without a partner the one that comes nearest to running back along h.
+    std::pair<int, double> nearest_lonely(int h) const {
+        const Lattice reduced = reduce(tile_.lattice).reduced;
+        const Vec2 from = tile_.points[faces_.corners[h]];
+        const Vec2 to = tile_.points[faces_.corners[faces_.next(h)]];
+        std::pair nearest(-1, std::numeric_limits<double>::infinity());
+        for (int g = 0; g < faces_.n_halfedges(); ++g) {
+            if (g == h || faces_.opposite[g] >= 0) continue;
+            const Vec2 start = tile_.points[faces_.corners[faces_.next(g)]] - from;
+            const Vec2 end = tile_.points[faces_.corners[g]] - to;
+            const Vec2 u = reduced.to_lattice(start);
+            const Vec2 translation = reduced.to_plane({std::round(u.x()), std::round(u.y())});
+            const double apart = std::max((start - translation).lpNorm<Eigen::Infinity>(),
+                                          (end - translation).lpNorm<Eigen::Infinity>());
+            if (apart < nearest.second) nearest = {g, apart};
+        }
+        return nearest;
+    }
+
+    const FlatTile& tile_;
+    const VertexOrbits& orbits_;
+    Precision precision_;
+    GluedFaces faces_;
+    std::vector<int> scratch_;
+};
+
+}  // namespace
+
+GluedFaces glue_faces(const FlatTile& tile, const VertexOrbits& orbits, Precision precision) {
+    return Gluing(tile, orbits, precision).glue();
+}
+
+}  // namespace pcvt

@@ -1,0 +1,264 @@
+#include "mesher/proof/validate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesher/base/disjoint_sets.hpp"
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/proof/glued_faces.hpp"
+#include "mesher/proof/refusal.hpp"
+#include "mesher/proof/vertex_orbits.hpp"
+
+namespace pcvt {
+namespace {
+
+using std::to_string;
+
+const char* const kFaceLaw = "(1), faces";
+const char* const kDiscLaw = "(3), disc";
+const char* const kTorusLaw = "(4), torus";
+const char* const kAreaLaw = "(5), areas";
+
+/// A representative plus a translation is rounded, and so are the representative and the period.
+constexpr double kUlps = 4;
+
+/// 4 ulps of the largest coordinate.
+double position_tolerance(const FlatTile& tile, Precision precision) {
+    double largest = 0;
+    for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const int digits = precision == Precision::kDouble ? std::numeric_limits<double>::digits
+                                                       : std::numeric_limits<float>::digits;
+    return kUlps * std::ldexp(1.0, exponent - digits);
+}
+
+void require_arrays(const FlatTile& tile) {
+    if (tile.face_begin.size() < 2) refuse(kFaceLaw, "the tile has no face");
+    if (tile.face_begin.front() != 0 ||
+        tile.face_begin.back() != static_cast<int>(tile.corners.size())) {
+        refuse(kFaceLaw, "the faces do not cover the list of corners");
+    }
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        if (!tile.points[v].allFinite()) {
+            refuse(kFaceLaw, "a coordinate of vertex " + to_string(v) + " is not finite");
+        }
+    }
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        if (tile.face_size(f) < 3) {
+            refuse(kFaceLaw, "face " + to_string(f) + " has " + to_string(tile.face_size(f)) +
+                                 " corners; it needs three or more");
+        }
+    }
+}
+
+void require_known_vertices(const FlatTile& tile) {
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
+            const int v = tile.corners[c];
+            if (v >= 0 && v < tile.n_vertices()) continue;
+            refuse(kFaceLaw, "face " + to_string(f) + " names vertex " + to_string(v) +
+                                 "; there are " + to_string(tile.n_vertices()));
+        }
+    }
+}
+
+void require_true_copies(const FlatTile& tile) {
+    const int n = tile.n_vertices() - static_cast<int>(tile.copies.size());
+    for (int k = 0; k < static_cast<int>(tile.copies.size()); ++k) {
+        const int v = tile.copies[k];
+        if (n > 0 && v >= 0 && v < n && tile.points[v] == tile.points[n + k]) continue;
+        refuse(kFaceLaw, "vertex " + to_string(n + k) + " is no copy of vertex " + to_string(v));
+    }
+}
+
+/// A vertex that has been merged may leave the faces to its other copies.
+void require_vertices_in_use(const FlatTile& tile, const VertexOrbits& orbits) {
+    std::vector<bool> used(tile.points.size(), false);
+    for (const int v : tile.corners) used[orbits.first_copy[v]] = true;
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        if (used[orbits.first_copy[v]]) continue;
+        refuse(kFaceLaw, "vertex " + to_string(v) + " belongs to no face");
+    }
+}
+
+void require_distinct_vertices(const FlatTile& tile, const VertexOrbits& orbits) {
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        const int first = orbits.first_copy[v];
+        if (first == v) continue;
+        const double apart = (tile.points[v] - tile.points[first]).lpNorm<Eigen::Infinity>();
+        refuse(kFaceLaw, "vertices " + to_string(first) + " and " + to_string(v) +
+                             " coincide: they lie " + in_words(apart) + " apart");
+    }
+}
+
+void take_face(const FlatTile& tile, const GluedFaces& faces, int f, Polygon& polygon) {
+    polygon.clear();
+    for (int h = faces.face_begin[f]; h < faces.face_begin[f + 1]; ++h) {
+        polygon.push_back(tile.points[faces.corners[h]]);
+    }
+}
+
+/// Returns the sum of the areas, with W. Kahan's compensation.
+double require_simple_faces(const FlatTile& tile, const GluedFaces& faces, Precision precision,
+                            double tolerance) {
+    double sum = 0;
+    double lost = 0;
+    Polygon polygon;
+    for (int f = 0; f < faces.n_faces(); ++f) {
+        take_face(tile, faces, f, polygon);
+        const double area = polygon_area(polygon);
+        const bool positive = precision == Precision::kDouble
+                                  ? area > 0
+                                  : area >= -tolerance * polygon_perimeter(polygon);
+        if (!positive) {
+            refuse(kFaceLaw, "face " + to_string(faces.file_face[f]) + " has the area " +
+                                 in_words(area) + "; corners must run counter-clockwise");
+        }
+        if (crosses_itself(polygon, tolerance)) {
+            refuse(kFaceLaw, "face " + to_string(faces.file_face[f]) + " crosses itself");
+        }
+        const double term = area - lost;
+        const double next = sum + term;
+        lost = (next - sum) - term;
+        sum = next;
+    }
+    return sum;
+}
+
+void require_connected(const GluedFaces& faces) {
+    DisjointSets pieces(faces.n_faces());
+    for (int h = 0; h < faces.n_halfedges(); ++h) {
+        if (!faces.on_seam(h)) pieces.unite(faces.face_of[h], faces.face_of[faces.opposite[h]]);
+    }
+    for (int f = 0; f < faces.n_faces(); ++f) {
+        if (pieces.find(f) == 0) continue;
+        refuse(kDiscLaw, "face " + to_string(faces.file_face[f]) + " is not connected to face " +
+                             to_string(faces.file_face[0]) + " over edges inside of the tile");
+    }
+}
+
+void require_single_fans(const FlatTile& tile, const GluedFaces& faces) {
+    DisjointSets fans(faces.n_halfedges());
+    for (int h = 0; h < faces.n_halfedges(); ++h) {
+        // h and the successor of its opposite leave the same vertex.
+        if (!faces.on_seam(h)) fans.unite(h, faces.next(faces.opposite[h]));
+    }
+    std::vector<int> fan_at(tile.points.size(), -1);
+    for (int h = 0; h < faces.n_halfedges(); ++h) {
+        int& fan = fan_at[faces.corners[h]];
+        if (fan < 0) fan = fans.find(h);
+        if (fan == fans.find(h)) continue;
+        refuse(kDiscLaw, "the faces at vertex " + to_string(faces.corners[h]) +
+                             " form more than one fan: the tile is pinched there");
+    }
+}
+
+/// With one fan round each vertex, each boundary vertex has one boundary edge that leaves it.
+void require_one_loop(const FlatTile& tile, const GluedFaces& faces) {
+    DisjointSets loops(tile.n_vertices());
+    int first = -1;
+    for (int h = 0; h < faces.n_halfedges(); ++h) {
+        if (!faces.on_seam(h)) continue;
+        if (first < 0) first = h;
+        loops.unite(faces.corners[h], faces.corners[faces.next(h)]);
+    }
+    if (first < 0) refuse(kDiscLaw, "the tile has no boundary");
+    for (int h = first; h < faces.n_halfedges(); ++h) {
+        if (!faces.on_seam(h)) continue;
+        if (loops.find(faces.corners[h]) == loops.find(faces.corners[first])) continue;
+        refuse(kDiscLaw, "the boundary has more than one loop: vertices " +
+                             to_string(faces.corners[first]) + " and " +
+                             to_string(faces.corners[h]) + " lie on two; the tile has a hole");
+    }
+}
+
+void require_euler(const std::string& law, int n_vertices, int n_edges, int n_faces, int wanted) {
+    const int euler = n_vertices - n_edges + n_faces;
+    if (euler == wanted) return;
+    refuse(law, "V - E + F = " + to_string(n_vertices) + " - " + to_string(n_edges) + " + " +
+                    to_string(n_faces) + " = " + to_string(euler) + ", not " + to_string(wanted));
+}
+
+/// Moving each boundary vertex by the tolerance in each coordinate changes the area by no more than
+/// sqrt(2) times tolerance times perimeter; the second term bounds the rounding of the sum.
+void require_area(const FlatTile& tile, const GluedFaces& faces, const TileProof& proof) {
+    double perimeter = 0;
+    for (int h = 0; h < faces.n_halfedges(); ++h) {
+        if (!faces.on_seam(h)) continue;
+        perimeter +=
+            (tile.points[faces.corners[faces.next(h)]] - tile.points[faces.corners[h]]).norm();
+    }
+    const double wanted = tile.lattice.area();
+    const double allowed = 2 * proof.tolerance * perimeter + 0x1p-48 * wanted;
+    if (std::abs(proof.area - wanted) <= allowed) return;
+    refuse(kAreaLaw, "the faces cover " + in_words(proof.area / wanted) +
+                         " of the fundamental domain's area; the difference is " +
+                         in_words(proof.area - wanted) + " where rounding explains " +
+                         in_words(allowed));
+}
+
+void collect_vertices(const VertexOrbits& orbits, const GluedFaces& faces, TileProof& proof) {
+    std::vector<bool> in_faces(orbits.first_copy.size(), false);
+    for (const int v : faces.corners) in_faces[v] = true;
+    const int n = static_cast<int>(orbits.first_copy.size());
+    for (int w = 0; w < n; ++w) {
+        if (orbits.first_copy[w] != w) {
+            ++proof.n_merged;
+            continue;
+        }
+        const int v = orbits.representative[w];
+        if (in_faces[w]) ++proof.n_vertices;
+        if (v == w) {
+            ++proof.n_orbits;
+        } else {
+            proof.vertex_pairs.push_back({v, w, orbits.offset[w]});
+        }
+    }
+    proof.first_copy = orbits.first_copy;
+}
+
+void collect_edges(const GluedFaces& faces, TileProof& proof) {
+    for (int h = 0; h < faces.n_halfedges(); ++h) {
+        if (!faces.on_seam(h)) continue;
+        ++proof.n_boundary_edges;
+        // Of a pair the side whose translation is positive: the other one has the negative.
+        if (faces.across[h] < Offset{}) continue;
+        const int g = faces.opposite[h];
+        proof.edge_pairs.push_back({faces.corners[h], faces.corners[faces.next(h)],
+                                    faces.corners[faces.next(g)], faces.corners[g],
+                                    faces.across[h]});
+    }
+    std::sort(proof.edge_pairs.begin(), proof.edge_pairs.end());
+}
+
+}  // namespace
+
+TileProof prove_tile(const FlatTile& tile, Precision precision) {
+    require_arrays(tile);
+    require_known_vertices(tile);
+    require_true_copies(tile);
+    TileProof proof{};
+    proof.tolerance = position_tolerance(tile, precision);
+    const VertexOrbits orbits =
+        find_vertex_orbits(tile.lattice, tile.points, proof.tolerance, tile.copies);
+    if (precision == Precision::kDouble) require_distinct_vertices(tile, orbits);
+    require_vertices_in_use(tile, orbits);
+    const GluedFaces faces = glue_faces(tile, orbits, precision);
+    proof.n_faces = faces.n_faces();
+    collect_vertices(orbits, faces, proof);
+    collect_edges(faces, proof);
+    proof.area = require_simple_faces(tile, faces, precision, proof.tolerance);
+    require_single_fans(tile, faces);
+    require_connected(faces);
+    require_one_loop(tile, faces);
+    const int n_seam = proof.n_boundary_edges;
+    const int n_edges = (faces.n_halfedges() + n_seam) / 2;
+    require_euler(kDiscLaw, proof.n_vertices, n_edges, proof.n_faces, 1);
+    require_euler(kTorusLaw, proof.n_orbits, n_edges - n_seam / 2, proof.n_faces, 0);
+    require_area(tile, faces, proof);
+    return proof;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,104 @@
+#include "mesher/search/lattice_certificate.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace pcvt {
+namespace {
+
+/// A vector in n-ths of the reduced period vectors.
+struct Step {
+    std::int64_t i;
+    std::int64_t j;
+};
+
+std::int64_t remainder_of(std::int64_t value, std::int64_t n) { return (value % n + n) % n; }
+
+/// The lattice that two steps span, if its index is n.
+std::optional<HermiteForm> hermite_form(Step p, Step q, int n) {
+    if (p.i * q.j - p.j * q.i != n) return std::nullopt;
+    // Euclid's algorithm on the first coordinates leads to (d, -b) and (0, a).
+    while (q.i != 0) {
+        const std::int64_t times = p.i / q.i;
+        p = {p.i - times * q.i, p.j - times * q.j};
+        std::swap(p, q);
+    }
+    const std::int64_t d = std::abs(p.i);
+    const std::int64_t a = n / d;
+    return HermiteForm{static_cast<int>(a), static_cast<int>(remainder_of(p.i < 0 ? p.j : -p.j, a)),
+                       static_cast<int>(d)};
+}
+
+Step nearest_step(const Vec2& u, int n) {
+    return {std::llround(n * u.x()), std::llround(n * u.y())};
+}
+
+/// The sites of a lattice, each of which is taken once.
+class Places {
+   public:
+    explicit Places(const LatticePattern& pattern)
+        : pattern_(pattern), taken_(static_cast<std::size_t>(pattern.n_sites()), 0) {}
+
+    /// The vector of the lattice that is nearest to u, both in coordinates of the reduced period
+    /// vectors; nothing if the site there is taken already.
+    std::optional<Vec2> take(const Vec2& u) {
+        const double n = pattern_.n_sites();
+        const auto [s, t] = pattern_.steps;
+        // The steps span n-ths with determinant n.
+        const std::int64_t k = std::llround(u.x() * t.j - u.y() * t.i);
+        const std::int64_t m = std::llround(u.y() * s.i - u.x() * s.j);
+        const std::int64_t i = k * s.i + m * t.i;
+        const std::int64_t j = k * s.j + m * t.j;
+        char& taken = taken_[static_cast<std::size_t>(pattern_site(pattern_.form, i, j))];
+        if (taken != 0) return std::nullopt;
+        taken = 1;
+        return Vec2(static_cast<double>(i) / n, static_cast<double>(j) / n);
+    }
+
+   private:
+    const LatticePattern& pattern_;
+    std::vector<char> taken_;
+};
+
+/// A basis from the three corners of a triangle.
+std::optional<HermiteForm> form_of_triangle(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const auto place = [&](int h) -> Vec2 {
+        const Corner corner = t.corner(h);
+        return delaunay.sites().coordinates().col(corner.site) +
+               Vec2(corner.offset.i, corner.offset.j);
+    };
+    const int n = t.n_sites();
+    return hermite_form(nearest_step(place(1) - place(0), n), nearest_step(place(2) - place(0), n),
+                        n);
+}
+
+/// Whether the sites, moved by one translation, lie at the places of the lattice, one at each.
+bool lies_on(const Sites& sites, const LatticePattern& pattern) {
+    const int n = sites.n_sites();
+    Places places(pattern);
+    Points off(2, n);
+    for (SiteId s = 0; s < n; ++s) {
+        const Vec2 u = sites.coordinates().col(s) - sites.coordinates().col(0);
+        const auto place = places.take(u);
+        if (!place) return false;
+        off.col(s) = sites.reduction().reduced.to_plane(u - *place);
+    }
+    const Vec2 common = off.rowwise().mean();
+    return (off.colwise() - common).colwise().norm().maxCoeff() <= kOffLattice * sites.spacing();
+}
+
+}  // namespace
+
+std::optional<LatticePattern> as_lattice(const CvtResult& result) {
+    const Sites& sites = result.delaunay.sites();
+    const auto form = form_of_triangle(result.delaunay);
+    if (!form) return std::nullopt;
+    LatticePattern pattern = lattice_pattern(sites.lattice(), *form);
+    if (!lies_on(sites, pattern)) return std::nullopt;
+    return pattern;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,95 @@
+#include "mesher/search/lattice_stability.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+namespace pcvt {
+namespace {
+
+/// The bounds of `minimum`, relative to the largest eigenvalue.
+constexpr double kCertain = 1e-6;
+
+/// A symmetric 2 x 2 matrix.
+struct Symmetric {
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+
+    void add(double factor, const Symmetric& other) {
+        xx += factor * other.xx;
+        xy += factor * other.xy;
+        yy += factor * other.yy;
+    }
+    /// The smaller and the larger eigenvalue.
+    std::pair<double, double> eigenvalues() const {
+        const double middle = (xx + yy) / 2;
+        const double radius = std::hypot((xx - yy) / 2, xy);
+        return {middle - radius, middle + radius};
+    }
+};
+
+/// One vector of the superbase: where it leads in n-ths of the reduced period vectors, and
+/// c (v v^T - c^2 / 3  w w^T), lengths in h.
+struct Bond {
+    std::int64_t i;
+    std::int64_t j;
+    Symmetric stiffness;
+};
+
+Symmetric stiffness(const Vec2& v, double c) {
+    const double side = c * c * c / 3;
+    return {c * v.x() * v.x() - side * v.y() * v.y(), (c + side) * v.x() * v.y(),
+            c * v.y() * v.y() - side * v.x() * v.x()};
+}
+
+std::array<Bond, 3> bonds(const LatticePattern& pattern) {
+    const double h = std::sqrt(pattern.basis.area());
+    const Offset s = pattern.steps[0];
+    const Vec2 p = pattern.basis.a() / h;
+    // The basis is reduced: with the second vector turned so, the superbase is obtuse.
+    const double sign = p.dot(pattern.basis.b()) > 0 ? -1 : 1;
+    const Offset t = sign > 0 ? pattern.steps[1] : -pattern.steps[1];
+    const Vec2 q = sign * pattern.basis.b() / h;
+    const Vec2 r = -p - q;
+    // The cell has area 1, so minus the product of the other two is the cotangent of their angle.
+    return {Bond{s.i, s.j, stiffness(p, -q.dot(r))}, Bond{t.i, t.j, stiffness(q, -r.dot(p))},
+            Bond{-(s + t).i, -(s + t).j, stiffness(r, -p.dot(q))}};
+}
+
+/// 1 - cos(2 pi k / n).
+double one_minus_cosine(std::int64_t k, int n) {
+    const double sine = std::sin(std::numbers::pi * static_cast<double>(k % n) / n);
+    return 2 * sine * sine;
+}
+
+}  // namespace
+
+LatticeStability lattice_stability(const LatticePattern& pattern) {
+    const int n = pattern.n_sites();
+    if (n == 1) return {Minimum::kYes, std::nullopt};
+    const std::array<Bond, 3> around = bonds(pattern);
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (int k = 0; k < pattern.form.a; ++k) {
+        for (int m = k == 0 ? 1 : 0; m < pattern.form.d; ++m) {
+            Symmetric hessian;
+            for (const Bond& bond : around) {
+                hessian.add(one_minus_cosine(k * bond.i + m * bond.j, n), bond.stiffness);
+            }
+            const auto [low, high] = hessian.eigenvalues();
+            smallest = std::min(smallest, low);
+            largest = std::max(largest, high);
+        }
+    }
+    const double ratio = smallest / largest;
+    const Minimum minimum = ratio > kCertain    ? Minimum::kYes
+                            : ratio < -kCertain ? Minimum::kNo
+                                                : Minimum::kUnknown;
+    return {minimum, ratio};
+}
+
+}  // namespace pcvt

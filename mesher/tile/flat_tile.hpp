@@ -1,0 +1,78 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesher/lattice/sites.hpp"
+
+namespace pcvt {
+
+/// Voronoi cells or pieces of them; Delaunay triangles; triangles inside of cells, the grains.
+enum class TileKind { kCells, kTriangles, kGrains };
+
+/// Whether each face belongs to a site; else each vertex is one.
+constexpr bool faces_have_sites(TileKind kind) { return kind != TileKind::kTriangles; }
+
+/// position(w) = position(v) + translation(offset).
+struct VertexPair {
+    int v;
+    int w;
+    Offset offset;
+    friend constexpr auto operator<=>(const VertexPair&, const VertexPair&) = default;
+};
+
+/// The boundary edge v0 -> v1 (its face on the left) is glued to w0 -> w1, whose face lies on the
+/// right: position(w_k) = position(v_k) + translation(offset) for k = 0 and 1.
+struct EdgePair {
+    int v0;
+    int v1;
+    int w0;
+    int w1;
+    Offset offset;
+    friend constexpr auto operator<=>(const EdgePair&, const EdgePair&) = default;
+};
+
+/// The name of the part of a boundary that `offset` takes to its partners, in every format:
+/// `seam_1_0`, `seam_-1_0`.
+inline std::string seam_name(Offset offset) {
+    return "seam_" + std::to_string(offset.i) + "_" + std::to_string(offset.j);
+}
+
+/// A tile as plain arrays: what writers take and readers give back.
+///
+/// Offsets are in the basis of `lattice`, the one that the user typed (times the repetition).
+struct FlatTile {
+    Lattice lattice;
+    TileKind kind;
+    /// One position a vertex, length units.
+    std::vector<Vec2> points;
+    /// Face f has the corners corners[face_begin[f]] ... corners[face_begin[f + 1] - 1],
+    /// vertex indices, counter-clockwise.
+    std::vector<int> face_begin;
+    std::vector<int> corners;
+    /// Cells and grains: one site a face. Delaunay triangles: empty.
+    std::vector<SiteId> face_site;
+    /// Delaunay triangles: one site a vertex. Else: empty.
+    std::vector<SiteId> vertex_site;
+    /// One pair for each vertex w that is not the representative v of its orbit, by rising w.
+    /// The representative is the vertex of the orbit with the smallest index, so v < w.
+    std::vector<VertexPair> vertex_pairs;
+    /// Each identified pair of boundary edges once: n_boundary_edges / 2 entries.
+    std::vector<EdgePair> edge_pairs;
+    /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
+    std::vector<Vec2> site_points = {};
+    /// Files whose faces do not share all of their vertices: for each of the last vertices the
+    /// earlier one, itself no copy, whose position it repeats. May be empty all the same.
+    std::vector<int> copies = {};
+    /// Pieces of cells and grains of a tile in memory: the sides of the whole cell that each face
+    /// is part of. Whole cells, Delaunay triangles and files: empty.
+    std::vector<int> whole_sides = {};
+    /// 2: triangles have a node in the middle of each edge as well (mesher/tile/second_order.hpp).
+    int order = 1;
+
+    int n_vertices() const { return static_cast<int>(points.size()); }
+    int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }
+    int face_size(int f) const { return face_begin[f + 1] - face_begin[f]; }
+};
+
+}  // namespace pcvt

@@ -1,0 +1,187 @@
+#include "plugin/pcvt.h"
+
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "plugin/abi/density.hpp"
+#include "plugin/abi/guard.hpp"
+#include "plugin/abi/options.hpp"
+#include "plugin/abi/result.hpp"
+#include "plugin/job/version.hpp"
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name that C knows.
+struct pcvt_result {
+    pcvt::abi::Result content;
+};
+
+namespace pcvt::abi {
+namespace {
+
+/// Whether the host wants to go on.
+bool report_progress(const pcvt_options& options, double energy_bound, const Progress& progress,
+                     const std::fenv_t& host) {
+    const pcvt_progress view{.struct_size = sizeof view,
+                             .iteration = progress.iteration,
+                             .evaluations = progress.evaluations,
+                             .energy = progress.value,
+                             .energy_bound = energy_bound,
+                             .residual = progress.residual,
+                             .rms_residual = progress.rms_residual};
+    return call_host("progress", host,
+                     [&] { return options.progress(&view, options.progress_data); }) == 0;
+}
+
+JobCallback job_callback(const pcvt_options& options, const Job& job, const std::fenv_t& host) {
+    if (options.progress == nullptr) return {};
+    const double bound = job.density ? std::numeric_limits<double>::quiet_NaN()
+                                     : hexagonal_bound(job.lattice.area(), options.n_sites);
+    return [&options, &host, bound](const Progress& progress) {
+        return report_progress(options, bound, progress, host);
+    };
+}
+
+pcvt_status status_of(const Job& job, const CvtResult& cvt) {
+    if (cvt.stop == Stop::kConverged || job.max_iterations == 0) return PCVT_OK;
+    set_last_error(cvt.stop == Stop::kStalled
+                       ? "not converged: double precision gives no more; take a larger tolerance"
+                       : "not converged: the iteration limit came first");
+    return PCVT_NOT_CONVERGED;
+}
+
+pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std::fenv_t& host) {
+    if (result == nullptr) throw InvalidInput("result is a null pointer");
+    *result = nullptr;
+    const pcvt_options options = read_struct("pcvt_options", given);
+    Job job = make_job(options);
+    set_density(options, host, job);
+    std::optional<JobResult> computed = compute_job(job, job_callback(options, job, host));
+    if (!computed) {
+        set_last_error("cancelled by the progress callback");
+        return PCVT_CANCELLED;
+    }
+    const pcvt_status status = status_of(job, computed->cvt);
+    // The callback ends with this call.
+    if (job.density) job.density = Density{};
+    *result = new pcvt_result{{std::move(job), *std::move(computed)}};
+    return status;
+}
+
+const Result& content(const pcvt_result* result) {
+    if (result == nullptr) throw InvalidInput("result is a null pointer");
+    return result->content;
+}
+
+/// Hands a view out, in the size that the host knows.
+template <class View, class Look>
+pcvt_status give(const char* name, View* view, std::size_t size, const Look& look) {
+    return guarded([&](const std::fenv_t&) {
+        if (view == nullptr) throw InvalidInput("view is a null pointer");
+        check_struct_size(name, size, sizeof(View));
+        const View full = look();
+        std::memset(static_cast<void*>(view), 0, size);
+        std::memcpy(static_cast<void*>(view), &full, sizeof full);
+        return pcvt_status{PCVT_OK};
+    });
+}
+
+void write(const Result& result, const char* path, const pcvt_write_options* given) {
+    pcvt_write_options options{};
+    if (given != nullptr) options = read_struct("pcvt_write_options", given);
+    if (options.reserved != 0) throw AbiMismatch("reserved is not 0; set it to 0");
+    const Layout layout{tile_kind(options.kind), tile_outline(options.outline)};
+    const std::string file = path == nullptr ? "" : path;
+    const std::string report = options.report == nullptr ? "" : options.report;
+    if (path != nullptr && file.empty())
+        throw InvalidInput("path is empty; give the name of a file");
+    if (file.empty() && report.empty()) throw InvalidInput("neither path nor report; give one");
+    result.write(file, layout, report, options.replace != 0);
+}
+
+}  // namespace
+}  // namespace pcvt::abi
+
+using namespace pcvt::abi;
+
+uint32_t pcvt_abi_version(void) { return PCVT_ABI_VERSION; }
+
+const char* pcvt_version(void) { return pcvt::version(); }
+
+const char* pcvt_status_text(pcvt_status status) {
+    switch (status) {
+        case PCVT_OK:
+            return "done";
+        case PCVT_CANCELLED:
+            return "cancelled";
+        case PCVT_NOT_CONVERGED:
+            return "not converged";
+        case PCVT_ERROR_ARGUMENT:
+            return "an argument is wrong";
+        case PCVT_ERROR_ABI:
+            return "host and library do not fit together";
+        case PCVT_ERROR_DOMAIN:
+            return "the density or a callback is at fault";
+        case PCVT_ERROR_MEMORY:
+            return "out of memory, or a limit of pcvt";
+        case PCVT_ERROR_GEOMETRY:
+            return "the sites cannot be told apart";
+        case PCVT_ERROR_IO:
+            return "a file could not be written";
+        case PCVT_ERROR_INTERNAL:
+            return "a fault of pcvt";
+        default:
+            return "unknown status";
+    }
+}
+
+const char* pcvt_last_error(void) { return last_error(); }
+
+pcvt_status pcvt_options_init(pcvt_options* options, size_t struct_size, uint32_t abi_version) {
+    return guarded([&](const std::fenv_t&) {
+        if (options == nullptr) throw pcvt::InvalidInput("options is a null pointer");
+        check_version(abi_version);
+        check_struct_size("pcvt_options", struct_size, sizeof(pcvt_options));
+        std::memset(static_cast<void*>(options), 0, struct_size);
+        *options = default_options();
+        options->struct_size = struct_size;
+        return pcvt_status{PCVT_OK};
+    });
+}
+
+pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** result) {
+    return guarded([&](const std::fenv_t& host) { return generate(options, result, host); });
+}
+
+void pcvt_free(pcvt_result* result) { delete result; }
+
+pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size) {
+    return give("pcvt_sites", view, view_size, [&] { return content(result).sites(); });
+}
+
+pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view,
+                                size_t view_size) {
+    return give("pcvt_statistics", view, view_size, [&] { return content(result).statistics(); });
+}
+
+pcvt_status pcvt_get_mesh(const pcvt_result* result, int32_t kind, pcvt_mesh* view,
+                          size_t view_size) {
+    return give("pcvt_mesh", view, view_size,
+                [&] { return content(result).mesh(tile_kind(kind)); });
+}
+
+pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int32_t outline, pcvt_tile* view,
+                          size_t view_size) {
+    return give("pcvt_tile", view, view_size, [&] {
+        const Layout layout{tile_kind(kind), tile_outline(outline)};
+        return content(result).tile(layout);
+    });
+}
+
+pcvt_status pcvt_write(const pcvt_result* result, const char* path,
+                       const pcvt_write_options* options) {
+    return guarded([&](const std::fenv_t&) {
+        write(content(result), path, options);
+        return pcvt_status{PCVT_OK};
+    });
+}

@@ -1,0 +1,25 @@
+#include "plugin/cli/terminal/console.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "io/bytes/output.hpp"
+
+namespace pcvt::cli {
+
+std::string figure(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+void print(const std::string& text) {
+    errno = 0;
+    const bool taken = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!taken || std::fflush(stdout) != 0) {
+        throw OutputError(std::string("standard output: ") + std::strerror(errno));
+    }
+}
+
+}  // namespace pcvt::cli

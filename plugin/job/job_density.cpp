@@ -1,0 +1,34 @@
+#include "plugin/job/job_density.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "io/run_files/density_expression.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/density/density_breaks.hpp"
+
+namespace pcvt {
+
+bool names_picture(const std::string& source) {
+    std::string end = source.substr(source.size() - std::min<std::size_t>(source.size(), 4));
+    std::transform(end.begin(), end.end(), end.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return end == ".png";
+}
+
+Density source_density(const std::string& source, const std::optional<GreyRange>& range,
+                       const Lattice& lattice) {
+    if (!names_picture(source)) {
+        if (range) throw InvalidInput("a range of densities is for pictures; leave it out");
+        return with_axis_breaks(lattice, expression_density(source));
+    }
+    const GreyRange greys = range.value_or(GreyRange{});
+    for (const double limit : {greys.black, greys.white}) {
+        if (!(limit >= kLeastDensity && limit <= kGreatestDensity)) {
+            throw InvalidInput("a range of densities is not from 1e-60 to 1e60");
+        }
+    }
+    return png_density(source, greys);
+}
+
+}  // namespace pcvt

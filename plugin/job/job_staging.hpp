@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "io/bytes/output.hpp"
+#include "plugin/job/job.hpp"
+#include "plugin/job/job_files.hpp"
+
+namespace pcvt {
+
+/// Encodes the files, lets them reach the disk under hidden names and proves what stands there; as
+/// many at a time as the job has threads.
+///
+/// @param between_files  called on the calling thread now and then; what it throws ends the
+///                       staging.
+/// @throws the fault of the first file in the list that has one.
+void stage_files(const Job& job, const std::vector<JobFile>& files, const JobResult& result,
+                 std::span<const ProvedTile> tiles, const std::function<void()>& between_files,
+                 OutputSet& outputs);
+
+}  // namespace pcvt

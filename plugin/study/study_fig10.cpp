@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/pictures/plot_svg.hpp"
+#include "mesher/delaunay/mirror_diagram.hpp"
+#include "plugin/study/study_recipes.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Fewer sites are left out of the fit: at n = 1 eight mirrors are all neighbours there are.
+constexpr int kFewestFitted = 100;
+
+std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+    const MirrorDiagram diagram =
+        mirror_diagram(Sites(unit_square(), uniform_points(unit_square(), n, seed)));
+    return {{std::to_string(diagram.n_mirrors), std::to_string(diagram.n_boundary_sites),
+             std::to_string(diagram.n_shrunk_inner_sites)}};
+}
+
+/// Mean, extremes and spread of one column.
+struct Spread {
+    double mean = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
+};
+
+Spread spread(const StudyTable& runs, int n, const std::string& column) {
+    const std::vector<StudyRow> rows = rows_of(runs, n);
+    Spread spread;
+    for (const StudyRow& row : rows) {
+        const double value = runs.number(row, column);
+        spread.mean += value / static_cast<double>(rows.size());
+        spread.least = std::min(spread.least, value);
+        spread.most = std::max(spread.most, value);
+    }
+    return spread;
+}
+
+/// c of mirrors = c sqrt(n) by the mean of the logarithms; 0 where no n is large enough.
+double fit(const Study& study, const StudyTable& runs) {
+    double sum = 0;
+    int count = 0;
+    for (const int n : study.sites) {
+        if (n < kFewestFitted) continue;
+        sum += std::log(spread(runs, n, "mirrors").mean / std::sqrt(n));
+        ++count;
+    }
+    return count == 0 ? 0 : std::exp(sum / count);
+}
+
+StudyRow row_of(const StudyTable& runs, int n) {
+    const Spread mirrors = spread(runs, n, "mirrors");
+    return {std::to_string(n),
+            rounded(mirrors.mean, 6),
+            rounded(mirrors.least, 8),
+            rounded(mirrors.most, 8),
+            rounded(100 * mirrors.mean / n, 4),
+            rounded(mirrors.mean / std::sqrt(n), 4),
+            rounded(spread(runs, n, "boundary_sites").mean, 6),
+            rounded(spread(runs, n, "shrunk_inner_sites").mean, 6)};
+}
+
+StudyResult conclude(const Study& study, const StudyTable& runs) {
+    StudyTable table;
+    table.notes = {
+        "means over " + std::to_string(study.runs) +
+            " runs; percent: mirrors of n; full copies "
+            "would be 8 n mirrors",
+        "shrunk_inner: sites that the paper calls inner, whose cell a mirror cuts all the same"};
+    table.columns = {"n",       "mirrors",         "least",          "most",
+                     "percent", "mirrors/sqrt(n)", "boundary_sites", "shrunk_inner"};
+    PlotSeries counts{PlotSeries::Mark::kDots, "mirrors", kPlotBlue, {}, {}};
+    PlotSeries shares{PlotSeries::Mark::kDots, "mirrors / n", kPlotBlue, {}, {}};
+    std::vector<int> sites = study.sites;
+    std::sort(sites.begin(), sites.end());
+    for (const int n : study.sites) table.rows.push_back(row_of(runs, n));
+    for (const int n : sites) {
+        const double mirrors = spread(runs, n, "mirrors").mean;
+        counts.points.emplace_back(n, mirrors);
+        shares.points.emplace_back(n, 100 * mirrors / n);
+    }
+    std::vector<Plot> plots{
+        {"Mirrors against the number of sites", {"number of sites n", true}, {"mirrors", true}, {}},
+        {"Their share", {"number of sites n", true}, {"percent of the sites", true}, {}}};
+    if (const double c = fit(study, runs); c > 0) {
+        PlotSeries root{PlotSeries::Mark::kDashes, rounded(c, 3) + " √n", kPlotGrey, {}, {}};
+        PlotSeries share{
+            PlotSeries::Mark::kDashes, rounded(100 * c, 3) + " / √n", kPlotGrey, {}, {}};
+        for (const int n : {sites.front(), sites.back()}) {
+            root.points.emplace_back(n, c * std::sqrt(n));
+            share.points.emplace_back(n, 100 * c / std::sqrt(n));
+        }
+        plots[0].series.push_back(root);
+        plots[1].series.push_back(share);
+        table.remarks = {"mirrors = " + rounded(c, 4) +
+                         " sqrt(n), fitted from n = " + std::to_string(kFewestFitted) + " on"};
+    }
+    plots[0].series.push_back(counts);
+    plots[1].series.push_back(shares);
+    return {{table}, {{"", encode_plots("Mirrors against n", plots)}}};
+}
+
+}  // namespace
+
+StudyRecipe fig10_recipe() {
+    return {.name = "fig10",
+            .description = "mirrors of the paper's method against n",
+            .standard = {"fig10", {10, 32, 100, 316, 1000, 3162, 10000, 31623, 100000}, 10, 0},
+            .most_sites = 10'000'000,
+            .timed = false,
+            .columns = {"mirrors", "boundary_sites", "shrunk_inner_sites"},
+            .notes = {},
+            .tables = {""},
+            .pictures = {""},
+            .printed_columns = 8,
+            .run = run,
+            .conclude = conclude};
+}
+
+}  // namespace pcvt

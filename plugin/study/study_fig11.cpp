@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "io/pictures/plot_svg.hpp"
+#include "mesher/search/lattice_certificate.hpp"
+#include "plugin/job/job.hpp"
+#include "plugin/study/study_pictures.hpp"
+#include "plugin/study/study_recipes.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr double kTolerance = 1e-8;
+/// Energies this close to each other, relatively, are of one minimum: its first run is named.
+constexpr double kSameEnergy = 1e-9;
+/// Of one n; the rest stands in the table.
+constexpr std::size_t kMostPanels = 3;
+
+std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+    const Lattice unit = unit_square();
+    const CvtResult result =
+        compute_cvt(unit, uniform_points(unit, n, seed), plain_lbfgs(kTolerance));
+    const int hexagons = count_hexagons(result);
+    StudyRow row{stop_name(result.stop),
+                 std::to_string(result.iterations),
+                 std::to_string(result.evaluations),
+                 in_full(result.energy),
+                 in_full(result.residual),
+                 std::to_string(hexagons)};
+    const auto lattice = hexagons == n ? as_lattice(result) : std::nullopt;
+    if (lattice) {
+        for (const int entry : {lattice->form.a, lattice->form.b, lattice->form.d}) {
+            row.push_back(std::to_string(entry));
+        }
+    } else {
+        row.insert(row.end(), 3, hexagons == n ? "none" : "");
+    }
+    return {row};
+}
+
+/// Equal for lattices that are congruent: squared lengths and the product of the reduced basis in
+/// n-ths of the square's side, integers.
+using Shape = std::array<std::int64_t, 3>;
+
+Shape shape_of(const LatticePattern& pattern) {
+    const auto dot = [](Offset s, Offset t) {
+        return std::int64_t{s.i} * t.i + std::int64_t{s.j} * t.j;
+    };
+    const auto [a, b] = pattern.steps;
+    return {dot(a, a), dot(b, b), std::abs(dot(a, b))};
+}
+
+/// All runs of one n that ended on congruent lattices.
+struct Pattern {
+    LatticePattern lattice;
+    int count = 0;
+    std::string first_seed;
+};
+
+/// What the runs of one n came to.
+struct Tally {
+    int n = 0;
+    int runs = 0;
+    int all_hexagon = 0;
+    /// All hexagons, but no lattice.
+    std::vector<std::string> exceptions;
+    double best_energy = 0;
+    std::string best_seed;
+    double mean_energy = 0;
+    /// By falling count.
+    std::vector<Pattern> patterns;
+
+    double share() const { return static_cast<double>(all_hexagon) / runs; }
+    double standard_error() const { return std::sqrt(share() * (1 - share()) / runs); }
+};
+
+int integer(const StudyTable& runs, const StudyRow& row, const char* column) {
+    return static_cast<int>(runs.number(row, column));
+}
+
+void count_pattern(const StudyTable& runs, const StudyRow& row,
+                   std::map<Shape, Pattern>& patterns) {
+    const LatticePattern lattice = lattice_pattern(
+        unit_square(), {integer(runs, row, "a"), integer(runs, row, "b"), integer(runs, row, "d")});
+    const auto [found, fresh] =
+        patterns.try_emplace(shape_of(lattice), Pattern{lattice, 0, row[runs.column("seed")]});
+    ++found->second.count;
+}
+
+Tally tally(const StudyTable& runs, int n) {
+    Tally tally;
+    tally.n = n;
+    std::map<Shape, Pattern> patterns;
+    for (const StudyRow& row : rows_of(runs, n)) {
+        const double energy = runs.number(row, "energy");
+        const std::string& seed = row[runs.column("seed")];
+        ++tally.runs;
+        tally.mean_energy += energy;
+        if (tally.best_seed.empty() || energy < tally.best_energy * (1 - kSameEnergy)) {
+            tally.best_energy = energy;
+            tally.best_seed = seed;
+        }
+        if (integer(runs, row, "hexagons") != n) continue;
+        ++tally.all_hexagon;
+        if (row[runs.column("a")] == "none") {
+            tally.exceptions.push_back(seed);
+        } else {
+            count_pattern(runs, row, patterns);
+        }
+    }
+    tally.mean_energy /= tally.runs;
+    for (const auto& [shape, pattern] : patterns) tally.patterns.push_back(pattern);
+    std::stable_sort(tally.patterns.begin(), tally.patterns.end(),
+                     [](const Pattern& p, const Pattern& q) { return p.count > q.count; });
+    return tally;
+}
+
+StudyTable share_table(const std::vector<Tally>& tallies) {
+    StudyTable table;
+    table.notes = {
+        "all_hexagon: runs whose cells all have six sides (edges under 1e-5 h not counted); "
+        "percent of the runs and its standard error",
+        "lattices: of these, the runs certified as a lattice; patterns: different ones up to "
+        "congruence; F_lattice: energy of the best lattice of n sites"};
+    table.columns = {"n",         "runs",      "all_hexagon", "percent",   "standard_error",
+                     "lattices",  "patterns",  "best_energy", "best_seed", "mean_energy",
+                     "F_lattice", "best/F_hex"};
+    for (const Tally& tally : tallies) {
+        const int exceptions = static_cast<int>(tally.exceptions.size());
+        table.rows.push_back(
+            {std::to_string(tally.n), std::to_string(tally.runs), std::to_string(tally.all_hexagon),
+             rounded(100 * tally.share(), 4), rounded(100 * tally.standard_error(), 3),
+             std::to_string(tally.all_hexagon - exceptions), std::to_string(tally.patterns.size()),
+             rounded(tally.best_energy, 8), tally.best_seed, rounded(tally.mean_energy, 8),
+             rounded(best_lattice(unit_square(), tally.n).energy, 8),
+             rounded(tally.best_energy / f_hex(tally.n), 8)});
+        for (const std::string& seed : tally.exceptions) {
+            table.remarks.push_back("n = " + std::to_string(tally.n) + ", seed " + seed +
+                                    ": all hexagons, but no lattice");
+        }
+    }
+    if (table.remarks.empty()) {
+        table.remarks = {
+            "Every result with hexagons alone is a lattice; bases in the table -patterns."};
+    }
+    return table;
+}
+
+StudyTable pattern_table(const std::vector<Tally>& tallies) {
+    StudyTable table;
+    table.notes = {
+        "the different lattices (up to congruence) that results with hexagons alone form",
+        "a, b, d: the sites are those of the lattice spanned by (d, -b) / n and (0, a) / n; v, w: "
+        "a "
+        "reduced basis of it; first_seed: the first run that ended there"};
+    table.columns = {"n",   "count",  "percent",      "a",         "b", "d", "v_x", "v_y", "w_x",
+                     "w_y", "energy", "energy/F_hex", "first_seed"};
+    for (const Tally& tally : tallies) {
+        for (const Pattern& pattern : tally.patterns) {
+            const LatticePattern& lattice = pattern.lattice;
+            StudyRow row{std::to_string(tally.n), std::to_string(pattern.count),
+                         rounded(100.0 * pattern.count / tally.runs, 4)};
+            for (const int entry : {lattice.form.a, lattice.form.b, lattice.form.d}) {
+                row.push_back(std::to_string(entry));
+            }
+            for (const Vec2& v : {lattice.basis.a(), lattice.basis.b()}) {
+                row.push_back(in_full(v.x()));
+                row.push_back(in_full(v.y()));
+            }
+            row.push_back(rounded(lattice.energy, 12));
+            row.push_back(rounded(lattice.energy / f_hex(tally.n), 10));
+            row.push_back(pattern.first_seed);
+            table.rows.push_back(row);
+        }
+    }
+    return table;
+}
+
+std::string percent(double share) { return rounded(100 * share, 3) + " %"; }
+
+CellPanel pattern_panel(const Tally& tally, const Pattern& pattern) {
+    const double share = static_cast<double>(pattern.count) / tally.runs;
+    // A site in the middle shows the symmetry best.
+    const Points points = pattern_points(pattern.lattice).colwise() + Vec2(0.5, 0.5);
+    CellPanel panel = periodic_panel(compute_cvt(unit_square(), points, plain_lbfgs(0, 0)));
+    panel.caption = {"n = " + std::to_string(tally.n) + ": " + percent(share),
+                     "F / F_hex = " + rounded(pattern.lattice.energy / f_hex(tally.n), 6)};
+    return panel;
+}
+
+/// The best result where none has hexagons alone: the run once more.
+CellPanel best_panel(const Tally& tally) {
+    const Points start = uniform_points(unit_square(), tally.n, std::stoull(tally.best_seed));
+    CellPanel panel = periodic_panel(compute_cvt(unit_square(), start, plain_lbfgs(kTolerance)));
+    panel.caption = {"n = " + std::to_string(tally.n) + ": 0 %, the best",
+                     "F / F_hex = " + rounded(tally.best_energy / f_hex(tally.n), 6)};
+    return panel;
+}
+
+std::string gallery(const std::vector<Tally>& tallies) {
+    std::vector<CellPanel> panels;
+    for (const Tally& tally : tallies) {
+        const std::size_t n_shown = std::min(tally.patterns.size(), kMostPanels);
+        for (std::size_t k = 0; k < n_shown; ++k) {
+            panels.push_back(pattern_panel(tally, tally.patterns[k]));
+        }
+        if (n_shown == 0) panels.push_back(best_panel(tally));
+    }
+    return encode_cell_panels(
+        {"Periodic CVT with hexagons alone, and how often random starts end there",
+         panel_legend(panels)},
+        panels, {5, 190});
+}
+
+std::string share_plot(std::vector<Tally> tallies) {
+    std::sort(tallies.begin(), tallies.end(),
+              [](const Tally& s, const Tally& t) { return s.n < t.n; });
+    PlotSeries series{PlotSeries::Mark::kDots, "", kPlotBlue, {}, {}};
+    for (const Tally& tally : tallies) {
+        series.points.emplace_back(tally.n, 100 * tally.share());
+        series.errors.push_back(100 * tally.standard_error());
+    }
+    return encode_plots("Results with hexagons alone",
+                        {{"Results with hexagons alone",
+                          {"number of sites n", true},
+                          {"percent of the runs, with the standard error", false},
+                          {series}}});
+}
+
+StudyResult conclude(const Study& study, const StudyTable& runs) {
+    std::vector<Tally> tallies;
+    for (const int n : study.sites) tallies.push_back(tally(runs, n));
+    return {{share_table(tallies), pattern_table(tallies)},
+            {{"", gallery(tallies)}, {"", share_plot(tallies)}}};
+}
+
+}  // namespace
+
+StudyRecipe fig11_recipe() {
+    return {.name = "fig11",
+            .description = "share of results with hexagons alone, and pictures of them",
+            .standard = {"fig11", {4, 6, 11, 14, 16, 30, 56, 150}, 5000, 0},
+            .most_sites = 3000,
+            .timed = false,
+            .columns = {"stop", "iterations", "evaluations", "energy", "residual", "hexagons", "a",
+                        "b", "d"},
+            .notes = {"plain L-BFGS to a residual of 1e-8; hexagons: cells with six edges longer "
+                      "than 1e-5 h",
+                      "a, b, d: where all cells are hexagons, the sites are those of the lattice "
+                      "spanned by (d, -b) / n and (0, a) / n; none: they form no lattice"},
+            .tables = {"", "-patterns"},
+            .pictures = {"", "-shares"},
+            .printed_columns = 12,
+            .run = run,
+            .conclude = conclude};
+}
+
+}  // namespace pcvt

@@ -1,0 +1,90 @@
+#include "plugin/study/study_files.hpp"
+
+#include <filesystem>
+
+#include "io/bytes/output.hpp"
+#include "mesher/base/error.hpp"
+#include "plugin/job/job_files.hpp"
+#include "plugin/job/path_book.hpp"
+
+namespace pcvt {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_folder(const std::string& path) {
+    std::error_code ignored;
+    return path.ends_with('/') || fs::is_directory(path, ignored);
+}
+
+/// Suffixes of all tables: those of the recipe, and the runs.
+std::vector<std::string> table_suffixes(const StudyRecipe& recipe, StudyShard shard) {
+    if (shard.count > 1) return {""};
+    std::vector<std::string> suffixes = recipe.tables;
+    suffixes.emplace_back("-runs");
+    return suffixes;
+}
+
+void add_files(const std::string& path, bool are_pictures, const std::vector<std::string>& suffixes,
+               std::vector<StudyFile>& files) {
+    for (std::size_t k = 0; k < suffixes.size(); ++k) {
+        files.push_back({with_suffix(path, suffixes[k]), are_pictures, k});
+    }
+}
+
+void add_folder(const std::string& folder, const StudyRecipe& recipe, StudyShard shard,
+                std::vector<StudyFile>& files) {
+    std::string stem = (fs::path(folder) / recipe.name).string();
+    if (shard.count > 1) {
+        stem += "-shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
+    }
+    add_files(stem + ".csv", false, table_suffixes(recipe, shard), files);
+    if (shard.count == 1) add_files(stem + ".svg", true, recipe.pictures, files);
+}
+
+void add_named(const std::string& path, const StudyRecipe& recipe, StudyShard shard,
+               std::vector<StudyFile>& files) {
+    const std::string extension = fs::path(path).extension().string();
+    if (extension == ".csv") {
+        add_files(path, false, table_suffixes(recipe, shard), files);
+    } else if (extension == ".svg" && shard.count > 1) {
+        throw InvalidInput("-o " + path + ": a shard has no picture; merge the shards for it");
+    } else if (extension == ".svg" && recipe.pictures.empty()) {
+        throw InvalidInput("-o " + path + ": study " + recipe.name + " has no picture; take .csv");
+    } else if (extension == ".svg") {
+        add_files(path, true, recipe.pictures, files);
+    } else {
+        throw InvalidInput("-o " + path + ": neither .csv nor .svg nor a folder; take one of them");
+    }
+}
+
+}  // namespace
+
+std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
+                                        const std::string& study, StudyShard shard,
+                                        const std::vector<std::string>& inputs) {
+    const StudyRecipe& recipe = find_study_recipe(study);
+    std::vector<StudyFile> files;
+    for (const std::string& output : outputs) {
+        if (is_folder(output)) {
+            add_folder(output, recipe, shard, files);
+        } else {
+            add_named(output, recipe, shard, files);
+        }
+    }
+    PathBook book;
+    for (const std::string& input : inputs) book.add_input(input);
+    for (const StudyFile& file : files) book.add_output(file.path);
+    return files;
+}
+
+void write_study(const StudyResult& result, const std::vector<StudyFile>& files, bool force) {
+    OutputSet outputs;
+    for (const StudyFile& file : files) {
+        outputs.stage(file.path, file.is_picture ? result.pictures.at(file.index).svg
+                                                 : encode_csv(result.tables.at(file.index)));
+    }
+    outputs.commit(force);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,149 @@
+#include "plugin/study/study_pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "io/tiles/palette.hpp"
+#include "mesher/mesh/quality.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr int kRegular = 6;
+/// Colours differ in between.
+constexpr int kFewestSides = 3;
+constexpr int kMostSides = 9;
+constexpr const char* kCutHexagon = "#dfd5bd";
+constexpr const char* kBorderCell = "#a9d6a5";
+/// Of the domain's size: what is left of a cell that only touches the domain is not drawn.
+constexpr double kSliver = 1e-12;
+/// In periods: a site this near to the border is drawn on both sides.
+constexpr double kOnBorder = 1e-9;
+
+Polygon domain_outline(const Lattice& lattice) {
+    return {Vec2::Zero(), lattice.a(), lattice.a() + lattice.b(), lattice.b()};
+}
+
+/// The part of a polygon inside the domain, both in lattice coordinates.
+Polygon inside_unit_square(Polygon polygon) {
+    for (const int axis : {0, 1}) {
+        for (const double sign : {1.0, -1.0}) {
+            const double level = sign > 0 ? 1 : 0;
+            Vec2 normal = Vec2::Zero();
+            normal[axis] = sign;
+            polygon = clipped(polygon, normal, level);
+        }
+    }
+    return polygon;
+}
+
+Polygon mapped(const Polygon& polygon, const auto& map) {
+    Polygon result;
+    for (const Vec2& corner : polygon) result.push_back(map(corner));
+    return result;
+}
+
+/// The images of a cell that meet the domain, each cut along it; length units.
+std::vector<Polygon> pieces_in_domain(const Lattice& lattice, const Polygon& cell) {
+    const Polygon u = mapped(cell, [&](const Vec2& p) { return lattice.to_lattice(p); });
+    Vec2 low = u[0];
+    Vec2 high = u[0];
+    for (const Vec2& corner : u) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    std::vector<Polygon> pieces;
+    for (double i = std::floor(low.x()); i <= std::floor(high.x()); ++i) {
+        for (double j = std::floor(low.y()); j <= std::floor(high.y()); ++j) {
+            const Polygon piece =
+                inside_unit_square(mapped(u, [&](const Vec2& p) { return Vec2(p - Vec2(i, j)); }));
+            if (piece.size() < 3 || std::abs(polygon_area(piece)) < kSliver) continue;
+            pieces.push_back(mapped(piece, [&](const Vec2& p) { return lattice.to_plane(p); }));
+        }
+    }
+    return pieces;
+}
+
+Polygon face_polygon(const PeriodicMesh& mesh, int face) {
+    Polygon polygon;
+    for (int c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
+        polygon.push_back(mesh.vertices[mesh.corner_vertex[c]] +
+                          mesh.lattice.translation(mesh.corner_offset[c]));
+    }
+    return polygon;
+}
+
+/// The images of a site in the closed domain: one, but more for a site on the border.
+void add_dots(const Lattice& lattice, const Vec2& site, std::vector<Vec2>& dots) {
+    const Vec2 u = lattice.to_lattice(site);
+    const Vec2 inside = u.array() - (u.array() + kOnBorder).floor();
+    for (const double i : {0.0, 1.0}) {
+        for (const double j : {0.0, 1.0}) {
+            const Vec2 image = inside + Vec2(i, j);
+            if (image.maxCoeff() <= 1 + kOnBorder) dots.push_back(lattice.to_plane(image));
+        }
+    }
+}
+
+/// The sides of a clipped cell that are longer than kShortEdge h.
+int count_sides(const Polygon& polygon, double h) {
+    int sides = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        sides += (polygon[(k + 1) % polygon.size()] - polygon[k]).norm() > kShortEdge * h ? 1 : 0;
+    }
+    return sides;
+}
+
+}  // namespace
+
+CellPanel periodic_panel(const CvtResult& result) {
+    const PeriodicMesh mesh = periodic_mesh(result, TileKind::kCells);
+    const std::vector<int> sides = cell_sides(mesh);
+    CellPanel panel;
+    panel.outline = domain_outline(mesh.lattice);
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        const std::vector<Polygon> pieces = pieces_in_domain(mesh.lattice, face_polygon(mesh, f));
+        const bool shaded = pieces.size() > 1 && sides[f] == kRegular;
+        const std::string colour = shaded ? kCutHexagon : hex(side_colour(sides[f]));
+        for (const Polygon& piece : pieces) panel.cells.push_back({piece, colour});
+        add_dots(mesh.lattice, mesh.site_points[f], panel.sites);
+    }
+    return panel;
+}
+
+CellPanel clipped_panel(const Lattice& lattice, const Points& sites) {
+    const double h = std::sqrt(lattice.area() / static_cast<double>(sites.cols()));
+    CellPanel panel;
+    panel.outline = domain_outline(lattice);
+    for (const ClippedCell& cell : clipped_cells(lattice, sites)) {
+        const std::string colour =
+            cell.meets_border ? kBorderCell : hex(side_colour(count_sides(cell.polygon, h)));
+        panel.cells.push_back({cell.polygon, colour});
+    }
+    for (Eigen::Index s = 0; s < sites.cols(); ++s) panel.sites.emplace_back(sites.col(s));
+    return panel;
+}
+
+std::vector<LegendEntry> panel_legend(const std::vector<CellPanel>& panels) {
+    std::set<std::string> used;
+    for (const CellPanel& panel : panels) {
+        for (const CellPanel::Cell& cell : panel.cells) used.insert(cell.colour);
+    }
+    std::vector<LegendEntry> entries;
+    const auto add = [&](const std::string& colour, const std::string& label) {
+        if (used.erase(colour) > 0) {
+            entries.push_back({LegendEntry::Mark::kPatch, colour, label});
+        }
+    };
+    add(hex(side_colour(kFewestSides)), "3 sides");
+    for (int sides = kFewestSides + 1; sides < kMostSides; ++sides) {
+        add(hex(side_colour(sides)), std::to_string(sides) + " sides");
+        if (sides == kRegular) add(kCutHexagon, "6 sides, across the border");
+    }
+    add(hex(side_colour(kMostSides)), "9 and more");
+    add(kBorderCell, "clipped at the border");
+    return entries;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,35 @@
+#include "plugin/study/study_recipes.hpp"
+
+#include <algorithm>
+
+#include "mesher/mesh/quality.hpp"
+
+namespace pcvt {
+
+Lattice unit_square() { return Lattice::rectangle(1, 1); }
+
+double f_hex(int n) { return hexagonal_bound(1, n); }
+
+CvtOptions plain_lbfgs(double tolerance, int max_iterations) {
+    CvtOptions options;
+    options.solver = Solver::kPlainLbfgs;
+    options.tolerance = tolerance;
+    options.max_iterations = max_iterations;
+    return options;
+}
+
+int count_hexagons(const CvtResult& result) {
+    const std::vector<int> sides = cell_sides(periodic_mesh(result, TileKind::kCells));
+    return static_cast<int>(std::count(sides.begin(), sides.end(), 6));
+}
+
+std::vector<StudyRow> rows_of(const StudyTable& table, int n) {
+    const std::size_t column = table.column("n");
+    const std::string number = std::to_string(n);
+    std::vector<StudyRow> rows;
+    std::copy_if(table.rows.begin(), table.rows.end(), std::back_inserter(rows),
+                 [&](const StudyRow& row) { return row[column] == number; });
+    return rows;
+}
+
+}  // namespace pcvt

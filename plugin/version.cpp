@@ -1,7 +1,0 @@
-#include "plugin/version.hpp"
-
-namespace pcvt {
-
-const char* version() { return PCVT_VERSION; }
-
-}  // namespace pcvt

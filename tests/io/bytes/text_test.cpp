@@ -1,0 +1,164 @@
+#include "io/bytes/text.hpp"
+
+#include <gmock/gmock.h>
+#include <rapidcheck.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+template <class Number>
+std::string written(Number number) {
+    std::string text;
+    append_number(text, number);
+    return text;
+}
+
+std::string fault_of(std::string_view word) {
+    try {
+        parse_number(word);
+    } catch (const InvalidInput& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+/// The words of all lines, one string a line.
+std::vector<std::string> lines_of(std::string_view text) {
+    LineScanner scanner("t", text);
+    std::vector<std::string> lines;
+    while (scanner.next()) {
+        std::string line = std::to_string(scanner.line());
+        for (const std::string_view word : scanner.words()) line += "|" + std::string(word);
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+TEST(Text, EveryFiniteDoubleReadsBackAsItself) {
+    rc::check([](std::uint64_t bits) {
+        const double value = std::bit_cast<double>(bits);
+        RC_PRE(std::isfinite(value));
+        RC_ASSERT(parse_number(written(value)) == value);
+    });
+    for (const double value : {0.1, 1e-320, 5e-324, 1.7976931348623157e308, 1.0 / 3, 1e6}) {
+        EXPECT_EQ(parse_number(written(value)), value);
+    }
+}
+
+TEST(Text, NumbersAreShortAndZeroHasNoSign) {
+    EXPECT_EQ(written(0.1), "0.1");
+    EXPECT_EQ(written(-0.0), "0");
+    EXPECT_EQ(written(-7), "-7");
+    EXPECT_THROW(written(std::nan("")), InternalError);
+    EXPECT_THROW(written(std::numeric_limits<double>::infinity()), InternalError);
+}
+
+TEST(Text, DecimalsInAnyUsualSpellingAreNumbers) {
+    EXPECT_EQ(parse_number("+1.5"), 1.5);
+    EXPECT_EQ(parse_number("-.5"), -0.5);
+    EXPECT_EQ(parse_number("5."), 5);
+    EXPECT_EQ(parse_number("1E+3"), 1000);
+    EXPECT_TRUE(std::signbit(parse_number("-0.0")));
+    EXPECT_EQ(parse_integer("+12"), 12);
+    EXPECT_EQ(parse_integer("-2147483648"), std::numeric_limits<int>::min());
+}
+
+TEST(Text, WhatIsNoNumberIsRefusedWithAReason) {
+    EXPECT_THAT(fault_of("1,5"), HasSubstr("decimal point"));
+    for (const char* word : {"nan", "-NaN", "inf", "-Infinity", "+INF"}) {
+        EXPECT_THAT(fault_of(word), HasSubstr("not a finite number")) << word;
+    }
+    for (const char* word : {"1e999", "-1e999", "1e-999"}) {
+        EXPECT_THAT(fault_of(word), HasSubstr("beyond the range")) << word;
+    }
+    for (const char* word :
+         {"", "+", "-", "+-1", "--1", "++1", "0x1p3", "1.5.2", "1d5", "1e", "x"}) {
+        EXPECT_THAT(fault_of(word), HasSubstr("not a number")) << word;
+    }
+    EXPECT_THROW(parse_integer("1.0"), InvalidInput);
+    EXPECT_THROW(parse_integer("2147483648"), InvalidInput);
+    EXPECT_THROW(parse_integer("0x10"), InvalidInput);
+}
+
+TEST(Text, QuotedWordsArePrintableAndShort) {
+    EXPECT_EQ(in_quotes("a\x1b[31m\xff"), "'a?[31m?'");
+    EXPECT_EQ(in_quotes(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
+}
+
+TEST(Text, LinesAreCountedForEveryKindOfLineEnd) {
+    EXPECT_THAT(lines_of("a b\nc\n"), ElementsAre("1|a|b", "2|c"));
+    EXPECT_THAT(lines_of("a\r\n\r\nb"), ElementsAre("1|a", "2", "3|b"));
+    EXPECT_THAT(lines_of("a\rb\n\rc"), ElementsAre("1|a", "2|b", "3", "4|c"));
+    EXPECT_THAT(lines_of("\xEF\xBB\xBF\ta \t b "), ElementsAre("1|a|b"));
+    EXPECT_THAT(lines_of(""), IsEmpty());
+    EXPECT_THAT(lines_of("\xEF\xBB\xBF"), IsEmpty());
+}
+
+TEST(Text, FaultsNameFileAndLine) {
+    LineScanner scanner("a.txt", "1\n1,5\n");
+    scanner.next();
+    scanner.next();
+    try {
+        scanner.number(scanner.words()[0]);
+        FAIL();
+    } catch (const BadFile& fault) {
+        EXPECT_THAT(fault.what(),
+                    StartsWith("a.txt:2: '1,5' is not a number; use a decimal point"));
+    }
+}
+
+TEST(Text, WhatCannotBeReadIsRefusedWithTheReason) {
+    const testing::TemporaryFolder folder;
+    const auto fault = [](const std::string& path) -> std::string {
+        try {
+            read_whole_file(path);
+        } catch (const BadFile& bad) {
+            return bad.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(fault(folder / "none"),
+              (folder / "none") + ": cannot read: No such file or directory; give a readable file");
+    EXPECT_THAT(fault(folder / ""), HasSubstr("cannot read: Is a directory; "));
+    EXPECT_THAT(fault("-"), HasSubstr("-: cannot read: No such file"));
+}
+
+TEST(Text, AFileComesBackByteForByte) {
+    const testing::TemporaryFolder folder;
+    std::string bytes(200'000, '\0');
+    for (std::size_t k = 0; k < bytes.size(); ++k) bytes[k] = static_cast<char>(k * k >> 3);
+    testing::write_bytes(folder / "f", bytes);
+    EXPECT_EQ(read_whole_file(folder / "f"), bytes);
+    testing::write_bytes(folder / "empty", "");
+    EXPECT_EQ(read_whole_file(folder / "empty"), "");
+}
+
+TEST(Text, AFileHoldsItsBytesAndNoOthers) {
+    const testing::TemporaryFolder folder;
+    const std::string bytes(200'000, 'x');
+    testing::write_bytes(folder / "f", bytes);
+    EXPECT_TRUE(file_holds(folder / "f", bytes));
+    EXPECT_FALSE(file_holds(folder / "f", bytes.substr(1)));
+    EXPECT_FALSE(file_holds(folder / "f", bytes + 'x'));
+    EXPECT_FALSE(file_holds(folder / "f", ""));
+    for (const std::size_t k : {0U, 65'535U, 65'536U, 199'999U}) {
+        std::string other = bytes;
+        other[k] = 'y';
+        EXPECT_FALSE(file_holds(folder / "f", other)) << k;
+    }
+    EXPECT_THROW(file_holds(folder / "none", ""), BadFile);
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,264 @@
+#include <gmock/gmock.h>
+
+#include "io/graphics/obj_reader.hpp"
+#include "io/graphics/obj_writer.hpp"
+#include "io/tiles/palette.hpp"
+#include "tests/support/flat_tile_equality.hpp"
+#include "tests/support/grid_tile.hpp"
+#include "tests/support/mutation.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const Lattice kSquare({1, 0}, {0, 1});
+
+/// One square whose opposite sides are glued, as pcvt writes it.
+constexpr const char* kOneCell =
+    "# pcvt kind cells\n"
+    "# pcvt lattice 1 0 0 1\n"
+    "# pcvt vertex_pair 1 2 1 0\n"
+    "# pcvt vertex_pair 1 3 1 1\n"
+    "# pcvt vertex_pair 1 4 0 1\n"
+    "# pcvt edge_pair 1 2 4 3 0 1\n"
+    "# pcvt edge_pair 4 1 3 2 1 0\n"
+    "# pcvt sites 0\n"
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+    "f 1 2 3 4\n";
+
+TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+    return decode_obj({{"t.obj", text}}, lattice);
+}
+
+std::string fault_of(const std::vector<EncodedFile>& files) {
+    try {
+        decode_obj(files, std::nullopt);
+    } catch (const BadFile& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+std::string fault_of(const std::string& text) {
+    return fault_of(std::vector<EncodedFile>{{"t.obj", text}});
+}
+
+/// kOneCell with one piece of its text exchanged.
+std::string with(const std::string& piece, const std::string& other) {
+    std::string text = kOneCell;
+    return text.replace(text.find(piece), piece.size(), other);
+}
+
+/// A row of cells with 5, 3 and 4 corners: not a tile, but what a writer has to sort.
+FlatTile cells_to_be_sorted() {
+    return {kSquare,
+            TileKind::kCells,
+            {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0.5, 1.5}, {0, 1}},
+            {0, 5, 8, 12},
+            {0, 1, 6, 7, 8, 1, 2, 6, 2, 3, 4, 5},
+            {7, 8, 9},
+            {},
+            {},
+            {}};
+}
+
+TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
+    for (const Lattice& lattice : testing::awkward_lattices()) {
+        for (const FlatTile& tile :
+             {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
+              testing::triangle_grid_tile(lattice, 2, 5),
+              testing::grain_grid_tile(lattice, 2, 5)}) {
+            const auto files = encode_obj(tile, "dir/t.obj");
+            const TileFile file = decode_obj(files, std::nullopt);
+            testing::expect_same_tile(file.tile, tile);
+            EXPECT_TRUE(file.has_vertex_pairs && file.has_edge_pairs);
+            EXPECT_EQ(file.precision, Precision::kDouble);
+            testing::expect_same_tile(decode_obj({files[0]}, std::nullopt).tile, tile);
+        }
+    }
+}
+
+TEST(Obj, CompanionsStandBesideTheFile) {
+    const auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), "a.b/tile.v2.obj");
+    ASSERT_EQ(files.size(), 3U);
+    EXPECT_EQ(files[0].path, "a.b/tile.v2.obj");
+    EXPECT_EQ(files[1].path, "a.b/tile.v2.mtl");
+    EXPECT_EQ(files[2].path, "a.b/tile.v2.seam.json");
+    EXPECT_THAT(files[0].bytes, HasSubstr("\nmtllib tile.v2.mtl\n"));
+    EXPECT_EQ(obj_paths("x.OBJ"), (std::vector<std::string>{"x.OBJ", "x.mtl", "x.seam.json"}));
+}
+
+TEST(Obj, FacesStandInGroupsByTheirNumberOfSides) {
+    const auto files = encode_obj(cells_to_be_sorted(), "t.obj");
+    EXPECT_THAT(files[0].bytes, HasSubstr("usemtl sides_3\nf 2 3 7\n"
+                                          "usemtl sides_4\nf 3 4 5 6\n"
+                                          "usemtl sides_5\nf 1 2 7 8 9\n"));
+    EXPECT_THAT(files[0].bytes, HasSubstr("# pcvt sites 8 9 7\n"));
+    EXPECT_THAT(files[1].bytes, HasSubstr("newmtl sides_3\nKd "));
+    EXPECT_THAT(files[1].bytes, HasSubstr("newmtl sides_5\nKd "));
+    const TileFile file = decode_obj(files, std::nullopt);
+    EXPECT_THAT(file.tile.face_site, ::testing::ElementsAre(8, 9, 7));
+}
+
+TEST(Obj, CommentsCountFromOne) {
+    const auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), "t.obj");
+    EXPECT_THAT(files[0].bytes, HasSubstr("# pcvt vertex_pair 1 4 1 1\n"));
+    EXPECT_THAT(files[0].bytes, HasSubstr("# pcvt edge_pair 1 2 3 4 0 1\n"));
+    EXPECT_THAT(files[2].bytes, HasSubstr("[0, 3, 1, 1]"));
+}
+
+TEST(Obj, PlainObjOfOtherProgramsIsRead) {
+    const TileFile file = read(
+        "\xEF\xBB\xBF# other\r\nmtllib a b.mtl\r\no tile\r\nvn 0 0 1\r\nvt 0 0\r\n"
+        "v 0 0 -0.0 1 0.5 0\r\nv\t1 0 0\r\nv 1 1 0 # corner\r\nv 0 1 0\r\ng x\r\ns off\r\n"
+        "usemtl m\r\nf 1 2/1 3//1\r\nf -4/1/1 -2 4",
+        Lattice({2, 0}, {0, 3}));
+    EXPECT_EQ(file.tile.kind, TileKind::kTriangles);
+    EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
+    EXPECT_EQ(file.tile.lattice.b(), Vec2(0, 3));
+    EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
+    EXPECT_TRUE(file.tile.vertex_site.empty());
+}
+
+TEST(Obj, TheLatticeOfTheFileComesFirst) {
+    EXPECT_EQ(read(kOneCell, Lattice({2, 0}, {0, 3})).tile.lattice.a(), Vec2(1, 0));
+    EXPECT_THAT(fault_of(with("# pcvt lattice 1 0 0 1\n", "")),
+                StartsWith("t.obj: the file names no lattice; pass --lattice AX,AY,BX,BY"));
+}
+
+TEST(Obj, FaultsOfVerticesNameTheirLine) {
+    EXPECT_THAT(fault_of(with("v 0 0 0", "v 0 0")), StartsWith("t.obj:9: a vertex has 3 numbers"));
+    EXPECT_THAT(fault_of(with("v 0 0 0", "v 0 0 0 1")), StartsWith("t.obj:9: a vertex has 3"));
+    EXPECT_THAT(fault_of(with("v 0 0 0", "v 0 0 1e-9")), StartsWith("t.obj:9: z is not 0; "));
+    EXPECT_THAT(fault_of(with("v 0 0 0", "v nan 0 0")), StartsWith("t.obj:9: 'nan' is not a fin"));
+    EXPECT_THAT(fault_of(with("v 0 0 0", "w 0 0 0")), StartsWith("t.obj:9: 'w' is no statement"));
+}
+
+TEST(Obj, FaultsOfFacesNameTheirLine) {
+    const auto fault = [](const char* face) { return fault_of(with("f 1 2 3 4", face)); };
+    EXPECT_THAT(fault("f 1 2"), StartsWith("t.obj:13: a face needs 3 corners; "));
+    EXPECT_THAT(fault("f"), StartsWith("t.obj:13: a face needs 3 corners; "));
+    EXPECT_THAT(fault("f 1 2 3 5"), StartsWith("t.obj:13: vertex 5 does not exist; "));
+    EXPECT_THAT(fault("f 1 2 3 0"), StartsWith("t.obj:13: vertex 0 does not exist; "));
+    EXPECT_THAT(fault("f 1 2 3 -5"), HasSubstr(" does not exist; "));
+    EXPECT_THAT(fault("f 1 2 3 -2147483648"), HasSubstr(" does not exist; "));
+    EXPECT_THAT(fault("f 1 2 3 1"), StartsWith("t.obj:13: vertex 1 is a corner twice; "));
+    EXPECT_THAT(fault("f 1 2 3.0"), StartsWith("t.obj:13: '3.0' is not a number; "));
+    EXPECT_THAT(fault("f 1 2 3/"), "");
+    EXPECT_THAT(fault("f 1 2 3//"), StartsWith("t.obj:13: '' is not a number; "));
+    EXPECT_THAT(fault("f 1 2 3/1/1/1"), StartsWith("t.obj:13: '3/1/1/1' is not a corner; "));
+    EXPECT_THAT(fault(""), StartsWith("t.obj: there is no face; "));
+    EXPECT_THAT(fault_of(""), StartsWith("t.obj: there is no vertex; "));
+    EXPECT_THAT(fault_of(with("kind cells", "kind triangles")),
+                StartsWith("t.obj:13: a face of a triangle tile has 3 corners; "));
+}
+
+TEST(Obj, FaultsOfTheSeamNameTheirLine) {
+    const auto fault = [](const char* old, const char* other) {
+        return fault_of(with(old, other));
+    };
+    EXPECT_THAT(fault("kind cells", "kind cell"), StartsWith("t.obj:1: the kind is unclear; "));
+    EXPECT_THAT(fault("kind cells", "kind"), StartsWith("t.obj:1: the kind is unclear; "));
+    EXPECT_THAT(fault("lattice 1 0 0 1", "lattice 1 0 0"),
+                StartsWith("t.obj:2: the lattice is unclear; "));
+    EXPECT_THAT(fault("lattice 1 0 0 1", "lattice 1 0 2 0"), StartsWith("t.obj:2: "));
+    EXPECT_THAT(fault("lattice 1 0 0 1", "lattice 1 0 0 inf"), StartsWith("t.obj:2: 'inf'"));
+    EXPECT_THAT(fault("# pcvt kind cells", "# pcvt lattice 1 0 0 1"),
+                StartsWith("t.obj:2: the lattice"));
+    EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 2 1"), StartsWith("t.obj:3: a pair has 4 numbers"));
+    EXPECT_THAT(fault("pair 1 2 1 0", "pair 0 2 1 0"), StartsWith("t.obj:3: vertex 0 does not"));
+    EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 5 1 0"), HasSubstr("a pair names vertex 5, which"));
+    EXPECT_THAT(fault("1 2 4 3 0 1", "1 2 4 9 0 1"), HasSubstr("a pair names vertex 9, which"));
+    EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 2 1 268435457"), HasSubstr("the offset 268435457; "));
+    EXPECT_THAT(fault("sites 0", "sites 0 1"),
+                StartsWith("t.obj: there are 2 sites for 1 faces; "));
+    EXPECT_THAT(fault("# pcvt sites 0", "# pcvt"), StartsWith("t.obj:8: a word is missing"));
+    EXPECT_THAT(fault("# pcvt sites 0", "# pcvt x"), StartsWith("t.obj:8: pcvt does not know 'x'"));
+}
+
+TEST(Obj, BinaryFilesAreRefused) {
+    EXPECT_THAT(fault_of(std::string("v 0\0", 4)), StartsWith("t.obj: looks like a binary file; "));
+}
+
+TEST(Obj, TheSidecarMustAgreeWithTheComments) {
+    auto files = encode_obj(testing::grid_tile(kSquare, 2, 2), "t.obj");
+    const std::string sidecar = files[2].bytes;
+    const auto fault_with = [&](const std::string& piece, const std::string& other) {
+        files[2].bytes = sidecar;
+        EXPECT_THAT(sidecar, HasSubstr(piece));
+        files[2].bytes.replace(sidecar.find(piece), piece.size(), other);
+        return fault_of(files);
+    };
+    EXPECT_THAT(fault_with("[0, 2, 1, 0]", "[0, 2, 1, 1]"),
+                StartsWith("t.seam.json: its vertex pairs differ from those in the comments of"));
+    EXPECT_THAT(fault_with("[0, 1, 6, 7, 0, 1]", "[0, 1, 6, 7, 1, 1]"), HasSubstr("edge pairs"));
+    EXPECT_THAT(fault_with("[[1, 0], [0, 1]]", "[[1, 0], [0, 2]]"), HasSubstr("lattice differ"));
+    EXPECT_THAT(fault_with("\"cells\"", "\"triangles\""), HasSubstr("its kind and lattice differ"));
+    EXPECT_THAT(fault_with("    0, 1, 2, 3", "0, 1, 2, 2"), HasSubstr("its sites differ"));
+}
+
+TEST(Obj, TheSidecarGivesTheSeamWhereTheCommentsAreLost) {
+    const FlatTile tile = testing::grid_tile(kSquare, 2, 3);
+    auto files = encode_obj(tile, "t.obj");
+    std::string bare;
+    for (std::size_t at = files[0].bytes.find("\nv "); at < files[0].bytes.size(); ++at) {
+        bare += files[0].bytes[at];
+    }
+    files[0].bytes = bare;
+    testing::expect_same_tile(decode_obj(files, std::nullopt).tile, tile);
+}
+
+TEST(Obj, FaultsOfTheSidecarNameIt) {
+    auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), "t.obj");
+    const std::string sidecar = files[2].bytes;
+    const auto fault_with = [&](const std::string& piece, const std::string& other) {
+        files[2].bytes = sidecar;
+        EXPECT_THAT(sidecar, HasSubstr(piece));
+        files[2].bytes.replace(sidecar.find(piece), piece.size(), other);
+        return fault_of(files);
+    };
+    EXPECT_THAT(fault_with("\"version\"", "version"),
+                StartsWith("t.seam.json:3: is not valid JSON"));
+    EXPECT_THAT(fault_with("\"version\": 1", "\"version\": 2"), HasSubstr("its version is not 1"));
+    EXPECT_THAT(fault_with("pcvt seam", "seam"), HasSubstr("it is not a seam of pcvt"));
+    EXPECT_THAT(fault_with("\"index_base\": 0", "\"index_base\": 1"), HasSubstr("index base"));
+    EXPECT_THAT(fault_with("\"cells\"", "7"), HasSubstr("none of cells, triangles and grains"));
+    EXPECT_THAT(fault_with("\"sites\"", "\"site\""), HasSubstr("\"sites\" is missing"));
+    EXPECT_THAT(fault_with("[[1, 0], [0, 1]]", "[[1, 0]]"), HasSubstr("\"lattice\" is not"));
+    EXPECT_THAT(fault_with("[[1, 0], [0, 1]]", "[[1, 0], [2, 0]]"), StartsWith("t.seam.json: "));
+    EXPECT_THAT(fault_with("[[1, 0], [0, 1]]", "[[1, 0], \"b\"]"), HasSubstr("\"lattice\" is not"));
+    EXPECT_THAT(fault_with("[0, 1, 1, 0]", "[0, 1, 1]"), HasSubstr("does not have 4 numbers"));
+    for (const char* other : {"[0, 1, 1, 18446744073709551615]", "[0, 1, 1, -2147483649]",
+                              "[0, 1, 1, 0.5]", "[0, 1, 1, null]"}) {
+        EXPECT_THAT(fault_with("[0, 1, 1, 0]", other), HasSubstr("32-bit integer")) << other;
+    }
+    EXPECT_THAT(fault_with("[0, 1, 1, 0]", "7"), HasSubstr("does not hold lists"));
+}
+
+TEST(Obj, CoordinatesThatAreNotFiniteAreOurFault) {
+    FlatTile tile = testing::grid_tile(kSquare, 1, 1);
+    tile.points[3].y() = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(encode_obj(tile, "t.obj"), InternalError);
+}
+
+TEST(Obj, DamagedFilesGiveATileOrAFaultAndNothingElse) {
+    std::mt19937_64 random(7);
+    const auto files = encode_obj(testing::triangle_grid_tile(kSquare, 2, 2), "t.obj");
+    int n_refused = 0;
+    for (int k = 0; k < 4000; ++k) {
+        auto damaged = files;
+        auto& bytes = damaged[k % 2 == 0 ? 0 : 2].bytes;
+        bytes = testing::mutated(bytes, random);
+        const std::string fault = fault_of(damaged);
+        if (fault.empty()) continue;
+        ++n_refused;
+        EXPECT_THAT(fault, ::testing::AnyOf(StartsWith("t.obj"), StartsWith("t.seam.json")));
+        EXPECT_THAT(fault, HasSubstr("; "));
+    }
+    EXPECT_GT(n_refused, 1000);
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,155 @@
+// OpenMesh wants its readers and writers included before any mesh.
+// clang-format off
+#include <OpenMesh/Core/IO/MeshIO.hh>
+// clang-format on
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "io/graphics/om_reader.hpp"
+#include "io/graphics/om_writer.hpp"
+#include "mesher/mesh/outline.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "tests/support/flat_tile_equality.hpp"
+#include "tests/support/mutation.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// The Voronoi cells or the Delaunay triangles of n random sites; the latter stand for grains, too.
+AnyTile tile_of(const Lattice& lattice, int n, TileKind kind) {
+    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
+    const bool cells = kind == TileKind::kCells;
+    PeriodicMesh mesh = cells ? cell_mesh(delaunay) : triangle_mesh(delaunay);
+    if (kind == TileKind::kGrains) {
+        mesh.kind = kind;
+        mesh.site.resize(static_cast<std::size_t>(mesh.n_faces()), 3);
+    }
+    return make_tile(mesh, whole_outline(mesh, Vec2(0, 0)));
+}
+
+std::string fault_of(const std::string& bytes) {
+    try {
+        decode_om({{"t.om", bytes}}, std::nullopt);
+    } catch (const BadFile& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+std::string example(TileKind kind = TileKind::kCells) {
+    return encode_om(tile_of(Lattice({1, 0}, {0.37, 0.81}), 9, kind), "t.om")[0].bytes;
+}
+
+/// What OpenMesh itself makes of the bytes.
+template <class Mesh>
+FlatTile read_with_openmesh(const std::string& bytes, const Lattice& lattice) {
+    AnyTile any(std::in_place_type<Tile<Mesh>>, lattice);
+    auto& tile = std::get<Tile<Mesh>>(any);
+    tile.mesh.property(tile.identification.lattice).clear();
+    std::istringstream stream(bytes);
+    OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
+    EXPECT_TRUE(OpenMesh::IO::read_mesh(tile.mesh, stream, ".om", options));
+    EXPECT_THAT(
+        tile.mesh.property(tile.identification.lattice),
+        ::testing::ElementsAre(lattice.a().x(), lattice.a().y(), lattice.b().x(), lattice.b().y()));
+    return flatten(any);
+}
+
+TEST(Om, TilesReadBackExactlyWithTheirSeam) {
+    for (const Lattice& lattice : testing::awkward_lattices()) {
+        for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles, TileKind::kGrains}) {
+            for (const int n : {1, 2, 40, 3000}) {
+                const AnyTile tile = tile_of(lattice, n, kind);
+                const TileFile file = decode_om(encode_om(tile, "t.om"), std::nullopt);
+                testing::expect_same_tile(file.tile, flatten(tile));
+                EXPECT_TRUE(file.has_vertex_pairs && file.has_edge_pairs);
+                EXPECT_EQ(file.precision, Precision::kDouble);
+            }
+        }
+    }
+}
+
+TEST(Om, OpenMeshReadsTheIdentificationBack) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    for (const int n : {1, 5, 300}) {
+        const AnyTile cells = tile_of(lattice, n, TileKind::kCells);
+        testing::expect_same_tile(
+            read_with_openmesh<CellMesh>(encode_om(cells, "")[0].bytes, lattice), flatten(cells));
+        const AnyTile triangles = tile_of(lattice, n, TileKind::kTriangles);
+        testing::expect_same_tile(
+            read_with_openmesh<TriangleMesh>(encode_om(triangles, "")[0].bytes, lattice),
+            flatten(triangles));
+    }
+}
+
+TEST(Om, TheSameTileGivesTheSameBytes) {
+    for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles}) {
+        const std::string first = example(kind);
+        std::vector<std::string> litter(100, std::string(1000, 'x'));
+        litter.clear();
+        EXPECT_EQ(example(kind), first);
+    }
+}
+
+TEST(Om, NothingIsPrinted) {
+    ::testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStdout();
+    example();
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Om, CoordinatesThatAreNotFiniteAreOurFault) {
+    AnyTile tile = tile_of(Lattice({1, 0}, {0, 1}), 4, TileKind::kCells);
+    std::get<CellTile>(tile).mesh.point(OpenMesh::VertexHandle(2))[1] = std::nan("");
+    EXPECT_THROW(encode_om(tile, "t.om"), InternalError);
+}
+
+TEST(Om, OtherBytesAreRefused) {
+    EXPECT_THAT(fault_of(""), StartsWith("t.om: is cut short; "));
+    EXPECT_THAT(fault_of("v 0 0 0\nv 1 0 0\n"), StartsWith("t.om: is not a mesh as OpenMesh 9 wr"));
+    std::string bytes = example();
+    EXPECT_THAT(fault_of(bytes + "x"), StartsWith("t.om: goes on after its end; "));
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        EXPECT_THAT(fault_of(bytes.substr(0, length)), StartsWith("t.om: ")) << length;
+    }
+}
+
+TEST(Om, AMeshWithoutTheIdentificationIsRefused) {
+    std::string bytes = example();
+    bytes.replace(bytes.find("pcvt_orbit"), 10, "pcvt_0rbit");
+    EXPECT_THAT(fault_of(bytes), StartsWith("t.om: has no property pcvt_orbit; "));
+}
+
+TEST(Om, PartnersThatDoNotAnswerAreRefused) {
+    std::string bytes = example();
+    const std::string head = std::string("pcvt_partner\7int32_t");
+    std::size_t at = bytes.find(head) + head.size() + 4;
+    while (bytes.substr(at, 4) == "\xff\xff\xff\xff") at += 4;
+    bytes[at] = static_cast<char>(bytes[at] ^ 2);
+    EXPECT_THAT(fault_of(bytes), HasSubstr("partner does not answer; "));
+}
+
+TEST(Om, DamagedFilesGiveATileOrAFaultAndNothingElse) {
+    std::mt19937_64 random(11);
+    int n_refused = 0;
+    for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles}) {
+        const std::string bytes = example(kind);
+        for (int k = 0; k < 4000; ++k) {
+            const std::string fault = fault_of(testing::mutated(bytes, random));
+            if (fault.empty()) continue;
+            ++n_refused;
+            EXPECT_THAT(fault, StartsWith("t.om: "));
+        }
+    }
+    EXPECT_GT(n_refused, 2000);
+}
+
+}  // namespace
+}  // namespace pcvt

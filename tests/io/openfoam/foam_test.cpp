@@ -1,0 +1,145 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/openfoam/foam_reader.hpp"
+#include "io/openfoam/foam_writer.hpp"
+#include "mesher/proof/validate.hpp"
+#include "tests/support/flat_tile_equality.hpp"
+#include "tests/support/grid_tile.hpp"
+#include "tests/support/mutation.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::vector<EncodedFile> example() {
+    return encode_foam(testing::grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam");
+}
+
+EncodedFile& file_named(std::vector<EncodedFile>& files, const std::string& name) {
+    return *std::find_if(files.begin(), files.end(),
+                         [&](const EncodedFile& f) { return f.path == "t.foam/" + name; });
+}
+
+std::string fault_of(const std::vector<EncodedFile>& files,
+                     const std::optional<Lattice>& lattice = {}) {
+    try {
+        decode_foam(files, lattice);
+    } catch (const InvalidInput& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+/// The fault of the example with one piece of one file exchanged.
+std::string fault_with(const std::string& name, const std::string& piece,
+                       const std::string& other) {
+    auto files = example();
+    std::string& text = file_named(files, name).bytes;
+    const std::size_t at = text.find(piece);
+    EXPECT_NE(at, std::string::npos) << piece;
+    text.replace(at, piece.size(), other);
+    return fault_of(files);
+}
+
+TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
+    for (const Lattice& lattice : testing::awkward_lattices()) {
+        for (const FlatTile& tile :
+             {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
+              testing::triangle_grid_tile(lattice, 2, 5)}) {
+            const TileFile file = decode_foam(encode_foam(tile, "t.foam"), std::nullopt);
+            EXPECT_TRUE(file.has_edge_pairs);
+            EXPECT_EQ(file.tile.points, tile.points);
+            EXPECT_EQ(file.tile.kind, tile.kind);
+            EXPECT_EQ(file.tile.lattice.a(), lattice.a());
+            EXPECT_EQ(file.tile.lattice.b(), lattice.b());
+            const TileProof proof = prove_tile(file.tile, file.precision);
+            compare_edge_pairs(file.tile, proof);
+            compare_edge_pairs(tile, proof);
+        }
+    }
+}
+
+TEST(Foam, TheCaseHoldsWhatIcoFoamAsksFor) {
+    auto files = example();
+    EXPECT_THAT(file_named(files, "system/controlDict").bytes,
+                HasSubstr("application     icoFoam"));
+    EXPECT_THAT(file_named(files, "system/fvSolution").bytes, HasSubstr("pRefCell"));
+    EXPECT_THAT(file_named(files, "constant/transportProperties").bytes, HasSubstr("nu [0 2 -1"));
+    for (const char* field : {"0/U", "0/p"}) {
+        for (const char* patch : {"seam_0_1 { type cyclic; }", "seam_-1_0 { type cyclic; }",
+                                  "back { type empty; }", "front { type empty; }"}) {
+            EXPECT_THAT(file_named(files, field).bytes, HasSubstr(patch));
+        }
+    }
+    EXPECT_EQ(std::count_if(files.begin(), files.end(),
+                            [](const EncodedFile& f) {
+                                return f.bytes.find('$') != std::string::npos &&
+                                       f.path.find("fvSolution") == std::string::npos;
+                            }),
+              0);
+}
+
+TEST(Foam, ABoundaryOfAnotherProgramNeedsTheLattice) {
+    auto files = example();
+    std::string& text = file_named(files, "constant/polyMesh/boundary").bytes;
+    text.replace(text.find("// pcvt lattice"), 7, "// also");
+    EXPECT_THAT(fault_of(files), HasSubstr("names no lattice; pass --lattice"));
+    EXPECT_EQ(fault_of(files, Lattice({1, 0}, {0.37, 0.81})), "");
+    EXPECT_THAT(fault_of(files, Lattice({1, 0}, {0.37, 0.8})), HasSubstr("another separation"));
+}
+
+TEST(Foam, FaultsNameTheirFileAndLine) {
+    EXPECT_EQ(fault_of(example()), "");
+    EXPECT_THAT(fault_with("constant/polyMesh/points", "ascii", "binary"),
+                StartsWith("t.foam/constant/polyMesh/points:4: the format is not ascii; "));
+    EXPECT_THAT(fault_with("constant/polyMesh/points", "\n(0 0 0)", "\n(0 zero 0)"),
+                StartsWith("t.foam/constant/polyMesh/points:12: 'zero' is not a number; "));
+    EXPECT_THAT(fault_with("constant/polyMesh/owner", "(\n", "(\nx"), HasSubstr("owner:13: "));
+    EXPECT_THAT(fault_with("constant/polyMesh/faces", "\n(\n4(", "\n(\n9999(\n"),
+                HasSubstr("does not fit the file; give the whole file"));
+    EXPECT_THAT(fault_with("constant/polyMesh/boundary", "cyclic", "wall"),
+                HasSubstr("'seam_0_1' is neither an empty one nor one side of a seam; "));
+    EXPECT_THAT(fault_with("constant/polyMesh/boundary", "Patch  seam_0_-1", "Patch  other"),
+                HasSubstr("there is no patch 'other'; "));
+    auto files = example();
+    files.erase(files.begin() + 2);
+    EXPECT_THAT(fault_of(files), HasSubstr("there is no constant/polyMesh/owner beside it; "));
+}
+
+TEST(Foam, CommentsAndOneLineListsAreRead) {
+    auto files = example();
+    std::string& text = file_named(files, "constant/polyMesh/owner").bytes;
+    for (char& c : text) c = c == '\n' ? ' ' : c;
+    text = "/* by\n hand */" + text + "// the end";
+    EXPECT_EQ(fault_of(files), "");
+}
+
+TEST(Foam, CoordinatesThatAreNotFiniteAreOurFault) {
+    FlatTile tile = testing::grid_tile(Lattice::rectangle(1, 1), 1, 1);
+    tile.points[0].x() = std::nan("");
+    EXPECT_THROW(encode_foam(tile, "t.foam"), InternalError);
+}
+
+TEST(Foam, DamagedFilesGiveATileOrAFaultAndNothingElse) {
+    std::mt19937_64 random(3);
+    const auto sound = example();
+    int n_refused = 0;
+    for (int k = 0; k < 3000; ++k) {
+        auto files = sound;
+        std::string& bytes = files[random() % 5].bytes;
+        bytes = testing::mutated(bytes, random);
+        const std::string fault = fault_of(files);
+        if (fault.empty()) continue;
+        ++n_refused;
+        EXPECT_THAT(fault, ::testing::AnyOf(StartsWith("t.foam/"), StartsWith("law (")));
+    }
+    EXPECT_GT(n_refused, 2000);
+}
+
+}  // namespace
+}  // namespace pcvt

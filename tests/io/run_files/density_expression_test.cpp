@@ -1,0 +1,96 @@
+#include "io/run_files/density_expression.hpp"
+
+#include <gmock/gmock.h>
+
+#include <clocale>
+#include <cmath>
+#include <locale>
+#include <numbers>
+#include <thread>
+
+#include "tests/support/densities.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+double value(const std::string& expression, const DensityPoint& point) {
+    return testing::value_at(expression_density(expression).make_function(), point);
+}
+
+TEST(DensityExpression, KnowsItsVariablesFunctionsAndConstants) {
+    const DensityPoint p{3, 5, 0.25, 0.75};
+    EXPECT_EQ(value("1000*x + 100*y + 10*u + v", p), 3000 + 500 + 2.5 + 0.75);
+    EXPECT_DOUBLE_EQ(value("exp(sin(2*pi*u) + cos(2*pi*v))", p),
+                     std::exp(1 + std::cos(1.5 * std::numbers::pi)));
+    EXPECT_EQ(value("u < 0.5 && v >= 0.5 ? 100 : 1", p), 100);
+    EXPECT_EQ(value("max(x, y)^2 - abs(-1)", p), 24);
+    EXPECT_EQ(value("x == 3", p), 1);
+    EXPECT_EQ(value("x != 3 || y <= 5", p), 1);
+}
+
+TEST(DensityExpression, HasNoMemory) {
+    const DensityFunction f = expression_density("1 + u").make_function();
+    EXPECT_EQ(testing::value_at(f, {0, 0, 0.5, 0}), 1.5);
+    EXPECT_EQ(testing::value_at(f, {0, 0, 0.25, 0}), 1.25);
+    EXPECT_EQ(testing::value_at(f, {0, 0, 0.5, 0}), 1.5);
+}
+
+std::string refusal(const std::string& expression) {
+    try {
+        expression_density(expression);
+    } catch (const InvalidInput& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(DensityExpression, FaultsNameTheirCharacter) {
+    EXPECT_THAT(refusal("1 + foo"), StartsWith("character 5: Unexpected token \"foo\"; "));
+    EXPECT_THAT(refusal("u )"), StartsWith("character 3: "));
+    EXPECT_THAT(refusal("(1 + u"), StartsWith("character 7: Missing parenthesis; "));
+    EXPECT_THAT(refusal("1 +"), StartsWith("character 4: Unexpected end of expression; "));
+    EXPECT_THAT(refusal("sin(1, 2)"), HasSubstr("Too many parameters for function \"sin\"; "));
+    EXPECT_THAT(refusal("1 + 2,5"), StartsWith("character 6: several formulas"));
+    EXPECT_THAT(refusal("u = 3"), StartsWith("character 3: an assignment"));
+    EXPECT_THAT(refusal("1 + (v = 3)"), StartsWith("character 8: an assignment"));
+    EXPECT_THAT(refusal("u > 1 ? 2"), StartsWith("character 10: "));
+    for (const char* bad : {"", " ", "1 2", "\"text\"", "1e400", "0x10", "u'", "@", "=", "u="}) {
+        EXPECT_THAT(refusal(bad), StartsWith("character ")) << bad;
+    }
+    EXPECT_THAT(refusal(std::string(100000, '(')), StartsWith("character "));
+}
+
+/// Writes a comma for the decimal point.
+struct CommaPoint : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(DensityExpression, NumbersHaveAPointInEveryLocale) {
+    const std::locale before = std::locale::global(std::locale(std::locale(), new CommaPoint));
+    const double found = value("1234.5 + max(0.25, u)", {0, 0, 0.125, 0});
+    std::locale::global(before);
+    EXPECT_EQ(found, 1234.75);
+}
+
+TEST(DensityExpression, FunctionsOfOneDensityDoNotDisturbEachOther) {
+    const Density density = expression_density("u + 0 * sin(v)");
+    std::vector<std::thread> team;
+    std::vector<int> wrong(4, 0);
+    for (int t = 0; t < 4; ++t) {
+        team.emplace_back([&, t] {
+            const DensityFunction f = density.make_function();
+            for (int k = 1; k < 5000; ++k)
+                wrong[t] += testing::value_at(f, {0, 0, k * 1e-4 + t, 0}) != k * 1e-4 + t;
+        });
+    }
+    for (std::thread& thread : team) thread.join();
+    EXPECT_THAT(wrong, ::testing::Each(0));
+}
+
+}  // namespace
+}  // namespace pcvt

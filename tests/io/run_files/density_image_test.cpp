@@ -1,0 +1,135 @@
+#include "io/run_files/density_image.hpp"
+
+#include <gmock/gmock.h>
+
+#include "io/tiles/tile_file.hpp"
+#include "mesher/density/density_survey.hpp"
+#include "tests/support/densities.hpp"
+#include "tests/support/png_bytes.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::FloatNear;
+using ::testing::HasSubstr;
+using testing::png_bytes;
+using testing::png_chunk;
+using testing::PngHeader;
+
+std::vector<float> greys(const std::string& bytes) { return decode_png("t.png", bytes).grey; }
+
+TEST(PngImage, GreysOfEveryDepthAreSharesOfTheirLargestValue) {
+    EXPECT_THAT(greys(png_bytes({3, 1}, {std::string("\x00\x33\xff", 3)})),
+                ElementsAre(0, FloatNear(0.2F, 1e-6F), 1));
+    EXPECT_THAT(greys(png_bytes({2, 1, 16}, {std::string("\x33\x33\xff\xff", 4)})),
+                ElementsAre(FloatNear(0.2F, 1e-6F), 1));
+    EXPECT_THAT(greys(png_bytes({4, 1, 1}, {"\xa0"})), ElementsAre(1, 0, 1, 0));
+    EXPECT_THAT(greys(png_bytes({2, 1, 4}, {"\x3f"})), ElementsAre(FloatNear(0.2F, 1e-6F), 1));
+}
+
+TEST(PngImage, ColoursBecomeTheirLuminanceAndTransparencyWhitePaper) {
+    const std::string red_green("\xff\x00\x00\x00\xff\x00", 6);
+    EXPECT_THAT(greys(png_bytes({2, 1, 8, 2}, {red_green})),
+                ElementsAre(FloatNear(0.2126F, 1e-6F), FloatNear(0.7152F, 1e-6F)));
+    const std::string black_clear("\x00\xff\x00\x00\x00\x33", 6);
+    EXPECT_THAT(greys(png_bytes({3, 1, 8, 4}, {black_clear})),
+                ElementsAre(0, 1, FloatNear(0.8F, 1e-6F)));
+    const std::string palette = png_chunk("PLTE", std::string("\x00\x00\x00\xff\xff\xff", 6));
+    EXPECT_THAT(greys(png_bytes({2, 1, 8, 3}, {std::string("\x01\x00", 2)}, palette)),
+                ElementsAre(1, 0));
+    const std::string clear = palette + png_chunk("tRNS", std::string("\x00", 1));
+    EXPECT_THAT(greys(png_bytes({2, 1, 8, 3}, {std::string("\x01\x00", 2)}, clear)),
+                ElementsAre(1, 1));
+}
+
+TEST(PngImage, GammaIsNotLookedAt) {
+    const std::string gamma = png_chunk("gAMA", testing::big_endian(100000)) +
+                              png_chunk("iCCP", "nonsense that no decoder needs to see");
+    EXPECT_THAT(greys(png_bytes({1, 1}, {"\x33"}, gamma)), ElementsAre(FloatNear(0.2F, 1e-6F)));
+}
+
+std::string refusal(const std::string& bytes) {
+    try {
+        decode_png("t.png", bytes);
+    } catch (const BadFile& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(PngImage, EveryPrefixIsTruncated) {
+    const std::string whole = png_bytes({3, 2}, {"abc", "def"});
+    EXPECT_EQ(refusal(whole), "accepted");
+    for (std::size_t length = 8; length < whole.size(); ++length) {
+        ASSERT_EQ(refusal(whole.substr(0, length)), "t.png: is truncated; give a whole PNG");
+    }
+    for (std::size_t length = 0; length < 8; ++length) {
+        ASSERT_EQ(refusal(whole.substr(0, length)), "t.png: is not a PNG; give a whole PNG");
+    }
+}
+
+TEST(PngImage, DamageIsRefusedWhereverItLies) {
+    const std::string whole = png_bytes({3, 2}, {"abc", "def"});
+    for (std::size_t at = 8; at < whole.size(); ++at) {
+        std::string damaged = whole;
+        damaged[at] = static_cast<char>(damaged[at] ^ 0x41);
+        try {
+            decode_png("t.png", damaged);
+            // A chunk that became one which may be passed over.
+            ADD_FAILURE() << "byte " << at;
+        } catch (const Error&) {
+        }
+    }
+    EXPECT_THAT(refusal(png_bytes({3, 3}, {"abc", "def"})), HasSubstr("is damaged"));
+    EXPECT_THAT(refusal(png_bytes({0, 2}, {"", ""})), HasSubstr("no pixels"));
+    EXPECT_THAT(refusal(png_bytes({3, 2, 7}, {"abc", "def"})), HasSubstr("is damaged"));
+}
+
+TEST(PngImage, APaletteMustStandBeforeThePixels) {
+    const std::vector<std::string> rows{std::string("\x01\x00", 2)};
+    EXPECT_THAT(refusal(png_bytes({2, 1, 8, 3}, rows)), HasSubstr("without its palette"));
+    // Told before memory is taken for so many pixels.
+    EXPECT_THAT(refusal(png_bytes({4096, 4096, 8, 3}, rows)), HasSubstr("without its palette"));
+}
+
+TEST(PngImage, HugePicturesAreRefusedByTheirHeader) {
+    for (const PngHeader& huge :
+         {PngHeader{4097, 4096}, PngHeader{1U << 31, 1U << 31}, PngHeader{0xffffffff, 1}}) {
+        EXPECT_THROW(decode_png("t.png", png_bytes(huge, {"a"})), LimitExceeded);
+    }
+}
+
+double at(const Density& density, double u, double v) {
+    return testing::value_at(density.make_function(), {0, 0, u, v});
+}
+
+TEST(DensityImage, PixelCentresLieWhereTheyShouldAndRowZeroOnTop) {
+    const Density density = image_density({2, 2, {0, 0.25F, 0.5F, 1}}, {1, 5});
+    EXPECT_DOUBLE_EQ(at(density, 0.25, 0.75), 1);
+    EXPECT_DOUBLE_EQ(at(density, 0.75, 0.75), 2);
+    EXPECT_DOUBLE_EQ(at(density, 0.25, 0.25), 3);
+    EXPECT_DOUBLE_EQ(at(density, 0.75, 0.25), 5);
+    EXPECT_DOUBLE_EQ(at(density, 0.5, 0.5), (1 + 2 + 3 + 5) / 4.0);
+    EXPECT_THAT(density.u_breaks, ElementsAre(0.25, 0.75));
+}
+
+TEST(DensityImage, IsBilinearAcrossTheSeam) {
+    const Density density = image_density({4, 2, {0, 1, 1, 0.5F, 0, 0, 0, 0}}, {1, 2});
+    EXPECT_DOUBLE_EQ(at(density, 0, 0.75), 1.25);
+    EXPECT_DOUBLE_EQ(at(density, 0x1.fffffffffffffp-1, 0.75), 1.25);
+    EXPECT_DOUBLE_EQ(at(density, 0.0625, 0.75), 1.125);
+    EXPECT_DOUBLE_EQ(at(density, 0.125, 0), 1);
+    EXPECT_DOUBLE_EQ(at(density, 0.375, 0), 1.5);
+    EXPECT_DOUBLE_EQ(at(density, 0.375, 0x1.fffffffffffffp-1), 1.5);
+    const Density dot = image_density({1, 1, {0.5F}}, {1, 2});
+    EXPECT_DOUBLE_EQ(at(dot, 0.9, 0.1), 1.5);
+}
+
+TEST(DensityImage, IntegratesToTheMeanOfItsPixels) {
+    const Density density = image_density({3, 2, {0, 1, 0.25F, 0.5F, 1, 0}}, {1, 9});
+    EXPECT_NEAR(integral(Lattice::rectangle(2, 3), density), 6 * (1 + 8 * 2.75 / 6), 1e-12);
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,92 @@
+#include "io/run_files/site_reader.hpp"
+
+#include <gmock/gmock.h>
+#include <rapidcheck.h>
+
+#include "io/run_files/site_writer.hpp"
+#include "tests/support/mutation.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string fault_of(std::string_view text) {
+    try {
+        parse_sites("s.txt", text);
+    } catch (const BadFile& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+TEST(SiteReader, SitesAndTheirLinesAreRead) {
+    const SiteFile file = parse_sites("s.txt", "# head\n0.25 0.5\n\n -1.5e1\t+2 # tail\n3 4#x\n");
+    ASSERT_EQ(file.points.cols(), 3);
+    EXPECT_EQ(file.points.col(0), Vec2(0.25, 0.5));
+    EXPECT_EQ(file.points.col(1), Vec2(-15, 2));
+    EXPECT_EQ(file.points.col(2), Vec2(3, 4));
+    EXPECT_THAT(file.lines, ElementsAre(2, 4, 5));
+    EXPECT_EQ(file.name, "s.txt");
+}
+
+TEST(SiteReader, LineEndsMarksAndSignsOfZeroAreAccepted) {
+    const SiteFile file = parse_sites("s.txt", "\xEF\xBB\xBF-0.0 1\r\n# c\r\n\t7\t-0\r\n0.1 0.2");
+    ASSERT_EQ(file.points.cols(), 3);
+    EXPECT_EQ(file.points.col(0), Vec2(0, 1));
+    EXPECT_EQ(file.points.col(1), Vec2(7, 0));
+    EXPECT_THAT(file.lines, ElementsAre(1, 3, 4));
+}
+
+TEST(SiteReader, EachFaultNamesItsLineAndARemedy) {
+    EXPECT_THAT(fault_of("0 0\n0.5 nan\n"), StartsWith("s.txt:2: 'nan' is not a finite number; "));
+    EXPECT_THAT(fault_of("0 0\n\n-inf 1"), StartsWith("s.txt:3: '-inf' is not a finite number; "));
+    EXPECT_THAT(fault_of("1,5 2,5"), StartsWith("s.txt:1: '1,5' is not a number; use a decimal"));
+    EXPECT_THAT(fault_of("0.1,0.2"), HasSubstr("; use a decimal point, and blanks between"));
+    EXPECT_THAT(fault_of("x y\n0 0"), StartsWith("s.txt:1: 'x' is not a number; "));
+    EXPECT_THAT(fault_of("0.5"),
+                StartsWith("s.txt:1: a site has 2 coordinates, this line has 1; "));
+    EXPECT_THAT(fault_of("1 2 3"),
+                StartsWith("s.txt:1: a site has 2 coordinates, this line has 3"));
+    EXPECT_THAT(fault_of("1e400 0"), StartsWith("s.txt:1: '1e400' is beyond the range"));
+}
+
+TEST(SiteReader, FaultsOfTheWholeFileNameTheFile) {
+    EXPECT_EQ(fault_of(""), "s.txt: holds no site; give one \"x y\" a line");
+    EXPECT_EQ(fault_of("# nothing\n\n"), "s.txt: holds no site; give one \"x y\" a line");
+    EXPECT_EQ(fault_of(std::string_view("0 0\n\0\1", 6)),
+              "s.txt: looks like a binary file; give a text with \"x y\" a line");
+}
+
+TEST(SiteReader, DuplicatesAreToldByTheirLines) {
+    const SiteFile file = parse_sites("s.txt", "# head\n0 0\n0.5 0.5\n\n1 0\n");
+    EXPECT_STREQ(duplicate_lines(file, DuplicateSites(0, 2)).what(),
+                 "s.txt:5: the site coincides with that of line 2 modulo the lattice, "
+                 "to 1e-9 of the spacing; remove one");
+}
+
+TEST(SiteReader, WrittenSitesReadBackExactlyAndInOrder) {
+    const testing::TemporaryFolder folder;
+    Points points(2, 5);
+    points << 0.1, -0.0, 1e-310, 1e300, 1.0 / 3, 0.7, 5, -2e-9, -1, 2.0 / 3;
+    testing::write_bytes(folder / "s.txt", encode_sites(points));
+    EXPECT_EQ(read_sites(folder / "s.txt").points, points);
+}
+
+TEST(SiteReader, DamagedTextGivesSitesOrAFaultAndNothingElse) {
+    std::mt19937_64 random(1);
+    const std::string text = encode_sites(uniform_points(Lattice({1, 0}, {0, 1}), 20, 0));
+    for (int k = 0; k < 5000; ++k) {
+        try {
+            EXPECT_TRUE(parse_sites("s.txt", testing::mutated(text, random)).points.allFinite());
+        } catch (const BadFile& fault) {
+            EXPECT_THAT(fault.what(), StartsWith("s.txt"));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,162 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "io/solvers/msh_reader.hpp"
+#include "io/solvers/msh_writer.hpp"
+#include "tests/support/damaged_text.hpp"
+#include "tests/support/flat_tile_equality.hpp"
+#include "tests/support/grid_tile.hpp"
+#include "tests/support/mutation.hpp"
+#include "tests/support/solver_tiles.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const Lattice kSquare({1, 0}, {0, 1});
+
+/// Two triangles on four nodes, every one of them an end of a run.
+std::string two_triangles() {
+    return encode_msh(testing::triangle_grid_tile(kSquare, 1, 1), "t.msh")[0].bytes;
+}
+
+TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+    return decode_msh({{"t.msh", text}}, lattice);
+}
+
+std::string fault_of(const std::string& text) {
+    return testing::fault_in([&] { read(text); });
+}
+
+/// The fault of the two triangles with one piece of their text exchanged.
+std::string fault_with(const std::string& piece, const std::string& other) {
+    return fault_of(testing::exchanged(two_triangles(), piece, other));
+}
+
+TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
+    for (const FlatTile& tile : testing::solver_tiles(testing::awkward_lattices())) {
+        const auto files = encode_msh(tile, "dir/t.msh");
+        ASSERT_EQ(files.size(), 1U);
+        EXPECT_EQ(files[0].path, "dir/t.msh");
+        const TileFile file = decode_msh(files, std::nullopt);
+        EXPECT_TRUE(file.has_edge_pairs);
+        testing::expect_read_back(file, tile);
+    }
+}
+
+TEST(Msh, TheSeamIsCurvesPointsAndLinks) {
+    const std::string text =
+        encode_msh(testing::triangle_grid_tile(Lattice({2, 0}, {1, 3}), 2, 1), "t.msh")[0].bytes;
+    EXPECT_THAT(text, HasSubstr("$PhysicalNames\n5\n1 1 \"seam_-1_0\"\n1 2 \"seam_0_-1\"\n"
+                                "1 3 \"seam_0_1\"\n1 4 \"seam_1_0\"\n2 5 \"tile\"\n"));
+    EXPECT_THAT(text, HasSubstr("$Entities\n4 4 1 0\n1 0 0 0 0\n"));
+    EXPECT_THAT(text, HasSubstr("\n1 0 0 0 2 0 0 1 3 2 1 -2\n"));
+    // Three points lie at the first one + b, + a + b, + a; two curves are slaves.
+    EXPECT_THAT(text,
+                HasSubstr("$Periodic\n5\n0 2 1\n16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n1\n3 1\n"));
+    EXPECT_THAT(text, HasSubstr("\n1 3 1\n16 1 0 0 1 0 1 0 3 0 0 1 0 0 0 0 1\n3\n"));
+    EXPECT_THAT(text, HasSubstr("$ElementData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n10\n"));
+    EXPECT_THAT(text, HasSubstr("\n5 -1\n"));
+    EXPECT_THAT(text, HasSubstr("$NodeData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n6\n1 0\n2 1\n"));
+}
+
+TEST(Msh, PolygonsAreRefusedWithWhatToAskFor) {
+    try {
+        encode_msh(testing::grid_tile(kSquare, 2, 2), "t.msh");
+        FAIL();
+    } catch (const InvalidInput& fault) {
+        EXPECT_STREQ(fault.what(),
+                     "t.msh: the format has no polygons; take --mesh delaunay or --mesh grains");
+    }
+}
+
+TEST(Msh, MeshesOfOtherProgramsAreRead) {
+    const TileFile file = read(
+        "$MeshFormat\r\n4.1 0 8\r\n$EndMeshFormat\r\n$Entities\r\n0 0 1 0\r\n$EndEntities\r\n"
+        "$Nodes\n2 4 7 40\n2 1 0 3\n20\n7\n9\n1 0 0\n0 0 0\n1 1 0\n2 2 0 1\n40\n0 1 0\n$EndNodes\n"
+        "$Elements\n2 3 1 9\n0 1 15 1\n1 7\n2 1 2 2\n9 7 20 9\n4 7 9 40\n$EndElements\n"
+        "$ElementData\n1\n\"stress\"\n1\n0\n3\n0\n1\n1\n9 0.5\n$EndElementData\n",
+        kSquare);
+    EXPECT_EQ(file.tile.kind, TileKind::kTriangles);
+    EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 3, 0, 2, 1));
+    EXPECT_EQ(file.tile.points[2], Vec2(1, 0));
+    EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
+    EXPECT_NO_THROW(prove_tile(file.tile, file.precision));
+}
+
+TEST(Msh, FaultsNameTheirLine) {
+    EXPECT_THAT(fault_of(""), StartsWith("t.msh: does not begin with $MeshFormat; "));
+    EXPECT_THAT(fault_with("4.1 0 8", "2.2 0 8"), StartsWith("t.msh:2: the version is '2.2'; "));
+    EXPECT_THAT(fault_with("4.1 0 8", "4.1 1 8"), StartsWith("t.msh:2: the file is binary; "));
+    EXPECT_THAT(fault_with("kind triangles", "kind x"), StartsWith("t.msh:6: the kind is unclear"));
+    EXPECT_THAT(fault_with("lattice 1 0 0", "lattice 0 0 0"), StartsWith("t.msh:7: "));
+    EXPECT_THAT(fault_with("pcvt kind", "pcvt king"), StartsWith("t.msh:6: pcvt does not know 'k"));
+    EXPECT_THAT(fault_with("$EndComments", ""), StartsWith("t.msh: ends inside of a section; "));
+    EXPECT_THAT(fault_with("$EndNodes", "7\n$EndNodes"),
+                HasSubstr(": more lines than announced; "));
+    EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 0 0.5\n"), HasSubstr(": z is not 0; "));
+    EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 x 0\n"), HasSubstr(": 'x' is not a number; "));
+    EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 0\n"), HasSubstr(": the line has 2 words where 3 "));
+    EXPECT_THAT(fault_with("2 1 2 2\n", "2 1 3 2\n"), HasSubstr(": elements of type 3 are no tri"));
+    EXPECT_THAT(fault_with("2 1 2 2\n", "2 1 2 -2\n"), HasSubstr(": a count is negative; "));
+    EXPECT_THAT(fault_with("\n1 1 2 4\n", "\n1 1 2 5\n"), HasSubstr(": node 5 does not exist; "));
+    EXPECT_THAT(fault_with("\n1 1 2 4\n", "\n1 1 2 2\n"),
+                HasSubstr(": vertex 2 is a corner twice"));
+    EXPECT_THAT(fault_with("\n1 1 2 4\n", "\n2 1 2 4\n"),
+                HasSubstr(": element 2 is given twice; "));
+    EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0.1 1 0"), HasSubstr("is no translation"));
+    EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0 0.5 0"),
+                HasSubstr("no vector of the latt"));
+    EXPECT_THAT(fault_of(two_triangles() + '\0'), HasSubstr("looks like a binary file; "));
+    EXPECT_THAT(fault_of(two_triangles() + "1\n"), HasSubstr(": '1' begins no section; "));
+}
+
+TEST(Msh, AWrongLinkIsRefuted) {
+    std::string text = two_triangles();
+    // The point of node 4 lies at that of node 1 + a + b.
+    const std::string link = "16 1 0 0 1 0 1 0 1 0 0 1 0 0 0 0 1\n1\n4 1\n";
+    ASSERT_THAT(text, HasSubstr(link));
+    text.replace(text.find(link), link.size(), "16 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1\n1\n4 1\n");
+    const TileFile file = read(text);
+    EXPECT_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
+}
+
+TEST(Msh, ALineThatIsNoSeamIsRefuted) {
+    const auto refuted = [](const std::string& piece, const std::string& other) {
+        std::string text = encode_msh(testing::triangle_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
+        text.replace(text.find(piece), piece.size(), other);
+        const TileFile file = decode_msh({{"t.msh", text}}, std::nullopt);
+        EXPECT_THROW(compare_edge_pairs(file.tile, prove_tile(file.tile, file.precision)),
+                     NotATile);
+    };
+    refuted("\n13 9 8\n", "\n13 8 9\n");
+    refuted("\n13 9 8\n", "\n13 8 7\n");
+}
+
+TEST(Msh, CoordinatesThatAreNotFiniteAreOurFault) {
+    FlatTile tile = testing::triangle_grid_tile(kSquare, 1, 1);
+    tile.points[0].x() = std::nan("");
+    EXPECT_THROW(encode_msh(tile, "t.msh"), InternalError);
+}
+
+TEST(Msh, DamagedFilesGiveATileOrAFaultAndNothingElse) {
+    std::mt19937_64 random(3);
+    for (const FlatTile& tile : testing::solver_tiles({kSquare})) {
+        const std::string bytes = encode_msh(tile, "t.msh")[0].bytes;
+        int n_refused = 0;
+        for (int k = 0; k < 300; ++k) {
+            const std::string fault = fault_of(testing::mutated(bytes, random));
+            if (fault.empty()) continue;
+            ++n_refused;
+            EXPECT_THAT(fault, StartsWith("t.msh"));
+            EXPECT_THAT(fault, HasSubstr("; "));
+        }
+        EXPECT_GT(n_refused, 150);
+    }
+}
+
+}  // namespace
+}  // namespace pcvt

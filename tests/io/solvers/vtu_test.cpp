@@ -1,0 +1,160 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "io/solvers/vtu_reader.hpp"
+#include "io/solvers/vtu_writer.hpp"
+#include "tests/support/damaged_text.hpp"
+#include "tests/support/flat_tile_equality.hpp"
+#include "tests/support/grid_tile.hpp"
+#include "tests/support/mutation.hpp"
+#include "tests/support/solver_tiles.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const Lattice kSquare({1, 0}, {0, 1});
+
+std::string one_cell() { return encode_vtu(testing::grid_tile(kSquare, 1, 1), "t.vtu")[0].bytes; }
+
+TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+    return decode_vtu({{"t.vtu", text}}, lattice);
+}
+
+std::string fault_of(const std::string& text) {
+    return testing::fault_in([&] { read(text); });
+}
+
+/// The fault of one cell with one piece of its text exchanged.
+std::string fault_with(const std::string& piece, const std::string& other) {
+    return fault_of(testing::exchanged(one_cell(), piece, other));
+}
+
+TEST(Vtu, TilesReadBackExactlyWithTheirVertexPairs) {
+    std::vector<FlatTile> tiles = testing::solver_tiles(testing::awkward_lattices());
+    for (const Lattice& lattice : testing::awkward_lattices()) {
+        tiles.push_back(testing::grid_tile(lattice, 3, 2));
+        tiles.push_back(testing::grid_tile(lattice, 1, 1));
+    }
+    for (const FlatTile& tile : tiles) {
+        const auto files = encode_vtu(tile, "dir/t.vtu");
+        ASSERT_EQ(files.size(), 1U);
+        EXPECT_EQ(files[0].path, "dir/t.vtu");
+        const TileFile file = decode_vtu(files, std::nullopt);
+        EXPECT_FALSE(file.has_edge_pairs);
+        testing::expect_read_back(file, tile);
+    }
+}
+
+TEST(Vtu, CellsThatAreTrianglesStayPolygons) {
+    FlatTile tile = testing::triangle_grid_tile(kSquare, 2, 2);
+    tile.kind = TileKind::kCells;
+    tile.vertex_site.clear();
+    for (int f = 0; f < tile.n_faces(); ++f) tile.face_site.push_back(f);
+    testing::expect_read_back(decode_vtu(encode_vtu(tile, "t.vtu"), {}), tile);
+}
+
+TEST(Vtu, GridsOfOtherProgramsAreRead) {
+    const TileFile file = read(
+        "<?xml version='1.0'?>\r\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\r\n"
+        " <UnstructuredGrid>\r\n  <Piece NumberOfPoints='4' NumberOfCells='2'>\r\n"
+        "   <PointData/><CellData Scalars=\"p\">\n<DataArray type=\"Float32\" Name=\"p\" "
+        "format=\"binary\">AAAA</DataArray></CellData><Points><DataArray type=\"Float32\" "
+        "NumberOfComponents=\"3\"> 0 0 0 1 0 0\n1 1 0 0 1 0<InformationKey>7</InformationKey>\n"
+        "</DataArray></Points>\n<Cells><!-- two triangles --><DataArray type=\"Int32\" "
+        "Name=\"connectivity\" format=\"ascii\">0 1 2 0 2 3</DataArray><DataArray type=\"Int32\" "
+        "Name=\"offsets\">3 6</DataArray><DataArray type=\"UInt8\" Name=\"types\">5 5</DataArray>"
+        "</Cells></Piece></UnstructuredGrid></VTKFile>\n",
+        kSquare);
+    EXPECT_EQ(file.tile.kind, TileKind::kTriangles);
+    EXPECT_EQ(file.precision, Precision::kSingle);
+    EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
+    EXPECT_FALSE(file.has_vertex_pairs);
+    EXPECT_NO_THROW(prove_tile(file.tile, file.precision));
+}
+
+TEST(Vtu, FaultsOfTheXmlNameTheirLine) {
+    EXPECT_THAT(fault_of(""), StartsWith("t.vtu: is no VTKFile with an UnstructuredGrid; "));
+    EXPECT_THAT(fault_of("solid\n"), StartsWith("t.vtu:1: the text does not end; "));
+    EXPECT_THAT(fault_with("<Points>", "<Points"), HasSubstr("an attribute of 'Points' is not of"));
+    EXPECT_THAT(fault_with("</Points>\n", ""), HasSubstr(": 'Piece' ends, but is not open; "));
+    EXPECT_THAT(fault_with("</VTKFile>\n", ""), HasSubstr(": 'VTKFile' does not end; "));
+    EXPECT_THAT(fault_with("version=\"0.1\"", "version=0.1"),
+                StartsWith("t.vtu:3: an attribute of"));
+    EXPECT_THAT(fault_with("0 0 0\n", "0 0<!-- --> 0\n"),
+                HasSubstr(": a comment stands inside of "));
+    EXPECT_THAT(fault_with(" -->", ""), StartsWith("t.vtu:2: a comment does not end; "));
+    EXPECT_THAT(fault_of(one_cell() + '\0'), HasSubstr("looks like a binary file; "));
+}
+
+TEST(Vtu, FaultsOfTheGridNameTheirLine) {
+    EXPECT_THAT(fault_with("UnstructuredGrid", "PolyData"),
+                HasSubstr("is no VTKFile with an Unst"));
+    EXPECT_THAT(fault_with("NumberOfCells=", "Cells="),
+                StartsWith("t.vtu:11: the Piece lacks Num"));
+    EXPECT_THAT(fault_with("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\""),
+                StartsWith("t.vtu:11: a count is negative; "));
+    EXPECT_THAT(fault_with("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""),
+                HasSubstr(": the array Points/Points has not the size or type of its kind; "));
+    EXPECT_THAT(fault_with("1 0\n0 1\n", "1 0\n0 x\n"),
+                StartsWith("t.vtu:8: 'x' is not a number; "));
+    EXPECT_THAT(fault_with("1 0\n0 1\n", "1 0\n1 0\n"), StartsWith("t.vtu:6: "));
+    EXPECT_THAT(fault_with("format=\"ascii\"", "format=\"appended\""),
+                StartsWith("t.vtu:6: the array FieldData/PeriodicLattice is binary; "));
+    EXPECT_THAT(fault_with("1 0 0\n", "1 0 0.5\n"), HasSubstr(": z is not 0; "));
+    EXPECT_THAT(fault_with("0 1 3 2\n", "0 1 3 7\n"), HasSubstr(": vertex 7 does not exist; "));
+    EXPECT_THAT(fault_with("\n4\n</DataArray>", "\n5\n</DataArray>"),
+                HasSubstr("the offsets do not"));
+    EXPECT_THAT(fault_with("\n4\n</DataArray>", "\n3\n</DataArray>"),
+                HasSubstr("goes on after its la"));
+    EXPECT_THAT(fault_with("\n7\n</DataArray>", "\n9\n</DataArray>"),
+                HasSubstr("not all polygons (7)"));
+    EXPECT_THAT(fault_with("\n7\n</DataArray>", "\n5\n</DataArray>"),
+                HasSubstr("a triangle here has 3"));
+    EXPECT_THAT(fault_with("Name=\"offsets\"", "Name=\"ends\""),
+                HasSubstr("lacks the array Cells/o"));
+    EXPECT_THAT(fault_with("PeriodicOffset", "Offset"),
+                HasSubstr("lacks the array PointData/Period"));
+    EXPECT_THAT(fault_with("0\n0\n0\n0\n", "0\n9\n0\n0\n"),
+                HasSubstr(": point 9 does not exist; "));
+    EXPECT_THAT(fault_with("0 0\n1 0\n0 1\n1 1\n", "1 0\n1 0\n0 1\n1 1\n"),
+                HasSubstr(": a point has an offset to itself; "));
+}
+
+TEST(Vtu, AWrongPairIsRefuted) {
+    std::string text = one_cell();
+    const std::string offsets = "0 0\n1 0\n0 1\n1 1\n";
+    text.replace(text.find(offsets), offsets.size(), "0 0\n1 0\n0 1\n1 0\n");
+    const TileFile file = read(text);
+    EXPECT_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
+}
+
+TEST(Vtu, CoordinatesThatAreNotFiniteAreOurFault) {
+    FlatTile tile = testing::grid_tile(kSquare, 1, 1);
+    tile.points[0].x() = std::nan("");
+    EXPECT_THROW(encode_vtu(tile, "t.vtu"), InternalError);
+}
+
+TEST(Vtu, DamagedFilesGiveATileOrAFaultAndNothingElse) {
+    std::mt19937_64 random(3);
+    std::vector<FlatTile> tiles = testing::solver_tiles({kSquare});
+    tiles.push_back(testing::grid_tile(kSquare, 2, 2));
+    for (const FlatTile& tile : tiles) {
+        const std::string bytes = encode_vtu(tile, "t.vtu")[0].bytes;
+        int n_refused = 0;
+        for (int k = 0; k < 300; ++k) {
+            const std::string fault = fault_of(testing::mutated(bytes, random));
+            if (fault.empty()) continue;
+            ++n_refused;
+            EXPECT_THAT(fault, StartsWith("t.vtu"));
+            EXPECT_THAT(fault, HasSubstr("; "));
+        }
+        EXPECT_GT(n_refused, 150);
+    }
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,30 @@
+#include "mesher/base/bucket_sort.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+namespace pcvt {
+namespace {
+
+TEST(BucketSort, SortsLikeStdSortHoweverFullTheBuckets) {
+    std::mt19937_64 random(1);
+    for (const int n_keys : {1, 2, 50, 5000}) {
+        std::vector<std::array<int, 2>> items(1000);
+        for (auto& item : items) item = {int(random() % n_keys), int(random() % 100)};
+        std::vector<std::array<int, 2>> sorted = items;
+        std::sort(sorted.begin(), sorted.end());
+        bucket_sort(items, n_keys, [](const auto& item) { return item[0]; });
+        EXPECT_EQ(items, sorted);
+    }
+}
+
+TEST(BucketSort, LeavesNothingOfNothing) {
+    std::vector<int> none;
+    bucket_sort(none, 0, [](int item) { return item; });
+    EXPECT_TRUE(none.empty());
+}
+
+}  // namespace
+}  // namespace pcvt

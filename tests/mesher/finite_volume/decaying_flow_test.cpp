@@ -1,0 +1,89 @@
+#include "mesher/finite_volume/decaying_flow.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mesher/lattice/sites.hpp"
+#include "tests/support/lattices.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::lattices;
+
+/// Derivatives by central differences of width `step`.
+class Differences {
+   public:
+    Differences(const DecayingFlow& flow, double step) : flow_(flow), step_(step) {}
+    double divergence(const Vec2& p) const { return along(p, 0).x() + along(p, 1).y(); }
+    double curl(const Vec2& p) const { return along(p, 0).y() - along(p, 1).x(); }
+    double laplacian_of_curl(const Vec2& p) const {
+        const Vec2 x(step_, 0);
+        const Vec2 y(0, step_);
+        return (curl(p + x) + curl(p - x) + curl(p + y) + curl(p - y) - 4 * curl(p)) /
+               (step_ * step_);
+    }
+
+   private:
+    Vec2 along(const Vec2& p, int axis) const {
+        const Vec2 d = step_ * Vec2(axis == 0, axis == 1);
+        return (flow_.velocity(p + d) - flow_.velocity(p - d)) / (2 * step_);
+    }
+    const DecayingFlow& flow_;
+    double step_;
+};
+
+TEST(DecayingFlow, HasThePeriodOfTheLatticeAndNoDivergence) {
+    for (const auto& [name, lattice] : lattices()) {
+        const DecayingFlow flow(lattice);
+        const Points points = uniform_points(lattice, 20, 3);
+        const double step = 1e-4 / std::sqrt(flow.rate());
+        for (const Vec2 p : points.colwise()) {
+            const Vec2 image = p + lattice.translation({2, -1});
+            EXPECT_LT((flow.velocity(image) - flow.velocity(p)).norm(), 1e-11) << name;
+            EXPECT_LT(std::abs(Differences(flow, step).divergence(p)) * step, 1e-11) << name;
+        }
+    }
+}
+
+TEST(DecayingFlow, ItsCurlDecaysWithTheRate) {
+    for (const auto& [name, lattice] : lattices()) {
+        const DecayingFlow flow(lattice);
+        const Differences by_differences(flow, 1e-3 / std::sqrt(flow.rate()));
+        const Points points = uniform_points(lattice, 20, 4);
+        for (const Vec2 p : points.colwise()) {
+            const double wanted = -flow.rate() * by_differences.curl(p);
+            EXPECT_NEAR(by_differences.laplacian_of_curl(p), wanted,
+                        1e-4 * std::pow(flow.rate(), 1.5))
+                << name;
+        }
+    }
+}
+
+TEST(DecayingFlow, TheLargestSpeedIsOne) {
+    for (const auto& [name, lattice] : lattices()) {
+        const DecayingFlow flow(lattice);
+        double largest = 0;
+        const Points points = uniform_points(lattice, 4000, 5);
+        for (const Vec2 p : points.colwise()) {
+            largest = std::max(largest, flow.velocity(p).norm());
+        }
+        EXPECT_LE(largest, 1 + 1e-12) << name;
+        EXPECT_GT(largest, 0.95) << name;
+    }
+}
+
+TEST(DecayingFlow, OnTheUnitSquareItIsTaylorsAndGreens) {
+    const DecayingFlow flow(Lattice::rectangle(1, 1));
+    const double k = 2 * std::numbers::pi;
+    EXPECT_DOUBLE_EQ(flow.rate(), 2 * k * k);
+    EXPECT_DOUBLE_EQ(flow.turn_time(), 0.25);
+    const Vec2 u = flow.velocity(Vec2(0.1, 0.3));
+    EXPECT_NEAR(std::abs(u.x()), std::abs(std::cos(k * 0.1) * std::sin(k * 0.3)), 1e-15);
+    EXPECT_NEAR(std::abs(u.y()), std::abs(std::sin(k * 0.1) * std::cos(k * 0.3)), 1e-15);
+}
+
+}  // namespace
+}  // namespace pcvt

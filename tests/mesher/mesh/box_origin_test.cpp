@@ -1,0 +1,50 @@
+#include "mesher/mesh/box_origin.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesher/mesh/box_outline.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "tests/support/lattices.hpp"
+#include "tests/support/special_sites.hpp"
+
+namespace pcvt {
+namespace {
+
+PeriodicMesh random_cells(const Lattice& lattice, int n, std::uint64_t seed) {
+    return cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, seed))));
+}
+
+double shortest_at(const PeriodicMesh& cells, const Vec2& origin) {
+    return cut_along_box(cells, origin).shortest_edge;
+}
+
+TEST(BoxOrigin, LeavesLongerEdgesThanOriginsAtRandom) {
+    for (const auto& [name, lattice] : testing::lattices()) {
+        for (const int n : {1, 40}) {
+            const PeriodicMesh cells = random_cells(lattice, n, 2);
+            const double found = shortest_at(cells, find_box_origin(cells));
+            const Points others = uniform_points(lattice, 30, 9);
+            for (int k = 0; k < 30; ++k) {
+                EXPECT_GT(found, shortest_at(cells, others.col(k))) << name << " n = " << n;
+            }
+        }
+    }
+}
+
+TEST(BoxOrigin, AvoidsTheEdgesOfExactGrids) {
+    for (const int n : {1, 2, 8, 16, 64}) {
+        const Sites sites = testing::grid_sites(Lattice::rectangle(1, 1), n, n, 0.5 / n, 0.5 / n);
+        const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
+        EXPECT_GT(shortest_at(cells, find_box_origin(cells)), 0.25 / n) << n;
+    }
+}
+
+// One square cell: the cross in its middle cuts all edges in half.
+TEST(BoxOrigin, FindsTheBestCutOfASquare) {
+    const Sites sites = testing::grid_sites(Lattice::rectangle(1, 1), 1, 1, 0.3, 0.6);
+    const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
+    EXPECT_NEAR(shortest_at(cells, find_box_origin(cells)), 0.5, 1e-3);
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,214 @@
+#include "mesher/mesh/box_outline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/mesh/box_origin.hpp"
+#include "mesher/mesh/short_edges.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/proof/validate.hpp"
+#include "mesher/tile/tile.hpp"
+#include "tests/support/lattices.hpp"
+#include "tests/support/special_sites.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::lattices;
+
+FlatTile box_tile(const PeriodicMesh& pieces) {
+    return flatten(make_tile(pieces, std::vector<Offset>(std::size_t(pieces.n_faces()))));
+}
+
+Polygon face(const PeriodicMesh& mesh, int f) {
+    Polygon polygon;
+    for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+        polygon.push_back(mesh.point(c));
+    }
+    return polygon;
+}
+
+/// Law 1: by the proof behind `pcvt check`, and each corner within the box.
+void expect_box(const PeriodicMesh& pieces, const Vec2& origin) {
+    const FlatTile flat = box_tile(pieces);
+    const TileProof proof = prove_tile(flat, Precision::kDouble);
+    compare_vertex_pairs(flat, proof);
+    compare_edge_pairs(flat, proof);
+    ASSERT_EQ(proof.n_orbits, pieces.n_vertices());
+    for (const Vec2& p : flat.points) {
+        const Vec2 u = flat.lattice.to_lattice(p - origin);
+        ASSERT_GE(u.minCoeff(), -1e-11);
+        ASSERT_LE(u.maxCoeff(), 1 + 1e-11);
+    }
+    for (const VertexPair& pair : flat.vertex_pairs) {
+        ASSERT_LE(std::max(std::abs(pair.offset.i), std::abs(pair.offset.j)), 1);
+    }
+}
+
+/// Law 3, by areas.
+void expect_whole_cells(const PeriodicMesh& pieces, const PeriodicMesh& cells) {
+    std::vector<double> area(static_cast<std::size_t>(cells.n_faces()), 0);
+    for (int f = 0; f < pieces.n_faces(); ++f) {
+        area[pieces.site[f]] += polygon_area(face(pieces, f));
+    }
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        const double whole = polygon_area(face(cells, f));
+        ASSERT_NEAR(area[cells.site[f]], whole, 1e-7 * cells.lattice.area() / cells.n_faces());
+    }
+}
+
+void expect_cut(const PeriodicMesh& cells, const Vec2& origin) {
+    const BoxCut box = cut_along_box(cells, origin);
+    expect_box(box.pieces, origin);
+    expect_whole_cells(box.pieces, cells);
+}
+
+void expect_cuts(const Sites& sites) {
+    const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
+    expect_cut(cells, {0, 0});
+    // Through a vertex of the diagram, and through a site.
+    expect_cut(cells, cells.vertices[0]);
+    expect_cut(cells, sites.position(0));
+}
+
+TEST(BoxOutline, IsProvedFromOneSiteOnOnEveryLattice) {
+    for (const auto& [name, lattice] : lattices()) {
+        for (const int n : {1, 2, 3, 5, 8, 40}) {
+            SCOPED_TRACE(name + " n = " + std::to_string(n));
+            expect_cuts(Sites(lattice, uniform_points(lattice, n, 1)));
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
+// Cell edges on the cut, vertices on it, a vertex at its corner, sites on the seam.
+TEST(BoxOutline, IsProvedWhereCellEdgesLieOnTheCut) {
+    for (const auto& [name, sites] : testing::special_sites()) {
+        SCOPED_TRACE(name);
+        expect_cuts(sites);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(BoxOutline, IsProvedWhereTheBestOriginIsSearchedFor) {
+    for (const auto& [name, lattice] : lattices()) {
+        for (const int n : {1, 2, 4, 7, 30}) {
+            SCOPED_TRACE(name + " n = " + std::to_string(n));
+            const Sites sites(lattice, uniform_points(lattice, n, 5));
+            const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
+            expect_cut(cells, find_box_origin(cells));
+        }
+    }
+}
+
+TEST(BoxOutline, CutsCellsThatAreNotConvex) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    std::mt19937_64 random(3);
+    for (int k = 0; k < 30; ++k) {
+        const Sites sites(lattice, uniform_points(lattice, 25, random()));
+        const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
+        const PeriodicMesh bent = without_short_edges(cells, 0.06);
+        SCOPED_TRACE(k);
+        expect_cut(bent, bent.vertices[k % bent.n_vertices()]);
+        expect_cut(bent, find_box_origin(bent));
+        if (HasFatalFailure()) return;
+    }
+}
+
+// One cell with two teeth in its lower side, and so on its upper one: the cut touches the lower
+// tooth from below and from above while it crosses the higher one.
+TEST(BoxOutline, CutsACellAtACornerThatOnlyTouches) {
+    PeriodicMesh cell{
+        Lattice::rectangle(1, 1),
+        TileKind::kCells,
+        {{0, 0}, {0.25, 0.2}, {0.5, 0}, {0.75, 0.4}},
+        {0, 10},
+        {0, 1, 2, 3, 0, 0, 3, 2, 1, 0},
+        {{0, 0}, {0, 0}, {0, 0}, {0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 1}},
+        {},
+        {},
+        {0},
+        {{0.5, 0.7}}};
+    link_faces(cell);
+    for (const double x : {0.1, 0.25, 0.4, 0.9}) {
+        for (const double y : {0.0, 0.2, 0.3, 0.4}) {
+            SCOPED_TRACE(std::to_string(x) + " " + std::to_string(y));
+            expect_cut(cell, {x, y});
+            if (HasFatalFailure()) return;
+        }
+    }
+}
+
+TEST(BoxOutline, IsProvedForRandomSmallInputs) {
+    std::mt19937_64 random(8);
+    for (int k = 0; k < 100; ++k) {
+        const Lattice lattice = testing::random_lattice(random);
+        SCOPED_TRACE("input " + std::to_string(k));
+        expect_cuts(Sites(lattice, uniform_points(lattice, 1 + k % 12, random())));
+        if (HasFatalFailure()) return;
+    }
+}
+
+// Law 2.
+TEST(BoxOutline, OppositeSidesHaveTheSameVertices) {
+    const Lattice lattice({1, 0}, {0.3, 0.9});
+    const PeriodicMesh cells =
+        cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, 50, 2))));
+    const FlatTile flat = box_tile(cut_along_box(cells, {0.1, 0.2}).pieces);
+    std::set<std::pair<double, double>> points;
+    for (const Vec2& p : flat.points) points.emplace(p.x(), p.y());
+    int n_lower = 0;
+    int n_left = 0;
+    for (const Vec2& p : flat.points) {
+        const Vec2 u = lattice.to_lattice(p - Vec2(0.1, 0.2));
+        const bool lower = p.y() == 0.2;
+        const bool left = std::abs(u.x()) < 1e-12;
+        n_lower += lower;
+        n_left += left;
+        const Vec2 up = p + lattice.translation({0, 1});
+        const Vec2 right = p + lattice.translation({1, 0});
+        ASSERT_TRUE(!lower || points.contains({up.x(), up.y()}));
+        ASSERT_TRUE(!left || u.y() > 0.9999 || points.contains({right.x(), right.y()}));
+    }
+    EXPECT_GT(n_lower, 8);
+    EXPECT_GT(n_left, 8);
+}
+
+TEST(BoxOutline, PiecesKnowTheirSiteAndItsSides) {
+    const Lattice unit = Lattice::rectangle(1, 1);
+    const Sites sites(unit, uniform_points(unit, 30, 4));
+    const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
+    const PeriodicMesh pieces = cut_along_box(cells, {0.05, 0.15}).pieces;
+    const std::vector<int> sides = box_tile(pieces).whole_sides;
+    ASSERT_GT(pieces.n_faces(), 40);
+    std::set<SiteId> known;
+    for (int f = 0; f < pieces.n_faces(); ++f) {
+        const SiteId site = pieces.site[f];
+        known.insert(site);
+        EXPECT_EQ(sides[f], cells.face_begin[site + 1] - cells.face_begin[site]);
+        const Vec2 u = unit.to_lattice(pieces.site_points[f] - sites.position(site));
+        EXPECT_LT((u - u.array().round().matrix()).norm(), 1e-13);
+        // Its own site is as near as any to the middle of a piece.
+        const Vec2 middle = polygon_centroid(face(pieces, f));
+        for (int g = 0; g < pieces.n_faces(); ++g) {
+            EXPECT_LE((pieces.site_points[f] - middle).norm(),
+                      (pieces.site_points[g] - middle).norm() + 1e-12);
+        }
+    }
+    EXPECT_EQ(known.size(), 30U);
+}
+
+TEST(BoxOutline, OneSquareCellOnItsOwnCutStaysWhole) {
+    const Sites sites = testing::grid_sites(Lattice::rectangle(1, 1), 1, 1, 0.5, 0.5);
+    const BoxCut box = cut_along_box(cell_mesh(PeriodicDelaunay(sites)), {0, 0});
+    EXPECT_EQ(box.pieces.n_faces(), 1);
+    EXPECT_EQ(box.pieces.n_corners(), 4);
+    EXPECT_EQ(box.shortest_edge, 1);
+}
+
+}  // namespace
+}  // namespace pcvt

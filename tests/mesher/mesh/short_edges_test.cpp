@@ -1,0 +1,137 @@
+#include "mesher/mesh/short_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/mesh/outline.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/proof/validate.hpp"
+#include "mesher/tile/tile.hpp"
+#include "tests/support/lattices.hpp"
+#include "tests/support/special_sites.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::lattices;
+
+double spacing(const PeriodicMesh& mesh) { return std::sqrt(mesh.lattice.area() / mesh.n_faces()); }
+
+double length(const PeriodicMesh& mesh, int c) {
+    return (mesh.point(mesh.next(c)) - mesh.point(c)).norm();
+}
+
+PeriodicMesh random_cells(const Lattice& lattice, int n, std::uint64_t seed) {
+    return cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, seed))));
+}
+
+int count_short(const PeriodicMesh& mesh, double shortest) {
+    int count = 0;
+    for (int c = 0; c < mesh.n_corners(); ++c) count += length(mesh, c) < shortest;
+    return count / 2;
+}
+
+// Law 1, by the proof behind `pcvt check`.
+void expect_torus(const PeriodicMesh& mesh, const PeriodicMesh& before) {
+    ASSERT_EQ(mesh.n_vertices() - mesh.n_corners() / 2 + mesh.n_faces(), 0);
+    ASSERT_EQ(mesh.site, before.site);
+    const FlatTile flat = flatten(make_tile(mesh, whole_outline(mesh, {0, 0})));
+    const TileProof proof = prove_tile(flat, Precision::kDouble);
+    compare_vertex_pairs(flat, proof);
+    compare_edge_pairs(flat, proof);
+}
+
+TEST(ShortEdges, LeaveATorusOnEveryLattice) {
+    for (const auto& [name, lattice] : lattices()) {
+        for (const int n : {1, 2, 3, 5, 8, 60}) {
+            for (const double shortest : {0.02, 0.1, 0.4}) {
+                SCOPED_TRACE(name + " n = " + std::to_string(n));
+                const PeriodicMesh cells = random_cells(lattice, n, 4);
+                expect_torus(without_short_edges(cells, shortest * spacing(cells)), cells);
+            }
+        }
+    }
+}
+
+TEST(ShortEdges, LeaveATorusWhereSitesAreCocircular) {
+    for (const auto& [name, sites] : testing::special_sites()) {
+        SCOPED_TRACE(name);
+        const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
+        expect_torus(without_short_edges(cells, 0.3 * spacing(cells)), cells);
+    }
+}
+
+// Law 2, where it is never a cell that is in the way: a large part of all edges is short.
+TEST(ShortEdges, AreGone) {
+    const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 2000, 5);
+    const double shortest = 0.1 * spacing(cells);
+    ASSERT_GT(count_short(cells, shortest), 400);
+    EXPECT_EQ(count_short(without_short_edges(cells, shortest), shortest), 0);
+}
+
+// Law 2: a cell with a corner at each of its neighbours' sites cannot go.
+TEST(ShortEdges, OfACellThatWouldVanishStay) {
+    Points points(2, 5);
+    points << 0.5, 0.51, 0.5, 0.49, 0.5, 0.5, 0.5, 0.51, 0.5, 0.49;
+    const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(Sites(Lattice::rectangle(1, 1), points)));
+    const PeriodicMesh left = without_short_edges(cells, 0.1);
+    expect_torus(left, cells);
+    EXPECT_GE(left.face_begin[1] - left.face_begin[0], 3);
+    EXPECT_GE(count_short(left, 0.1), 3);
+}
+
+double area(const PeriodicMesh& mesh, int f) {
+    Polygon polygon;
+    for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+        polygon.push_back(mesh.point(c));
+    }
+    return polygon_area(polygon);
+}
+
+TEST(ShortEdges, SquashNoCell) {
+    const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 3000, 8);
+    const PeriodicMesh left = without_short_edges(cells, 0.4 * spacing(cells));
+    double least = 1;
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        least = std::min(least, area(left, f) / area(cells, f));
+    }
+    EXPECT_GT(least, 0.1);
+}
+
+// Law 3.
+TEST(ShortEdges, MoveNothingButTheirOwnEnds) {
+    const PeriodicMesh cells = random_cells(Lattice({1, 0}, {0.37, 0.81}), 300, 6);
+    const double shortest = 0.05 * spacing(cells);
+    std::set<std::pair<double, double>> at_short_edges;
+    for (int c = 0; c < cells.n_corners(); ++c) {
+        if (length(cells, c) >= shortest) continue;
+        for (const int d : {c, cells.next(c)}) {
+            const Vec2& p = cells.vertices[cells.corner_vertex[d]];
+            at_short_edges.emplace(p.x(), p.y());
+        }
+    }
+    const PeriodicMesh left = without_short_edges(cells, shortest);
+    std::set<std::pair<double, double>> kept;
+    for (const Vec2& p : left.vertices) kept.emplace(p.x(), p.y());
+    int n_still = 0;
+    for (const Vec2& p : cells.vertices) {
+        if (at_short_edges.contains({p.x(), p.y()})) continue;
+        ++n_still;
+        EXPECT_TRUE(kept.contains({p.x(), p.y()}));
+    }
+    EXPECT_GT(n_still, 300);
+}
+
+TEST(ShortEdges, NoneAskedForLeavesTheMeshAsItIs) {
+    const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 40, 7);
+    const PeriodicMesh same = without_short_edges(cells, 0);
+    EXPECT_EQ(same.corner_vertex, cells.corner_vertex);
+    EXPECT_EQ(same.corner_offset, cells.corner_offset);
+    EXPECT_EQ(same.opposite, cells.opposite);
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,148 @@
+#include <gmock/gmock.h>
+#include <pcvt.h>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "io/bytes/output.hpp"
+#include "plugin/abi/guard.hpp"
+
+namespace pcvt::abi {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StrEq;
+
+pcvt_options options_for(int n_sites) {
+    pcvt_options options;
+    EXPECT_EQ(pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION), PCVT_OK);
+    options.n_sites = n_sites;
+    return options;
+}
+
+/// Generates with a progress callback; a result is freed.
+pcvt_status generate(pcvt_progress_callback progress, void* data = nullptr) {
+    pcvt_options options = options_for(100);
+    options.progress = progress;
+    options.progress_data = data;
+    pcvt_result* result = nullptr;
+    const pcvt_status status = pcvt_generate(&options, &result);
+    EXPECT_EQ(result != nullptr, status == PCVT_OK);
+    pcvt_free(result);
+    return status;
+}
+
+TEST(Callbacks, WhatTheyThrowBecomesAStatus) {
+    EXPECT_EQ(
+        generate([](const pcvt_progress*, void*) -> int { throw std::runtime_error("ouch"); }),
+        PCVT_ERROR_DOMAIN);
+    EXPECT_THAT(pcvt_last_error(), StrEq("the progress callback threw: ouch"));
+    EXPECT_EQ(generate([](const pcvt_progress*, void*) -> int { throw 7; }), PCVT_ERROR_DOMAIN);
+    EXPECT_EQ(generate([](const pcvt_progress*, void*) -> int { throw std::bad_alloc(); }),
+              PCVT_ERROR_DOMAIN);
+    EXPECT_EQ(generate(nullptr), PCVT_OK);
+}
+
+TEST(Callbacks, ADensityMayThrowToo) {
+    pcvt_options options = options_for(100);
+    options.density = [](const double*, std::size_t, double*, void*) -> int {
+        throw std::runtime_error("ouch");
+    };
+    pcvt_result* result = nullptr;
+    EXPECT_EQ(pcvt_generate(&options, &result), PCVT_ERROR_DOMAIN);
+    EXPECT_EQ(result, nullptr);
+    EXPECT_THAT(pcvt_last_error(), StrEq("the density callback threw: ouch"));
+}
+
+TEST(Callbacks, ADensityIsAskedOnTheCallingThreadAlone) {
+    std::thread::id caller = std::this_thread::get_id();
+    pcvt_options options = options_for(3000);
+    options.n_threads = 4;
+    options.max_iterations = 1;
+    options.density_data = &caller;
+    options.density = [](const double*, std::size_t n, double* values, void* data) {
+        std::fill(values, values + n, 1.0);
+        return static_cast<int>(*static_cast<std::thread::id*>(data) != std::this_thread::get_id());
+    };
+    pcvt_result* result = nullptr;
+    EXPECT_GE(pcvt_generate(&options, &result), PCVT_OK) << pcvt_last_error();
+    pcvt_free(result);
+}
+
+TEST(Callbacks, RunOnTheCallingThreadAlone) {
+    std::thread::id caller;
+    const auto note = [](const pcvt_progress*, void* data) {
+        return static_cast<int>(*static_cast<std::thread::id*>(data) != std::this_thread::get_id());
+    };
+    std::thread([&] {
+        caller = std::this_thread::get_id();
+        EXPECT_EQ(generate(note, &caller), PCVT_OK);
+    }).join();
+}
+
+TEST(Callbacks, MayCallTheLibrary) {
+    const auto nested = [](const pcvt_progress* progress, void*) {
+        return static_cast<int>(progress->iteration == 3 && generate(nullptr) != PCVT_OK);
+    };
+    EXPECT_EQ(generate(nested), PCVT_OK);
+}
+
+TEST(LastError, IsTheThreadsOwn) {
+    EXPECT_EQ(pcvt_generate(nullptr, nullptr), PCVT_ERROR_ARGUMENT);
+    const std::string here = pcvt_last_error();
+    std::thread([] {
+        EXPECT_THAT(pcvt_last_error(), StrEq(""));
+        EXPECT_EQ(pcvt_options_init(nullptr, 0, 0), PCVT_ERROR_ARGUMENT);
+    }).join();
+    EXPECT_EQ(pcvt_last_error(), here);
+}
+
+TEST(LastError, IsCutWhereItIsVeryLong) {
+    set_last_error((std::string(5000, 'x') + "\n").c_str());
+    EXPECT_EQ(last_error(), std::string(1023, 'x'));
+    set_last_error("two\nlines");
+    EXPECT_THAT(last_error(), StrEq("two lines"));
+}
+
+template <class Thrown>
+pcvt_status status_of(const Thrown& thrown) {
+    return note_failure(std::make_exception_ptr(thrown));
+}
+
+TEST(Status, IsDecidedByWhatIsThrown) {
+    EXPECT_EQ(status_of(AbiMismatch("x")), PCVT_ERROR_ABI);             // law 1
+    EXPECT_EQ(status_of(CallbackFault("x")), PCVT_ERROR_DOMAIN);        // law 2
+    EXPECT_EQ(status_of(BadGeometry("x")), PCVT_ERROR_GEOMETRY);        // law 3
+    EXPECT_EQ(status_of(DuplicateSites(1, 2)), PCVT_ERROR_GEOMETRY);    // law 3
+    EXPECT_EQ(status_of(InvalidInput("x")), PCVT_ERROR_ARGUMENT);       // law 4
+    EXPECT_EQ(status_of(OutputError("x")), PCVT_ERROR_IO);              // law 5
+    EXPECT_EQ(status_of(OutputExists("x")), PCVT_ERROR_IO);             // law 5
+    EXPECT_EQ(status_of(LimitExceeded("x")), PCVT_ERROR_MEMORY);        // law 6
+    EXPECT_EQ(status_of(std::bad_alloc()), PCVT_ERROR_MEMORY);          // law 6
+    EXPECT_EQ(status_of(std::length_error("x")), PCVT_ERROR_MEMORY);    // law 6
+    EXPECT_EQ(status_of(InternalError("x")), PCVT_ERROR_INTERNAL);      // law 7
+    EXPECT_EQ(status_of(std::out_of_range("x")), PCVT_ERROR_INTERNAL);  // law 7
+    EXPECT_EQ(status_of(7), PCVT_ERROR_INTERNAL);                       // law 7
+}
+
+TEST(Sites, WhoseCellsAreTooSmallAreBadGeometry) {
+    // A cell whose corners all lie within the distance at which corners are merged.
+    std::vector<double> sites{0.5, 0.5};
+    for (const double d : {-2e-10, 2e-10}) {
+        sites.insert(sites.end(), {0.5 + d, 0.5, 0.5, 0.5 + d});
+    }
+    pcvt_options options = options_for(5);
+    options.sites = sites.data();
+    options.max_iterations = 0;
+    pcvt_result* result = nullptr;
+    EXPECT_EQ(pcvt_generate(&options, &result), PCVT_ERROR_GEOMETRY);
+    EXPECT_THAT(pcvt_last_error(), HasSubstr("site"));
+    pcvt_free(result);
+}
+
+}  // namespace
+}  // namespace pcvt::abi

@@ -1,0 +1,109 @@
+#include "plugin/job/job_files.hpp"
+
+#include <gmock/gmock.h>
+
+namespace pcvt {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(JobFiles, TheSuffixPrecedesTheExtension) {
+    EXPECT_EQ(with_suffix("tile.obj", "-voronoi"), "tile-voronoi.obj");
+    EXPECT_EQ(with_suffix("a.b/tile.v2.obj", "-x"), "a.b/tile.v2-x.obj");
+    EXPECT_EQ(with_suffix("a.b/tile", "-x"), "a.b/tile-x");
+}
+
+TEST(JobFiles, CompanionsFollowTheirFile) {
+    Job job;
+    job.outputs = {"t.obj", "s.txt"};
+    const std::vector<JobFile> files = plan_files(job);
+    ASSERT_EQ(files.size(), 2U);
+    EXPECT_THAT(files[0].paths, ElementsAre("t.obj", "t.mtl", "t.seam.json"));
+    EXPECT_THAT(files[1].paths, ElementsAre("s.txt"));
+    EXPECT_EQ(files[1].format, nullptr);
+}
+
+TEST(JobFiles, EachMeshHasAFileOfItsOwnAndTheSitesOne) {
+    Job job;
+    job.meshes = {TileKind::kTriangles, TileKind::kCells};
+    job.outputs = {"t.ply", "s.txt"};
+    const std::vector<JobFile> files = plan_files(job);
+    ASSERT_EQ(files.size(), 3U);
+    EXPECT_THAT(files[0].paths, ElementsAre("t-delaunay.ply"));
+    EXPECT_THAT(files[1].paths, ElementsAre("t-voronoi.ply"));
+    EXPECT_EQ(files[1].mesh, 1);
+    EXPECT_EQ(files[2].mesh, -1);
+}
+
+TEST(JobFiles, ACaseIsAFolderAndTheCGridOneForAllMeshes) {
+    Job job;
+    job.meshes = {TileKind::kTriangles, TileKind::kCells};
+    job.outputs = {"t.foam", "t.nc"};
+    const std::vector<JobFile> files = plan_files(job);
+    ASSERT_EQ(files.size(), 3U);
+    EXPECT_EQ(files[0].folder, "t-delaunay.foam");
+    EXPECT_EQ(files[0].paths.front(), "t-delaunay.foam/constant/polyMesh/points");
+    EXPECT_EQ(files[2].content, JobContent::kCGrid);
+    EXPECT_THAT(files[2].paths, ElementsAre("t.nc"));
+}
+
+TEST(JobFiles, ACGridNeedsARectangleAndEveryEdge) {
+    Job job;
+    job.outputs = {"t.nc"};
+    job.lattice = Lattice({1, 0}, {0.5, 0.8});
+    EXPECT_THROW(plan_files(job), InvalidInput);
+    job.rows = 2;
+    EXPECT_EQ(plan_files(job).size(), 1U);
+    job.short_edges = 0.1;
+    EXPECT_THROW(plan_files(job), InvalidInput);
+}
+
+TEST(JobFiles, OneNameForTwoFilesIsRefusedHoweverItIsSpelt) {
+    Job job;
+    job.outputs = {"t.ply", "./x/../t.ply"};
+    EXPECT_THROW(plan_files(job), InvalidInput);
+    job.outputs = {"t.obj"};
+    job.report = "t.seam.json";
+    EXPECT_THROW(plan_files(job), InvalidInput);
+    job.report.clear();
+    job.inputs = {"t.mtl"};
+    EXPECT_THROW(plan_files(job), InvalidInput);
+}
+
+TEST(JobFiles, ExtensionsOfEitherCaseAreKnownAndOthersRefused) {
+    Job job;
+    job.outputs = {"T.OBJ", "S.TXT"};
+    EXPECT_EQ(plan_files(job).size(), 2U);
+    for (const char* path : {"t.xyz", "t", ".obj", "t.msh", "-"}) {
+        job.outputs = {path};
+        EXPECT_THROW(plan_files(job), InvalidInput) << path;
+    }
+}
+
+std::string refusal(const std::string& path) {
+    Job job;
+    job.outputs = {path};
+    try {
+        plan_files(job);
+    } catch (const InvalidInput& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(JobFiles, ARefusalTellsUnknownAndMissingExtensionsApart) {
+    EXPECT_EQ(refusal("t.n"), "-o t.n: unknown extension .n; take one of " + output_extensions());
+    EXPECT_EQ(refusal("t"), "-o t: no extension; take one of " + output_extensions());
+}
+
+TEST(JobFiles, PicturesAndSitesAreWrittenButNotChecked) {
+    std::string written = output_extensions() + " ";
+    for (const std::string only_written : {" .svg ", " .txt "}) {
+        ASSERT_NE(written.find(only_written), std::string::npos) << only_written;
+        written.replace(written.find(only_written), only_written.size(), " ");
+    }
+    EXPECT_EQ(written, readable_extensions() + " ");
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,78 @@
+#include "plugin/job/job_staging.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace pcvt {
+namespace {
+
+using pcvt::testing::TemporaryFolder;
+using ::testing::HasSubstr;
+
+/// A honeycomb that is periodic on a rectangle: the one kind of job that every format holds.
+Job job_for_every_format(const TemporaryFolder& folder, int n_threads) {
+    Job job;
+    job.lattice = Lattice::rectangle(1, 2 / std::sqrt(3.0));
+    job.n_sites = 192;
+    job.start = Start::kLattice;
+    job.meshes = {TileKind::kCells, TileKind::kTriangles};
+    job.n_threads = n_threads;
+    for (const std::string extension : {"obj", "ply", "glb", "gltf", "om", "svg", "vtu", "foam"}) {
+        job.outputs.push_back(folder / ("tile." + extension));
+    }
+    for (const char* name : {"sites.txt", "mesh.nc"}) job.outputs.push_back(folder / name);
+    return job;
+}
+
+/// Every file below a folder: its path there and its bytes.
+std::map<std::string, std::string> files_in(const TemporaryFolder& folder) {
+    const std::string top = folder / "";
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top)) {
+        const std::string path = entry.path().string();
+        if (entry.is_regular_file()) files[path.substr(top.size())] = testing::bytes_of(path);
+    }
+    return files;
+}
+
+std::map<std::string, std::string> files_written(int n_threads) {
+    const TemporaryFolder folder;
+    const JobOutcome outcome =
+        run_job(job_for_every_format(folder, n_threads), [](const Progress&) { return true; });
+    EXPECT_EQ(outcome.stop, Stop::kConverged);
+    return files_in(folder);
+}
+
+TEST(JobStaging, SeveralThreadsWriteTheBytesOfOne) {
+    const std::map<std::string, std::string> by_one = files_written(1);
+    EXPECT_GT(by_one.size(), 30U);
+    EXPECT_EQ(files_written(6), by_one);
+}
+
+// Sites at random have obtuse triangles, which an MPAS mesh must not have.
+TEST(JobStaging, TellsTheFaultOfTheFirstFileInTheList) {
+    const TemporaryFolder folder;
+    Job job;
+    job.n_sites = 20;
+    job.max_iterations = 0;
+    job.n_threads = 4;
+    for (const char* name : {"tile.obj", "q.nc", "p.nc", "r.nc"}) {
+        job.outputs.push_back(folder / name);
+    }
+    for (int k = 0; k < 20; ++k) {
+        try {
+            run_job(job, [](const Progress&) { return true; });
+            FAIL() << "no fault";
+        } catch (const InvalidInput& error) {
+            ASSERT_THAT(error.what(), HasSubstr("q.nc"));
+        }
+        ASSERT_TRUE(files_in(folder).empty());
+    }
+}
+
+}  // namespace
+}  // namespace pcvt
