@@ -26,15 +26,15 @@ namespace {
 
 std::vector<std::string> only(const std::string& path) { return {path}; }
 
-using ArrayEncoder = std::vector<EncodedFile>(const FlatTile& tile, const std::string& path);
+using ArrayEncoder = std::vector<EncodedFile>(const Tile& tile, const std::string& path);
 
 /// An encoder that needs the arrays alone.
 template <ArrayEncoder* kEncode>
-std::vector<EncodedFile> arrays(const AnyTile&, const FlatTile& flat, const std::string& path) {
+std::vector<EncodedFile> arrays(const OpenMeshTile&, const Tile& flat, const std::string& path) {
     return kEncode(flat, path);
 }
 
-std::vector<EncodedFile> mesh(const AnyTile& mesh, const FlatTile&, const std::string& path) {
+std::vector<EncodedFile> mesh(const OpenMeshTile& mesh, const Tile&, const std::string& path) {
     return encode_om(mesh, path);
 }
 
@@ -68,7 +68,7 @@ const std::vector<TileFormat>& tile_formats() {
     return formats;
 }
 
-std::vector<EncodedFile> encode_tile(const TileFormat& format, const AnyTile& tile,
+std::vector<EncodedFile> encode_tile(const TileFormat& format, const OpenMeshTile& tile,
                                      const std::string& path) {
     return format.encode(tile, flatten(tile), path);
 }

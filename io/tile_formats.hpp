@@ -1,26 +1,13 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "io/tiles/encoded_file.hpp"
 #include "io/tiles/tile_file.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/tile/openmesh_tile.hpp"
 
 namespace pcvt {
-
-/// One file of an output: a format may write companions beside the file that was asked for.
-struct EncodedFile {
-    std::string path;
-    std::string bytes;
-};
-
-/// The list of one file; from braces its bytes would be copied.
-inline std::vector<EncodedFile> only_file(std::string path, std::string bytes) {
-    std::vector<EncodedFile> files;
-    files.push_back({std::move(path), std::move(bytes)});
-    return files;
-}
 
 /// One row of the table of formats, in the order of `tile_formats()`.
 struct TileFormat {
@@ -32,7 +19,7 @@ struct TileFormat {
     std::vector<std::string> (*paths)(const std::string& path);
     /// Turns a tile, as a mesh and the same as plain arrays, into bytes: one entry for each of the
     /// paths.
-    std::vector<EncodedFile> (*encode)(const AnyTile& mesh, const FlatTile& flat,
+    std::vector<EncodedFile> (*encode)(const OpenMeshTile& mesh, const Tile& flat,
                                        const std::string& path);
     /// Reads `files` (the file itself first, companions where there are any) back. A lattice given
     /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
@@ -51,7 +38,7 @@ struct TileFormat {
 const std::vector<TileFormat>& tile_formats();
 
 /// The bytes of a tile in a format.
-std::vector<EncodedFile> encode_tile(const TileFormat& format, const AnyTile& tile,
+std::vector<EncodedFile> encode_tile(const TileFormat& format, const OpenMeshTile& tile,
                                      const std::string& path);
 
 /// The row for the extension of `path` (case does not matter), nullptr if there is none.

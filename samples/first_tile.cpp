@@ -4,7 +4,8 @@
 
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/mesh/outline.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/tile/openmesh_tile.hpp"
 
 int main() {
     const pcvt::Lattice lattice({1, 0}, {0.37, 0.81});
@@ -14,7 +15,7 @@ int main() {
     std::printf("energy %.9g, %.6f of the hexagonal bound, after %d evaluations\n", result.energy,
                 result.energy / result.energy_bound, result.evaluations);
 
-    const pcvt::PeriodicMesh cells = pcvt::periodic_mesh(result, pcvt::TileKind::kCells);
+    const pcvt::PeriodicMesh cells = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kVoronoi);
     const auto any_tile = pcvt::make_tile(cells, pcvt::whole_outline(cells, {0, 0}));
     const auto& tile = std::get<pcvt::CellTile>(any_tile);
 

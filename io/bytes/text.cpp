@@ -74,7 +74,7 @@ class BlockReader {
    public:
     /// @param file  its descriptor; negative where errno tells why it could not be opened.
     BlockReader(const std::string& name, int file) : name_(name), file_(file), block_(1 << 16) {
-        if (file_ < 0) refuse();
+        if (file_ < 0) throw_bad_file();
     }
     ~BlockReader() {
         if (file_ > STDIN_FILENO) ::close(file_);
@@ -87,12 +87,12 @@ class BlockReader {
         while (true) {
             const ssize_t n = ::read(file_, block_.data(), block_.size());
             if (n >= 0) return {block_.data(), static_cast<std::size_t>(n)};
-            if (errno != EINTR) refuse();
+            if (errno != EINTR) throw_bad_file();
         }
     }
 
    private:
-    [[noreturn]] void refuse() const {
+    [[noreturn]] void throw_bad_file() const {
         throw BadFile(name_ + ": cannot read: " + std::generic_category().message(errno) +
                       "; give a readable file");
     }
@@ -153,7 +153,7 @@ double LineScanner::number(std::string_view word) const {
     try {
         return parse_number(word);
     } catch (const InvalidInput& fault) {
-        refuse(fault.what());
+        throw_bad_file(fault.what());
     }
 }
 
@@ -161,11 +161,11 @@ int LineScanner::integer(std::string_view word) const {
     try {
         return parse_integer(word);
     } catch (const InvalidInput& fault) {
-        refuse(fault.what());
+        throw_bad_file(fault.what());
     }
 }
 
-void LineScanner::refuse(const std::string& complaint) const {
+void LineScanner::throw_bad_file(const std::string& complaint) const {
     throw BadFile(name_ + ":" + std::to_string(line_) + ": " + complaint);
 }
 

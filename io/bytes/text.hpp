@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/bytes/bad_file.hpp"
 
 namespace pcvt {
 
@@ -42,7 +42,7 @@ class LineScanner {
     double number(std::string_view word) const;
     int integer(std::string_view word) const;
     /// @throws BadFile `name:line: complaint`.
-    [[noreturn]] void refuse(const std::string& complaint) const;
+    [[noreturn]] void throw_bad_file(const std::string& complaint) const;
 
    private:
     std::string name_;

@@ -19,14 +19,14 @@ std::string_view without_blanks_before(std::string_view text) {
 XmlScanner::XmlScanner(std::string name, std::string_view text)
     : name_(std::move(name)), rest_(text) {}
 
-void XmlScanner::refuse(int line, const std::string& complaint) const {
+void XmlScanner::throw_bad_file(int line, const std::string& complaint) const {
     throw BadFile(name_ + ":" + std::to_string(line) + ": " + complaint);
 }
 
 std::string_view XmlScanner::take_until(std::string_view mark, const char* what) {
     const std::size_t length = rest_.find(mark);
     if (length == std::string_view::npos) {
-        refuse(next_line_, std::string(what) + " does not end; give the whole file");
+        throw_bad_file(next_line_, std::string(what) + " does not end; give the whole file");
     }
     const std::string_view taken = rest_.substr(0, length);
     rest_.remove_prefix(length + mark.size());
@@ -44,7 +44,8 @@ XmlScanner::Event XmlScanner::next() {
         content_line_ = next_line_;
         if (without_blanks_before(rest_).empty()) {
             if (!open_.empty()) {
-                refuse(next_line_, in_quotes(open_.back()) + " does not end; give the whole file");
+                throw_bad_file(next_line_,
+                               in_quotes(open_.back()) + " does not end; give the whole file");
             }
             return Event::kNothing;
         }
@@ -52,7 +53,7 @@ XmlScanner::Event XmlScanner::next() {
         line_ = next_line_;
         if (rest_.starts_with("!--")) {
             if (!without_blanks_before(content_).empty()) {
-                refuse(line_, "a comment stands inside of a text; remove it");
+                throw_bad_file(line_, "a comment stands inside of a text; remove it");
             }
             take_until("-->", "a comment");
         } else if (rest_.starts_with("?")) {
@@ -69,7 +70,7 @@ XmlScanner::Event XmlScanner::begin(std::string_view tag) {
     if (ends_at_once_) tag.remove_suffix(1);
     const std::size_t length = std::min(tag.find_first_of(kBlanks), tag.size());
     element_ = tag.substr(0, length);
-    if (element_.empty()) refuse(line_, "a tag has no name; give an XML file");
+    if (element_.empty()) throw_bad_file(line_, "a tag has no name; give an XML file");
     read_attributes(tag.substr(length));
     if (!ends_at_once_) open_.push_back(element_);
     return Event::kBegin;
@@ -78,7 +79,7 @@ XmlScanner::Event XmlScanner::begin(std::string_view tag) {
 XmlScanner::Event XmlScanner::end(std::string_view tag) {
     element_ = tag.substr(0, std::min(tag.find_first_of(kBlanks), tag.size()));
     if (open_.empty() || open_.back() != element_) {
-        refuse(line_, in_quotes(element_) + " ends, but is not open; give the whole file");
+        throw_bad_file(line_, in_quotes(element_) + " ends, but is not open; give the whole file");
     }
     open_.pop_back();
     return Event::kEnd;
@@ -93,8 +94,8 @@ void XmlScanner::read_attributes(std::string_view tag) {
                             tag.substr(0, equals).find_first_of(" \t\r\n<") == tag.npos;
         const std::size_t stop = begins ? tag.find(quote, equals + 2) : std::string_view::npos;
         if (stop == std::string_view::npos) {
-            refuse(line_, "an attribute of " + in_quotes(element_) +
-                              " is not of the form key=\"value\"; correct it");
+            throw_bad_file(line_, "an attribute of " + in_quotes(element_) +
+                                      " is not of the form key=\"value\"; correct it");
         }
         attributes_.emplace_back(tag.substr(0, equals), tag.substr(equals + 2, stop - equals - 2));
         tag.remove_prefix(stop + 1);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/bytes/bad_file.hpp"
 
 namespace pcvt {
 
@@ -36,7 +36,7 @@ class XmlScanner {
     const std::string& name() const { return name_; }
 
     /// @throws BadFile `name:line: complaint`.
-    [[noreturn]] void refuse(int line, const std::string& complaint) const;
+    [[noreturn]] void throw_bad_file(int line, const std::string& complaint) const;
 
    private:
     /// Takes the text up to `mark` and the mark off; @returns the text.

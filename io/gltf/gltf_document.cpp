@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/bytes/bad_file.hpp"
 #include "io/bytes/base64.hpp"
 
 namespace pcvt {
@@ -67,7 +68,7 @@ std::string without_base64(std::string_view text, std::vector<std::string_view>&
 
 }  // namespace
 
-void GltfDocument::refuse(const std::string& complaint) const {
+void GltfDocument::throw_bad_file(const std::string& complaint) const {
     throw BadFile(path_ + ": " + complaint);
 }
 
@@ -79,13 +80,14 @@ const GltfDocument::Json& GltfDocument::member(const Json& object, const std::st
 
 std::size_t GltfDocument::count(const Json& number, const std::string& name) const {
     if (!number.is_number_unsigned() || number.get<std::uint64_t>() > kMaxCount) {
-        refuse("'" + name + "' of a glTF object is not a count; export the file again");
+        throw_bad_file("'" + name + "' of a glTF object is not a count; export the file again");
     }
     return number.get<std::size_t>();
 }
 
 std::size_t GltfDocument::count_in(const Json& object, const std::string& key) const {
-    if (!object.contains(key)) refuse("a glTF object lacks '" + key + "'; export the file again");
+    if (!object.contains(key))
+        throw_bad_file("a glTF object lacks '" + key + "'; export the file again");
     return count(member(object, key), key);
 }
 
@@ -97,8 +99,8 @@ std::size_t GltfDocument::count_in(const Json& object, const std::string& key,
 const GltfDocument::Json& GltfDocument::entry(const std::string& table, std::size_t index) const {
     const Json& entries = member(root_, table);
     if (!entries.is_array() || index >= entries.size() || !entries[index].is_object()) {
-        refuse("there is no entry " + std::to_string(index) + " in '" + table +
-               "'; export the file again");
+        throw_bad_file("there is no entry " + std::to_string(index) + " in '" + table +
+                       "'; export the file again");
     }
     return entries[index];
 }
@@ -107,24 +109,24 @@ GltfDocument::Elements GltfDocument::elements(std::size_t accessor, const std::s
                                               std::size_t width) const {
     const std::string name = "accessor " + std::to_string(accessor);
     const Json& object = entry("accessors", accessor);
-    if (object.contains("sparse")) refuse(name + " is sparse; export plain accessors");
-    if (member(object, "type") != type) refuse(name + " does not hold " + type + "s");
+    if (object.contains("sparse")) throw_bad_file(name + " is sparse; export plain accessors");
+    if (member(object, "type") != type) throw_bad_file(name + " does not hold " + type + "s");
     const int component_type = static_cast<int>(count_in(object, "componentType"));
     const std::size_t element_size = width * component_width(component_type);
-    if (element_size == 0) refuse(name + " has a component type that pcvt does not read");
+    if (element_size == 0) throw_bad_file(name + " has a component type that pcvt does not read");
     const Json& view = entry("bufferViews", count_in(object, "bufferView"));
     const std::size_t buffer = count_in(view, "buffer");
-    if (buffer >= buffers_.size()) refuse("there is no buffer " + std::to_string(buffer));
+    if (buffer >= buffers_.size()) throw_bad_file("there is no buffer " + std::to_string(buffer));
     const std::size_t view_offset = count_in(view, "byteOffset", 0);
     const std::size_t view_length = count_in(view, "byteLength");
     const std::size_t stride = count_in(view, "byteStride", element_size);
     const std::size_t offset = count_in(object, "byteOffset", 0);
     const std::size_t n = count_in(object, "count");
     if (view_offset + view_length > buffers_[buffer].size()) {
-        refuse("a buffer view of " + name + " leaves its buffer; the file is damaged");
+        throw_bad_file("a buffer view of " + name + " leaves its buffer; the file is damaged");
     }
     if (n == 0 || stride < element_size || offset + (n - 1) * stride + element_size > view_length) {
-        refuse(name + " leaves its buffer view; the file is damaged");
+        throw_bad_file(name + " leaves its buffer view; the file is damaged");
     }
     const char* data = buffers_[buffer].data() + view_offset + offset;
     return {reinterpret_cast<const unsigned char*>(data), n, stride, component_type};
@@ -134,7 +136,7 @@ std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t width)
     const Elements from =
         elements(accessor, width == 1 ? "SCALAR" : "VEC" + std::to_string(width), width);
     if (from.component_type != kFloat) {
-        refuse("accessor " + std::to_string(accessor) + " does not hold floats");
+        throw_bad_file("accessor " + std::to_string(accessor) + " does not hold floats");
     }
     std::vector<float> numbers;
     numbers.reserve(from.n * width);
@@ -142,8 +144,8 @@ std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t width)
         const unsigned char* data = from.data + k / width * from.stride + k % width * sizeof(float);
         numbers.push_back(std::bit_cast<float>(little_endian(data, sizeof(float))));
         if (!std::isfinite(numbers.back())) {
-            refuse("element " + std::to_string(k / width) + " of accessor " +
-                   std::to_string(accessor) + " is not finite");
+            throw_bad_file("element " + std::to_string(k / width) + " of accessor " +
+                           std::to_string(accessor) + " is not finite");
         }
     }
     return numbers;
@@ -152,7 +154,7 @@ std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t width)
 std::vector<int> GltfDocument::indices(std::size_t accessor, std::size_t limit) const {
     const Elements from = elements(accessor, "SCALAR", 1);
     if (from.component_type == kFloat) {
-        refuse("accessor " + std::to_string(accessor) + " does not hold indices");
+        throw_bad_file("accessor " + std::to_string(accessor) + " does not hold indices");
     }
     const std::size_t width = component_width(from.component_type);
     std::vector<int> numbers;
@@ -160,8 +162,9 @@ std::vector<int> GltfDocument::indices(std::size_t accessor, std::size_t limit) 
     for (std::size_t k = 0; k < from.n; ++k) {
         const std::uint32_t index = little_endian(from.data + k * from.stride, width);
         if (index >= limit) {
-            refuse("index " + std::to_string(index) + " in accessor " + std::to_string(accessor) +
-                   " is beyond the last vertex, " + std::to_string(limit - 1));
+            throw_bad_file("index " + std::to_string(index) + " in accessor " +
+                           std::to_string(accessor) + " is beyond the last vertex, " +
+                           std::to_string(limit - 1));
         }
         numbers.push_back(static_cast<int>(index));
     }
@@ -177,11 +180,11 @@ void GltfDocument::parse_json(std::string_view text) {
         throw BadFile(path_ + ":" + std::to_string(line) +
                       ": not JSON; give a .gltf or .glb file that is complete");
     } catch (const Json::exception&) {
-        refuse("a number in the JSON is too large");
+        throw_bad_file("a number in the JSON is too large");
     }
-    if (member(member(root_, "asset"), "version") != "2.0") refuse("not glTF 2.0");
+    if (member(member(root_, "asset"), "version") != "2.0") throw_bad_file("not glTF 2.0");
     if (root_.contains("extensionsRequired")) {
-        refuse("requires a glTF extension; export without compression or quantisation");
+        throw_bad_file("requires a glTF extension; export without compression or quantisation");
     }
 }
 
@@ -189,14 +192,14 @@ void GltfDocument::parse_json(std::string_view text) {
 std::string_view GltfDocument::split_binary(std::string_view bytes) {
     const auto number = [&](std::size_t at) { return little_endian(bytes.data() + at, 4); };
     if (bytes.size() < kHeaderSize || number(4) != kVersion || number(8) != bytes.size()) {
-        refuse("not a complete GLB file of version 2; copy or export it again");
+        throw_bad_file("not a complete GLB file of version 2; copy or export it again");
     }
     std::string_view json;
     std::string_view binary;
     for (std::size_t at = kHeaderSize; at < bytes.size();) {
         if (bytes.size() - at < kChunkHeaderSize ||
             bytes.size() - at - kChunkHeaderSize < number(at)) {
-            refuse("a GLB chunk leaves the file; copy or export it again");
+            throw_bad_file("a GLB chunk leaves the file; copy or export it again");
         }
         const bool first = at == kHeaderSize;
         const std::string_view chunk = bytes.substr(at + kChunkHeaderSize, number(at));
@@ -204,7 +207,7 @@ std::string_view GltfDocument::split_binary(std::string_view bytes) {
         if (!first && binary.empty() && number(at + 4) == kBinaryChunk) binary = chunk;
         at += kChunkHeaderSize + chunk.size();
     }
-    if (json.empty()) refuse("the first GLB chunk is not JSON; copy or export it again");
+    if (json.empty()) throw_bad_file("the first GLB chunk is not JSON; copy or export it again");
     parse_json(json);
     return binary;
 }
@@ -230,15 +233,17 @@ void GltfDocument::load_buffer(const Json& buffer, std::size_t index,
         const auto& text = uri.get_ref<const std::string&>();
         const std::size_t mark = text.find(kBase64Mark);
         if (!text.starts_with("data:") || mark == std::string::npos) {
-            refuse("keeps its buffer in another file; export it with embedded buffers or as .glb");
+            throw_bad_file(
+                "keeps its buffer in another file; export it with embedded buffers or as .glb");
         }
         if (!decode_base64(base64_of(std::string_view(text).substr(mark + kBase64Mark.size())),
                            decoded_.emplace_back())) {
-            refuse("the base64 of its buffer is damaged");
+            throw_bad_file("the base64 of its buffer is damaged");
         }
         bytes = decoded_.back();
     }
-    if (bytes.size() < length) refuse("its buffer is shorter than byteLength; the file is damaged");
+    if (bytes.size() < length)
+        throw_bad_file("its buffer is shorter than byteLength; the file is damaged");
     buffers_.push_back(bytes.substr(0, length));
 }
 

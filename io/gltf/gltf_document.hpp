@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
 
@@ -45,7 +45,7 @@ class GltfDocument {
     std::vector<int> indices(std::size_t accessor, std::size_t limit) const;
 
     /// Throws BadFile `file: complaint`.
-    [[noreturn]] void refuse(const std::string& complaint) const;
+    [[noreturn]] void throw_bad_file(const std::string& complaint) const;
 
    private:
     /// The bytes of an accessor: element k begins at data + k * stride.

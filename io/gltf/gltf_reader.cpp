@@ -15,7 +15,7 @@ namespace {
 using Json = GltfDocument::Json;
 
 /// Modes of a primitive; below are points and lines, above strips and fans of triangles.
-constexpr std::size_t kTriangles = 4;
+constexpr std::size_t kDelaunay = 4;
 constexpr std::string_view kCellPrefix = "cell_";
 constexpr SiteId kMaxSite = 1 << 28;
 /// Also of corners; far below the end of int.
@@ -52,11 +52,13 @@ struct Finding {
 std::vector<SiteId> read_sites(const GltfDocument& document, std::size_t accessor,
                                std::size_t n_vertices) {
     const std::vector<float> numbers = document.floats(accessor, 1);
-    if (numbers.size() != n_vertices) document.refuse("the number of ids is not that of vertices");
+    if (numbers.size() != n_vertices)
+        document.throw_bad_file("the number of ids is not that of vertices");
     std::vector<SiteId> sites;
     for (const float number : numbers) {
         if (number < 0 || number >= kMaxSite || number != std::floor(number)) {
-            document.refuse("an id in _CELL_ID or _SITE_ID is not a whole number from 0 on");
+            document.throw_bad_file(
+                "an id in _CELL_ID or _SITE_ID is not a whole number from 0 on");
         }
         sites.push_back(static_cast<SiteId>(number));
     }
@@ -83,7 +85,7 @@ VertexRange add_points(std::size_t accessor, Finding& finding) {
     for (std::size_t k = 0; k < numbers.size(); k += 3) {
         finding.points.emplace_back(numbers[k], numbers[k + 1]);
     }
-    if (finding.points.size() > kMaxVertices) finding.document.refuse("too many vertices");
+    if (finding.points.size() > kMaxVertices) finding.document.throw_bad_file("too many vertices");
     finding.vertex_site.resize(finding.points.size(), -1);
     finding.ranges.emplace(accessor, range);
     return range;
@@ -97,7 +99,7 @@ std::vector<int> primitive_corners(const GltfDocument& document, const Json& pri
     } else {
         for (std::size_t k = 0; k < n_vertices; ++k) corners.push_back(static_cast<int>(k));
     }
-    if (corners.size() % 3 != 0) document.refuse("a primitive ends within a triangle");
+    if (corners.size() % 3 != 0) document.throw_bad_file("a primitive ends within a triangle");
     return corners;
 }
 
@@ -107,7 +109,7 @@ void add_faces(const std::vector<int>& corners, const std::vector<SiteId>& cells
         const SiteId site = cells.empty() ? otherwise : cells[corners[k]];
         for (std::size_t l = k; l < k + 3 && !cells.empty(); ++l) {
             if (cells[corners[l]] == site) continue;
-            finding.document.refuse("a triangle has corners of two cells in _CELL_ID");
+            finding.document.throw_bad_file("a triangle has corners of two cells in _CELL_ID");
         }
         finding.face_site.push_back(site);
     }
@@ -130,31 +132,32 @@ void add_triangles(const Json& node, const Json& primitive, Finding& finding) {
     add_faces(corners, cells, named_site(node), finding);
     for (const int corner : corners)
         finding.corners.push_back(static_cast<int>(range.first) + corner);
-    if (finding.corners.size() > kMaxVertices) document.refuse("too many triangles");
+    if (finding.corners.size() > kMaxVertices) document.throw_bad_file("too many triangles");
 }
 
 void add_mesh(const Json& node, Finding& finding) {
     const GltfDocument& document = finding.document;
     const Json& mesh = document.entry("meshes", document.count_in(node, "mesh"));
     const Json& primitives = GltfDocument::member(mesh, "primitives");
-    if (!primitives.is_array()) document.refuse("a mesh has no list of primitives");
+    if (!primitives.is_array()) document.throw_bad_file("a mesh has no list of primitives");
     for (const Json& primitive : primitives) {
-        const std::size_t mode = document.count_in(primitive, "mode", kTriangles);
-        if (mode == kTriangles) add_triangles(node, primitive, finding);
-        if (mode > kTriangles) document.refuse("triangle strips and fans; export triangles");
+        const std::size_t mode = document.count_in(primitive, "mode", kDelaunay);
+        if (mode == kDelaunay) add_triangles(node, primitive, finding);
+        if (mode > kDelaunay) document.throw_bad_file("triangle strips and fans; export triangles");
     }
 }
 
 void visit(const Json& node, Finding& finding) {
     for (const char* key : {"matrix", "translation", "rotation", "scale"}) {
         if (node.contains(key)) {
-            finding.document.refuse("a node is moved by '" + std::string(key) +
-                                    "'; apply the transformation before exporting");
+            finding.document.throw_bad_file("a node is moved by '" + std::string(key) +
+                                            "'; apply the transformation before exporting");
         }
     }
     const Json& extras = GltfDocument::member(node, "extras");
     if (extras.contains("periodic")) {
-        if (finding.periodic) finding.document.refuse("two nodes have extras.periodic; keep one");
+        if (finding.periodic)
+            finding.document.throw_bad_file("two nodes have extras.periodic; keep one");
         finding.periodic = &GltfDocument::member(extras, "periodic");
     }
     if (node.contains("mesh")) add_mesh(node, finding);
@@ -164,7 +167,7 @@ void push_nodes(const Json& parent, const std::string& key, const GltfDocument& 
                 std::vector<std::size_t>& stack) {
     const Json& children = GltfDocument::member(parent, key);
     if (children.is_null()) return;
-    if (!children.is_array()) document.refuse("'" + key + "' is not a list");
+    if (!children.is_array()) document.throw_bad_file("'" + key + "' is not a list");
     for (auto child = children.rbegin(); child != children.rend(); ++child) {
         stack.push_back(document.count(*child, key));
     }
@@ -180,12 +183,12 @@ void walk_scene(Finding& finding) {
         const std::size_t index = stack.back();
         stack.pop_back();
         const Json& node = document.entry("nodes", index);
-        if (seen[index]) document.refuse("a node has two parents; export the file again");
+        if (seen[index]) document.throw_bad_file("a node has two parents; export the file again");
         seen[index] = true;
         visit(node, finding);
         push_nodes(node, "children", document, stack);
     }
-    if (finding.corners.empty()) document.refuse("there are no triangles in its scene");
+    if (finding.corners.empty()) document.throw_bad_file("there are no triangles in its scene");
 }
 
 Lattice read_lattice(const GltfDocument& document, const Json& rows) {
@@ -193,7 +196,7 @@ Lattice read_lattice(const GltfDocument& document, const Json& rows) {
         return row.is_array() && row.size() == 2 && row[0].is_number() && row[1].is_number();
     };
     if (!rows.is_array() || rows.size() != 2 || !is_vector(rows[0]) || !is_vector(rows[1])) {
-        document.refuse("extras.periodic.lattice is not [[ax, ay], [bx, by]]");
+        document.throw_bad_file("extras.periodic.lattice is not [[ax, ay], [bx, by]]");
     }
     const auto vector = [](const Json& row) {
         return Vec2(row[0].get<double>(), row[1].get<double>());
@@ -201,7 +204,7 @@ Lattice read_lattice(const GltfDocument& document, const Json& rows) {
     try {
         return {vector(rows[0]), vector(rows[1])};
     } catch (const InvalidInput& fault) {
-        document.refuse(std::string("extras.periodic.lattice: ") + fault.what());
+        document.throw_bad_file(std::string("extras.periodic.lattice: ") + fault.what());
     }
 }
 
@@ -209,7 +212,8 @@ Lattice find_lattice(const Finding& finding, const std::optional<Lattice>& given
     const Json& rows = finding.periodic_member("lattice");
     if (!rows.is_null()) return read_lattice(finding.document, rows);
     if (!given)
-        finding.document.refuse("has no lattice in extras.periodic; pass --lattice AX,AY,BX,BY");
+        finding.document.throw_bad_file(
+            "has no lattice in extras.periodic; pass --lattice AX,AY,BX,BY");
     return *given;
 }
 
@@ -218,7 +222,7 @@ int pair_entry(const GltfDocument& document, const Json& number, int least, int 
                        (!number.is_number_unsigned() || number.get<std::uint64_t>() <= INT64_MAX);
     const std::int64_t value = small ? number.get<std::int64_t>() : INT64_MAX;
     if (value < least || value > most) {
-        document.refuse("an entry of extras.periodic.vertexPairs is out of range");
+        document.throw_bad_file("an entry of extras.periodic.vertexPairs is out of range");
     }
     return static_cast<int>(value);
 }
@@ -227,14 +231,14 @@ std::vector<VertexPair> read_pairs(const Finding& finding, const Json& rows) {
     const GltfDocument& document = finding.document;
     constexpr int kMost = std::numeric_limits<int>::max();
     if (finding.ranges.size() != 1) {
-        document.refuse("vertexPairs need one POSITION accessor for all triangles");
+        document.throw_bad_file("vertexPairs need one POSITION accessor for all triangles");
     }
-    if (!rows.is_array()) document.refuse("extras.periodic.vertexPairs is not a list");
+    if (!rows.is_array()) document.throw_bad_file("extras.periodic.vertexPairs is not a list");
     const int last = static_cast<int>(finding.points.size()) - 1;
     std::vector<VertexPair> pairs;
     for (const Json& row : rows) {
         if (!row.is_array() || row.size() != 4) {
-            document.refuse("an entry of extras.periodic.vertexPairs is not [v, w, i, j]");
+            document.throw_bad_file("an entry of extras.periodic.vertexPairs is not [v, w, i, j]");
         }
         pairs.push_back({pair_entry(document, row[0], 0, last),
                          pair_entry(document, row[1], 0, last),
@@ -248,7 +252,7 @@ std::vector<VertexPair> read_pairs(const Finding& finding, const Json& rows) {
 std::vector<int> read_copies(const Finding& finding, const Json& copies) {
     const GltfDocument& document = finding.document;
     if (!copies.is_array() || finding.ranges.size() != 1 || copies.size() > finding.points.size()) {
-        document.refuse("extras.periodic.vertexCopies is not a list of vertices");
+        document.throw_bad_file("extras.periodic.vertexCopies is not a list of vertices");
     }
     const std::size_t n_first = finding.points.size() - copies.size();
     std::vector<int> originals;
@@ -257,25 +261,25 @@ std::vector<int> read_copies(const Finding& finding, const Json& copies) {
         const std::size_t v = document.count(copy, "vertexCopies");
         const std::size_t own = n_first + originals.size();
         if (v >= n_first || finding.points[v] != finding.points[own]) {
-            document.refuse("vertex " + std::to_string(own) +
-                            " is not a copy of the vertex that vertexCopies names");
+            document.throw_bad_file("vertex " + std::to_string(own) +
+                                    " is not a copy of the vertex that vertexCopies names");
         }
         originals.push_back(static_cast<int>(v));
     }
     return originals;
 }
 
-TileKind tile_kind(const Finding& finding) {
+MeshKind tile_kind(const Finding& finding) {
     const auto unknown = std::count(finding.face_site.begin(), finding.face_site.end(), -1);
     const Json& kind = finding.periodic_member("kind");
     const bool grains =
-        kind.is_string() && kind_of_word(kind.get<std::string>()) == TileKind::kGrains;
-    if (unknown == 0) return grains ? TileKind::kGrains : TileKind::kCells;
+        kind.is_string() && kind_of_word(kind.get<std::string>()) == MeshKind::kGrains;
+    if (unknown == 0) return grains ? MeshKind::kGrains : MeshKind::kVoronoi;
     if (unknown < std::ssize(finding.face_site)) {
-        finding.document.refuse(
+        finding.document.throw_bad_file(
             "some triangles belong to a cell and some do not; keep the tile only");
     }
-    return TileKind::kTriangles;
+    return MeshKind::kDelaunay;
 }
 
 bool all_known(const std::vector<SiteId>& sites) {
@@ -287,7 +291,7 @@ bool all_known(const std::vector<SiteId>& sites) {
 TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     Finding finding(files.at(0));
     walk_scene(finding);
-    FlatTile tile{find_lattice(finding, lattice), tile_kind(finding), {}, {}, {}, {}, {}, {}, {}};
+    Tile tile{find_lattice(finding, lattice), tile_kind(finding), {}, {}, {}, {}, {}, {}, {}};
     const Json& pairs = finding.periodic_member("vertexPairs");
     if (!pairs.is_null()) tile.vertex_pairs = read_pairs(finding, pairs);
     const Json& copies = finding.periodic_member("vertexCopies");

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "io/tiles/tile_file.hpp"
 
 namespace pcvt {
 

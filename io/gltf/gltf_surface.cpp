@@ -6,7 +6,7 @@
 
 #include "io/tiles/palette.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -28,7 +28,7 @@ std::vector<Point3> side_lights(const std::vector<int>& sides) {
     return lights;
 }
 
-std::vector<Point32> single_precision(const FlatTile& tile, const std::string& path) {
+std::vector<Point32> single_precision(const Tile& tile, const std::string& path) {
     std::vector<Point32> points;
     points.reserve(tile.points.size());
     for (const Vec2& p : tile.points) {
@@ -42,7 +42,7 @@ std::vector<Point32> single_precision(const FlatTile& tile, const std::string& p
     return points;
 }
 
-void add_fan(const FlatTile& tile, int face, const std::vector<int>& corners, Surface& surface,
+void add_fan(const Tile& tile, int face, const std::vector<int>& corners, Surface& surface,
              const std::string& path) {
     std::vector<Point32> polygon;
     for (const int v : corners) polygon.push_back(surface.points[v]);
@@ -58,13 +58,13 @@ void add_fan(const FlatTile& tile, int face, const std::vector<int>& corners, Su
     surface.face_begin.push_back(static_cast<int>(surface.indices.size()));
 }
 
-std::vector<int> corners_of(const FlatTile& tile, int face) {
+std::vector<int> corners_of(const Tile& tile, int face) {
     return {tile.corners.begin() + tile.face_begin[face],
             tile.corners.begin() + tile.face_begin[face + 1]};
 }
 
 /// Cells that share the vertices of the tile.
-Surface separate_cells(const FlatTile& tile, const std::string& path) {
+Surface separate_cells(const Tile& tile, const std::string& path) {
     Surface surface;
     surface.points = single_precision(tile, path);
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -75,7 +75,7 @@ Surface separate_cells(const FlatTile& tile, const std::string& path) {
 
 /// Cells with vertices of their own: the first cell at a vertex keeps it, each other one gets a
 /// copy.
-Surface joined_cells(const FlatTile& tile, const std::string& path) {
+Surface joined_cells(const Tile& tile, const std::string& path) {
     Surface surface;
     surface.points = single_precision(tile, path);
     surface.vertex_site.assign(surface.points.size(), -1);
@@ -101,7 +101,7 @@ Surface joined_cells(const FlatTile& tile, const std::string& path) {
 
 /// Triangles that share vertices within their grain: the first grain at a vertex keeps it, each
 /// other one gets a copy.
-Surface grains(const FlatTile& tile, const std::string& path) {
+Surface grains(const Tile& tile, const std::string& path) {
     Surface surface;
     surface.points = single_precision(tile, path);
     surface.face_begin = tile.face_begin;
@@ -129,7 +129,7 @@ Surface grains(const FlatTile& tile, const std::string& path) {
     return surface;
 }
 
-Surface triangles(const FlatTile& tile, const std::string& path) {
+Surface triangles(const Tile& tile, const std::string& path) {
     Surface surface;
     surface.points = single_precision(tile, path);
     surface.indices = tile.corners;
@@ -141,9 +141,9 @@ Surface triangles(const FlatTile& tile, const std::string& path) {
 
 }  // namespace
 
-Surface make_surface(const FlatTile& tile, int max_shared, const std::string& path) {
-    if (tile.kind == TileKind::kTriangles) return triangles(tile, path);
-    if (tile.kind == TileKind::kGrains) return grains(tile, path);
+Surface make_surface(const Tile& tile, int max_shared, const std::string& path) {
+    if (tile.kind == MeshKind::kDelaunay) return triangles(tile, path);
+    if (tile.kind == MeshKind::kGrains) return grains(tile, path);
     return tile.n_faces() <= max_shared ? separate_cells(tile, path) : joined_cells(tile, path);
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "io/gltf/triangle_fan.hpp"
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -29,6 +29,6 @@ struct Surface {
 /// are shared, with site and colour of the vertex.
 /// @throws InvalidInput naming the path where float32 cannot hold a coordinate or the area of a
 /// cell.
-Surface make_surface(const FlatTile& tile, int max_shared, const std::string& path);
+Surface make_surface(const Tile& tile, int max_shared, const std::string& path);
 
 }  // namespace pcvt

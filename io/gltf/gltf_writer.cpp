@@ -15,7 +15,7 @@
 #include "io/tiles/palette.hpp"
 #include "io/tiles/raw_tile.hpp"
 #include "mesher/base/bucket_sort.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -160,11 +160,11 @@ void append_list(std::string& text, std::initializer_list<Number> numbers) {
 }
 
 /// extras.periodic, as JSON: a tinygltf::Value takes 150 bytes and several copies for each number.
-std::string periodic_json(const FlatTile& tile, const Surface& surface) {
+std::string periodic_json(const Tile& tile, const Surface& surface) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     std::string text = "{";
-    if (tile.kind == TileKind::kGrains) text += "\"kind\":\"" + kind_word(tile.kind) + "\",";
+    if (tile.kind == MeshKind::kGrains) text += "\"kind\":\"" + kind_word(tile.kind) + "\",";
     text += "\"lattice\":[";
     append_list(text, {a.x(), a.y()});
     text += ',';
@@ -196,7 +196,7 @@ std::vector<Point3> lifted(const std::vector<Point32>& points, float z) {
     return result;
 }
 
-void add_surface(const FlatTile& tile, const Surface& surface, ModelBuilder& builder) {
+void add_surface(const Tile& tile, const Surface& surface, ModelBuilder& builder) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
     primitive.attributes["POSITION"] = builder.add_positions(lifted(surface.points, 0));
@@ -225,7 +225,7 @@ void add_surface(const FlatTile& tile, const Surface& surface, ModelBuilder& bui
 }
 
 /// Both ends of each edge of the tile, in rising order; edges without length in float32 left out.
-std::vector<int> edge_ends(const FlatTile& tile, const std::vector<Point32>& points) {
+std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points) {
     std::vector<std::array<int, 2>> edges;
     for (int f = 0; f < tile.n_faces(); ++f) {
         int previous = tile.corners[tile.face_begin[f + 1] - 1];
@@ -244,7 +244,7 @@ std::vector<int> edge_ends(const FlatTile& tile, const std::vector<Point32>& poi
     return ends;
 }
 
-void add_outlines(const FlatTile& tile, const Surface& surface, ModelBuilder& builder) {
+void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builder) {
     const std::vector<Point32> points(surface.points.begin(),
                                       surface.points.end() - std::ssize(surface.copies));
     float size = 0;
@@ -281,7 +281,7 @@ struct ModelParts {
     std::string periodic;
 };
 
-ModelParts make_model(const FlatTile& tile, const std::string& path) {
+ModelParts make_model(const Tile& tile, const std::string& path) {
     require_finite(tile);
     const std::vector<SiteId>& sites =
         faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
@@ -347,11 +347,11 @@ std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path
 
 }  // namespace
 
-std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_gltf(const Tile& tile, const std::string& path) {
     return encode(make_model(tile, path), path, Container::kText);
 }
 
-std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_glb(const Tile& tile, const std::string& path) {
     return encode(make_model(tile, path), path, Container::kBinary);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -22,8 +23,8 @@ namespace pcvt {
 ///
 /// @throws InvalidInput   naming the path where float32 cannot hold the tile.
 /// @throws LimitExceeded  naming the path where sites or bytes are more than glTF can count.
-std::vector<EncodedFile> encode_gltf(const FlatTile& tile, const std::string& path);
-std::vector<EncodedFile> encode_glb(const FlatTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_gltf(const Tile& tile, const std::string& path);
+std::vector<EncodedFile> encode_glb(const Tile& tile, const std::string& path);
 
 /// Viewers slow down beyond about so many nodes.
 inline constexpr int kMaxCellNodes = 2000;

@@ -47,17 +47,20 @@ class ObjParser {
             parse_face(words);
         } else if (std::find(kPassedOver.begin(), kPassedOver.end(), statement) ==
                    kPassedOver.end()) {
-            scanner_.refuse(in_quotes(statement) + " is no statement of a tile; remove the line");
+            scanner_.throw_bad_file(in_quotes(statement) +
+                                    " is no statement of a tile; remove the line");
         }
     }
 
     void parse_vertex(Words words) {
         if (words.size() != 3 && words.size() != 6) {
-            scanner_.refuse("a vertex has 3 numbers, or 6 with its colour; write \"v x y 0\"");
+            scanner_.throw_bad_file(
+                "a vertex has 3 numbers, or 6 with its colour; write \"v x y 0\"");
         }
         std::array<double, 6> numbers{};
         for (std::size_t k = 0; k < words.size(); ++k) numbers[k] = scanner_.number(words[k]);
-        if (numbers[2] != 0) scanner_.refuse("z is not 0; lay the tile into the plane z = 0");
+        if (numbers[2] != 0)
+            scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
         raw_.points.emplace_back(numbers[0], numbers[1]);
     }
 
@@ -76,18 +79,21 @@ class ObjParser {
             const std::string_view part = rest.substr(0, length);
             if (k != 1 || !part.empty()) indices[k] = scanner_.integer(part);
             if (length == rest.size()) {
-                if (indices[0] == 0) scanner_.refuse("vertex 0 does not exist; count from 1");
+                if (indices[0] == 0)
+                    scanner_.throw_bad_file("vertex 0 does not exist; count from 1");
                 const int n_vertices = static_cast<int>(raw_.points.size());
                 return indices[0] > 0 ? indices[0] - 1 : n_vertices + indices[0];
             }
             rest.remove_prefix(length + 1);
         }
-        scanner_.refuse(in_quotes(word) + " is not a corner; write v, v/vt, v//vn or v/vt/vn");
+        scanner_.throw_bad_file(in_quotes(word) +
+                                " is not a corner; write v, v/vt, v//vn or v/vt/vn");
     }
 
     /// A line of ours, without "# pcvt".
     void parse_seam(Words words) {
-        if (words.empty()) scanner_.refuse("a word is missing after \"# pcvt\"; remove the line");
+        if (words.empty())
+            scanner_.throw_bad_file("a word is missing after \"# pcvt\"; remove the line");
         const std::string_view key = words.front();
         const Words values = words.subspan(1);
         if (key == "kind") {
@@ -104,15 +110,16 @@ class ObjParser {
         } else if (key == "sites") {
             for (const std::string_view word : values) raw_.sites.push_back(scanner_.integer(word));
         } else {
-            scanner_.refuse("pcvt does not know " + in_quotes(key) + "; remove the line");
+            scanner_.throw_bad_file("pcvt does not know " + in_quotes(key) + "; remove the line");
         }
     }
 
     template <std::size_t kCount>
     std::array<int, kCount> integers(Words values) {
         if (values.size() != kCount) {
-            scanner_.refuse("a pair has " + std::to_string(kCount) + " numbers here, not " +
-                            std::to_string(values.size()) + "; write the file again with pcvt");
+            scanner_.throw_bad_file("a pair has " + std::to_string(kCount) + " numbers here, not " +
+                                    std::to_string(values.size()) +
+                                    "; write the file again with pcvt");
         }
         std::array<int, kCount> numbers{};
         for (std::size_t k = 0; k < kCount; ++k) numbers[k] = scanner_.integer(values[k]);
@@ -122,7 +129,8 @@ class ObjParser {
     /// The index from 0 of one from 1.
     int from_zero(int index) {
         if (index < 1)
-            scanner_.refuse("vertex " + std::to_string(index) + " does not exist; count from 1");
+            scanner_.throw_bad_file("vertex " + std::to_string(index) +
+                                    " does not exist; count from 1");
         return index - 1;
     }
 

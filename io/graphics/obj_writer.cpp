@@ -11,7 +11,7 @@
 #include "io/tiles/finite.hpp"
 #include "io/tiles/palette.hpp"
 #include "io/tiles/raw_tile.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -37,19 +37,19 @@ void append_words(std::string& text, std::initializer_list<Number> numbers) {
     text += '\n';
 }
 
-std::string material(const FlatTile& tile, int sides) {
+std::string material(const Tile& tile, int sides) {
     return faces_have_sites(tile.kind) ? "sides_" + std::to_string(sides) : "triangle";
 }
 
 /// Number of sides by which each face gets its material.
-std::vector<int> sides_of_faces(const FlatTile& tile) {
+std::vector<int> sides_of_faces(const Tile& tile) {
     if (faces_have_sites(tile.kind)) return cell_sides(tile);
     return std::vector<int>(static_cast<std::size_t>(tile.n_faces()), 3);
 }
 
 /// The tile with its faces in the order `order`.
-FlatTile with_faces_in_order(const FlatTile& tile, const std::vector<int>& order) {
-    FlatTile sorted = tile;
+Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
+    Tile sorted = tile;
     sorted.face_begin = {0};
     sorted.corners.clear();
     sorted.face_site.clear();
@@ -62,7 +62,7 @@ FlatTile with_faces_in_order(const FlatTile& tile, const std::vector<int>& order
     return sorted;
 }
 
-void append_seam(std::string& text, const FlatTile& tile) {
+void append_seam(std::string& text, const Tile& tile) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     text += "# pcvt kind " + kind_word(tile.kind) + "\n# pcvt lattice";
@@ -84,7 +84,7 @@ void append_seam(std::string& text, const FlatTile& tile) {
     text += '\n';
 }
 
-std::string obj_text(const FlatTile& tile, const std::vector<int>& sides,
+std::string obj_text(const Tile& tile, const std::vector<int>& sides,
                      const std::string& material_file) {
     std::string text = kExplanation;
     append_seam(text, tile);
@@ -105,7 +105,7 @@ std::string obj_text(const FlatTile& tile, const std::vector<int>& sides,
     return text;
 }
 
-std::string mtl_text(const FlatTile& tile, const std::vector<int>& sides) {
+std::string mtl_text(const Tile& tile, const std::vector<int>& sides) {
     std::string text = "# Materials of a periodic tile, written by pcvt\n";
     for (const int n : std::set<int>(sides.begin(), sides.end())) {
         const bool owned = faces_have_sites(tile.kind);
@@ -125,13 +125,13 @@ std::vector<std::string> obj_paths(const std::string& path) {
     return {path, with(".mtl"), with(".seam.json")};
 }
 
-std::vector<EncodedFile> encode_obj(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_obj(const Tile& tile, const std::string& path) {
     require_finite(tile);
     std::vector<int> sides = sides_of_faces(tile);
     std::vector<int> order(sides.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int f, int g) { return sides[f] < sides[g]; });
-    const FlatTile sorted = with_faces_in_order(tile, order);
+    const Tile sorted = with_faces_in_order(tile, order);
     std::sort(sides.begin(), sides.end());
     const std::vector<std::string> paths = obj_paths(path);
     const std::string material_file = std::filesystem::path(paths[1]).filename().string();

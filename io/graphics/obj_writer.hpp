@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -16,6 +17,6 @@ std::vector<std::string> obj_paths(const std::string& path);
 /// Faces are grouped by material, fewest sides first, and keep their order within a group; vertices
 /// keep theirs. Comments count vertices from 1 as the faces do, the sidecar counts from 0.
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_obj(const FlatTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_obj(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -33,14 +33,14 @@ class OmParser {
         read_header();
         while (read_chunk()) {
         }
-        if (!rest_.empty()) refuse("goes on after its end");
-        FlatTile tile{lattice(), kind_, std::move(points_), {0}, {}, {}, {}, {}, {}};
+        if (!rest_.empty()) throw_bad_file("goes on after its end");
+        Tile tile{lattice(), kind_, std::move(points_), {0}, {}, {}, {}, {}, {}};
         read_faces(tile);
         read_orbits(tile);
         read_partners(tile);
         auto sites = integers("pcvt_face_site", 1, n_faces_);
         // Triangles are grains where they have sites.
-        if (kind_ == TileKind::kTriangles && sites[0] >= 0) tile.kind = TileKind::kGrains;
+        if (kind_ == MeshKind::kDelaunay && sites[0] >= 0) tile.kind = MeshKind::kGrains;
         const bool owned = faces_have_sites(tile.kind);
         if (!owned) sites = integers("pcvt_vertex_site", 1, n_vertices_);
         (owned ? tile.face_site : tile.vertex_site) = std::move(sites);
@@ -48,12 +48,12 @@ class OmParser {
     }
 
    private:
-    [[noreturn]] void refuse(const std::string& complaint) const {
+    [[noreturn]] void throw_bad_file(const std::string& complaint) const {
         throw BadFile(name_ + ": " + complaint + "; write the file again with pcvt");
     }
 
     std::string_view take(std::size_t n_bytes) {
-        if (n_bytes > rest_.size()) refuse("is cut short");
+        if (n_bytes > rest_.size()) throw_bad_file("is cut short");
         const std::string_view taken = rest_.substr(0, n_bytes);
         rest_.remove_prefix(n_bytes);
         return taken;
@@ -81,19 +81,19 @@ class OmParser {
     /// Each element is at least one byte of the file, so that a wrong count asks for no memory.
     std::size_t read_count() {
         const std::size_t count = read_size(4);
-        if (count > rest_.size()) refuse("is cut short");
+        if (count > rest_.size()) throw_bad_file("is cut short");
         return count;
     }
 
     void read_header() {
         const std::string_view magic = take(4);
         const bool known = magic.substr(0, 2) == "OM" && (magic[2] == 'P' || magic[2] == 'T');
-        if (!known || magic[3] != kVersion) refuse("is not a mesh as OpenMesh 9 writes it");
-        kind_ = magic[2] == 'P' ? TileKind::kCells : TileKind::kTriangles;
+        if (!known || magic[3] != kVersion) throw_bad_file("is not a mesh as OpenMesh 9 writes it");
+        kind_ = magic[2] == 'P' ? MeshKind::kVoronoi : MeshKind::kDelaunay;
         n_vertices_ = read_count();
         n_faces_ = read_count();
         n_halfedges_ = 2 * read_count();
-        if (n_vertices_ == 0 || n_faces_ == 0 || n_halfedges_ == 0) refuse("holds no face");
+        if (n_vertices_ == 0 || n_faces_ == 0 || n_halfedges_ == 0) throw_bad_file("holds no face");
     }
 
     /// False at the end.
@@ -112,7 +112,7 @@ class OmParser {
         } else if ((header & kKindMask) == kTopologyOfFaces && face_halfedge_.empty()) {
             face_halfedge_ = read_handles(n_faces_, width);
         } else {
-            refuse("has a part that no tile has");
+            throw_bad_file("has a part that no tile has");
         }
         return true;
     }
@@ -122,7 +122,7 @@ class OmParser {
             const std::string_view bytes = take(24);
             const Vec2 p(double_of(bytes), double_of(bytes.substr(8)));
             if (!p.allFinite() || double_of(bytes.substr(16)) != 0) {
-                refuse("has a vertex that is not finite or not in the plane z = 0");
+                throw_bad_file("has a vertex that is not finite or not in the plane z = 0");
             }
             points_.push_back(p);
         }
@@ -145,9 +145,9 @@ class OmParser {
 
     std::string_view property(const char* name, std::size_t n_bytes) const {
         const auto found = properties_.find(name);
-        if (found == properties_.end()) refuse(std::string("has no property ") + name);
+        if (found == properties_.end()) throw_bad_file(std::string("has no property ") + name);
         if (found->second.size() != n_bytes)
-            refuse(std::string("has too little or too much ") + name);
+            throw_bad_file(std::string("has too little or too much ") + name);
         return found->second;
     }
 
@@ -173,7 +173,7 @@ class OmParser {
 
     std::size_t checked(std::int64_t index, std::size_t count) const {
         if (index < 0 || static_cast<std::size_t>(index) >= count) {
-            refuse("names a vertex or an edge that does not exist");
+            throw_bad_file("names a vertex or an edge that does not exist");
         }
         return static_cast<std::size_t>(index);
     }
@@ -184,9 +184,9 @@ class OmParser {
     }
     int from_vertex(std::size_t h) const { return to_vertex(h ^ 1); }
 
-    void read_faces(FlatTile& tile) const {
+    void read_faces(Tile& tile) const {
         if (tile.points.empty() || halfedges_.empty() || face_halfedge_.empty()) {
-            refuse("lacks its vertices or its faces");
+            throw_bad_file("lacks its vertices or its faces");
         }
         for (std::size_t f = 0; f < n_faces_; ++f) {
             const std::size_t first = checked(face_halfedge_[f], n_halfedges_);
@@ -194,25 +194,26 @@ class OmParser {
             do {
                 if (halfedges_[3 * h + 2] != static_cast<std::int64_t>(f) ||
                     tile.corners.size() == n_halfedges_) {
-                    refuse("has a face that does not close");
+                    throw_bad_file("has a face that does not close");
                 }
                 tile.corners.push_back(to_vertex(h));
                 h = next(h);
             } while (h != first);
             tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
-            if (tile.face_size(static_cast<int>(f)) < 3) refuse("has a face without three corners");
+            if (tile.face_size(static_cast<int>(f)) < 3)
+                throw_bad_file("has a face without three corners");
         }
     }
 
     std::vector<int> offsets(const char* name, std::size_t count) const {
         std::vector<int> values = integers(name, 2, count);
         for (const int k : values) {
-            if (k < -kLargestOffset || k > kLargestOffset) refuse("has a huge offset");
+            if (k < -kLargestOffset || k > kLargestOffset) throw_bad_file("has a huge offset");
         }
         return values;
     }
 
-    void read_orbits(FlatTile& tile) const {
+    void read_orbits(Tile& tile) const {
         const std::vector<int> orbit = integers("pcvt_orbit", 1, n_vertices_);
         const std::vector<int> offset = offsets("pcvt_orbit_offset", n_vertices_);
         for (std::size_t v = 0; v < n_vertices_; ++v) {
@@ -223,7 +224,7 @@ class OmParser {
         }
     }
 
-    void read_partners(FlatTile& tile) const {
+    void read_partners(Tile& tile) const {
         const std::vector<int> partner = integers("pcvt_partner", 1, n_halfedges_);
         const std::vector<int> offset = offsets("pcvt_partner_offset", n_halfedges_);
         for (std::size_t h = 0; h < n_halfedges_; ++h) {
@@ -232,7 +233,7 @@ class OmParser {
             const Offset across{offset[2 * h], offset[2 * h + 1]};
             const Offset back{offset[2 * p], offset[2 * p + 1]};
             if (partner[p] != static_cast<int>(h) || across + back != Offset{}) {
-                refuse("has a boundary edge whose partner does not answer");
+                throw_bad_file("has a boundary edge whose partner does not answer");
             }
             if (across < Offset{}) continue;
             tile.edge_pairs.push_back(
@@ -242,7 +243,7 @@ class OmParser {
 
     const std::string& name_;
     std::string_view rest_;
-    TileKind kind_ = TileKind::kCells;
+    MeshKind kind_ = MeshKind::kVoronoi;
     std::size_t n_vertices_ = 0;
     std::size_t n_faces_ = 0;
     std::size_t n_halfedges_ = 0;

@@ -7,8 +7,9 @@
 
 #include <sstream>
 
-#include "io/bytes/library_lock.hpp"
+#include "io/bytes/openmesh_netcdf_mutex.hpp"
 #include "io/tiles/finite.hpp"
+#include "mesher/base/error.hpp"
 
 namespace pcvt {
 namespace {
@@ -34,9 +35,9 @@ class SilentOpenMesh {
 
 }  // namespace
 
-std::vector<EncodedFile> encode_om(const AnyTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_om(const OpenMeshTile& tile, const std::string& path) {
     require_finite(flatten(tile));
-    const std::lock_guard lock(library_lock());
+    const std::lock_guard lock(openmesh_netcdf_mutex());
     const SilentOpenMesh silence;
     const OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
     std::ostringstream stream(std::ios::binary);

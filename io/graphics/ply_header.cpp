@@ -22,10 +22,10 @@ bool contains(const List& list, std::string_view word) {
 void check_format(const LineScanner& scanner) {
     const Words& words = scanner.words();
     if (words.size() == 3 && words[1].starts_with("binary")) {
-        scanner.refuse("this PLY is binary; export it as ASCII");
+        scanner.throw_bad_file("this PLY is binary; export it as ASCII");
     }
     if (words != Words{"format", "ascii", "1.0"}) {
-        scanner.refuse("the format is not known; write \"format ascii 1.0\"");
+        scanner.throw_bad_file("the format is not known; write \"format ascii 1.0\"");
     }
 }
 
@@ -38,18 +38,19 @@ void read_comment(const LineScanner& scanner, RawTile& raw) {
     } else if (words[2] == "lattice") {
         raw.take_lattice(scanner, values);
     } else {
-        scanner.refuse("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
+        scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
     }
 }
 
 void read_element(const LineScanner& scanner, std::vector<PlyElement>& elements) {
     const Words& words = scanner.words();
-    if (words.size() != 3) scanner.refuse("an element has a name and a count; write both");
+    if (words.size() != 3) scanner.throw_bad_file("an element has a name and a count; write both");
     const int count = scanner.integer(words[2]);
-    if (count < 0) scanner.refuse("a count is negative; correct it");
+    if (count < 0) scanner.throw_bad_file("a count is negative; correct it");
     for (const PlyElement& element : elements) {
         if (element.name == words[1]) {
-            scanner.refuse("element " + in_quotes(words[1]) + " is declared twice; remove one");
+            scanner.throw_bad_file("element " + in_quotes(words[1]) +
+                                   " is declared twice; remove one");
         }
     }
     elements.push_back({words[1], count, {}});
@@ -60,17 +61,19 @@ void read_property(const LineScanner& scanner, std::vector<PlyElement>& elements
     const bool is_list =
         words.size() == 5 && words[1] == "list" && contains(kIntegerTypes, words[2]);
     if (!is_list && words.size() != 3) {
-        scanner.refuse("a property has a type and a name; write \"property double x\"");
+        scanner.throw_bad_file("a property has a type and a name; write \"property double x\"");
     }
-    if (elements.empty()) scanner.refuse("a property stands before any element; remove it");
+    if (elements.empty()) scanner.throw_bad_file("a property stands before any element; remove it");
     const std::string_view type = words[words.size() - 2];
     const bool is_single = contains(kSingleTypes, type);
     const bool is_real = is_single || contains(kDoubleTypes, type);
     if (!is_real && !contains(kIntegerTypes, type)) {
-        scanner.refuse("the type " + in_quotes(type) + " is not known; write int or double");
+        scanner.throw_bad_file("the type " + in_quotes(type) +
+                               " is not known; write int or double");
     }
     if (elements.back().find(words.back())) {
-        scanner.refuse("property " + in_quotes(words.back()) + " is declared twice; remove one");
+        scanner.throw_bad_file("property " + in_quotes(words.back()) +
+                               " is declared twice; remove one");
     }
     elements.back().properties.push_back({words.back(), is_real, is_single, is_list});
 }
@@ -92,7 +95,8 @@ std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw) {
     while (scanner.next()) {
         const std::string_view key = scanner.words().empty() ? "" : scanner.words().front();
         if (key == "end_header") {
-            if (!has_format) scanner.refuse("the format is missing; write \"format ascii 1.0\"");
+            if (!has_format)
+                scanner.throw_bad_file("the format is missing; write \"format ascii 1.0\"");
             return elements;
         }
         if (key == "comment") {
@@ -105,7 +109,7 @@ std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw) {
             check_format(scanner);
             has_format = true;
         } else if (!key.empty() && key != "obj_info") {
-            scanner.refuse(in_quotes(key) + " has no place in the header; remove the line");
+            scanner.throw_bad_file(in_quotes(key) + " has no place in the header; remove the line");
         }
     }
     throw BadFile(raw.name + ": the header does not end; write \"end_header\" after it");

@@ -44,14 +44,14 @@ void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValu
     std::size_t at = 0;
     const auto next_word = [&] {
         if (at == scanner.words().size()) {
-            scanner.refuse("the line is too short; correct it or the header");
+            scanner.throw_bad_file("the line is too short; correct it or the header");
         }
         return scanner.words()[at++];
     };
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const PlyProperty& property = element.properties[p];
         const int count = property.is_list ? scanner.integer(next_word()) : 1;
-        if (count < 0) scanner.refuse("a list has a negative length; correct it");
+        if (count < 0) scanner.throw_bad_file("a list has a negative length; correct it");
         std::vector<double>& numbers = values.renew(p);
         for (int k = 0; k < count; ++k) {
             const std::string_view word = next_word();
@@ -59,7 +59,7 @@ void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValu
         }
     }
     if (at != scanner.words().size()) {
-        scanner.refuse("the line is too long; correct it or the header");
+        scanner.throw_bad_file("the line is too long; correct it or the header");
     }
 }
 
@@ -80,7 +80,7 @@ class PlyParser {
         }
         while (scanner_.next()) {
             if (scanner_.words().empty()) continue;
-            scanner_.refuse("the file goes on after its last element; correct the counts");
+            scanner_.throw_bad_file("the file goes on after its last element; correct the counts");
         }
         return std::move(raw_);
     }
@@ -141,7 +141,7 @@ class PlyParser {
 
     void add_vertex(const PlyValues& values) {
         if (values.number("z") != 0) {
-            scanner_.refuse("z is not 0; lay the tile into the plane z = 0");
+            scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
         }
         raw_.points.emplace_back(values.number("x"), values.number("y"));
         if (has_orbits_) add_orbit(values);
@@ -153,12 +153,14 @@ class PlyParser {
         const int v = static_cast<int>(raw_.points.size()) - 1;
         const Offset offset{values.integer("offset_i"), values.integer("offset_j")};
         if (orbit < 0 || orbit >= n_vertices_) {
-            scanner_.refuse("orbit " + std::to_string(orbit) + " is no vertex; correct the index");
+            scanner_.throw_bad_file("orbit " + std::to_string(orbit) +
+                                    " is no vertex; correct the index");
         }
         if (orbit != v) {
             raw_.vertex_pairs.push_back({orbit, v, offset});
         } else if (offset != Offset{}) {
-            scanner_.refuse("a vertex has an offset to itself; write the file again with pcvt");
+            scanner_.throw_bad_file(
+                "a vertex has an offset to itself; write the file again with pcvt");
         }
     }
 

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "io/tiles/tile_file.hpp"
 
 namespace pcvt {
 

@@ -9,7 +9,7 @@
 #include "io/tiles/finite.hpp"
 #include "io/tiles/palette.hpp"
 #include "io/tiles/raw_tile.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -47,7 +47,7 @@ class SideColours {
 
 void end_line(std::string& text) { text.back() = '\n'; }
 
-std::string header(const FlatTile& tile) {
+std::string header(const Tile& tile) {
     const bool owned = faces_have_sites(tile.kind);
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
@@ -73,7 +73,7 @@ std::string header(const FlatTile& tile) {
     return text + "end_header\n";
 }
 
-void append_vertices(std::string& text, const FlatTile& tile) {
+void append_vertices(std::string& text, const Tile& tile) {
     const bool owned = faces_have_sites(tile.kind);
     const std::vector<int> valences = owned ? std::vector<int>() : vertex_valences(tile);
     const std::string plain = words(kPlain);
@@ -95,7 +95,7 @@ void append_vertices(std::string& text, const FlatTile& tile) {
     }
 }
 
-void append_faces(std::string& text, const FlatTile& tile) {
+void append_faces(std::string& text, const Tile& tile) {
     const bool owned = faces_have_sites(tile.kind);
     const std::vector<int> sides = owned ? cell_sides(tile) : std::vector<int>();
     const std::string plain = words(kPlain);
@@ -113,7 +113,7 @@ void append_faces(std::string& text, const FlatTile& tile) {
 
 }  // namespace
 
-std::vector<EncodedFile> encode_ply(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_ply(const Tile& tile, const std::string& path) {
     require_finite(tile);
     std::string text = header(tile);
     append_vertices(text, tile);

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -14,6 +15,6 @@ namespace pcvt {
 /// the smallest index on it, and its offset: position = position(orbit) + offset_i a + offset_j b.
 /// `site` is a property of faces (cells) or vertices (triangles).
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_ply(const FlatTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_ply(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -56,21 +56,21 @@ class SeamDecoder {
    public:
     SeamDecoder(const std::string& name, const Json& json) : name_(name), json_(json) {}
 
-    [[noreturn]] void refuse(const std::string& complaint) const {
+    [[noreturn]] void throw_bad_file(const std::string& complaint) const {
         throw BadFile(name_ + ": " + complaint + "; write the file again with pcvt");
     }
 
     const Json& at(const char* key) const {
         const auto found = json_.is_object() ? json_.find(key) : json_.end();
         if (!json_.is_object() || found == json_.end()) {
-            refuse(std::string("the key \"") + key + "\" is missing");
+            throw_bad_file(std::string("the key \"") + key + "\" is missing");
         }
         return *found;
     }
 
     const Json& list(const Json& json, const char* key) const {
         if (!json.is_array())
-            refuse(std::string("\"") + key + "\" does not hold lists as it should");
+            throw_bad_file(std::string("\"") + key + "\" does not hold lists as it should");
         return json;
     }
 
@@ -82,7 +82,7 @@ class SeamDecoder {
                                        ? json.get<std::int64_t>()
                                        : std::int64_t{Limits::max()} + 1;
         if (value < Limits::min() || value > Limits::max()) {
-            refuse(std::string("\"") + key + "\" holds what is not a 32-bit integer");
+            throw_bad_file(std::string("\"") + key + "\" holds what is not a 32-bit integer");
         }
         return static_cast<int>(value);
     }
@@ -92,8 +92,8 @@ class SeamDecoder {
         std::vector<std::array<int, kWidth>> result;
         for (const Json& row : list(at(key), key)) {
             if (list(row, key).size() != kWidth) {
-                refuse(std::string("an entry of \"") + key + "\" does not have " +
-                       std::to_string(kWidth) + " numbers");
+                throw_bad_file(std::string("an entry of \"") + key + "\" does not have " +
+                               std::to_string(kWidth) + " numbers");
             }
             auto& numbers = result.emplace_back();
             for (std::size_t k = 0; k < kWidth; ++k) numbers[k] = integer(row[k], key);
@@ -104,13 +104,13 @@ class SeamDecoder {
     Vec2 vector(const Json& json) const {
         const bool good =
             json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number();
-        if (!good) refuse("\"lattice\" is not [[ax, ay], [bx, by]]");
+        if (!good) throw_bad_file("\"lattice\" is not [[ax, ay], [bx, by]]");
         return {json[0].get<double>(), json[1].get<double>()};
     }
 
     Lattice lattice() const {
         const Json& json = list(at("lattice"), "lattice");
-        if (json.size() != 2) refuse("\"lattice\" is not [[ax, ay], [bx, by]]");
+        if (json.size() != 2) throw_bad_file("\"lattice\" is not [[ax, ay], [bx, by]]");
         try {
             return {vector(json[0]), vector(json[1])};
         } catch (const BadFile&) {
@@ -139,7 +139,7 @@ Json parse_json(const std::string& name, std::string_view text) {
 
 }  // namespace
 
-std::string encode_seam(const FlatTile& tile) {
+std::string encode_seam(const Tile& tile) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     std::string text = "{\n  \"format\": \"pcvt seam\",\n  \"version\": ";
@@ -162,12 +162,12 @@ std::string encode_seam(const FlatTile& tile) {
 Seam decode_seam(const std::string& name, std::string_view text) {
     const Json json = parse_json(name, text);
     const SeamDecoder decoder(name, json);
-    if (decoder.at("format") != "pcvt seam") decoder.refuse("it is not a seam of pcvt");
-    if (decoder.at("version") != kVersion) decoder.refuse("its version is not 1");
-    if (decoder.at("index_base") != 0) decoder.refuse("its index base is not 0");
+    if (decoder.at("format") != "pcvt seam") decoder.throw_bad_file("it is not a seam of pcvt");
+    if (decoder.at("version") != kVersion) decoder.throw_bad_file("its version is not 1");
+    if (decoder.at("index_base") != 0) decoder.throw_bad_file("its index base is not 0");
     const Json& word = decoder.at("kind");
     const auto kind = word.is_string() ? kind_of_word(word.get<std::string>()) : std::nullopt;
-    if (!kind) decoder.refuse("its kind is none of cells, triangles and grains");
+    if (!kind) decoder.throw_bad_file("its kind is none of cells, triangles and grains");
     Seam seam{*kind, decoder.lattice(), {}, {}, {}};
     for (const auto& [v, w, i, j] : decoder.rows<4>("vertex_pairs")) {
         seam.vertex_pairs.push_back({v, w, {i, j}});

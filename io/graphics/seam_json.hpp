@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -18,7 +18,7 @@ namespace pcvt {
 /// Vertices are counted from 0 in the order of the OBJ's `v` lines; there is one site a face of a
 /// cell tile, in the order of its `f` lines, or one a vertex of a triangle tile.
 struct Seam {
-    TileKind kind;
+    MeshKind kind;
     Lattice lattice;
     std::vector<VertexPair> vertex_pairs;
     std::vector<EdgePair> edge_pairs;
@@ -26,7 +26,7 @@ struct Seam {
 };
 
 /// One pair a line; the same bytes for the same tile.
-std::string encode_seam(const FlatTile& tile);
+std::string encode_seam(const Tile& tile);
 
 /// @param name  the file's name in messages.
 /// @throws BadFile unless the text is such a seam.

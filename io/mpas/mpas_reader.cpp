@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "io/bytes/library_lock.hpp"
+#include "io/bytes/openmesh_netcdf_mutex.hpp"
 #include "io/mpas/mpas_format.hpp"
 #include "io/tiles/tile_file.hpp"
 
@@ -17,7 +17,8 @@ class MpasInput {
    public:
     MpasInput(const std::string& path, const std::string& bytes) : path_(path), bytes_(bytes) {
         if (bytes.size() < 4 || !bytes.starts_with("CDF")) {
-            refuse("not a netCDF file of the classic formats; convert it with nccopy -k nc6");
+            throw_bad_file(
+                "not a netCDF file of the classic formats; convert it with nccopy -k nc6");
         }
         // The library takes a pointer to what it will not write to.
         void* memory = const_cast<char*>(bytes.data());
@@ -27,7 +28,7 @@ class MpasInput {
     MpasInput(const MpasInput&) = delete;
     MpasInput& operator=(const MpasInput&) = delete;
 
-    [[noreturn]] void refuse(const std::string& complaint) const {
+    [[noreturn]] void throw_bad_file(const std::string& complaint) const {
         throw BadFile(path_ + ": " + complaint);
     }
 
@@ -39,8 +40,8 @@ class MpasInput {
         // No dimension of a whole file is longer than the file.
         if (length == 0 || length > bytes_.size() ||
             length > std::size_t(std::numeric_limits<int>::max())) {
-            refuse("dimension " + std::string(name) + " has the size " + std::to_string(length) +
-                   "; give the whole file");
+            throw_bad_file("dimension " + std::string(name) + " has the size " +
+                           std::to_string(length) + "; give the whole file");
         }
         return static_cast<int>(length);
     }
@@ -49,16 +50,17 @@ class MpasInput {
         double value = 0;
         std::size_t length = 0;
         require(nc_inq_attlen(id_, NC_GLOBAL, name, &length), name);
-        if (length != 1) refuse("attribute " + std::string(name) + " is not one number");
+        if (length != 1) throw_bad_file("attribute " + std::string(name) + " is not one number");
         require(nc_get_att_double(id_, NC_GLOBAL, name, &value), name);
         return value;
     }
 
-    void read(const MpasVariable& variable, const CGrid& grid, std::vector<int>& values) const {
+    void read(const MpasVariable& variable, const MpasGrid& grid, std::vector<int>& values) const {
         values.resize(entries(variable, grid, sizeof(int)));
         require(nc_get_var_int(id_, number(variable), values.data()), variable.name);
     }
-    void read(const MpasVariable& variable, const CGrid& grid, std::vector<double>& values) const {
+    void read(const MpasVariable& variable, const MpasGrid& grid,
+              std::vector<double>& values) const {
         values.resize(entries(variable, grid, sizeof(double)));
         require(nc_get_var_double(id_, number(variable), values.data()), variable.name);
     }
@@ -79,14 +81,15 @@ class MpasInput {
         if (length == ids.size()) require(nc_get_var_int(id_, variable, ids.data()), name);
         for (int k = 0; k < n; ++k) {
             if (ids[k] == k + 1) continue;
-            refuse(name + " does not count from 1; give the whole file, or number it anew");
+            throw_bad_file(name + " does not count from 1; give the whole file, or number it anew");
         }
     }
 
    private:
     void require(int status, const std::string& what) const {
         if (status == NC_NOERR) return;
-        refuse(what + " cannot be read: " + nc_strerror(status) + "; give an MPAS mesh file");
+        throw_bad_file(what + " cannot be read: " + nc_strerror(status) +
+                       "; give an MPAS mesh file");
     }
 
     int number(const MpasVariable& variable) const {
@@ -96,7 +99,8 @@ class MpasInput {
     }
 
     /// The number of entries that the variable should have, and has.
-    std::size_t entries(const MpasVariable& variable, const CGrid& grid, std::size_t size) const {
+    std::size_t entries(const MpasVariable& variable, const MpasGrid& grid,
+                        std::size_t size) const {
         int n_dimensions = 0;
         int dimensions[NC_MAX_VAR_DIMS] = {};
         require(
@@ -111,8 +115,8 @@ class MpasInput {
         const std::size_t wanted = static_cast<std::size_t>(mpas_size(grid, variable.rows)) *
                                    mpas_size(grid, variable.columns);
         if (n_dimensions > 2 || found != wanted || wanted > bytes_.size() / size) {
-            refuse(std::string(variable.name) + " has " + std::to_string(found) + " entries, not " +
-                   std::to_string(wanted) + "; give the whole file");
+            throw_bad_file(std::string(variable.name) + " has " + std::to_string(found) +
+                           " entries, not " + std::to_string(wanted) + "; give the whole file");
         }
         return wanted;
     }
@@ -124,17 +128,18 @@ class MpasInput {
 
 }  // namespace
 
-CGrid decode_mpas(const std::string& path, const std::string& bytes) {
-    const std::lock_guard lock(library_lock());
+MpasGrid decode_mpas(const std::string& path, const std::string& bytes) {
+    const std::lock_guard lock(openmesh_netcdf_mutex());
     const MpasInput file(path, bytes);
-    CGrid grid{};
+    MpasGrid grid{};
     grid.x_period = file.attribute("x_period");
     grid.y_period = file.attribute("y_period");
     grid.n_cells = file.dimension("nCells");
     grid.n_edges = file.dimension("nEdges");
     grid.n_vertices = file.dimension("nVertices");
     grid.max_edges = file.dimension("maxEdges");
-    if (grid.max_edges > std::numeric_limits<int>::max() / 2) file.refuse("maxEdges is too large");
+    if (grid.max_edges > std::numeric_limits<int>::max() / 2)
+        file.throw_bad_file("maxEdges is too large");
     for (const MpasVariable& variable : mpas_variables()) {
         if (variable.indices != nullptr) {
             file.read(variable, grid, grid.*variable.indices);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/finite_volume/c_grid.hpp"
+#include "mesher/finite_volume/mpas_grid.hpp"
 
 namespace pcvt {
 
@@ -11,6 +11,6 @@ namespace pcvt {
 /// @throws BadFile  it is no netCDF file of the classic formats, or lacks a dimension, a variable
 /// or
 ///                  a period, or a variable has another shape.
-CGrid decode_mpas(const std::string& path, const std::string& bytes);
+MpasGrid decode_mpas(const std::string& path, const std::string& bytes);
 
 }  // namespace pcvt

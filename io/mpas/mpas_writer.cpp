@@ -7,7 +7,7 @@
 #include <map>
 #include <numeric>
 
-#include "io/bytes/library_lock.hpp"
+#include "io/bytes/openmesh_netcdf_mutex.hpp"
 #include "io/mpas/mpas_format.hpp"
 #include "mesher/base/error.hpp"
 
@@ -54,7 +54,7 @@ class MemoryFile {
 /// Dimensions at once, then attributes and variables, then what fills them.
 class MpasFile {
    public:
-    explicit MpasFile(const CGrid& grid) : grid_(grid) {
+    explicit MpasFile(const MpasGrid& grid) : grid_(grid) {
         for (const MpasDimension& dimension : mpas_dimensions()) {
             const int size = mpas_size(grid, dimension.size);
             require(nc_def_dim(file_.id(), dimension.name, size, &dimension_[dimension.size]));
@@ -92,7 +92,7 @@ class MpasFile {
     std::string close() { return file_.close(); }
 
    private:
-    const CGrid& grid_;
+    const MpasGrid& grid_;
     MemoryFile file_;
     std::map<MpasSize, int> dimension_;
 };
@@ -102,7 +102,7 @@ std::vector<int> counted_from_one(std::vector<int> indices) {
     return indices;
 }
 
-void state_attributes(const CGrid& grid, MpasFile& file) {
+void state_attributes(const MpasGrid& grid, MpasFile& file) {
     file.state("on_a_sphere", "NO");
     file.state("sphere_radius", 0.0);
     file.state("is_periodic", "YES");
@@ -127,7 +127,7 @@ PlainVariables define_plain(const std::string& word, MpasSize rows, MpasFile& fi
     return plain;
 }
 
-void fill_plain(const PlainVariables& plain, const CGrid& grid, MpasFile& file) {
+void fill_plain(const PlainVariables& plain, const MpasGrid& grid, MpasFile& file) {
     const auto n = static_cast<std::size_t>(mpas_size(grid, plain.rows));
     for (const int variable : plain.zeros) file.fill(variable, std::vector<double>(n, 0));
     std::vector<int> ids(n);
@@ -137,8 +137,8 @@ void fill_plain(const PlainVariables& plain, const CGrid& grid, MpasFile& file) 
 
 }  // namespace
 
-std::string encode_mpas(const CGrid& grid) {
-    const std::lock_guard lock(library_lock());
+std::string encode_mpas(const MpasGrid& grid) {
+    const std::lock_guard lock(openmesh_netcdf_mutex());
     MpasFile file(grid);
     state_attributes(grid, file);
     std::vector<int> numbers;
@@ -146,7 +146,7 @@ std::string encode_mpas(const CGrid& grid) {
         const nc_type type = variable.numbers != nullptr ? NC_DOUBLE : NC_INT;
         numbers.push_back(file.define(variable.name, type, variable.rows, variable.columns));
     }
-    const PlainVariables plain[] = {define_plain("Cell", MpasSize::kCells, file),
+    const PlainVariables plain[] = {define_plain("Cell", MpasSize::kVoronoi, file),
                                     define_plain("Edge", MpasSize::kEdges, file),
                                     define_plain("Vertex", MpasSize::kVertices, file)};
     file.begin_filling();

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/finite_volume/c_grid.hpp"
+#include "mesher/finite_volume/mpas_grid.hpp"
 
 namespace pcvt {
 
@@ -10,6 +10,6 @@ namespace pcvt {
 /// are 0; the ids in indexTo...ID count from 1 like all indices in the file.
 /// @throws LimitExceeded  a table is longer than the format can hold.
 /// @throws InternalError  netCDF does not write.
-std::string encode_mpas(const CGrid& grid);
+std::string encode_mpas(const MpasGrid& grid);
 
 }  // namespace pcvt

@@ -70,16 +70,16 @@ PISO
 }
 )";
 
-std::string boundary_field(const SlabMesh& slab) {
+std::string boundary_field(const ExtrudedMesh& extruded) {
     std::string text = "boundaryField\n{\n";
-    for (const SlabPatch& patch : slab.patches) {
+    for (const ExtrudedPatch& patch : extruded.patches) {
         text +=
             "    " + patch.name + " { type " + (patch.partner < 0 ? "empty" : "cyclic") + "; }\n";
     }
     return text + "}\n";
 }
 
-Vec2 face_centroid(const FlatTile& tile, int f) {
+Vec2 face_centroid(const Tile& tile, int f) {
     Polygon polygon;
     for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
         polygon.push_back(tile.points[tile.corners[c]]);
@@ -111,7 +111,8 @@ std::string foam_transport(const DecayingFlow& flow) {
                {{"RATE", flow.rate()}, {"NU", 1 / (flow.rate() * flow.turn_time())}});
 }
 
-std::string foam_velocity(const DecayingFlow& flow, const SlabMesh& slab, const FlatTile& tile) {
+std::string foam_velocity(const DecayingFlow& flow, const ExtrudedMesh& extruded,
+                          const Tile& tile) {
     std::string text = foam_header("volVectorField", "0", "U") +
                        "dimensions [0 1 -1 0 0 0 0];\ninternalField nonuniform List<vector>\n" +
                        std::to_string(tile.n_faces()) + "\n(\n";
@@ -120,12 +121,12 @@ std::string foam_velocity(const DecayingFlow& flow, const SlabMesh& slab, const 
         append_foam_vector(text, {u.x(), u.y(), 0});
         text += '\n';
     }
-    return text + ");\n" + boundary_field(slab);
+    return text + ");\n" + boundary_field(extruded);
 }
 
-std::string foam_pressure(const SlabMesh& slab) {
+std::string foam_pressure(const ExtrudedMesh& extruded) {
     return foam_header("volScalarField", "0", "p") +
-           "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\n" + boundary_field(slab);
+           "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\n" + boundary_field(extruded);
 }
 
 }  // namespace pcvt

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "mesher/finite_volume/decaying_flow.hpp"
-#include "mesher/finite_volume/slab_mesh.hpp"
+#include "mesher/finite_volume/extruded_mesh.hpp"
 
 namespace pcvt {
 
@@ -16,7 +16,7 @@ std::string foam_solution();
 std::string foam_transport(const DecayingFlow& flow);
 
 /// U: the flow at the centroid of each cell. p: 0.
-std::string foam_velocity(const DecayingFlow& flow, const SlabMesh& slab, const FlatTile& tile);
-std::string foam_pressure(const SlabMesh& slab);
+std::string foam_velocity(const DecayingFlow& flow, const ExtrudedMesh& extruded, const Tile& tile);
+std::string foam_pressure(const ExtrudedMesh& extruded);
 
 }  // namespace pcvt

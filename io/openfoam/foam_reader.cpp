@@ -7,7 +7,7 @@
 
 #include "io/openfoam/foam_scanner.hpp"
 #include "io/tiles/raw_tile.hpp"
-#include "mesher/finite_volume/slab_tile.hpp"
+#include "mesher/finite_volume/extruded_base.hpp"
 
 namespace pcvt {
 namespace {
@@ -20,31 +20,31 @@ const EncodedFile& file_named(const std::vector<EncodedFile>& files, const std::
     throw BadFile(files.front().path + ": there is no " + end + " beside it; give a whole case");
 }
 
-void read_points(const EncodedFile& file, SlabMesh& slab) {
+void read_points(const EncodedFile& file, ExtrudedMesh& extruded) {
     FoamScanner scanner(file.path, file.bytes);
     const int n = scanner.begin_list();
-    slab.points.reserve(static_cast<std::size_t>(n));
+    extruded.points.reserve(static_cast<std::size_t>(n));
     for (int k = 0; k < n; ++k) {
         scanner.expect("(");
         const double x = scanner.number();
         const double y = scanner.number();
         const double z = scanner.number();
-        slab.points.emplace_back(x, y, z);
+        extruded.points.emplace_back(x, y, z);
         scanner.expect(")");
     }
     scanner.expect(")");
 }
 
-void read_faces(const EncodedFile& file, SlabMesh& slab) {
+void read_faces(const EncodedFile& file, ExtrudedMesh& extruded) {
     FoamScanner scanner(file.path, file.bytes);
     const int n = scanner.begin_list();
-    slab.face_begin.reserve(static_cast<std::size_t>(n) + 1);
+    extruded.face_begin.reserve(static_cast<std::size_t>(n) + 1);
     for (int k = 0; k < n; ++k) {
         for (int left = scanner.begin_list(); left > 0; --left) {
-            slab.corners.push_back(scanner.integer());
+            extruded.corners.push_back(scanner.integer());
         }
         scanner.expect(")");
-        slab.face_begin.push_back(static_cast<int>(slab.corners.size()));
+        extruded.face_begin.push_back(static_cast<int>(extruded.corners.size()));
     }
     scanner.expect(")");
 }
@@ -74,19 +74,19 @@ Vec2 read_separation(FoamScanner& scanner) {
     scanner.expect("(");
     const double x = scanner.number();
     const double y = scanner.number();
-    if (scanner.number() != 0) scanner.refuse("a separation leaves the plane; make z 0");
+    if (scanner.number() != 0) scanner.throw_bad_file("a separation leaves the plane; make z 0");
     scanner.expect(")");
     return {x, y};
 }
 
 /// A patch as it stands, with the name of its partner: empty where it has none.
-std::pair<SlabPatch, std::string> read_patch(FoamScanner& scanner) {
-    SlabPatch patch{std::string(scanner.next()), -1, -1, -1, Offset{}, Vec2(0, 0)};
+std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner) {
+    ExtrudedPatch patch{std::string(scanner.next()), -1, -1, -1, Offset{}, Vec2(0, 0)};
     std::string type;
     std::string partner;
     scanner.expect("{");
     for (std::string_view key = scanner.next(); key != "}"; key = scanner.next()) {
-        if (key.empty()) scanner.refuse("a patch does not end; give the whole file");
+        if (key.empty()) scanner.throw_bad_file("a patch does not end; give the whole file");
         if (key == "type") type = scanner.next();
         if (key == "neighbourPatch") partner = scanner.next();
         if (key == "nFaces") patch.n_faces = scanner.integer();
@@ -98,37 +98,38 @@ std::pair<SlabPatch, std::string> read_patch(FoamScanner& scanner) {
     const std::optional<Offset> offset = named_offset(patch.name);
     const auto fits = [](int k) { return k >= -kLargestOffset && k <= kLargestOffset; };
     if (type != "cyclic" || partner.empty() || !offset || !fits(offset->i) || !fits(offset->j)) {
-        scanner.refuse("patch " + in_quotes(patch.name) +
-                       " is neither an empty one nor one side of a seam; name the cyclic ones "
-                       "seam_I_J and give each a neighbourPatch");
+        scanner.throw_bad_file(
+            "patch " + in_quotes(patch.name) +
+            " is neither an empty one nor one side of a seam; name the cyclic ones "
+            "seam_I_J and give each a neighbourPatch");
     }
     patch.offset = *offset;
     return {patch, partner};
 }
 
-void read_boundary(const EncodedFile& file, SlabMesh& slab) {
+void read_boundary(const EncodedFile& file, ExtrudedMesh& extruded) {
     FoamScanner scanner(file.path, file.bytes);
     std::vector<std::string> partners;
     for (int left = scanner.begin_list(); left > 0; --left) {
         auto [patch, partner] = read_patch(scanner);
-        slab.patches.push_back(std::move(patch));
+        extruded.patches.push_back(std::move(patch));
         partners.push_back(std::move(partner));
     }
     scanner.expect(")");
     std::map<std::string, int> index;
-    for (const SlabPatch& patch : slab.patches) {
+    for (const ExtrudedPatch& patch : extruded.patches) {
         index.emplace(patch.name, static_cast<int>(index.size()));
     }
-    if (index.size() != slab.patches.size())
-        scanner.refuse("two patches have one name; rename one");
+    if (index.size() != extruded.patches.size())
+        scanner.throw_bad_file("two patches have one name; rename one");
     for (std::size_t p = 0; p < partners.size(); ++p) {
         if (partners[p].empty()) continue;
         const auto found = index.find(partners[p]);
         if (found == index.end()) {
-            scanner.refuse("there is no patch " + in_quotes(partners[p]) +
-                           "; name an existing one");
+            scanner.throw_bad_file("there is no patch " + in_quotes(partners[p]) +
+                                   "; name an existing one");
         }
-        slab.patches[p].partner = found->second;
+        extruded.patches[p].partner = found->second;
     }
 }
 
@@ -159,13 +160,14 @@ TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<
     if (!known) {
         throw BadFile(boundary.path + ": the file names no lattice; pass --lattice AX,AY,BX,BY");
     }
-    SlabMesh slab{*known, comments.kind.value_or(TileKind::kCells), {}, {0}, {}, {}, {}, {}};
-    read_points(file_named(files, "points"), slab);
-    read_faces(file_named(files, "faces"), slab);
-    slab.owner = read_labels(file_named(files, "owner"));
-    slab.neighbour = read_labels(file_named(files, "neighbour"));
-    read_boundary(boundary, slab);
-    return {slab_tile(slab), Precision::kDouble, false, true};
+    ExtrudedMesh extruded{*known, comments.kind.value_or(MeshKind::kVoronoi), {}, {0}, {}, {}, {},
+                          {}};
+    read_points(file_named(files, "points"), extruded);
+    read_faces(file_named(files, "faces"), extruded);
+    extruded.owner = read_labels(file_named(files, "owner"));
+    extruded.neighbour = read_labels(file_named(files, "neighbour"));
+    read_boundary(boundary, extruded);
+    return {extruded_base(extruded), Precision::kDouble, false, true};
 }
 
 }  // namespace pcvt

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "io/tiles/tile_file.hpp"
 
 namespace pcvt {
 
@@ -12,7 +13,7 @@ namespace pcvt {
 /// @param lattice  stands in for the comment `pcvt lattice` that a boundary file of another program
 ///                 lacks.
 /// @throws BadFile  a file is missing or is not what OpenFOAM calls ASCII.
-/// @throws NotATile the mesh breaks the laws of SlabMesh.
+/// @throws NotATile the mesh breaks the laws of ExtrudedMesh.
 TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
 
 }  // namespace pcvt

@@ -29,9 +29,9 @@ FoamScanner::FoamScanner(std::string name, std::string_view text)
     expect("FoamFile");
     expect("{");
     for (std::string_view key = next(); key != "}"; key = next()) {
-        if (key.empty()) refuse("the header does not end; give the whole file");
+        if (key.empty()) throw_bad_file("the header does not end; give the whole file");
         if (key == "format" && next() != "ascii") {
-            refuse("the format is not ascii; write the mesh with writeFormat ascii");
+            throw_bad_file("the format is not ascii; write the mesh with writeFormat ascii");
         }
         skip_entry();
     }
@@ -67,15 +67,15 @@ std::string_view FoamScanner::next() {
 void FoamScanner::expect(std::string_view token) {
     const std::string_view found = next();
     if (found == token) return;
-    refuse((found.empty() ? "the file ends" : "there is " + in_quotes(found)) + " where " +
-           in_quotes(token) + " should stand; give a file of an OpenFOAM case");
+    throw_bad_file((found.empty() ? "the file ends" : "there is " + in_quotes(found)) + " where " +
+                   in_quotes(token) + " should stand; give a file of an OpenFOAM case");
 }
 
 int FoamScanner::integer() {
     try {
         return parse_integer(next());
     } catch (const InvalidInput& fault) {
-        refuse(fault.what());
+        throw_bad_file(fault.what());
     }
 }
 
@@ -83,26 +83,27 @@ double FoamScanner::number() {
     try {
         return parse_number(next());
     } catch (const InvalidInput& fault) {
-        refuse(fault.what());
+        throw_bad_file(fault.what());
     }
 }
 
 void FoamScanner::skip_entry() {
     for (std::string_view token = next(); token != ";"; token = next()) {
-        if (token.empty() || token == "}") refuse("an entry does not end; close it with ;");
+        if (token.empty() || token == "}") throw_bad_file("an entry does not end; close it with ;");
     }
 }
 
 int FoamScanner::begin_list() {
     const int n = integer();
     if (n < 0 || static_cast<std::size_t>(n) > rest_.size()) {
-        refuse("a list of " + std::to_string(n) + " does not fit the file; give the whole file");
+        throw_bad_file("a list of " + std::to_string(n) +
+                       " does not fit the file; give the whole file");
     }
     expect("(");
     return n;
 }
 
-void FoamScanner::refuse(const std::string& complaint) const {
+void FoamScanner::throw_bad_file(const std::string& complaint) const {
     throw BadFile(name_ + ":" + std::to_string(line_) + ": " + complaint);
 }
 

@@ -28,7 +28,7 @@ class FoamScanner {
     int begin_list();
 
     /// @throws BadFile `name:line: complaint`.
-    [[noreturn]] void refuse(const std::string& complaint) const;
+    [[noreturn]] void throw_bad_file(const std::string& complaint) const;
 
    private:
     void skip_blanks();

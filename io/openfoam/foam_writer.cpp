@@ -16,21 +16,21 @@ const char* const kMeshFolder = "constant/polyMesh";
 
 std::string count_line(int n) { return std::to_string(n) + "\n(\n"; }
 
-std::string encode_points(const SlabMesh& slab) {
+std::string encode_points(const ExtrudedMesh& extruded) {
     std::string text =
-        foam_header("vectorField", kMeshFolder, "points") + count_line(slab.n_points());
+        foam_header("vectorField", kMeshFolder, "points") + count_line(extruded.n_points());
     // The front repeats the back at another z.
     std::string place;
     std::vector<std::string::size_type> begin{0};
-    for (int v = 0; v < slab.n_points() / 2; ++v) {
+    for (int v = 0; v < extruded.n_points() / 2; ++v) {
         place += '(';
-        append_number(place, slab.points[v].x());
+        append_number(place, extruded.points[v].x());
         place += ' ';
-        append_number(place, slab.points[v].y());
+        append_number(place, extruded.points[v].y());
         place += ' ';
         begin.push_back(place.size());
     }
-    for (const double z : {slab.points.front().z(), slab.points.back().z()}) {
+    for (const double z : {extruded.points.front().z(), extruded.points.back().z()}) {
         std::string end;
         append_number(end, z);
         end += ")\n";
@@ -41,14 +41,15 @@ std::string encode_points(const SlabMesh& slab) {
     return text + ")\n";
 }
 
-std::string encode_faces(const SlabMesh& slab) {
-    std::string text = foam_header("faceList", kMeshFolder, "faces") + count_line(slab.n_faces());
-    for (int f = 0; f < slab.n_faces(); ++f) {
-        append_number(text, slab.face_size(f));
+std::string encode_faces(const ExtrudedMesh& extruded) {
+    std::string text =
+        foam_header("faceList", kMeshFolder, "faces") + count_line(extruded.n_faces());
+    for (int f = 0; f < extruded.n_faces(); ++f) {
+        append_number(text, extruded.face_size(f));
         char before = '(';
-        for (int c = slab.face_begin[f]; c < slab.face_begin[f + 1]; ++c) {
+        for (int c = extruded.face_begin[f]; c < extruded.face_begin[f + 1]; ++c) {
             text += before;
-            append_number(text, slab.corners[c]);
+            append_number(text, extruded.corners[c]);
             before = ' ';
         }
         text += ")\n";
@@ -56,12 +57,12 @@ std::string encode_faces(const SlabMesh& slab) {
     return text + ")\n";
 }
 
-std::string encode_labels(const SlabMesh& slab, const std::string& name,
+std::string encode_labels(const ExtrudedMesh& extruded, const std::string& name,
                           const std::vector<int>& cells) {
-    const std::string note = "nPoints:" + std::to_string(slab.n_points()) +
-                             " nCells:" + std::to_string(slab.patches.back().n_faces) +
-                             " nFaces:" + std::to_string(slab.n_faces()) +
-                             " nInternalFaces:" + std::to_string(slab.n_inner_faces());
+    const std::string note = "nPoints:" + std::to_string(extruded.n_points()) +
+                             " nCells:" + std::to_string(extruded.patches.back().n_faces) +
+                             " nFaces:" + std::to_string(extruded.n_faces()) +
+                             " nInternalFaces:" + std::to_string(extruded.n_inner_faces());
     std::string text = foam_header("labelList", kMeshFolder, name, note) +
                        count_line(static_cast<int>(cells.size()));
     for (const int cell : cells) {
@@ -71,7 +72,7 @@ std::string encode_labels(const SlabMesh& slab, const std::string& name,
     return text + ")\n";
 }
 
-void append_patch(std::string& text, const SlabMesh& slab, const SlabPatch& patch) {
+void append_patch(std::string& text, const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
     text += "    " + patch.name + "\n    {\n        type            " +
             (patch.partner < 0 ? "empty" : "cyclic") + ";\n        nFaces          " +
             std::to_string(patch.n_faces) + ";\n        startFace       " +
@@ -80,26 +81,26 @@ void append_patch(std::string& text, const SlabMesh& slab, const SlabPatch& patc
         text +=
             "        matchTolerance  1e-06;\n        transform       translational;\n"
             "        neighbourPatch  " +
-            slab.patches[patch.partner].name + ";\n        separationVector ";
+            extruded.patches[patch.partner].name + ";\n        separationVector ";
         append_foam_vector(text, {patch.separation.x(), patch.separation.y(), 0});
         text += ";\n";
     }
     text += "    }\n";
 }
 
-std::string encode_boundary(const SlabMesh& slab) {
+std::string encode_boundary(const ExtrudedMesh& extruded) {
     std::string text = foam_header("polyBoundaryMesh", kMeshFolder, "boundary") +
                        "// A periodic tile, written by pcvt: seam_I_J is answered at + I a + J b\n"
                        "// pcvt kind " +
-                       kind_word(slab.kind) + "\n// pcvt lattice";
-    const Vec2& a = slab.lattice.a();
-    const Vec2& b = slab.lattice.b();
+                       kind_word(extruded.kind) + "\n// pcvt lattice";
+    const Vec2& a = extruded.lattice.a();
+    const Vec2& b = extruded.lattice.b();
     for (const double number : {a.x(), a.y(), b.x(), b.y()}) {
         text += ' ';
         append_number(text, number);
     }
-    text += "\n" + count_line(static_cast<int>(slab.patches.size()));
-    for (const SlabPatch& patch : slab.patches) append_patch(text, slab, patch);
+    text += "\n" + count_line(static_cast<int>(extruded.patches.size()));
+    for (const ExtrudedPatch& patch : extruded.patches) append_patch(text, extruded, patch);
     return text + ")\n";
 }
 
@@ -117,22 +118,22 @@ std::vector<std::string> foam_paths(const std::string& folder) {
     return paths;
 }
 
-std::vector<EncodedFile> encode_foam(const FlatTile& tile, const std::string& folder) {
+std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder) {
     require_finite(tile);
-    const SlabMesh slab = slab_mesh(tile);
+    const ExtrudedMesh extruded = extruded_mesh(tile);
     const DecayingFlow flow(tile.lattice);
     std::vector<std::string> contents = {
-        encode_points(slab),
-        encode_faces(slab),
-        encode_labels(slab, "owner", slab.owner),
-        encode_labels(slab, "neighbour", slab.neighbour),
-        encode_boundary(slab),
+        encode_points(extruded),
+        encode_faces(extruded),
+        encode_labels(extruded, "owner", extruded.owner),
+        encode_labels(extruded, "neighbour", extruded.neighbour),
+        encode_boundary(extruded),
         foam_transport(flow),
         foam_control(flow, std::sqrt(tile.lattice.area() / tile.n_faces())),
         foam_schemes(),
         foam_solution(),
-        foam_velocity(flow, slab, tile),
-        foam_pressure(slab)};
+        foam_velocity(flow, extruded, tile),
+        foam_pressure(extruded)};
     const std::vector<std::string> paths = foam_paths(folder);
     std::vector<EncodedFile> files;
     for (std::size_t k = 0; k < paths.size(); ++k) {

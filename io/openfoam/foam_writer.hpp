@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -17,6 +18,6 @@ std::vector<std::string> foam_paths(const std::string& folder);
 /// Cell i is face i of the tile, so in a tile of cells that was not repeated the cell of site i.
 /// Comments in the boundary file keep the kind of the faces and the period vectors.
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_foam(const FlatTile& tile, const std::string& folder);
+std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder);
 
 }  // namespace pcvt

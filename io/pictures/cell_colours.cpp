@@ -8,7 +8,8 @@
 
 #include "io/tiles/palette.hpp"
 #include "mesher/lattice/polygon.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
+#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,7 +27,7 @@ std::string two_digits(double value) {
     return {text.data(), end.ptr};
 }
 
-double face_area(const FlatTile& tile, int face) {
+double face_area(const Tile& tile, int face) {
     Polygon polygon;
     for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
         polygon.push_back(tile.points[tile.corners[c]]);
@@ -35,7 +36,7 @@ double face_area(const FlatTile& tile, int face) {
 }
 
 /// log2(sqrt(area) / h) of each site's cell, all its faces together.
-std::map<SiteId, double> size_octaves(const FlatTile& tile) {
+std::map<SiteId, double> size_octaves(const Tile& tile) {
     std::map<SiteId, double> octaves;
     for (int f = 0; f < tile.n_faces(); ++f) octaves[tile.face_site[f]] += face_area(tile, f);
     const double mean = tile.lattice.area() / static_cast<double>(octaves.size());
@@ -47,7 +48,7 @@ std::map<SiteId, double> size_octaves(const FlatTile& tile) {
 
 }  // namespace
 
-CellColours colours_by_sides(const FlatTile& tile) {
+CellColours colours_by_sides(const Tile& tile) {
     CellColours colours;
     const std::vector<int> sides = cell_sides(tile);
     const std::map<int, int> counts = histogram(sides);
@@ -64,7 +65,7 @@ CellColours colours_by_sides(const FlatTile& tile) {
     return colours;
 }
 
-CellColours colours_by_size(const FlatTile& tile) {
+CellColours colours_by_size(const Tile& tile) {
     const std::map<SiteId, double> octaves = size_octaves(tile);
     double least = octaves.begin()->second;
     double most = least;

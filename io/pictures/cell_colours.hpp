@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/pictures/svg_legend.hpp"
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -15,10 +15,10 @@ struct CellColours {
 };
 
 /// By the number of sides of the cell that a face belongs to.
-CellColours colours_by_sides(const FlatTile& tile);
+CellColours colours_by_sides(const Tile& tile);
 
 /// By sqrt(area) / h of the cell that a face belongs to, h = sqrt(area of the tile / n): classes of
 /// equal ratios, 2^(1/16) or a power of it, nine of them at most.
-CellColours colours_by_size(const FlatTile& tile);
+CellColours colours_by_size(const Tile& tile);
 
 }  // namespace pcvt

@@ -18,7 +18,7 @@ double longest_diagonal(const Lattice& lattice) {
 }
 
 /// The corner of the parallelogram, which has no extent above 1, where cells are cut along it.
-std::optional<Vec2> box_corner(const FlatTile& tile) {
+std::optional<Vec2> box_corner(const Tile& tile) {
     if (tile.whole_sides.empty()) return std::nullopt;
     Vec2 low = tile.lattice.to_lattice(tile.points[0]);
     Vec2 high = low;
@@ -33,7 +33,7 @@ std::optional<Vec2> box_corner(const FlatTile& tile) {
 
 }  // namespace
 
-SvgDomain drawn_domain(const FlatTile& tile) {
+SvgDomain drawn_domain(const Tile& tile) {
     if (const auto corner = box_corner(tile)) {
         const Vec2& a = tile.lattice.a();
         const Vec2& b = tile.lattice.b();

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -16,6 +16,6 @@ struct SvgDomain {
 
 /// Where cells are cut along the parallelogram: that itself. Else the parallelogram at the lattice
 /// point where it covers the tile best, of the reduced basis if the typed one is much longer.
-SvgDomain drawn_domain(const FlatTile& tile);
+SvgDomain drawn_domain(const Tile& tile);
 
 }  // namespace pcvt

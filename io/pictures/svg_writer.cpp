@@ -16,7 +16,8 @@
 #include "io/tiles/finite.hpp"
 #include "io/tiles/palette.hpp"
 #include "mesher/lattice/polygon.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
+#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -34,7 +35,7 @@ constexpr int kRegular = 6;
 
 /// One drawing: the tile, where it goes, and the spacing h of its sites in pixels.
 struct Drawing {
-    const FlatTile& tile;
+    const Tile& tile;
     SvgFrame frame;
     double spacing;
 
@@ -46,8 +47,8 @@ struct Drawing {
 };
 
 /// Sites, or what stands for them: pieces of cells and grains count once for each site.
-int count_sites(const FlatTile& tile) {
-    if (tile.kind == TileKind::kTriangles) {
+int count_sites(const Tile& tile) {
+    if (tile.kind == MeshKind::kDelaunay) {
         return tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());
     }
     if (tile.whole_sides.empty()) return tile.n_faces();
@@ -58,7 +59,7 @@ int count_sites(const FlatTile& tile) {
 Offset translation_class(Offset offset) { return offset < Offset{} ? -offset : offset; }
 
 /// Classes with their colours; (1, 0) and (0, 1) come first and so look the same in every picture.
-std::vector<std::pair<Offset, std::string>> seam_colours(const FlatTile& tile) {
+std::vector<std::pair<Offset, std::string>> seam_colours(const Tile& tile) {
     std::set<std::tuple<int, Offset>> classes;
     for (const EdgePair& pair : tile.edge_pairs) {
         const Offset offset = translation_class(pair.offset);
@@ -77,7 +78,7 @@ std::string stroke(const std::string& colour, double width) {
 
 std::string fill(const std::string& colour) { return " fill=\"" + colour + "\""; }
 
-void add_face(const FlatTile& tile, int face, SvgPath& path) {
+void add_face(const Tile& tile, int face, SvgPath& path) {
     for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
         const Vec2& point = tile.points[tile.corners[c]];
         c == tile.face_begin[face] ? path.move(point) : path.line(point);
@@ -86,7 +87,7 @@ void add_face(const FlatTile& tile, int face, SvgPath& path) {
 }
 
 /// Of the pieces of a cell some do not hold its site.
-bool holds_site(const FlatTile& tile, int face) {
+bool holds_site(const Tile& tile, int face) {
     if (tile.whole_sides.empty()) return true;
     const Vec2& site = tile.site_points[face];
     const Vec2* from = &tile.points[tile.corners[tile.face_begin[face + 1] - 1]];
@@ -99,7 +100,7 @@ bool holds_site(const FlatTile& tile, int face) {
 }
 
 std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool dotted) {
-    const FlatTile& tile = drawing.tile;
+    const Tile& tile = drawing.tile;
     std::map<std::string, SvgPath> by_colour;
     SvgPath dots(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -122,7 +123,7 @@ std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool 
 
 /// Edges between triangles of two sites.
 SvgPath grain_boundaries(const Drawing& drawing) {
-    const FlatTile& tile = drawing.tile;
+    const Tile& tile = drawing.tile;
     std::map<std::pair<int, int>, SiteId> site_at;
     SvgPath path(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -138,7 +139,7 @@ SvgPath grain_boundaries(const Drawing& drawing) {
 }
 
 std::string draw_grains(const Drawing& drawing, const CellColours& colours) {
-    const FlatTile& tile = drawing.tile;
+    const Tile& tile = drawing.tile;
     std::map<std::string, SvgPath> by_colour;
     for (int f = 0; f < tile.n_faces(); ++f) {
         add_face(tile, f, by_colour.try_emplace(colours.of_face[f], drawing.frame).first->second);
@@ -151,7 +152,7 @@ std::string draw_grains(const Drawing& drawing, const CellColours& colours) {
 }
 
 std::string draw_triangles(const Drawing& drawing) {
-    const FlatTile& tile = drawing.tile;
+    const Tile& tile = drawing.tile;
     SvgPath faces(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) add_face(tile, f, faces);
     return faces.element(fill(hex(side_colour(kRegular))) +
@@ -160,11 +161,11 @@ std::string draw_triangles(const Drawing& drawing) {
 
 std::string draw_faces(const Drawing& drawing, const CellColours& colours, bool dotted) {
     switch (drawing.tile.kind) {
-        case TileKind::kCells:
+        case MeshKind::kVoronoi:
             return draw_cells(drawing, colours, dotted);
-        case TileKind::kTriangles:
+        case MeshKind::kDelaunay:
             return draw_triangles(drawing);
-        case TileKind::kGrains:
+        case MeshKind::kGrains:
             return draw_grains(drawing, colours);
     }
     return "";
@@ -172,7 +173,7 @@ std::string draw_faces(const Drawing& drawing, const CellColours& colours, bool 
 
 /// Over the seam, so that a mark on the boundary is seen whole.
 std::string draw_valences(const Drawing& drawing) {
-    const FlatTile& tile = drawing.tile;
+    const Tile& tile = drawing.tile;
     const std::vector<int> valences = vertex_valences(tile);
     std::map<int, SvgPath> by_valence;
     for (int v = 0; v < tile.n_vertices(); ++v) {
@@ -199,7 +200,7 @@ std::string draw_domain(const std::vector<Vec2>& corners, const Drawing& drawing
 }
 
 std::string draw_seam(const Drawing& drawing) {
-    const FlatTile& tile = drawing.tile;
+    const Tile& tile = drawing.tile;
     std::string svg;
     for (const auto& [offset, colour] : seam_colours(tile)) {
         SvgPath path(drawing.frame);
@@ -218,7 +219,7 @@ std::string counted(int n, const std::string& noun) {
 }
 
 /// Valences of the representatives only: one a site.
-std::vector<int> site_valences(const FlatTile& tile) {
+std::vector<int> site_valences(const Tile& tile) {
     std::vector<int> valences = vertex_valences(tile);
     std::vector<bool> is_copy(valences.size());
     for (const VertexPair& pair : tile.vertex_pairs) is_copy[pair.w] = true;
@@ -229,23 +230,23 @@ std::vector<int> site_valences(const FlatTile& tile) {
     return result;
 }
 
-std::string caption(const FlatTile& tile) {
+std::string caption(const Tile& tile) {
     const int n = count_sites(tile);
     const std::string triangles = counted(tile.n_faces(), "triangle");
     switch (tile.kind) {
-        case TileKind::kCells:
+        case MeshKind::kVoronoi:
             return "Periodic Voronoi tile, " +
                    (tile.whole_sides.empty() ? counted(n, "cell")
                                              : counted(tile.n_faces(), "piece") + " of cells");
-        case TileKind::kTriangles:
+        case MeshKind::kDelaunay:
             return "Periodic Delaunay tile, " + counted(n, "site") + ", " + triangles;
-        case TileKind::kGrains:
+        case MeshKind::kGrains:
             return "Periodic grains, " + triangles;
     }
     return "";
 }
 
-std::vector<LegendEntry> valence_entries(const FlatTile& tile) {
+std::vector<LegendEntry> valence_entries(const Tile& tile) {
     std::vector<LegendEntry> entries;
     for (const auto& [valence, count] : histogram(site_valences(tile))) {
         const std::string label = "valence " + std::to_string(valence) + ": ";
@@ -256,8 +257,7 @@ std::vector<LegendEntry> valence_entries(const FlatTile& tile) {
     return entries;
 }
 
-Legend make_legend(const FlatTile& tile, const SvgDomain& domain,
-                   std::vector<LegendEntry> entries) {
+Legend make_legend(const Tile& tile, const SvgDomain& domain, std::vector<LegendEntry> entries) {
     Legend legend{caption(tile), std::move(entries)};
     for (const auto& [offset, colour] : seam_colours(tile)) {
         const std::string pair = std::to_string(offset.i) + ", " + std::to_string(offset.j);
@@ -267,7 +267,7 @@ Legend make_legend(const FlatTile& tile, const SvgDomain& domain,
     return legend;
 }
 
-std::string encode(const FlatTile& tile, bool by_size) {
+std::string encode(const Tile& tile, bool by_size) {
     require_finite(tile);
     const SvgDomain domain = drawn_domain(tile);
     std::vector<Vec2> drawn = tile.points;
@@ -287,18 +287,18 @@ std::string encode(const FlatTile& tile, bool by_size) {
     svg += draw_faces(drawing, colours, !by_size);
     svg += draw_domain(domain.corners, drawing);
     svg += draw_seam(drawing);
-    if (tile.kind == TileKind::kTriangles) svg += draw_valences(drawing);
+    if (tile.kind == MeshKind::kDelaunay) svg += draw_valences(drawing);
     svg += "</g>\n<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#1c1f26\">\n";
     return svg + placed.svg + "</g>\n</svg>\n";
 }
 
 }  // namespace
 
-std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_svg(const Tile& tile, const std::string& path) {
     return only_file(path, encode(tile, false));
 }
 
-std::vector<EncodedFile> encode_graded_svg(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_graded_svg(const Tile& tile, const std::string& path) {
     return only_file(path, encode(tile, true));
 }
 

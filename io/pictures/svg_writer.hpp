@@ -1,6 +1,7 @@
 #pragma once
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -12,10 +13,10 @@ namespace pcvt {
 /// Widths follow the size of the cells, so pictures of 1 and of 100,000 cells look alike. The
 /// domain is the parallelogram of the period vectors, or of the reduced ones where those are much
 /// shorter.
-std::vector<EncodedFile> encode_svg(const FlatTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_svg(const Tile& tile, const std::string& path);
 
 /// The same picture with cells filled by their size, sqrt(area of the cell) / h on a logarithmic
 /// scale, and without dots; triangles as above.
-std::vector<EncodedFile> encode_graded_svg(const FlatTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_graded_svg(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -9,7 +9,7 @@
 namespace pcvt {
 namespace {
 
-[[noreturn]] void refuse(std::size_t character, const std::string& what) {
+[[noreturn]] void throw_bad_file(std::size_t character, const std::string& what) {
     throw InvalidInput("character " + std::to_string(character) + ": " + what);
 }
 
@@ -29,7 +29,7 @@ void refuse_assignment(const std::string& text) {
         if (text[k] != '=') continue;
         const bool compares = k > 0 && std::string("<>!").find(text[k - 1]) != std::string::npos;
         if (!compares && text[k + 1] != '=') {
-            refuse(k + 1, "an assignment; write == to compare");
+            throw_bad_file(k + 1, "an assignment; write == to compare");
         }
         if (!compares) ++k;
     }
@@ -52,11 +52,11 @@ class Formula {
         } catch (const mu::ParserError& error) {
             const int place = error.GetPos();
             const std::size_t at = place < 0 ? text.size() : static_cast<std::size_t>(place);
-            refuse(std::min(at, text.size()) + 1,
-                   complaint(error) + "; write a formula in x, y, u and v");
+            throw_bad_file(std::min(at, text.size()) + 1,
+                           complaint(error) + "; write a formula in x, y, u and v");
         }
         if (parser_.GetNumResults() != 1) {
-            refuse(text.find(',') + 1, "several formulas; write one, with a decimal point");
+            throw_bad_file(text.find(',') + 1, "several formulas; write one, with a decimal point");
         }
     }
     Formula(const Formula&) = delete;

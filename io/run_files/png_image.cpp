@@ -9,7 +9,7 @@
 #include <memory>
 #include <string_view>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/bytes/bad_file.hpp"
 
 namespace pcvt {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::size_t kHeaderLength = 13;
 /// Four samples of 16 bits.
 constexpr std::size_t kPixelBytes = 8;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+[[noreturn]] void throw_bad_file(const std::string& name, const std::string& what) {
     throw BadFile(name + ": " + what + "; give a whole PNG");
 }
 
@@ -42,12 +42,12 @@ struct Outline {
 
 void read_header(const std::string& name, std::string_view chunk, Outline& outline) {
     if (chunk.substr(4, 4) != "IHDR" || big_endian(chunk.data()) != kHeaderLength) {
-        refuse(name, "does not begin with its header");
+        throw_bad_file(name, "does not begin with its header");
     }
     outline.width = big_endian(chunk.data() + 8);
     outline.height = big_endian(chunk.data() + 12);
     outline.wants_palette = chunk[17] == PNG_COLOR_TYPE_PALETTE;
-    if (outline.width == 0 || outline.height == 0) refuse(name, "has no pixels");
+    if (outline.width == 0 || outline.height == 0) throw_bad_file(name, "has no pixels");
     if (std::uint64_t{outline.width} * outline.height > kMostPixels) {
         throw LimitExceeded(name + ": " + std::to_string(outline.width) + " x " +
                             std::to_string(outline.height) + " pixels are more than " +
@@ -57,30 +57,30 @@ void read_header(const std::string& name, std::string_view chunk, Outline& outli
 
 /// Looks at every chunk. Of those that a decoder may pass over only tRNS is kept.
 Outline outline_of(const std::string& name, const std::string& bytes) {
-    if (!bytes.starts_with(kSignature)) refuse(name, "is not a PNG");
+    if (!bytes.starts_with(kSignature)) throw_bad_file(name, "is not a PNG");
     Outline outline;
     outline.bytes = kSignature;
     bool has_palette = false;
     bool has_pixels = false;
     for (std::size_t at = kSignature.size();;) {
         const std::size_t left = bytes.size() - at;
-        if (left < kChunkFrame) refuse(name, "is truncated");
+        if (left < kChunkFrame) throw_bad_file(name, "is truncated");
         const std::size_t length = big_endian(bytes.data() + at);
-        if (length > left - kChunkFrame) refuse(name, "is truncated");
+        if (length > left - kChunkFrame) throw_bad_file(name, "is truncated");
         const std::string_view chunk = std::string_view(bytes).substr(at, length + kChunkFrame);
         const std::string_view type = chunk.substr(4, 4);
         if (outline.width == 0) read_header(name, chunk, outline);
         has_palette = has_palette || type == "PLTE";
         has_pixels = has_pixels || type == "IDAT";
         if (has_pixels && outline.wants_palette && !has_palette) {
-            refuse(name, "is a palette picture without its palette");
+            throw_bad_file(name, "is a palette picture without its palette");
         }
         const bool critical = (type[0] & 0x20) == 0;
         if (critical || type == "tRNS") outline.bytes += chunk;
         if (type == "IEND") break;
         at += chunk.size();
     }
-    if (!has_pixels) refuse(name, "holds no pixels");
+    if (!has_pixels) throw_bad_file(name, "holds no pixels");
     return outline;
 }
 
@@ -157,7 +157,7 @@ GreyImage decode_png(const std::string& name, const std::string& bytes) {
     if (decoder.png != nullptr) decoder.info = png_create_info_struct(decoder.png);
     if (decoder.info == nullptr) throw std::bad_alloc();
     if (!decode(decoder)) {
-        refuse(name, "is damaged: " + std::string(decoder.complaint.data()));
+        throw_bad_file(name, "is damaged: " + std::string(decoder.complaint.data()));
     }
     GreyImage image{static_cast<int>(outline.width), static_cast<int>(outline.height), {}};
     image.grey.reserve(std::size_t{outline.width} * outline.height);

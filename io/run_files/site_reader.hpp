@@ -4,7 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/bytes/bad_file.hpp"
+#include "mesher/lattice/lattice.hpp"
 
 namespace pcvt {
 

@@ -76,7 +76,8 @@ class InpParser {
 
     NumberedTile parse() {
         while (scanner_.next()) parse_line();
-        if (n_pending_ > 0) scanner_.refuse("the last equation is not whole; write the file again");
+        if (n_pending_ > 0)
+            scanner_.throw_bad_file("the last equation is not whole; write the file again");
         if (controls_[0] && controls_[1]) tie_nodes();
         remove_controls();
         // Where nodes have sites, the cells of triangles follow from them.
@@ -115,13 +116,15 @@ class InpParser {
                 tile_.raw.sites.push_back(scanner_.integer(word));
             }
         } else {
-            scanner_.refuse("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
+            scanner_.throw_bad_file("pcvt does not know " + in_quotes(words[2]) +
+                                    "; remove the line");
         }
     }
 
     void parse_card(const Words& fields) {
         if (n_pending_ > 0)
-            scanner_.refuse("the equation before this card is not whole; write the file again");
+            scanner_.throw_bad_file(
+                "the equation before this card is not whole; write the file again");
         handler_ = nullptr;
         set_.clear();
         const std::string_view card = fields.front();
@@ -131,8 +134,8 @@ class InpParser {
         } else if (card == "*ELEMENT") {
             const std::string type = parameter(fields, "TYPE");
             if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) {
-                scanner_.refuse("elements of type " + in_quotes(type) +
-                                " are no plane triangles; give CPE3 or CPE6");
+                scanner_.throw_bad_file("elements of type " + in_quotes(type) +
+                                        " are no plane triangles; give CPE3 or CPE6");
             }
             n_element_nodes_ = static_cast<std::size_t>(type.back() - '0');
             handler_ = &InpParser::parse_element;
@@ -146,14 +149,14 @@ class InpParser {
 
     void require_fields(const Words& fields, std::size_t least, std::size_t most) const {
         if (fields.size() >= least && fields.size() <= most) return;
-        scanner_.refuse("the line has " + std::to_string(fields.size()) +
-                        " fields, which are too few or too many; write the file again");
+        scanner_.throw_bad_file("the line has " + std::to_string(fields.size()) +
+                                " fields, which are too few or too many; write the file again");
     }
 
     void parse_node(const Words& fields) {
         require_fields(fields, 3, 4);
         if (fields.size() == 4 && scanner_.number(fields[3]) != 0) {
-            scanner_.refuse("z is not 0; lay the tile into the plane z = 0");
+            scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
         }
         const int number = scanner_.integer(fields[0]);
         if (set_ == "CONTROL_1") controls_[0] = number;
@@ -182,22 +185,25 @@ class InpParser {
         if (n_pending_ == 0) {
             require_fields(fields, 1, 1);
             n_pending_ = scanner_.integer(fields[0]);
-            if (n_pending_ < 1) scanner_.refuse("an equation has at least 1 term; correct it");
+            if (n_pending_ < 1)
+                scanner_.throw_bad_file("an equation has at least 1 term; correct it");
             equations_.push_back({scanner_.line(), {}});
             return;
         }
         if (fields.size() % 3 != 0) {
-            scanner_.refuse("a term is a node, a direction and a coefficient; write all three");
+            scanner_.throw_bad_file(
+                "a term is a node, a direction and a coefficient; write all three");
         }
         for (std::size_t k = 0; k < fields.size(); k += 3) {
-            if (n_pending_-- == 0) scanner_.refuse("the equation has too many terms; correct them");
+            if (n_pending_-- == 0)
+                scanner_.throw_bad_file("the equation has too many terms; correct them");
             equations_.back().terms.push_back({scanner_.integer(fields[k]),
                                                scanner_.integer(fields[k + 1]),
                                                scanner_.number(fields[k + 2])});
         }
     }
 
-    [[noreturn]] void refuse(int line, const std::string& complaint) const {
+    [[noreturn]] void throw_bad_file(int line, const std::string& complaint) const {
         throw BadFile(tile_.raw.name + ":" + std::to_string(line) + ": " + complaint);
     }
 
@@ -211,9 +217,10 @@ class InpParser {
             terms[2].direction == terms[0].direction &&
             terms[3].node == *controls_[terms[0].direction == 1 ? 0 : 1] && terms[3].direction == 2;
         if (is_ours) return;
-        refuse(equation.line,
-               "the equation ties no node to its representative by the mean strain; write the file "
-               "again with pcvt");
+        throw_bad_file(
+            equation.line,
+            "the equation ties no node to its representative by the mean strain; write the file "
+            "again with pcvt");
     }
 
     void tie_nodes() {
@@ -224,8 +231,9 @@ class InpParser {
             const Tie tie{
                 terms[1].node, equation.line, {-terms[2].coefficient, -terms[3].coefficient}};
             if (!ties[terms[0].direction - 1].emplace(terms[0].node, tie).second) {
-                refuse(equation.line, "node " + std::to_string(terms[0].node) +
-                                          " is tied twice in this direction; remove one equation");
+                throw_bad_file(equation.line,
+                               "node " + std::to_string(terms[0].node) +
+                                   " is tied twice in this direction; remove one equation");
             }
         }
         for (const auto& [node, tie] : ties[1]) {
@@ -238,16 +246,17 @@ class InpParser {
                 refuse_half(node, tie.line);
             }
             if (ties[0].count(tie.master) > 0) {
-                refuse(tie.line, "the master node " + std::to_string(tie.master) +
-                                     " is tied itself; tie both to one node");
+                throw_bad_file(tie.line, "the master node " + std::to_string(tie.master) +
+                                             " is tied itself; tie both to one node");
             }
             tile_.links.push_back({node, tie.master, tie.line, tie.translation});
         }
     }
 
     [[noreturn]] void refuse_half(int node, int line) const {
-        refuse(line, "node " + std::to_string(node) +
-                         " is not tied alike in both directions; write the file again with pcvt");
+        throw_bad_file(line,
+                       "node " + std::to_string(node) +
+                           " is not tied alike in both directions; write the file again with pcvt");
     }
 
     void remove_controls() {

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/boundary_runs.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/narrow_numbers.hpp"
+#include "io/tiles/fixed_width_numbers.hpp"
 #include "io/tiles/raw_tile.hpp"
+#include "io/tiles/seam_segments.hpp"
 #include "io/tiles/solver_nodes.hpp"
 #include "io/tiles/triangle_elements.hpp"
 #include "mesher/base/error.hpp"
@@ -27,7 +27,7 @@ constexpr const char* kExplanation =
     "** CONTROL_2 has e_yy in 2. Lines that begin with \"** pcvt\" hold what no card does.\n";
 
 /// The largest absolute value of a coordinate or of a component of a translation.
-double largest_number(const FlatTile& tile) {
+double largest_number(const Tile& tile) {
     double largest = 0;
     for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     for (const VertexPair& pair : tile.vertex_pairs) {
@@ -40,7 +40,7 @@ double largest_number(const FlatTile& tile) {
 /// The text of one file, card by card.
 class InpText {
    public:
-    InpText(const FlatTile& tile, std::string path)
+    InpText(const Tile& tile, std::string path)
         : tile_(tile),
           nodes_(solver_nodes(tile)),
           path_(std::move(path)),
@@ -133,7 +133,7 @@ class InpText {
 
     void append_node_sets() {
         std::map<Offset, std::set<int>> seams;
-        for (const BoundaryRun& run : boundary_runs(tile_, nodes_.middles)) {
+        for (const SeamSegment& run : seam_segments(tile_, nodes_.middles)) {
             for (const int v : run.vertices) seams[run.offset].insert(v + 1);
             for (const int v : run.middles) seams[run.offset].insert(v + 1);
         }
@@ -172,16 +172,16 @@ class InpText {
         }
     }
 
-    const FlatTile& tile_;
+    const Tile& tile_;
     SolverNodes nodes_;
     std::string path_;
-    NarrowNumbers numbers_;
+    FixedWidthNumbers numbers_;
     std::string text_;
 };
 
 }  // namespace
 
-std::vector<EncodedFile> encode_inp(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_inp(const Tile& tile, const std::string& path) {
     require_triangles(tile.kind, path);
     require_finite(tile);
     return only_file(path, InpText(tile, path).write());

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -26,6 +27,6 @@ namespace pcvt {
 /// @throws InvalidInput   the tile has polygons, or is so small or large in its unit of length that
 ///                        20 characters do not hold its numbers.
 /// @throws InternalError  a coordinate is not finite.
-std::vector<EncodedFile> encode_inp(const FlatTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_inp(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -92,9 +92,9 @@ class MshParser {
     }
     const Words& row(std::size_t n_words) {
         if (row().size() != n_words) {
-            scanner_.refuse("the line has " + std::to_string(scanner_.words().size()) +
-                            " words where " + std::to_string(n_words) +
-                            " belong; write the file again");
+            scanner_.throw_bad_file("the line has " + std::to_string(scanner_.words().size()) +
+                                    " words where " + std::to_string(n_words) +
+                                    " belong; write the file again");
         }
         return scanner_.words();
     }
@@ -102,14 +102,15 @@ class MshParser {
     double number(std::size_t word) const { return scanner_.number(scanner_.words()[word]); }
     int count(std::size_t word) const {
         const int n = integer(word);
-        if (n < 0) scanner_.refuse("a count is negative; correct it");
+        if (n < 0) scanner_.throw_bad_file("a count is negative; correct it");
         return n;
     }
 
     void parse_section() {
         const std::string section(scanner_.words().front());
         if (section.size() < 2 || section[0] != '$' || section.starts_with("$End")) {
-            scanner_.refuse(in_quotes(section) + " begins no section; write the file again");
+            scanner_.throw_bad_file(in_quotes(section) +
+                                    " begins no section; write the file again");
         }
         const std::string end = "$End" + section.substr(1);
         if (section == "$MeshFormat") {
@@ -133,16 +134,18 @@ class MshParser {
             while (row().front() != end) continue;
             return;
         }
-        if (row().front() != end) scanner_.refuse("more lines than announced; correct the count");
+        if (row().front() != end)
+            scanner_.throw_bad_file("more lines than announced; correct the count");
     }
 
     void parse_format() {
         row(3);
         if (scanner_.words()[0] != "4.1") {
-            scanner_.refuse("the version is " + in_quotes(scanner_.words()[0]) +
-                            "; save the file as MSH 4.1");
+            scanner_.throw_bad_file("the version is " + in_quotes(scanner_.words()[0]) +
+                                    "; save the file as MSH 4.1");
         }
-        if (scanner_.words()[1] != "0") scanner_.refuse("the file is binary; save it as ASCII");
+        if (scanner_.words()[1] != "0")
+            scanner_.throw_bad_file("the file is binary; save it as ASCII");
     }
 
     void parse_comments(const std::string& end) {
@@ -156,7 +159,8 @@ class MshParser {
             } else if (words[1] == "lattice") {
                 tile_.raw.take_lattice(scanner_, values);
             } else {
-                scanner_.refuse("pcvt does not know " + in_quotes(words[1]) + "; remove the line");
+                scanner_.throw_bad_file("pcvt does not know " + in_quotes(words[1]) +
+                                        "; remove the line");
             }
         }
     }
@@ -165,7 +169,8 @@ class MshParser {
         row(4);
         for (int block = count(0); block > 0; --block) {
             row(4);
-            if (integer(2) != 0) scanner_.refuse("nodes with parameters; save without them");
+            if (integer(2) != 0)
+                scanner_.throw_bad_file("nodes with parameters; save without them");
             const int n = count(3);
             const std::size_t first = tile_.nodes.size();
             for (int k = 0; k < n; ++k) {
@@ -175,7 +180,7 @@ class MshParser {
             for (int k = 0; k < n; ++k) {
                 row(3);
                 if (number(2) != 0)
-                    scanner_.refuse("z is not 0; lay the tile into the plane z = 0");
+                    scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
                 tile_.nodes[first + static_cast<std::size_t>(k)].point = {number(0), number(1)};
             }
         }
@@ -189,8 +194,8 @@ class MshParser {
             const int entity = integer(1);
             const int type = integer(2);
             if (n_nodes(type) == 0) {
-                scanner_.refuse("elements of type " + std::to_string(type) +
-                                " are no triangles; give a mesh of triangles");
+                scanner_.throw_bad_file("elements of type " + std::to_string(type) +
+                                        " are no triangles; give a mesh of triangles");
             }
             for (int n = count(3); n > 0; --n)
                 parse_element(type, dimension == kCurves ? entity : -1);
@@ -238,7 +243,7 @@ class MshParser {
             const bool shift = k == 3 || k == 7;
             const double identity = k % 5 == 0 ? 1 : 0;
             if (shift || number(static_cast<std::size_t>(k) + 1) == identity) continue;
-            scanner_.refuse(
+            scanner_.throw_bad_file(
                 "the map of the slave is no translation in the plane; write the file "
                 "again with pcvt");
         }
@@ -264,7 +269,8 @@ class MshParser {
             // Elements that are no triangles have no cell.
             if (number(1) >= 0) sites.push_back({integer(0), scanner_.line(), integer(1)});
         }
-        if (row().front() != end) scanner_.refuse("more lines than announced; correct the count");
+        if (row().front() != end)
+            scanner_.throw_bad_file("more lines than announced; correct the count");
     }
 
     /// The lines of a slave curve with their partners.

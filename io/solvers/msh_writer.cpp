@@ -5,9 +5,9 @@
 #include <map>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/boundary_runs.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/raw_tile.hpp"
+#include "io/tiles/seam_segments.hpp"
 #include "io/tiles/solver_nodes.hpp"
 #include "io/tiles/triangle_elements.hpp"
 
@@ -38,7 +38,7 @@ void append_line(std::string& text, std::initializer_list<Number> numbers) {
 
 /// The boundary as Gmsh sees it. Point k + 1 is where run k begins, curve k + 1 is run k.
 struct Seam {
-    std::vector<BoundaryRun> runs;
+    std::vector<SeamSegment> runs;
     /// Physical group of the curves with one offset, from 1.
     std::map<Offset, int> groups;
 
@@ -47,15 +47,15 @@ struct Seam {
     int surface_group() const { return static_cast<int>(groups.size()) + 1; }
 };
 
-Seam make_seam(const FlatTile& tile, const SolverNodes& nodes) {
-    Seam seam{boundary_runs(tile, nodes.middles), {}};
-    for (const BoundaryRun& run : seam.runs) seam.groups[run.offset] = 0;
+Seam make_seam(const Tile& tile, const SolverNodes& nodes) {
+    Seam seam{seam_segments(tile, nodes.middles), {}};
+    for (const SeamSegment& run : seam.runs) seam.groups[run.offset] = 0;
     int n = 0;
     for (auto& [offset, group] : seam.groups) group = ++n;
     return seam;
 }
 
-void append_head(std::string& text, const FlatTile& tile, const Seam& seam) {
+void append_head(std::string& text, const Tile& tile, const Seam& seam) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
@@ -70,7 +70,7 @@ void append_head(std::string& text, const FlatTile& tile, const Seam& seam) {
 
 /// `min_x min_y 0 max_x max_y 0 `.
 template <class Vertices>
-void append_bounds(std::string& text, const FlatTile& tile, const Vertices& vertices) {
+void append_bounds(std::string& text, const Tile& tile, const Vertices& vertices) {
     Vec2 low = tile.points[vertices.front()];
     Vec2 high = low;
     for (const int v : vertices) {
@@ -80,7 +80,7 @@ void append_bounds(std::string& text, const FlatTile& tile, const Vertices& vert
     append_words(text, {low.x(), low.y(), 0.0, high.x(), high.y(), 0.0});
 }
 
-void append_entities(std::string& text, const FlatTile& tile, const Seam& seam) {
+void append_entities(std::string& text, const Tile& tile, const Seam& seam) {
     const int n = seam.n_runs();
     text += "$Entities\n";
     append_line(text, {n, n, 1, 0});
@@ -91,7 +91,7 @@ void append_entities(std::string& text, const FlatTile& tile, const Seam& seam) 
         append_line(text, {0});
     }
     for (int k = 0; k < n; ++k) {
-        const BoundaryRun& run = seam.runs[k];
+        const SeamSegment& run = seam.runs[k];
         append_words(text, {k + 1});
         append_bounds(text, tile, run.vertices);
         append_line(text, {1, seam.groups.at(run.offset), 2, k + 1, -((k + 1) % n + 1)});
@@ -116,7 +116,7 @@ void append_block(std::string& text, const SolverNodes& nodes, int dimension, in
 }
 
 /// The nodes of a curve without its ends.
-std::vector<int> inner_nodes(const BoundaryRun& run) {
+std::vector<int> inner_nodes(const SeamSegment& run) {
     std::vector<int> inner(run.vertices.begin() + 1, run.vertices.end() - 1);
     inner.insert(inner.end(), run.middles.begin(), run.middles.end());
     return inner;
@@ -125,7 +125,7 @@ std::vector<int> inner_nodes(const BoundaryRun& run) {
 /// The nodes of the surface, on no curve.
 std::vector<int> surface_nodes(const SolverNodes& nodes, const Seam& seam) {
     std::vector<bool> inside(nodes.points.size(), true);
-    for (const BoundaryRun& run : seam.runs) {
+    for (const SeamSegment& run : seam.runs) {
         for (const int v : run.vertices) inside[v] = false;
         for (const int v : run.middles) inside[v] = false;
     }
@@ -139,7 +139,7 @@ std::vector<int> surface_nodes(const SolverNodes& nodes, const Seam& seam) {
 void append_nodes(std::string& text, const SolverNodes& nodes, const Seam& seam) {
     const std::vector<int> surface = surface_nodes(nodes, seam);
     int n_blocks = seam.n_runs() + (surface.empty() ? 0 : 1);
-    for (const BoundaryRun& run : seam.runs) n_blocks += inner_nodes(run).empty() ? 0 : 1;
+    for (const SeamSegment& run : seam.runs) n_blocks += inner_nodes(run).empty() ? 0 : 1;
     text += "$Nodes\n";
     append_line(text, {n_blocks, nodes.n_nodes(), 1, nodes.n_nodes()});
     for (int k = 0; k < seam.n_runs(); ++k) {
@@ -154,18 +154,18 @@ void append_nodes(std::string& text, const SolverNodes& nodes, const Seam& seam)
 
 int n_lines(const Seam& seam) {
     int n = 0;
-    for (const BoundaryRun& run : seam.runs) n += static_cast<int>(run.vertices.size()) - 1;
+    for (const SeamSegment& run : seam.runs) n += static_cast<int>(run.vertices.size()) - 1;
     return n;
 }
 
-void append_elements(std::string& text, const FlatTile& tile, const SolverNodes& nodes,
+void append_elements(std::string& text, const Tile& tile, const SolverNodes& nodes,
                      const Seam& seam) {
     const int n_elements = tile.n_faces() + n_lines(seam);
     text += "$Elements\n";
     append_line(text, {seam.n_runs() + 1, n_elements, 1, n_elements});
     int element = tile.n_faces();
     for (int k = 0; k < seam.n_runs(); ++k) {
-        const BoundaryRun& run = seam.runs[k];
+        const SeamSegment& run = seam.runs[k];
         const std::size_t n = run.vertices.size() - 1;
         append_line(text, {kCurves, k + 1, kLine[tile.order], static_cast<int>(n)});
         for (std::size_t e = 0; e < n; ++e) {
@@ -184,7 +184,7 @@ void append_elements(std::string& text, const FlatTile& tile, const SolverNodes&
 }
 
 /// The head of one link: slave = master + translation(offset) as a 4 x 4 matrix, row by row.
-void append_link(std::string& text, const FlatTile& tile, int dimension, int slave, int master,
+void append_link(std::string& text, const Tile& tile, int dimension, int slave, int master,
                  Offset offset, std::size_t n_nodes) {
     const Vec2 t = tile.lattice.translation(offset);
     append_line(text, {dimension, slave, master});
@@ -195,9 +195,9 @@ void append_link(std::string& text, const FlatTile& tile, int dimension, int sla
     append_line(text, {static_cast<int>(n_nodes)});
 }
 
-void append_curve_link(std::string& text, const FlatTile& tile, const Seam& seam, int k) {
-    const BoundaryRun& slave = seam.runs[k];
-    const BoundaryRun& master = seam.runs[slave.partner];
+void append_curve_link(std::string& text, const Tile& tile, const Seam& seam, int k) {
+    const SeamSegment& slave = seam.runs[k];
+    const SeamSegment& master = seam.runs[slave.partner];
     const auto append_pairs = [&](const std::vector<int>& slaves, const std::vector<int>& masters) {
         for (std::size_t v = 0; v < slaves.size(); ++v) {
             append_line(text, {slaves[v] + 1, masters[slaves.size() - 1 - v] + 1});
@@ -209,7 +209,7 @@ void append_curve_link(std::string& text, const FlatTile& tile, const Seam& seam
     append_pairs(slave.middles, master.middles);
 }
 
-void append_periodic(std::string& text, const FlatTile& tile, const Seam& seam) {
+void append_periodic(std::string& text, const Tile& tile, const Seam& seam) {
     std::map<int, int> point_of;
     std::map<int, VertexPair> slaves;
     for (int k = 0; k < seam.n_runs(); ++k) point_of[seam.begin(k)] = k + 1;
@@ -242,7 +242,7 @@ void append_data(std::string& text, const char* section, const std::vector<int>&
 
 }  // namespace
 
-std::vector<EncodedFile> encode_msh(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path) {
     require_triangles(tile.kind, path);
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);

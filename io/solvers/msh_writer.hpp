@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -19,6 +20,6 @@ namespace pcvt {
 /// the lattice.
 /// @throws InvalidInput   the tile has polygons.
 /// @throws InternalError  a coordinate is not finite.
-std::vector<EncodedFile> encode_msh(const FlatTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

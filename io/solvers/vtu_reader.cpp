@@ -8,7 +8,7 @@
 #include "io/bytes/char_set.hpp"
 #include "io/bytes/text.hpp"
 #include "io/bytes/xml_scanner.hpp"
-#include "io/tiles/middle_nodes.hpp"
+#include "io/tiles/midside_nodes.hpp"
 #include "io/tiles/raw_tile.hpp"
 
 namespace pcvt {
@@ -89,8 +89,9 @@ class VtuArrays {
                             static_cast<std::size_t>(n_components);
         if (array->n_components != n_components || (n_tuples >= 0 && array->size() != wanted) ||
             (of_integers && array->is_real())) {
-            scanner_.refuse(array->line, "the array " + key + " has not the size or type of " +
-                                             "its kind; write the file again");
+            scanner_.throw_bad_file(array->line, "the array " + key +
+                                                     " has not the size or type of " +
+                                                     "its kind; write the file again");
         }
         return *array;
     }
@@ -101,9 +102,10 @@ class VtuArrays {
     int count(std::string_view key) const {
         const auto word = scanner_.attribute(key);
         if (!word)
-            scanner_.refuse(scanner_.line(), "the Piece lacks " + std::string(key) + "; add it");
+            scanner_.throw_bad_file(scanner_.line(),
+                                    "the Piece lacks " + std::string(key) + "; add it");
         const int n = integer(*word, scanner_.line());
-        if (n < 0) scanner_.refuse(scanner_.line(), "a count is negative; correct it");
+        if (n < 0) scanner_.throw_bad_file(scanner_.line(), "a count is negative; correct it");
         return n;
     }
 
@@ -111,12 +113,13 @@ class VtuArrays {
         try {
             return parse_integer(word);
         } catch (const InvalidInput& fault) {
-            scanner_.refuse(line, fault.what());
+            scanner_.throw_bad_file(line, fault.what());
         }
     }
 
     void read_piece() {
-        if (n_points_ >= 0) scanner_.refuse(scanner_.line(), "a second Piece; merge the pieces");
+        if (n_points_ >= 0)
+            scanner_.throw_bad_file(scanner_.line(), "a second Piece; merge the pieces");
         n_points_ = count("NumberOfPoints");
         n_cells_ = count("NumberOfCells");
     }
@@ -127,7 +130,8 @@ class VtuArrays {
         const std::string key = section + "/" + (section == "Points" ? "Points" : name);
         if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) return;
         if (scanner_.attribute("format").value_or("ascii") != "ascii") {
-            scanner_.refuse(scanner_.line(), "the array " + key + " is binary; export it as ASCII");
+            scanner_.throw_bad_file(scanner_.line(),
+                                    "the array " + key + " is binary; export it as ASCII");
         }
         Array array{
             scanner_.line(), std::string(scanner_.attribute("type").value_or("")), 1, {}, {}};
@@ -141,7 +145,8 @@ class VtuArrays {
             depth += event == Event::kBegin ? 1 : -1;
         }
         if (!arrays_.emplace(key, std::move(array)).second) {
-            scanner_.refuse(scanner_.line(), "the array " + key + " is there twice; remove one");
+            scanner_.throw_bad_file(scanner_.line(),
+                                    "the array " + key + " is there twice; remove one");
         }
     }
 
@@ -166,7 +171,7 @@ class VtuArrays {
         try {
             array.values.push_back(array.is_real() ? parse_number(word) : parse_integer(word));
         } catch (const InvalidInput& fault) {
-            scanner_.refuse(line, fault.what());
+            scanner_.throw_bad_file(line, fault.what());
         }
         array.lines.push_back(line);
     }
@@ -190,20 +195,21 @@ class VtuTile {
             take_lattice(*periods);
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
-        if (type_ == kVtkQuadraticTriangle) take_off_middles(raw_, lattice, precision);
+        if (type_ == kVtkQuadraticTriangle) remove_midside_nodes(raw_, lattice, precision);
         return std::move(raw_);
     }
 
    private:
-    [[noreturn]] void refuse(int line, const std::string& complaint) const {
-        arrays_.scanner().refuse(line, complaint);
+    [[noreturn]] void throw_bad_file(int line, const std::string& complaint) const {
+        arrays_.scanner().throw_bad_file(line, complaint);
     }
 
     void take_points() {
         const Array& points = arrays_.get("Points/Points", arrays_.n_points(), 3, false);
         for (std::size_t k = 0; k < points.size(); k += 3) {
             if (points.values[k + 2] != 0) {
-                refuse(points.lines[k + 2], "z is not 0; lay the tile into the plane z = 0");
+                throw_bad_file(points.lines[k + 2],
+                               "z is not 0; lay the tile into the plane z = 0");
             }
             raw_.points.emplace_back(points.values[k], points.values[k + 1]);
         }
@@ -217,8 +223,8 @@ class VtuTile {
         for (std::size_t f = 0; f < ends.size(); ++f) {
             const auto end = static_cast<std::size_t>(std::max(ends.integer(f), 0));
             if (end <= begin || end > corners.size()) {
-                refuse(ends.lines[f],
-                       "the offsets do not rise within the connectivity; correct them");
+                throw_bad_file(ends.lines[f],
+                               "the offsets do not rise within the connectivity; correct them");
             }
             take_type(types.integer(f), types.lines[f]);
             std::vector<int> face;
@@ -228,8 +234,8 @@ class VtuTile {
             begin = end;
         }
         if (begin != corners.size()) {
-            refuse(corners.line,
-                   "the connectivity goes on after its last face; correct the offsets");
+            throw_bad_file(corners.line,
+                           "the connectivity goes on after its last face; correct the offsets");
         }
     }
 
@@ -238,9 +244,9 @@ class VtuTile {
         const bool known =
             type == kVtkPolygon || type == kVtkTriangle || type == kVtkQuadraticTriangle;
         if (!known || type_.value_or(type) != type) {
-            refuse(line,
-                   "the faces are not all polygons (7), all triangles (5) or all quadratic "
-                   "triangles (22); give such a grid");
+            throw_bad_file(line,
+                           "the faces are not all polygons (7), all triangles (5) or all quadratic "
+                           "triangles (22); give such a grid");
         }
         type_ = type;
     }
@@ -249,12 +255,13 @@ class VtuTile {
         if (type_ == kVtkPolygon) return;
         const std::size_t wanted = type_ == kVtkTriangle ? 3 : 6;
         if (face.size() != wanted) {
-            refuse(line, "a triangle here has " + std::to_string(wanted) + " points, not " +
-                             std::to_string(face.size()) + "; correct the offsets");
+            throw_bad_file(line, "a triangle here has " + std::to_string(wanted) + " points, not " +
+                                     std::to_string(face.size()) + "; correct the offsets");
         }
         for (const int v : face) {
             if (v >= 0 && v < arrays_.n_points()) continue;
-            refuse(line, "point " + std::to_string(v) + " does not exist; correct the index");
+            throw_bad_file(line,
+                           "point " + std::to_string(v) + " does not exist; correct the index");
         }
     }
 
@@ -264,7 +271,7 @@ class VtuTile {
         try {
             raw_.lattice.emplace(Vec2(n[0], n[1]), Vec2(n[2], n[3]));
         } catch (const InvalidInput& fault) {
-            refuse(array.line, fault.what());
+            throw_bad_file(array.line, fault.what());
         }
     }
 
@@ -277,14 +284,14 @@ class VtuTile {
             const int orbit = orbits.integer(k);
             const Offset offset{offsets.integer(2 * k), offsets.integer(2 * k + 1)};
             if (orbit < 0 || orbit >= n) {
-                refuse(orbits.lines[k],
-                       "point " + std::to_string(orbit) + " does not exist; correct the id");
+                throw_bad_file(orbits.lines[k], "point " + std::to_string(orbit) +
+                                                    " does not exist; correct the id");
             }
             if (orbit != v) {
                 raw_.vertex_pairs.push_back({orbit, v, offset});
             } else if (offset != Offset{}) {
-                refuse(offsets.lines[2 * k],
-                       "a point has an offset to itself; write the file again with pcvt");
+                throw_bad_file(offsets.lines[2 * k],
+                               "a point has an offset to itself; write the file again with pcvt");
             }
         }
     }
@@ -294,9 +301,9 @@ class VtuTile {
     void take_kind_and_sites() {
         const bool of_points = arrays_.find("PointData/CellId") != nullptr;
         const bool of_faces = arrays_.find("CellData/CellId") != nullptr && !of_points;
-        raw_.kind = type_ == kVtkPolygon       ? TileKind::kCells
-                    : of_faces && raw_.lattice ? TileKind::kGrains
-                                               : TileKind::kTriangles;
+        raw_.kind = type_ == kVtkPolygon       ? MeshKind::kVoronoi
+                    : of_faces && raw_.lattice ? MeshKind::kGrains
+                                               : MeshKind::kDelaunay;
         const bool owned = faces_have_sites(*raw_.kind);
         const std::string key = owned ? "CellData/CellId" : "PointData/CellId";
         if (arrays_.find(key) == nullptr || !raw_.lattice) return;

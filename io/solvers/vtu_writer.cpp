@@ -54,7 +54,7 @@ void append_lattice(std::string& text, const Lattice& lattice) {
     text += "</FieldData>\n";
 }
 
-void append_point_data(std::string& text, const FlatTile& tile, const SolverNodes& nodes) {
+void append_point_data(std::string& text, const Tile& tile, const SolverNodes& nodes) {
     std::vector<int> ids(nodes.points.size());
     std::iota(ids.begin(), ids.end(), 0);
     std::vector<int> orbits = ids;
@@ -94,12 +94,12 @@ void append_points(std::string& text, const std::vector<Vec2>& points) {
     text += "</Points>\n";
 }
 
-int vtk_type(const FlatTile& tile) {
-    if (tile.kind == TileKind::kCells) return kVtkPolygon;
+int vtk_type(const Tile& tile) {
+    if (tile.kind == MeshKind::kVoronoi) return kVtkPolygon;
     return tile.order == 2 ? kVtkQuadraticTriangle : kVtkTriangle;
 }
 
-void append_cells(std::string& text, const FlatTile& tile, const SolverNodes& nodes) {
+void append_cells(std::string& text, const Tile& tile, const SolverNodes& nodes) {
     std::vector<int> ends;
     int end = 0;
     text += "<Cells>\n";
@@ -121,7 +121,7 @@ void append_cells(std::string& text, const FlatTile& tile, const SolverNodes& no
 
 }  // namespace
 
-std::vector<EncodedFile> encode_vtu(const FlatTile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path) {
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);
     std::string text =

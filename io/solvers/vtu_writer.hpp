@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -21,6 +22,6 @@ namespace pcvt {
 /// arrays in raw binary (12.7 MB for the triangles of 1e5 sites, against 12.6), and let a reader
 /// name a fault by its line.
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_vtu(const FlatTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "io/tiles/middle_nodes.hpp"
+#include "io/tiles/midside_nodes.hpp"
 
 namespace pcvt {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 /// A printed translation is rounded, and so are the period vectors.
 constexpr double kUlps = 4;
 
-[[noreturn]] void refuse(const std::string& name, int line, const std::string& complaint) {
+[[noreturn]] void throw_bad_file(const std::string& name, int line, const std::string& complaint) {
     throw BadFile(name + ":" + std::to_string(line) + ": " + complaint);
 }
 
@@ -25,9 +25,9 @@ void sort_by_number(std::vector<Item>& items, const std::string& name, const cha
         std::adjacent_find(items.begin(), items.end(),
                            [](const Item& s, const Item& t) { return s.number == t.number; });
     if (twice == items.end()) return;
-    refuse(name, (twice + 1)->line,
-           std::string(word) + " " + std::to_string(twice->number) +
-               " is given twice; number each one once");
+    throw_bad_file(name, (twice + 1)->line,
+                   std::string(word) + " " + std::to_string(twice->number) +
+                       " is given twice; number each one once");
 }
 
 /// Place of a number among sorted items; refused, at the line that names it, if it is not there.
@@ -40,9 +40,9 @@ int place(const std::vector<Item>& items, int number, const std::string& name, i
         std::lower_bound(items.begin(), items.end(), number,
                          [](const Item& item, int wanted) { return item.number < wanted; });
     if (found == items.end() || found->number != number) {
-        refuse(name, line,
-               std::string(word) + " " + std::to_string(number) +
-                   " does not exist; correct the number");
+        throw_bad_file(name, line,
+                       std::string(word) + " " + std::to_string(number) +
+                           " does not exist; correct the number");
     }
     return static_cast<int>(found - items.begin());
 }
@@ -60,9 +60,10 @@ Offset offset_of(const Lattice& lattice, const Vec2& translation, const std::str
         const double tolerance = kUlps * std::numeric_limits<double>::epsilon() * largest;
         if ((exact - translation).cwiseAbs().maxCoeff() <= tolerance) return offset;
     }
-    refuse(name, line,
-           "the nodes are tied by a translation that is no vector of the lattice; write the file "
-           "again with pcvt");
+    throw_bad_file(
+        name, line,
+        "the nodes are tied by a translation that is no vector of the lattice; write the file "
+        "again with pcvt");
 }
 
 class Resolver {
@@ -85,7 +86,7 @@ class Resolver {
         if (raw_.lattice) take_pairs();
         if (is_second_order()) {
             require_middles_of_edges();
-            take_off_middles(raw_, std::nullopt, Precision::kDouble);
+            remove_midside_nodes(raw_, std::nullopt, Precision::kDouble);
         }
     }
 
@@ -102,27 +103,29 @@ class Resolver {
                 return t.nodes.size() != triangles.front().nodes.size();
             });
         if (other != triangles.end()) {
-            refuse(raw_.name, other->line, "triangles of two orders; give a mesh of one order");
+            throw_bad_file(raw_.name, other->line,
+                           "triangles of two orders; give a mesh of one order");
         }
         return !triangles.empty() && triangles.front().nodes.size() == 6;
     }
 
     void require_middles_of_edges() const {
-        const std::vector<MiddleNode> edges = middle_nodes(raw_);
+        const std::vector<MidsideNode> edges = file_midside_nodes(raw_);
         for (const NumberedTile::Edge& edge : numbered_.edges) {
             const auto [low, high] =
                 std::minmax({node(edge.nodes[0], edge.line), node(edge.nodes[1], edge.line)});
             const auto found =
                 std::lower_bound(edges.begin(), edges.end(), std::make_pair(low, high),
-                                 [](const MiddleNode& e, const std::pair<int, int>& ends) {
+                                 [](const MidsideNode& e, const std::pair<int, int>& ends) {
                                      return std::make_pair(e.low, e.high) < ends;
                                  });
             if (found != edges.end() && found->low == low && found->high == high && edge.middle &&
                 found->node == node(*edge.middle, edge.line)) {
                 continue;
             }
-            refuse(raw_.name, edge.line,
-                   "the line is no edge of a triangle with its middle node; correct its nodes");
+            throw_bad_file(
+                raw_.name, edge.line,
+                "the line is no edge of a triangle with its middle node; correct its nodes");
         }
     }
 
@@ -136,7 +139,7 @@ class Resolver {
                 of_nodes ? node(item.number, item.line)
                          : place(numbered_.triangles, item.number, raw_.name, item.line, "element");
             if (owner >= static_cast<int>(sites.size()) || raw_.sites[owner] >= 0) {
-                refuse(raw_.name, item.line, "the sites are unclear; give each item one");
+                throw_bad_file(raw_.name, item.line, "the sites are unclear; give each item one");
             }
             raw_.sites[owner] = item.site;
         }

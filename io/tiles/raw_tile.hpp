@@ -22,7 +22,7 @@ struct RawTile {
     std::string name;
     /// The number that the file gives to its first vertex: 1 in OBJ, 0 in PLY.
     int index_base;
-    std::optional<TileKind> kind;
+    std::optional<MeshKind> kind;
     std::optional<Lattice> lattice;
     std::vector<Vec2> points;
     std::vector<int> face_begin{0};
@@ -34,7 +34,7 @@ struct RawTile {
     std::vector<SiteId> sites;
     std::vector<VertexPair> vertex_pairs;
     std::vector<EdgePair> edge_pairs;
-    /// As FlatTile::order; the nodes in the middle of edges are not among the points.
+    /// As Tile::order; the nodes in the middle of edges are not among the points.
     int order = 1;
 
     void add_face(const std::vector<int>& vertices, int line);
@@ -45,8 +45,8 @@ struct RawTile {
 };
 
 /// `cells`, `triangles` or `grains`, as the files spell it.
-std::string kind_word(TileKind kind);
-std::optional<TileKind> kind_of_word(std::string_view word);
+std::string kind_word(MeshKind kind);
+std::optional<MeshKind> kind_of_word(std::string_view word);
 
 /// Checks what any tile needs and hands it over. A file that does not tell its kind holds triangles
 /// if all of its faces have three corners, else cells.

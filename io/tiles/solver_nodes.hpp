@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mesher/tile/second_order.hpp"
+#include "mesher/tile/midside_nodes.hpp"
 
 namespace pcvt {
 
@@ -14,15 +14,15 @@ struct SolverNodes {
     /// One pair for each node that is not the representative of its orbit, by rising w.
     std::vector<VertexPair> pairs;
     /// Empty for order 1.
-    SecondOrder middles;
+    MidsideNodes middles;
 
     int n_nodes() const { return static_cast<int>(points.size()); }
 };
 
-SolverNodes solver_nodes(const FlatTile& tile);
+SolverNodes solver_nodes(const Tile& tile);
 
 /// The nodes of face f: its corners, then, of order 2, the nodes between corner k and k + 1. This
 /// is the order of Gmsh, VTK, Abaqus and CalculiX.
-std::vector<int> element_nodes(const FlatTile& tile, const SolverNodes& nodes, int f);
+std::vector<int> element_nodes(const Tile& tile, const SolverNodes& nodes, int f);
 
 }  // namespace pcvt

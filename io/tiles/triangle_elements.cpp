@@ -5,7 +5,7 @@
 namespace pcvt {
 namespace {
 
-int corner_nearest_to_centroid(const FlatTile& tile, int f) {
+int corner_nearest_to_centroid(const Tile& tile, int f) {
     const int* corners = &tile.corners[tile.face_begin[f]];
     const Vec2 centroid =
         (tile.points[corners[0]] + tile.points[corners[1]] + tile.points[corners[2]]) / 3;
@@ -19,13 +19,13 @@ int corner_nearest_to_centroid(const FlatTile& tile, int f) {
 
 }  // namespace
 
-void require_triangles(TileKind kind, const std::string& path) {
-    if (kind != TileKind::kCells) return;
+void require_triangles(MeshKind kind, const std::string& path) {
+    if (kind != MeshKind::kVoronoi) return;
     throw InvalidInput(path +
                        ": the format has no polygons; take --mesh delaunay or --mesh grains");
 }
 
-std::vector<SiteId> element_cells(const FlatTile& tile) {
+std::vector<SiteId> element_cells(const Tile& tile) {
     if (!tile.face_site.empty()) return tile.face_site;
     std::vector<SiteId> cells;
     cells.reserve(static_cast<std::size_t>(tile.n_faces()));

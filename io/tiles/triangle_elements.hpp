@@ -3,18 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
 /// For formats of solvers that know no polygons.
 /// @throws InvalidInput `path: what; take --mesh delaunay or --mesh grains`, if `kind` has them.
-void require_triangles(TileKind kind, const std::string& path);
+void require_triangles(MeshKind kind, const std::string& path);
 
 /// The cell that each triangle belongs to, as solvers want to know it for their materials.
 ///
 /// The site of the face where it has one. A Delaunay triangle, which lies in three cells, is given
 /// to that of the corner nearest to its centroid; a cell may then have no triangle.
-std::vector<SiteId> element_cells(const FlatTile& tile);
+std::vector<SiteId> element_cells(const Tile& tile);
 
 }  // namespace pcvt

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/target_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr int kRowsPerTask = 1 << 13;
 
 /// Rows begin ... end - 1 of y = A x; returns their part of x.y.
-PCVT_VECTOR_CLONES double multiply_rows(const BlockMatrix& a, const double* x, double* y, int begin,
+PCVT_TARGET_CLONES double multiply_rows(const BlockMatrix& a, const double* x, double* y, int begin,
                                         int end) {
     double dot = 0;
     for (int i = begin; i < end; ++i) {

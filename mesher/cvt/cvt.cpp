@@ -10,10 +10,9 @@
 #include "mesher/energy/hessian.hpp"
 #include "mesher/energy/long_waves.hpp"
 #include "mesher/energy/residuals.hpp"
-#include "mesher/mesh/voronoi.hpp"
 #include "mesher/optimize/lbfgs.hpp"
+#include "mesher/optimize/lbfgs_newton.hpp"
 #include "mesher/optimize/lloyd.hpp"
-#include "mesher/optimize/relay.hpp"
 
 namespace pcvt {
 namespace {
@@ -51,7 +50,7 @@ class CvtObjective final : public Objective {
 
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
         energy_.gradient.swap(evaluation.gradient);
-        const bool defined = go_back() && go(direction, t);
+        const bool defined = undo_step() && try_step(direction, t);
         energy_.gradient.swap(evaluation.gradient);
         if (!defined) return false;
         const auto [largest, rms] =
@@ -71,7 +70,7 @@ class CvtObjective final : public Objective {
     }
 
     void accept() override { delaunay_.settle(); }
-    void reject() override { go_back(); }
+    void reject() override { undo_step(); }
 
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
         direction.resize(n_variables());
@@ -88,13 +87,13 @@ class CvtObjective final : public Objective {
 
    private:
     /// Takes the triangulation back from a trial that was not accepted.
-    bool go_back() {
+    bool undo_step() {
         if (delaunay_.settled()) return true;
         delaunay_.step_back();
         return pass_.evaluate(energy_);
     }
 
-    bool go(const Eigen::VectorXf& direction, double t) {
+    bool try_step(const Eigen::VectorXf& direction, double t) {
         if (t != 0 && !delaunay_.step(direction, t, workers_)) return false;
         return pass_.evaluate(energy_);
     }
@@ -110,9 +109,9 @@ OptimizerResult minimize_by(Solver solver, Objective& objective, const Optimizer
                             Workers& workers) {
     switch (solver) {
         case Solver::kLbfgs:
-            return minimize_relay(objective, options, NewtonStart::kNear, workers);
+            return minimize_lbfgs_newton(objective, options, NewtonStart::kNear, workers);
         case Solver::kNewton:
-            return minimize_relay(objective, options, NewtonStart::kAtOnce, workers);
+            return minimize_lbfgs_newton(objective, options, NewtonStart::kAtOnce, workers);
         case Solver::kPlainLbfgs:
             return minimize_lbfgs(objective, options, workers);
         case Solver::kLloyd:
@@ -126,7 +125,7 @@ OptimizerResult minimize(MovingDelaunay& delaunay, const Lattice& lattice, const
                          const CvtOptions& options, std::optional<DensityFigures>& figures) {
     Workers workers(options.n_threads);
     const bool plain = options.solver == Solver::kPlainLbfgs;
-    WeightedOptions weighted{
+    DensityCvtOptions weighted{
         .lloyd = options.solver == Solver::kLloyd,
         .optimizer = {.tolerance = options.tolerance,
                       .max_iterations = options.max_iterations,
@@ -135,7 +134,8 @@ OptimizerResult minimize(MovingDelaunay& delaunay, const Lattice& lattice, const
                       .precondition_below = plain ? 0 : options.precondition_below}};
     if (plain) weighted.newton.reset();
     if (options.solver == Solver::kNewton) weighted.newton = NewtonStart::kAtOnce;
-    WeightedResult result = minimize_weighted(delaunay, workers, lattice, density, weighted);
+    DensityCvtResult result =
+        minimize_density_energy(delaunay, workers, lattice, density, weighted);
     figures = result.figures;
     return std::move(result.run);
 }
@@ -188,10 +188,6 @@ CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& o
             .rms_residual = run.evaluation.rms_residual,
             .counts = counts,
             .density = figures};
-}
-
-PeriodicMesh periodic_mesh(const CvtResult& result, TileKind kind) {
-    return kind == TileKind::kCells ? cell_mesh(result.delaunay) : triangle_mesh(result.delaunay);
 }
 
 double hexagonal_bound(double area, int n_sites) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "mesher/cvt/weighted_cvt.hpp"
+#include "mesher/cvt/density_cvt.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/delaunay/periodic_delaunay.hpp"
-#include "mesher/mesh/periodic_mesh.hpp"
 #include "mesher/optimize/objective.hpp"
 
 namespace pcvt {
@@ -50,14 +49,10 @@ struct CvtResult {
 };
 
 /// Optimises the sites; points are 2 x n, length units, and need not be wrapped.
-/// @throws BadDensity as minimize_weighted does; InvalidInput, DuplicateSites as Sites does;
+/// @throws BadDensity as minimize_density_energy does; InvalidInput, DuplicateSites as Sites does;
 /// DuplicateSites also for two sites nearer to
-///         each other than kSameVertex h (voronoi.hpp).
+///         each other than kSameVertex h (sites.hpp).
 CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options);
-
-/// The Voronoi cells (`kCells`) or Delaunay triangles (`kTriangles`) of a result on the torus,
-/// offsets in the user's basis.
-PeriodicMesh periodic_mesh(const CvtResult& result, TileKind kind);
 
 /// 5 area^2 / (18 sqrt(3) n) (paper, Table I, for any area).
 double hexagonal_bound(double area, int n_sites);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesher/base/large_pages.hpp"
+#include "mesher/base/huge_pages.hpp"
 #include "mesher/delaunay/mirror_diagram.hpp"
 #include "mesher/delaunay/untangling.hpp"
 
@@ -25,7 +25,7 @@ double unit_near(double length) {
     return std::ldexp(1.0, exponent);
 }
 
-Frame frame_of(const Lattice& reduced, double unit) {
+ReducedFrame frame_of(const Lattice& reduced, double unit) {
     const double ax = reduced.a().norm();
     return {ax / unit, reduced.a().dot(reduced.b()) / ax / unit, reduced.area() / ax / unit};
 }
@@ -73,15 +73,15 @@ MovingDelaunay::MovingDelaunay(const Sites& sites)
       spacing_(sites.spacing() / unit_),
       frame_(frame_of(reduction_.reduced, unit_)),
       triangulation_(0, {}) {
-    Columns columns = sort_into_columns(sites.coordinates(), gram_);
+    SpatialSort columns = spatial_sort(sites.coordinates(), gram_);
     order_ = columns.order;
     coordinates_ = in_order(sites.coordinates(), order_);
     std::iota(columns.order.begin(), columns.order.end(), 0);
     build(columns);
 }
 
-void MovingDelaunay::build(const Columns& columns) {
-    prefers_large_pages_ = false;
+void MovingDelaunay::build(const SpatialSort& columns) {
+    prefers_huge_pages_ = false;
     if (auto strips = strip_triangulation(coordinates_, columns)) {
         triangulation_ = std::move(*strips);
         counts_.n_mirrors.reset();
@@ -98,21 +98,21 @@ void MovingDelaunay::build(const Columns& columns) {
 bool MovingDelaunay::rebuild() {
     if (wrapped_sites().duplicates().first >= 0) return false;
     coordinates_.array() -= coordinates_.array().floor();
-    build(sort_into_columns(coordinates_, gram_));
+    build(spatial_sort(coordinates_, gram_));
     ++counts_.n_rebuilds;
     return true;
 }
 
 /// Only what moves is looked at often enough.
-void MovingDelaunay::prefer_large_pages() {
-    if (prefers_large_pages_) return;
-    pcvt::prefer_large_pages(coordinates_);
-    triangulation_.prefer_large_pages();
-    prefers_large_pages_ = true;
+void MovingDelaunay::prefer_huge_pages() {
+    if (prefers_huge_pages_) return;
+    pcvt::prefer_huge_pages(coordinates_);
+    triangulation_.prefer_huge_pages();
+    prefers_huge_pages_ = true;
 }
 
 bool MovingDelaunay::step(const Eigen::VectorXf& direction, double t, Workers& workers) {
-    prefer_large_pages();
+    prefer_huge_pages();
     const SiteMoves moves(frame_, direction, t);
     const int n_tasks = (n_sites() + kSitesPerTask - 1) / kSitesPerTask;
     std::atomic<bool> finite = true;

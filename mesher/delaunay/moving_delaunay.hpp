@@ -70,7 +70,7 @@ class MovingDelaunay {
     /// h in units.
     double spacing() const { return spacing_; }
     /// With the unit of length.
-    const Frame& frame() const { return frame_; }
+    const ReducedFrame& frame() const { return frame_; }
 
     /// Moves the sites by t times `direction` (x, y, x, y, ...; frame, units) from where they
     /// are. The triangulation is not restored yet.
@@ -103,8 +103,8 @@ class MovingDelaunay {
     std::pair<Sites, TorusTriangulation> release();
 
    private:
-    void build(const Columns& columns);
-    void prefer_large_pages();
+    void build(const SpatialSort& columns);
+    void prefer_huge_pages();
     bool rebuild();
     void keep_in_range();
     void begin_flip_log();
@@ -115,14 +115,14 @@ class MovingDelaunay {
     Gram gram_;
     double unit_;
     double spacing_;
-    Frame frame_;
+    ReducedFrame frame_;
     /// order_[s] is the caller's number of site s.
     std::vector<SiteId> order_;
     Points coordinates_;
     /// What led here from where the triangulation was restored last.
     std::optional<SiteMoves> moves_;
     TorusTriangulation triangulation_;
-    bool prefers_large_pages_ = false;
+    bool prefers_huge_pages_ = false;
     bool settled_ = true;
     DelaunayCounts counts_;
     FlipLog flip_log_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/target_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 /// The change of coordinates by a translation in the frame.
 class ToLattice {
    public:
-    explicit ToLattice(const Frame& frame)
+    explicit ToLattice(const ReducedFrame& frame)
         : per_ax_(1 / frame.ax), per_by_(1 / frame.by), bx_(frame.bx) {}
     struct Change {
         double u;
@@ -38,7 +38,7 @@ struct Counts {
     std::int64_t outside = 0;
 };
 
-PCVT_VECTOR_CLONES Counts move(const float* direction, double t, ToLattice to_lattice,
+PCVT_TARGET_CLONES Counts move(const float* direction, double t, ToLattice to_lattice,
                                double* coordinates, Eigen::Index n) {
     Counts counts;
     for (Eigen::Index k = 0; k < 2 * n; k += 2) {

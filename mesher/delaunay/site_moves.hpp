@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/lattice/frame.hpp"
+#include "mesher/lattice/reduced_frame.hpp"
 #include "mesher/lattice/sites.hpp"
 
 namespace pcvt {
@@ -14,7 +14,7 @@ class SiteMoves {
    public:
     /// @param direction  x, y, x, y, ... in the frame. Not copied: it must live and stay as it is
     ///                   for as long as moves are asked for.
-    SiteMoves(const Frame& frame, const Eigen::VectorXf& direction, double t)
+    SiteMoves(const ReducedFrame& frame, const Eigen::VectorXf& direction, double t)
         : frame_(frame), direction_(direction.data()), t_(t) {}
 
     /// The moves that lead back.
@@ -33,7 +33,7 @@ class SiteMoves {
     Outcome apply(SiteId begin, SiteId end, Points& coordinates) const;
 
    private:
-    Frame frame_;
+    ReducedFrame frame_;
     const float* direction_;
     double t_;
 };

@@ -36,7 +36,7 @@ struct Beyond {
 
 class StripBuilder {
    public:
-    StripBuilder(const Points& coordinates, const Columns& columns)
+    StripBuilder(const Points& coordinates, const SpatialSort& columns)
         : coordinates_(coordinates),
           columns_(columns),
           chain_halfedge_(columns.order.size(), -1),
@@ -189,7 +189,7 @@ class StripBuilder {
     }
 
     const Points& coordinates_;
-    const Columns& columns_;
+    const SpatialSort& columns_;
     /// For the edge of a chain above each site: the first of its two halfedges.
     std::vector<int> chain_halfedge_;
     std::vector<int> opposite_;
@@ -204,7 +204,7 @@ class StripBuilder {
     bool right_ = false;
 };
 
-bool chains_touch(const Points& coordinates, const Columns& columns) {
+bool chains_touch(const Points& coordinates, const SpatialSort& columns) {
     double reached = -1;
     for (int k = 0; k < columns.n_columns(); ++k) {
         double lowest = 1;
@@ -222,7 +222,7 @@ bool chains_touch(const Points& coordinates, const Columns& columns) {
 }  // namespace
 
 std::optional<TorusTriangulation> strip_triangulation(const Points& coordinates,
-                                                      const Columns& columns) {
+                                                      const SpatialSort& columns) {
     if (chains_touch(coordinates, columns)) return std::nullopt;
     StripBuilder builder(coordinates, columns);
     if (!builder.build()) return std::nullopt;

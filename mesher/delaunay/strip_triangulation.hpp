@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "mesher/delaunay/columns.hpp"
+#include "mesher/delaunay/spatial_sort.hpp"
 #include "mesher/delaunay/torus_triangulation.hpp"
 
 namespace pcvt {
@@ -16,6 +16,6 @@ namespace pcvt {
 /// @returns nothing where chains touch (equal first coordinates in two columns) or where a triangle
 ///          would be collinear up to rounding.
 std::optional<TorusTriangulation> strip_triangulation(const Points& coordinates,
-                                                      const Columns& columns);
+                                                      const SpatialSort& columns);
 
 }  // namespace pcvt

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mesher/base/error.hpp"
-#include "mesher/base/large_pages.hpp"
+#include "mesher/base/huge_pages.hpp"
 #include "mesher/lattice/edge_matching.hpp"
 
 namespace pcvt {
@@ -44,10 +44,10 @@ TorusTriangulation::TorusTriangulation(int n_sites, const std::vector<Triangle>&
     for (int t = 0; t < n_triangles(); ++t) set_triangle(t, triangles[t]);
 }
 
-void TorusTriangulation::prefer_large_pages() const {
-    pcvt::prefer_large_pages(sites_);
-    pcvt::prefer_large_pages(opposite_);
-    pcvt::prefer_large_pages(offsets_);
+void TorusTriangulation::prefer_huge_pages() const {
+    pcvt::prefer_huge_pages(sites_);
+    pcvt::prefer_huge_pages(opposite_);
+    pcvt::prefer_huge_pages(offsets_);
 }
 
 void TorusTriangulation::set_triangle(int t, const Triangle& corners) {

@@ -87,7 +87,7 @@ class TorusTriangulation {
     std::span<const CornerOffsets> corner_offsets() const { return offsets_; }
 
     /// See large_pages.hpp.
-    void prefer_large_pages() const;
+    void prefer_huge_pages() const;
 
     /// Replaces the diagonal h of the quadrilateral made by its two triangles with the other one; h
     /// and its opposite become the two sides of the new edge.

@@ -64,7 +64,7 @@ void CellSums::add(std::span<const SiteId> sites, std::span<const int> numbers, 
 }
 
 void CellSums::finish(std::vector<Moments>& moments) {
-    const std::span<const double> rho = probe_.ask_waiting();
+    const std::span<const double> rho = probe_.evaluate_reserved();
     whole_.take(rho, moments);
     const std::vector<Moments>& cut = cut_.take(rho);
     for (std::size_t k = 0; k < cut.size(); ++k) moments[cut_numbers_[k]] = cut[k];
@@ -80,7 +80,7 @@ void CellSums::integrate(std::span<const OrderedCell> cells, std::vector<Moments
             const auto n = static_cast<std::size_t>(std::min(end_[q] - done, kCellsAtOnce));
             add({&sites_[done], n}, {&numbers_[done], n}, q);
             done += static_cast<int>(n);
-            if (probe_.n_waiting() >= kEnoughPoints) finish(moments);
+            if (probe_.n_reserved() >= kEnoughPoints) finish(moments);
         }
     }
     finish(moments);

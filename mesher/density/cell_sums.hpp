@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mesher/density/cell_moments.hpp"
+#include "mesher/density/cell_quadrature.hpp"
 #include "mesher/density/fan_batch.hpp"
 #include "mesher/density/unwrapped_cells.hpp"
 
@@ -16,8 +16,8 @@ struct OrderedCell {
     bool is_cut;
 };
 
-/// Moments of many cells, for one thread: the few that break lines cross through CellBatch, the
-/// others through FanBatch, and the density of both is asked at once.
+/// Moments of many cells, for one thread: the few that break lines cross through QuadratureBatch,
+/// the others through FanBatch, and the density of both is asked at once.
 class CellSums {
    public:
     /// All must outlive this object; the probe is used by nobody else meanwhile.
@@ -43,7 +43,7 @@ class CellSums {
     const CellQuadrature& quadrature_;
     DensityProbe& probe_;
     FanBatch whole_;
-    CellBatch cut_;
+    QuadratureBatch cut_;
     /// The numbers of the cut cells.
     std::vector<int> cut_numbers_;
     /// The cells by order, and in each order as they came.

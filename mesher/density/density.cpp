@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "mesher/base/lanes.hpp"
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/simd.hpp"
+#include "mesher/base/target_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -35,7 +35,7 @@ std::string digits(double value) {
 
 /// Widens a range by n numbers, rounded up to full lanes; returns whether all of them are
 /// densities.
-PCVT_VECTOR_CLONES bool find_extremes(const double* rho, std::size_t n, double& least,
+PCVT_TARGET_CLONES bool find_extremes(const double* rho, std::size_t n, double& least,
                                       double& greatest) {
     Lanes low = Lanes{} + least;
     Lanes high = Lanes{} + greatest;
@@ -71,14 +71,14 @@ void DensityRange::require_contrast() const {
                      ", a contrast above 1e12; raise its least value");
 }
 
-DensityPoint* DensityProbe::room(std::size_t n) {
-    const std::size_t first = n_waiting_;
-    n_waiting_ += n;
-    if (points_.size() < n_waiting_) points_.resize(2 * n_waiting_);
+DensityPoint* DensityProbe::reserve(std::size_t n) {
+    const std::size_t first = n_reserved_;
+    n_reserved_ += n;
+    if (points_.size() < n_reserved_) points_.resize(2 * n_reserved_);
     return points_.data() + first;
 }
 
-std::span<const double> DensityProbe::ask(std::span<const DensityPoint> points) {
+std::span<const double> DensityProbe::evaluate(std::span<const DensityPoint> points) {
     const std::size_t n = points.size();
     if (rho_.size() < n + kLanes) rho_.resize(n + kLanes);
     double* const rho = rho_.data();
@@ -101,7 +101,7 @@ std::unique_ptr<DensityProbe> DensityProbes::take() {
     return probe;
 }
 
-void DensityProbes::lend(const std::function<void(DensityProbe&)>& work) {
+void DensityProbes::with_probe(const std::function<void(DensityProbe&)>& work) {
     std::unique_ptr<DensityProbe> probe = take();
     work(*probe);
     const std::lock_guard lock(mutex_);
@@ -117,7 +117,7 @@ std::vector<double> densities_at(const Density& density, const Lattice& lattice,
         const Vec2 u = lattice.to_lattice(points.col(k));
         asked.push_back(probe.point(u.x() - std::floor(u.x()), u.y() - std::floor(u.y())));
     }
-    const std::span<const double> rho = probe.ask(asked);
+    const std::span<const double> rho = probe.evaluate(asked);
     return {rho.begin(), rho.end()};
 }
 

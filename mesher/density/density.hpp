@@ -95,13 +95,13 @@ class DensityProbe {
     }
     /// rho at many points; stays until the next call, with kLanes numbers behind that may be read.
     /// @throws BadDensity naming the first place where it is not a number in [1e-60, 1e60].
-    std::span<const double> ask(std::span<const DensityPoint> points);
+    std::span<const double> evaluate(std::span<const DensityPoint> points);
     /// Room for n more points, to be filled before they are asked; stays until the next call.
-    DensityPoint* room(std::size_t n);
-    std::size_t n_waiting() const { return n_waiting_; }
+    DensityPoint* reserve(std::size_t n);
+    std::size_t n_reserved() const { return n_reserved_; }
     /// Asks all points that wait, in order; none waits any more.
-    std::span<const double> ask_waiting() {
-        return ask({points_.data(), std::exchange(n_waiting_, 0)});
+    std::span<const double> evaluate_reserved() {
+        return evaluate({points_.data(), std::exchange(n_reserved_, 0)});
     }
     /// What was asked since the last call.
     DensityRange take_range() { return std::exchange(range_, {}); }
@@ -115,7 +115,7 @@ class DensityProbe {
     DensityRange range_;
     /// The first of them wait.
     std::vector<DensityPoint> points_;
-    std::size_t n_waiting_ = 0;
+    std::size_t n_reserved_ = 0;
     std::vector<double> rho_;
 };
 
@@ -126,7 +126,7 @@ class DensityProbes {
         : lattice_(lattice), density_(density) {}
 
     /// Calls work(probe) with a probe that nobody else has. Any thread may call it at any time.
-    void lend(const std::function<void(DensityProbe&)>& work);
+    void with_probe(const std::function<void(DensityProbe&)>& work);
     /// What was asked in all works that have returned.
     const DensityRange& range() const { return range_; }
 

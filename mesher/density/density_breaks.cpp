@@ -28,14 +28,14 @@ class ProbeLine {
         : probe_(probe), axis_(axis), across_(across) {}
 
     double operator()(double along) const {
-        *probe_.room(1) = point(along);
-        return std::log(probe_.ask_waiting()[0]);
+        *probe_.reserve(1) = point(along);
+        return std::log(probe_.evaluate_reserved()[0]);
     }
     /// At the ends of the intervals.
     std::vector<double> survey() const {
-        for (int k = 0; k <= kIntervals; ++k) *probe_.room(1) = point(double(k) / kIntervals);
+        for (int k = 0; k <= kIntervals; ++k) *probe_.reserve(1) = point(double(k) / kIntervals);
         std::vector<double> value;
-        for (const double rho : probe_.ask_waiting()) value.push_back(std::log(rho));
+        for (const double rho : probe_.evaluate_reserved()) value.push_back(std::log(rho));
         return value;
     }
 

@@ -54,11 +54,11 @@ DensitySurvey::DensitySurvey(const Lattice& lattice, const Density& density, int
     : lattice_(lattice), resolution_(resolution), probe_(lattice, density.make_function()) {
     rho_.reserve(static_cast<std::size_t>(resolution) * resolution);
     for (int j = 0; j < resolution; ++j) {
-        DensityPoint* const row = probe_.room(resolution);
+        DensityPoint* const row = probe_.reserve(resolution);
         for (int i = 0; i < resolution; ++i) {
             row[i] = probe_.point(double(i) / resolution, double(j) / resolution);
         }
-        const std::span<const double> rho = probe_.ask_waiting();
+        const std::span<const double> rho = probe_.evaluate_reserved();
         rho_.insert(rho_.end(), rho.begin(), rho.end());
     }
     range_ = probe_.take_range();
@@ -111,9 +111,9 @@ Points DensitySurvey::draw(int n, std::uint64_t seed) {
             candidate.u = (i + uniform()) / resolution_;
             candidate.v = (j + uniform()) / resolution_;
             candidate.threshold = uniform() * majorant(i, j);
-            *probe_.room(1) = probe_.point(candidate.u, candidate.v);
+            *probe_.reserve(1) = probe_.point(candidate.u, candidate.v);
         }
-        const std::span<const double> rho = probe_.ask_waiting();
+        const std::span<const double> rho = probe_.evaluate_reserved();
         for (std::size_t k = 0; k < candidates.size(); ++k) {
             const bool refused = candidates[k].threshold >= std::sqrt(rho[k]);
             if (refused && trial++ < kTrials) continue;
@@ -135,11 +135,11 @@ double integral(const Lattice& lattice, const Density& density) {
     DensityProbe probe(lattice, density.make_function());
     double sum = 0;
     for (std::size_t j = 0; j < up.nodes.size(); ++j) {
-        DensityPoint* const row = probe.room(along.nodes.size());
+        DensityPoint* const row = probe.reserve(along.nodes.size());
         for (std::size_t i = 0; i < along.nodes.size(); ++i) {
             row[i] = probe.point(along.nodes[i], up.nodes[j]);
         }
-        const std::span<const double> rho = probe.ask_waiting();
+        const std::span<const double> rho = probe.evaluate_reserved();
         double part = 0;
         for (std::size_t i = 0; i < rho.size(); ++i) part += along.weights[i] * rho[i];
         sum += up.weights[j] * part;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "mesher/base/lanes.hpp"
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/simd.hpp"
+#include "mesher/base/target_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,7 +26,7 @@ struct Placement {
 
 static_assert(sizeof(DensityPoint) == sizeof(Quad));
 
-PCVT_VECTOR_CLONES void place_fan(const Placement& p, int begin, int end,
+PCVT_TARGET_CLONES void place_fan(const Placement& p, int begin, int end,
                                   const DensityPoint& site) {
     Quad origin;
     Quad along_x;
@@ -65,7 +65,7 @@ struct Corners {
 };
 
 /// The moments of the triangles (0, from, to).
-PCVT_VECTOR_CLONES void sum_triangles(int n_corners, const Corners& corners, int n_points,
+PCVT_TARGET_CLONES void sum_triangles(int n_corners, const Corners& corners, int n_points,
                                       const double* weights, const double* rho) {
     for (int c = 0; c < n_corners; c += kLanes) {
         Lanes s0{}, s1{}, s2{}, s3{}, s4{}, s5{};
@@ -145,9 +145,10 @@ void FanBatch::add(const CellList& cells, std::size_t k, const Vec2& site, int n
 void FanBatch::end_order() {
     Group& group = groups_.back();
     const int n_corners = n_corners_ - group.first_corner;
-    group.first_point = probe_.n_waiting();
+    group.first_point = probe_.n_reserved();
     const TriangleRule& rule = triangle_rule(group.q);
-    DensityPoint* const points = probe_.room(std::size_t(n_corners) * std::size_t(rule.n_points()));
+    DensityPoint* const points =
+        probe_.reserve(std::size_t(n_corners) * std::size_t(rule.n_points()));
     const Placement placement{along_x_,
                               along_y_,
                               to_x_.data() + group.first_corner,

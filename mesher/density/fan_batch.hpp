@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mesher/density/cell_batch.hpp"
+#include "mesher/density/quadrature_batch.hpp"
 #include "mesher/density/unwrapped_cells.hpp"
 
 namespace pcvt {

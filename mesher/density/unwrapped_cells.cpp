@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "mesher/base/lanes.hpp"
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/simd.hpp"
+#include "mesher/base/target_clones.hpp"
 #include "mesher/delaunay/predicates.hpp"
 
 namespace pcvt {
@@ -37,7 +37,7 @@ struct CornerArrays {
 
 /// Computes n corners, rounded up to full lanes; returns whether some of the n belong to thin
 /// triangles.
-PCVT_VECTOR_CLONES bool circumcentres(const Maps& m, int n, const CornerArrays& arrays) {
+PCVT_TARGET_CLONES bool circumcentres(const Maps& m, int n, const CornerArrays& arrays) {
     const double twice_area = 2 * m.ax * m.by;
     for (int k = 0; k < n; k += kLanes) {
         Lanes to_u, to_v, next_u, next_v;
@@ -109,7 +109,7 @@ UnwrappedCells::UnwrappedCells(const MovingDelaunay& delaunay, Workers& workers,
     : delaunay_(delaunay), rings_(delaunay, workers) {
     const Reduction reduction = reduce(lattice);
     from_reduced_ << reduction.m[0], reduction.m[2], reduction.m[1], reduction.m[3];
-    const Frame& frame = delaunay.frame();
+    const ReducedFrame& frame = delaunay.frame();
     Eigen::Matrix2d to_frame;
     to_frame << frame.ax, frame.bx, 0, frame.by;
     from_frame_ = from_reduced_ * to_frame.inverse();
@@ -179,14 +179,14 @@ Vec2 UnwrappedCells::thin_centre(int h) const {
         const Corner c = t.corner(g);
         return image(delaunay_.coordinates(), c.site, c.offset);
     };
-    const Frame& frame = delaunay_.frame();
+    const ReducedFrame& frame = delaunay_.frame();
     const Gram gram{frame.ax * frame.ax, frame.ax * frame.bx,
                     frame.bx * frame.bx + frame.by * frame.by};
     return frame.to_plane(circumcentre(gram, at(h), at(t.next(h)), at(t.previous(h))));
 }
 
 void UnwrappedCells::find_corners(std::span<const SiteId> sites, CellList& cells) const {
-    const Frame& frame = delaunay_.frame();
+    const ReducedFrame& frame = delaunay_.frame();
     const Maps maps{frame.ax,          frame.bx,          frame.by,         from_frame_(0, 0),
                     from_frame_(0, 1), from_frame_(1, 0), from_frame_(1, 1)};
     const CornerArrays arrays{cells.to_u.data(),   cells.to_v.data(), cells.next_u.data(),

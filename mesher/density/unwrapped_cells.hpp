@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mesher/density/cell_batch.hpp"
+#include "mesher/density/quadrature_batch.hpp"
 #include "mesher/density/site_rings.hpp"
 
 namespace pcvt {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "mesher/base/large_pages.hpp"
+#include "mesher/base/huge_pages.hpp"
 #include "mesher/base/prefetch.hpp"
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/target_clones.hpp"
 #include "mesher/energy/triangle_terms.hpp"
 
 namespace pcvt {
@@ -37,7 +37,7 @@ constexpr double kLargestPartOfCell = 5e4;
 constexpr int kSitesPerFlip = 10;
 
 /// The largest of the numbers below `end`, or -1.
-PCVT_VECTOR_CLONES int last_below(int end, const int* numbers, int n) {
+PCVT_TARGET_CLONES int last_below(int end, const int* numbers, int n) {
     int last = -1;
     for (int k = 0; k < n; ++k) last = std::max(last, numbers[k] < end ? numbers[k] : -1);
     return last;
@@ -46,7 +46,7 @@ PCVT_VECTOR_CLONES int last_below(int end, const int* numbers, int n) {
 void resize(Eigen::Index n, Eigen::VectorXd& sums) {
     if (sums.size() == n) return;
     sums.resize(n);
-    prefer_large_pages(sums);
+    prefer_huge_pages(sums);
 }
 
 void append(std::vector<int>& list, const std::vector<int>& more) {
@@ -86,7 +86,7 @@ struct EnergyPass::Slab {
                  Energy& energy);
     void suspect(const MovingDelaunay& delaunay, int h, const TriangleBlock& block, int k);
     void look_at_suspects(const MovingDelaunay& delaunay);
-    std::size_t acquit(const MovingDelaunay& delaunay, std::size_t end);
+    std::size_t certify_edges(const MovingDelaunay& delaunay, std::size_t end);
 };
 
 namespace {
@@ -119,7 +119,7 @@ void EnergyPass::Slab::run(const MovingDelaunay& delaunay, Energy& energy) {
         look_at_suspects(delaunay);
         scatter(delaunay, 2 * first_site + done, n, block, energy);
     }
-    acquit(delaunay, suspects.halfedges.size());
+    certify_edges(delaunay, suspects.halfedges.size());
     clear(n_sites, energy);
 }
 
@@ -229,12 +229,12 @@ void EnergyPass::Slab::look_at_suspects(const MovingDelaunay& delaunay) {
     for (std::size_t k = n_fetched; k < n_suspects; ++k) {
         t.fetch_triangle(t.opposite(suspects.halfedges[k]));
     }
-    n_fetched = n_suspects - acquit(delaunay, n_fetched);
+    n_fetched = n_suspects - certify_edges(delaunay, n_fetched);
 }
 
 /// Removes the halfedges that are Delaunay from the suspects before `end` that were not examined
 /// yet; returns their number.
-std::size_t EnergyPass::Slab::acquit(const MovingDelaunay& delaunay, std::size_t end) {
+std::size_t EnergyPass::Slab::certify_edges(const MovingDelaunay& delaunay, std::size_t end) {
     const auto begin = suspects.halfedges.begin();
     const auto kept = std::remove_if(begin + n_examined, begin + end,
                                      [&](int h) { return delaunay.is_certainly_delaunay(h); });

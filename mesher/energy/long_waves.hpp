@@ -51,7 +51,7 @@ class LongWaves {
     void distribute(const Eigen::VectorXd& r, Eigen::VectorXf& p);
 
     Workers& workers_;
-    Frame frame_;
+    ReducedFrame frame_;
     double area_per_site_;
     int n_sites_;
     /// Per site its place on the grid: row and column with fractions.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/target_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -23,7 +23,7 @@ struct Squares {
     }
 };
 
-PCVT_VECTOR_CLONES Squares squares_of(const double* gradient, const double* mass, Eigen::Index n) {
+PCVT_TARGET_CLONES Squares squares_of(const double* gradient, const double* mass, Eigen::Index n) {
     double largest[kLanes] = {};
     double sum[kLanes] = {};
     const auto square = [=](Eigen::Index s) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/target_clones.hpp"
 #include "mesher/delaunay/predicates.hpp"
 
 namespace pcvt {
@@ -21,7 +21,7 @@ Vec2 turned(const Vec2& d) { return {-d.y(), d.x()}; }
 
 }  // namespace
 
-TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const Frame& frame) {
+TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const ReducedFrame& frame) {
     const std::array<Vec2, 3> side{p, q - p, -q};
     const std::array<Vec2, 3> d{frame.to_plane(side[0]), frame.to_plane(side[1]),
                                 frame.to_plane(side[2])};
@@ -57,7 +57,7 @@ TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const Frame& frame) {
     return terms;
 }
 
-PCVT_VECTOR_CLONES void TriangleBlock::compute(const Frame& frame) {
+PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
     const double ax = frame.ax;
     const double bx = frame.bx;
     const double by = frame.by;

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "mesher/lattice/frame.hpp"
+#include "mesher/lattice/reduced_frame.hpp"
 
 namespace pcvt {
 
@@ -21,7 +21,7 @@ struct TriangleTerms {
 /// With care for thin triangles: relative to the largest of its terms the rounding stays near
 /// 1e-16 where two corners almost coincide.
 /// @param p, q  corners 1 and 2 relative to corner 0, coordinates of the reduced basis, exact.
-TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const Frame& frame);
+TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const ReducedFrame& frame);
 
 /// The same for many triangles at once: no branch, every operation on all of them.
 struct TriangleBlock {
@@ -39,7 +39,7 @@ struct TriangleBlock {
     /// Positive where all angles are certainly acute.
     Row acute;
 
-    void compute(const Frame& frame);
+    void compute(const ReducedFrame& frame);
 };
 
 }  // namespace pcvt

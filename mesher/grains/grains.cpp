@@ -11,7 +11,7 @@
 #include "mesher/grains/grain_smoothing.hpp"
 #include "mesher/grains/grain_triangulation.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
 
 namespace pcvt {
 namespace {

@@ -13,6 +13,10 @@ using SiteId = std::int32_t;
 inline constexpr int kMostSites = 1 << 28;
 /// A point further than this many periods from the origin is refused instead of wrapped.
 inline constexpr double kFarthestPeriod = 0x1p30;
+/// Sites nearer to each other than this, in units of h = sqrt(area / n), are refused, and Voronoi
+/// vertices that near are one vertex: cocircular sites have one vertex in common, and no edge of
+/// zero length is ever made.
+inline constexpr double kSameVertex = 1e-9;
 
 /// The sites of a torus, in coordinates of the reduced basis.
 ///

@@ -7,7 +7,7 @@
 
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/box_lines.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
 #include "mesher/mesh/voronoi.hpp"
 
 namespace pcvt {
@@ -51,7 +51,7 @@ class BoxCutter {
     BoxCut cut() {
         cut_edges();
         const std::vector<int> sides = cell_sides(cells_);
-        BoxCut box{{lattice_, TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}}, 0};
+        BoxCut box{{lattice_, MeshKind::kVoronoi, {}, {0}, {}, {}, {}, {}, {}}, 0};
         for (int f = 0; f < cells_.n_faces(); ++f) {
             for (const BoxPolygon& piece : pieces_of(f)) {
                 add_piece(f, piece, box.pieces);

@@ -6,8 +6,8 @@ namespace pcvt {
 
 /// Cells cut along the parallelogram of the period vectors.
 struct BoxCut {
-    /// The pieces (`kCells`), each with the site of its cell: with every face in its own frame they
-    /// fill the parallelogram with its corner at the origin of the cut.
+    /// The pieces (`kVoronoi`), each with the site of its cell: with every face in its own frame
+    /// they fill the parallelogram with its corner at the origin of the cut.
     PeriodicMesh pieces;
     /// Length units: the shortest edge that ends on the cut or lies on it.
     double shortest_edge;
@@ -16,7 +16,7 @@ struct BoxCut {
 /// The `box` outline: each cell cut along the lines origin + k a + t b and origin + l b + t a.
 ///
 /// A cell may give several pieces. Vertices nearer to a line than `snap` are moved onto it, and
-/// edges nearer to a corner of the box than kSameVertex h (voronoi.hpp) pass through it: where cell
+/// edges nearer to a corner of the box than kSameVertex h (sites.hpp) pass through it: where cell
 /// edges lie on the cut, they become part of it. Laws, tested by number:
 ///   (1) The pieces are a mesh of the same torus: V - E + F = 0, the areas sum to that of the
 ///       domain, and each piece lies within the box.
@@ -25,7 +25,7 @@ struct BoxCut {
 ///   (3) The pieces of a cell, each moved back by a lattice vector, make up the cell but for
 ///   `snap`.
 ///
-/// @param cells   whole cells (`kCells`); they need not be convex.
+/// @param cells   whole cells (`kVoronoi`); they need not be convex.
 /// @param origin  corner of the box, length units.
 /// @param snap    length units; no less than kSameVertex h is taken. Where it would
 ///                tear a cell, less is taken.

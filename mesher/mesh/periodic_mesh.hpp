@@ -1,6 +1,9 @@
 #pragma once
 
-#include "mesher/tile/flat_tile.hpp"
+#include <vector>
+
+#include "mesher/lattice/sites.hpp"
+#include "mesher/mesh/mesh_kind.hpp"
 
 namespace pcvt {
 
@@ -10,7 +13,7 @@ namespace pcvt {
 /// vertices[corner_vertex[c]] + translation(corner_offset[c]) when f stands in its own frame.
 struct PeriodicMesh {
     Lattice lattice;
-    TileKind kind;
+    MeshKind kind;
     /// Positions of the representatives, length units.
     std::vector<Vec2> vertices;
     /// n_faces + 1 entries; the corners of a face run counter-clockwise.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "mesher/lattice/offset_union.hpp"
+#include "mesher/lattice/offset_disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
 
 namespace pcvt {
@@ -134,7 +134,7 @@ class Shrinking {
     }
 
     const PeriodicMesh& mesh_;
-    OffsetUnion joined_;
+    OffsetDisjointSets joined_;
     /// Of each root.
     std::vector<Vec2> position_;
     std::vector<std::vector<int>> corners_at_;

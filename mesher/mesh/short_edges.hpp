@@ -14,7 +14,7 @@ namespace pcvt {
 ///   (2) Each edge left that is shorter than `shortest` could not go.
 ///   (3) No vertex of an edge that stays moves if it lies on no edge that goes.
 ///
-/// @param cells     whole cells (`kCells`).
+/// @param cells     whole cells (`kVoronoi`).
 /// @param shortest  length units; 0 leaves the mesh as it is.
 PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest);
 

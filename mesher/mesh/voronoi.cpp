@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mesher/base/error.hpp"
-#include "mesher/lattice/offset_union.hpp"
+#include "mesher/lattice/offset_disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
 
 namespace pcvt {
@@ -31,13 +31,13 @@ Vec2 dual_vertex(const PeriodicDelaunay& delaunay, int triangle) {
 /// Voronoi vertices before and after merging.
 struct DualVertices {
     std::vector<Vec2> position;  ///< of each triangle's circumcentre, in the triangle's frame
-    OffsetUnion merged;
+    OffsetDisjointSets merged;
 };
 
 DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     const Lattice& reduced = delaunay.sites().reduction().reduced;
-    DualVertices dual{{}, OffsetUnion(t.n_triangles())};
+    DualVertices dual{{}, OffsetDisjointSets(t.n_triangles())};
     for (int k = 0; k < t.n_triangles(); ++k) dual.position.push_back(dual_vertex(delaunay, k));
 
     const double shortest = kSameVertex * delaunay.sites().spacing();
@@ -59,7 +59,8 @@ struct MeshCorner {
 };
 
 /// The corners of the cell of the site that h leaves, round the image of the site at offset (0, 0).
-std::vector<MeshCorner> cell_corners(const TorusTriangulation& t, OffsetUnion& merged, int h) {
+std::vector<MeshCorner> cell_corners(const TorusTriangulation& t, OffsetDisjointSets& merged,
+                                     int h) {
     std::vector<MeshCorner> corners;
     const int first = h;
     do {
@@ -131,7 +132,7 @@ std::vector<int> outgoing_halfedges(const TorusTriangulation& t) {
 PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     DualVertices dual = dual_vertices(delaunay);
-    PeriodicMesh mesh{delaunay.sites().lattice(), TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}};
+    PeriodicMesh mesh{delaunay.sites().lattice(), MeshKind::kVoronoi, {}, {0}, {}, {}, {}, {}, {}};
     std::vector<int> vertex_of(dual.position.size(), -1);
     for (int k = 0; k < t.n_triangles(); ++k) {
         if (dual.merged.root(k).orbit != k) continue;
@@ -158,8 +159,7 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
 
 PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
-    PeriodicMesh mesh{
-        delaunay.sites().lattice(), TileKind::kTriangles, {}, {0}, {}, {}, {}, {}, {}};
+    PeriodicMesh mesh{delaunay.sites().lattice(), MeshKind::kDelaunay, {}, {0}, {}, {}, {}, {}, {}};
     for (SiteId s = 0; s < t.n_sites(); ++s) {
         mesh.vertices.push_back(delaunay.sites().position(s));
         mesh.site.push_back(s);
@@ -171,6 +171,10 @@ PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay) {
     }
     finish(mesh, delaunay.sites().reduction());
     return mesh;
+}
+
+PeriodicMesh periodic_mesh(const PeriodicDelaunay& delaunay, MeshKind kind) {
+    return kind == MeshKind::kVoronoi ? cell_mesh(delaunay) : triangle_mesh(delaunay);
 }
 
 }  // namespace pcvt

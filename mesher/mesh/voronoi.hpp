@@ -5,10 +5,6 @@
 
 namespace pcvt {
 
-/// Voronoi vertices nearer to each other than this, in units of h = sqrt(area / n), are one vertex:
-/// cocircular sites have one vertex in common, and no edge of zero length is ever made.
-inline constexpr double kSameVertex = 1e-9;
-
 /// The cells of the periodic Voronoi diagram, unwrapped round their sites; offsets in the user's
 /// basis.
 ///
@@ -24,5 +20,8 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay);
 
 /// The Delaunay triangles; vertices are the sites, in their order.
 PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay);
+
+/// cell_mesh for `kVoronoi`, triangle_mesh for `kDelaunay`.
+PeriodicMesh periodic_mesh(const PeriodicDelaunay& delaunay, MeshKind kind);
 
 }  // namespace pcvt

@@ -134,8 +134,8 @@ double ConjugateGradients::longest_step(double radius) {
 /// Returns whether the boundary was reached.
 bool ConjugateGradients::truncated_run(const BlockMatrix& h, const Limits& limits, double rz,
                                        int& products) {
-    const double enough = limits.relative_residual * limits.relative_residual * rz;
-    while (rz > enough && products < limits.products) {
+    const double converged_below = limits.relative_residual * limits.relative_residual * rz;
+    while (rz > converged_below && products < limits.products) {
         const double curvature = h.multiply(direction_, product_, workers_);
         ++products;
         if (!(curvature > 0)) {

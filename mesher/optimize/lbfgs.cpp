@@ -59,7 +59,7 @@ std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, doub
         if (!run.evaluate(history.direction(), t, evaluation)) {
             high = LinePoint{t, std::numeric_limits<double>::infinity(), 0};
         } else {
-            const LinePoint point{t, evaluation.value, history.look(evaluation)};
+            const LinePoint point{t, evaluation.value, history.directional_derivative(evaluation)};
             const Verdict verdict = judge(start, point);
             if (verdict == Verdict::kAccept) return t;
             if (verdict == Verdict::kTooShort && t >= longest) return t;
@@ -88,11 +88,11 @@ bool advance(OptimizerRun& run, Objective& objective, const OptimizerOptions& op
     for (;;) {
         const bool fresh = history.empty();
         if (fresh) begin_direction(objective, evaluation, history.direction());
-        const auto [slope, largest_move] = history.aim();
+        const auto [slope, largest_move] = history.compute_direction();
         const double longest = options.max_move / largest_move;
         if (slope < 0) {
             if (const auto t = search_line(run, history, slope, longest, evaluation)) {
-                history.add(*t);
+                history.append_pair(*t);
                 run.accept();
                 return true;
             }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/base/large_pages.hpp"
+#include "mesher/base/huge_pages.hpp"
 #include "mesher/base/prefetch.hpp"
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/target_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -20,12 +20,12 @@ constexpr Eigen::Index kDoublesPerLine = 8;
 /// Partial maxima: enough that they do not wait for each other.
 constexpr Eigen::Index kLanes = 32;
 
-PCVT_VECTOR_CLONES void scale(float c, const float* x, float* y, Eigen::Index n) {
+PCVT_TARGET_CLONES void scale(float c, const float* x, float* y, Eigen::Index n) {
     for (Eigen::Index i = 0; i < n; ++i) y[i] = c * x[i];
 }
 
 /// Fetches the next n numbers, wanted soon, meanwhile.
-PCVT_VECTOR_CLONES void narrow_to(const double* x, float* y, Eigen::Index n) {
+PCVT_TARGET_CLONES void narrow_to(const double* x, float* y, Eigen::Index n) {
     Eigen::Index i = 0;
     for (; i + kDoublesPerLine <= n; i += kDoublesPerLine) {
         prefetch(x + n + i);
@@ -34,12 +34,12 @@ PCVT_VECTOR_CLONES void narrow_to(const double* x, float* y, Eigen::Index n) {
     for (; i < n; ++i) y[i] = static_cast<float>(x[i]);
 }
 
-PCVT_VECTOR_CLONES void subtract(const float* x, const float* y, float* difference,
+PCVT_TARGET_CLONES void subtract(const float* x, const float* y, float* difference,
                                  Eigen::Index n) {
     for (Eigen::Index i = 0; i < n; ++i) difference[i] = x[i] - y[i];
 }
 
-PCVT_VECTOR_CLONES double largest_pair_square(const float* x, Eigen::Index n) {
+PCVT_TARGET_CLONES double largest_pair_square(const float* x, Eigen::Index n) {
     float largest[kLanes] = {};
     Eigen::Index i = 0;
     for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
@@ -127,7 +127,7 @@ LbfgsHistory::LbfgsHistory(Eigen::Index n_variables, Workers& workers)
       direction_(n_variables),
       packed_(2 * kPairs, n_variables),
       gradients_(2, n_variables) {
-    prefer_large_pages(direction_);
+    prefer_huge_pages(direction_);
     make_room_for_trial();
 }
 
@@ -183,7 +183,7 @@ void LbfgsHistory::begin(const Evaluation& here) {
     });
 }
 
-LbfgsHistory::Direction LbfgsHistory::aim() {
+LbfgsHistory::Direction LbfgsHistory::compute_direction() {
     const std::vector<int> pairs = slots_;
     Coefficients c{};
     if (!pairs.empty()) {
@@ -215,7 +215,7 @@ LbfgsHistory::Direction LbfgsHistory::aim() {
     return {sums.slope, std::sqrt(sums.largest_square)};
 }
 
-double LbfgsHistory::look(const Evaluation& there) {
+double LbfgsHistory::directional_derivative(const Evaluation& there) {
     const int next = 1 - here_;
     std::vector<int> looked_at = slots_;
     looked_at.push_back(trial_);
@@ -255,7 +255,7 @@ double LbfgsHistory::look(const Evaluation& there) {
     return sums.sg[trial_];
 }
 
-void LbfgsHistory::add(double t) {
+void LbfgsHistory::append_pair(double t) {
     here_ = 1 - here_;
     const int added = trial_;
     const double change_of_slope = sy_[added][added];

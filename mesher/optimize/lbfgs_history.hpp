@@ -48,14 +48,14 @@ class LbfgsHistory {
     };
     /// Makes direction() the product of minus the approximate inverse Hessian with the gradient
     /// where the search begins; of an empty history, only measures what the caller filled in.
-    Direction aim();
+    Direction compute_direction();
 
     /// The slope along direction() at a trial point.
-    double look(const Evaluation& there);
+    double directional_derivative(const Evaluation& there);
 
     /// The next search begins at the point that was looked at last, t * direction() from here. Adds
     /// the pair of this step, or where the curvature along it is weak forgets all pairs.
-    void add(double t);
+    void append_pair(double t);
 
    private:
     struct Coefficients;

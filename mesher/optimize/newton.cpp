@@ -67,10 +67,10 @@ ConjugateGradients::Outcome Newton::solve() {
     objective_.hessian(hessian_);
     ++hessians_;
     const double superlinear = std::min(kLooseSystem, std::sqrt(here_.rms_residual));
-    const double enough = kBelowTolerance * options_.tolerance / here_.residual;
+    const double sufficient = kBelowTolerance * options_.tolerance / here_.residual;
     const auto n_variables = static_cast<int>(objective_.n_variables());
     const auto system = cg_.solve(hessian_, here_.gradient,
-                                  {std::max(superlinear, enough), radius_, 2 * n_variables});
+                                  {std::max(superlinear, sufficient), radius_, 2 * n_variables});
     cg_products_ += system.products;
     step_ = cg_.solution().cast<float>();
     return system;

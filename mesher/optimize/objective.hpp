@@ -76,7 +76,7 @@ struct OptimizerOptions {
     double max_move = 0;
     ProgressCallback progress = {};
     /// Stops as converged also where this says so.
-    ProgressTest enough = {};
+    ProgressTest stop_when = {};
     /// The root mean square residual below which the objective is asked to precondition.
     double precondition_below = 0;
 };

@@ -29,7 +29,7 @@ std::optional<Stop> OptimizerRun::before_iteration(const Evaluation& evaluation)
     if (options_.max_iterations >= 0 && iterations_ >= options_.max_iterations) {
         return Stop::kIterationLimit;
     }
-    if (options_.enough && options_.enough(progress)) return Stop::kConverged;
+    if (options_.stop_when && options_.stop_when(progress)) return Stop::kConverged;
     if (stalled(evaluation)) return Stop::kStalled;
     return std::nullopt;
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "mesher/base/large_pages.hpp"
+#include "mesher/base/huge_pages.hpp"
 #include "mesher/base/prefetch.hpp"
-#include "mesher/base/vector_clones.hpp"
+#include "mesher/base/target_clones.hpp"
 
 namespace pcvt {
 namespace {
@@ -19,7 +19,7 @@ constexpr float kRounding = 12582912;
 constexpr Eigen::Index kLanes = 32;
 
 /// The largest |x_i|, or NaN if one is not finite.
-PCVT_VECTOR_CLONES float largest_of(const float* x, Eigen::Index n) {
+PCVT_TARGET_CLONES float largest_of(const float* x, Eigen::Index n) {
     float largest[kLanes] = {};
     float zero[kLanes] = {};
     Eigen::Index i = 0;
@@ -40,7 +40,7 @@ PCVT_VECTOR_CLONES float largest_of(const float* x, Eigen::Index n) {
                     : std::numeric_limits<float>::quiet_NaN();
 }
 
-PCVT_VECTOR_CLONES void round_to(float scale, float* x, std::int16_t* numbers, Eigen::Index n) {
+PCVT_TARGET_CLONES void round_to(float scale, float* x, std::int16_t* numbers, Eigen::Index n) {
     const float per_scale = 1 / scale;
     for (Eigen::Index i = 0; i < n; ++i) {
         const float whole = x[i] * per_scale + kRounding;
@@ -51,7 +51,7 @@ PCVT_VECTOR_CLONES void round_to(float scale, float* x, std::int16_t* numbers, E
 }
 
 /// kLanes numbers are a line of the cache; those at `next`, wanted soon, are fetched meanwhile.
-PCVT_VECTOR_CLONES float dot_of(const std::int16_t* numbers, const std::int16_t* next,
+PCVT_TARGET_CLONES float dot_of(const std::int16_t* numbers, const std::int16_t* next,
                                 const float* x, Eigen::Index n) {
     float lane[kLanes] = {};
     Eigen::Index i = 0;
@@ -65,7 +65,7 @@ PCVT_VECTOR_CLONES float dot_of(const std::int16_t* numbers, const std::int16_t*
     return sum;
 }
 
-PCVT_VECTOR_CLONES void add_multiple_of(float c, const std::int16_t* numbers,
+PCVT_TARGET_CLONES void add_multiple_of(float c, const std::int16_t* numbers,
                                         const std::int16_t* next, float* sum, Eigen::Index n) {
     Eigen::Index i = 0;
     for (; i + kLanes <= n; i += kLanes) {
@@ -75,7 +75,7 @@ PCVT_VECTOR_CLONES void add_multiple_of(float c, const std::int16_t* numbers,
     for (; i < n; ++i) sum[i] += c * float(numbers[i]);
 }
 
-PCVT_VECTOR_CLONES void widen(float scale, const std::int16_t* numbers, const std::int16_t* next,
+PCVT_TARGET_CLONES void widen(float scale, const std::int16_t* numbers, const std::int16_t* next,
                               float* x, Eigen::Index n) {
     Eigen::Index i = 0;
     for (; i + kLanes <= n; i += kLanes) {
@@ -92,7 +92,7 @@ PackedVectors::PackedVectors(int n_vectors, Eigen::Index n_numbers)
     const Eigen::Index n_blocks = (n_numbers + kBlock - 1) / kBlock;
     const auto n_stored = static_cast<std::size_t>(n_blocks * kBlock * n_vectors);
     numbers_.reserve(n_stored);
-    prefer_large_pages(numbers_.data(), n_stored * sizeof(std::int16_t));
+    prefer_huge_pages(numbers_.data(), n_stored * sizeof(std::int16_t));
     numbers_.resize(n_stored);
     scales_.resize(static_cast<std::size_t>(n_blocks * n_vectors));
 }

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "mesher/base/bucket_sort.hpp"
-#include "mesher/proof/refusal.hpp"
+#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {
@@ -33,7 +33,7 @@ struct Side {
 
 class Gluing {
    public:
-    Gluing(const FlatTile& tile, const VertexOrbits& orbits, Precision precision)
+    Gluing(const Tile& tile, const VertexOrbits& orbits, Precision precision)
         : tile_(tile), orbits_(orbits), precision_(precision) {}
 
     GluedFaces glue() {
@@ -71,11 +71,12 @@ class Gluing {
         std::sort(scratch_.begin(), scratch_.end());
         const auto twice = std::adjacent_find(scratch_.begin(), scratch_.end());
         if (dropped && precision_ == Precision::kDouble) {
-            refuse(kFaceLaw, "face " + to_string(f) + " has the same corner twice in a row");
+            throw_violation(kFaceLaw,
+                            "face " + to_string(f) + " has the same corner twice in a row");
         }
         if (corners.size() >= 3 && twice != scratch_.end()) {
-            refuse(kFaceLaw, "face " + to_string(f) + " meets vertex " + to_string(*twice) +
-                                 " more than once");
+            throw_violation(kFaceLaw, "face " + to_string(f) + " meets vertex " +
+                                          to_string(*twice) + " more than once");
         }
     }
 
@@ -130,12 +131,12 @@ class Gluing {
 
     [[noreturn]] void refuse_overlap(int g, int h) const {
         const Offset by = orbits_.offset[faces_.corners[h]] - orbits_.offset[faces_.corners[g]];
-        refuse(kSeamLaw,
-               "edge " + edge(g) + " of " + face(g) + " and edge " + edge(h) + " of " + face(h) +
-                   (by == Offset{}
-                        ? " are the same edge in the same direction"
-                        : " are images by " + in_words(by) + " that run in the same direction") +
-                   ": the faces overlap, or one of them is turned round");
+        throw_violation(kSeamLaw, "edge " + edge(g) + " of " + face(g) + " and edge " + edge(h) +
+                                      " of " + face(h) +
+                                      (by == Offset{} ? " are the same edge in the same direction"
+                                                      : " are images by " + in_words(by) +
+                                                            " that run in the same direction") +
+                                      ": the faces overlap, or one of them is turned round");
     }
 
     void require_partners() const {
@@ -149,7 +150,7 @@ class Gluing {
             what += "; the nearest is edge " + edge(nearest) + " of " + face(nearest) +
                     ", off by " + in_words(apart);
         }
-        refuse(kSeamLaw, what);
+        throw_violation(kSeamLaw, what);
     }
 
     /// Of the other halfedges without a partner the one that comes nearest to running back along h.
@@ -171,7 +172,7 @@ class Gluing {
         return nearest;
     }
 
-    const FlatTile& tile_;
+    const Tile& tile_;
     const VertexOrbits& orbits_;
     Precision precision_;
     GluedFaces faces_;
@@ -180,7 +181,7 @@ class Gluing {
 
 }  // namespace
 
-GluedFaces glue_faces(const FlatTile& tile, const VertexOrbits& orbits, Precision precision) {
+GluedFaces glue_faces(const Tile& tile, const VertexOrbits& orbits, Precision precision) {
     return Gluing(tile, orbits, precision).glue();
 }
 

@@ -32,6 +32,6 @@ struct GluedFaces {
 /// matches the sides of the faces by orbits and offsets. In double precision nothing may be
 /// dropped.
 /// @throws NotATile where a face meets a vertex twice, or a side has not exactly one partner.
-GluedFaces glue_faces(const FlatTile& tile, const VertexOrbits& orbits, Precision precision);
+GluedFaces glue_faces(const Tile& tile, const VertexOrbits& orbits, Precision precision);
 
 }  // namespace pcvt

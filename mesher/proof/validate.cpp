@@ -7,7 +7,7 @@
 #include "mesher/base/disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/glued_faces.hpp"
-#include "mesher/proof/refusal.hpp"
+#include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
 
 namespace pcvt {
@@ -24,7 +24,7 @@ const char* const kAreaLaw = "(5), areas";
 constexpr double kUlps = 4;
 
 /// 4 ulps of the largest coordinate.
-double position_tolerance(const FlatTile& tile, Precision precision) {
+double position_tolerance(const Tile& tile, Precision precision) {
     double largest = 0;
     for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     int exponent = 0;
@@ -34,66 +34,68 @@ double position_tolerance(const FlatTile& tile, Precision precision) {
     return kUlps * std::ldexp(1.0, exponent - digits);
 }
 
-void require_arrays(const FlatTile& tile) {
-    if (tile.face_begin.size() < 2) refuse(kFaceLaw, "the tile has no face");
+void require_arrays(const Tile& tile) {
+    if (tile.face_begin.size() < 2) throw_violation(kFaceLaw, "the tile has no face");
     if (tile.face_begin.front() != 0 ||
         tile.face_begin.back() != static_cast<int>(tile.corners.size())) {
-        refuse(kFaceLaw, "the faces do not cover the list of corners");
+        throw_violation(kFaceLaw, "the faces do not cover the list of corners");
     }
     for (int v = 0; v < tile.n_vertices(); ++v) {
         if (!tile.points[v].allFinite()) {
-            refuse(kFaceLaw, "a coordinate of vertex " + to_string(v) + " is not finite");
+            throw_violation(kFaceLaw, "a coordinate of vertex " + to_string(v) + " is not finite");
         }
     }
     for (int f = 0; f < tile.n_faces(); ++f) {
         if (tile.face_size(f) < 3) {
-            refuse(kFaceLaw, "face " + to_string(f) + " has " + to_string(tile.face_size(f)) +
-                                 " corners; it needs three or more");
+            throw_violation(kFaceLaw, "face " + to_string(f) + " has " +
+                                          to_string(tile.face_size(f)) +
+                                          " corners; it needs three or more");
         }
     }
 }
 
-void require_known_vertices(const FlatTile& tile) {
+void require_known_vertices(const Tile& tile) {
     for (int f = 0; f < tile.n_faces(); ++f) {
         for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
             const int v = tile.corners[c];
             if (v >= 0 && v < tile.n_vertices()) continue;
-            refuse(kFaceLaw, "face " + to_string(f) + " names vertex " + to_string(v) +
-                                 "; there are " + to_string(tile.n_vertices()));
+            throw_violation(kFaceLaw, "face " + to_string(f) + " names vertex " + to_string(v) +
+                                          "; there are " + to_string(tile.n_vertices()));
         }
     }
 }
 
-void require_true_copies(const FlatTile& tile) {
+void require_true_copies(const Tile& tile) {
     const int n = tile.n_vertices() - static_cast<int>(tile.copies.size());
     for (int k = 0; k < static_cast<int>(tile.copies.size()); ++k) {
         const int v = tile.copies[k];
         if (n > 0 && v >= 0 && v < n && tile.points[v] == tile.points[n + k]) continue;
-        refuse(kFaceLaw, "vertex " + to_string(n + k) + " is no copy of vertex " + to_string(v));
+        throw_violation(kFaceLaw,
+                        "vertex " + to_string(n + k) + " is no copy of vertex " + to_string(v));
     }
 }
 
 /// A vertex that has been merged may leave the faces to its other copies.
-void require_vertices_in_use(const FlatTile& tile, const VertexOrbits& orbits) {
+void require_vertices_in_use(const Tile& tile, const VertexOrbits& orbits) {
     std::vector<bool> used(tile.points.size(), false);
     for (const int v : tile.corners) used[orbits.first_copy[v]] = true;
     for (int v = 0; v < tile.n_vertices(); ++v) {
         if (used[orbits.first_copy[v]]) continue;
-        refuse(kFaceLaw, "vertex " + to_string(v) + " belongs to no face");
+        throw_violation(kFaceLaw, "vertex " + to_string(v) + " belongs to no face");
     }
 }
 
-void require_distinct_vertices(const FlatTile& tile, const VertexOrbits& orbits) {
+void require_distinct_vertices(const Tile& tile, const VertexOrbits& orbits) {
     for (int v = 0; v < tile.n_vertices(); ++v) {
         const int first = orbits.first_copy[v];
         if (first == v) continue;
         const double apart = (tile.points[v] - tile.points[first]).lpNorm<Eigen::Infinity>();
-        refuse(kFaceLaw, "vertices " + to_string(first) + " and " + to_string(v) +
-                             " coincide: they lie " + in_words(apart) + " apart");
+        throw_violation(kFaceLaw, "vertices " + to_string(first) + " and " + to_string(v) +
+                                      " coincide: they lie " + in_words(apart) + " apart");
     }
 }
 
-void take_face(const FlatTile& tile, const GluedFaces& faces, int f, Polygon& polygon) {
+void take_face(const Tile& tile, const GluedFaces& faces, int f, Polygon& polygon) {
     polygon.clear();
     for (int h = faces.face_begin[f]; h < faces.face_begin[f + 1]; ++h) {
         polygon.push_back(tile.points[faces.corners[h]]);
@@ -101,7 +103,7 @@ void take_face(const FlatTile& tile, const GluedFaces& faces, int f, Polygon& po
 }
 
 /// Returns the sum of the areas, with W. Kahan's compensation.
-double require_simple_faces(const FlatTile& tile, const GluedFaces& faces, Precision precision,
+double require_simple_faces(const Tile& tile, const GluedFaces& faces, Precision precision,
                             double tolerance) {
     double sum = 0;
     double lost = 0;
@@ -113,11 +115,11 @@ double require_simple_faces(const FlatTile& tile, const GluedFaces& faces, Preci
                                   ? area > 0
                                   : area >= -tolerance * polygon_perimeter(polygon);
         if (!positive) {
-            refuse(kFaceLaw, "face " + to_string(faces.file_face[f]) + " has the area " +
-                                 in_words(area) + "; corners must run counter-clockwise");
+            throw_violation(kFaceLaw, "face " + to_string(faces.file_face[f]) + " has the area " +
+                                          in_words(area) + "; corners must run counter-clockwise");
         }
         if (crosses_itself(polygon, tolerance)) {
-            refuse(kFaceLaw, "face " + to_string(faces.file_face[f]) + " crosses itself");
+            throw_violation(kFaceLaw, "face " + to_string(faces.file_face[f]) + " crosses itself");
         }
         const double term = area - lost;
         const double next = sum + term;
@@ -134,12 +136,13 @@ void require_connected(const GluedFaces& faces) {
     }
     for (int f = 0; f < faces.n_faces(); ++f) {
         if (pieces.find(f) == 0) continue;
-        refuse(kDiscLaw, "face " + to_string(faces.file_face[f]) + " is not connected to face " +
-                             to_string(faces.file_face[0]) + " over edges inside of the tile");
+        throw_violation(kDiscLaw, "face " + to_string(faces.file_face[f]) +
+                                      " is not connected to face " + to_string(faces.file_face[0]) +
+                                      " over edges inside of the tile");
     }
 }
 
-void require_single_fans(const FlatTile& tile, const GluedFaces& faces) {
+void require_single_fans(const Tile& tile, const GluedFaces& faces) {
     DisjointSets fans(faces.n_halfedges());
     for (int h = 0; h < faces.n_halfedges(); ++h) {
         // h and the successor of its opposite leave the same vertex.
@@ -150,13 +153,13 @@ void require_single_fans(const FlatTile& tile, const GluedFaces& faces) {
         int& fan = fan_at[faces.corners[h]];
         if (fan < 0) fan = fans.find(h);
         if (fan == fans.find(h)) continue;
-        refuse(kDiscLaw, "the faces at vertex " + to_string(faces.corners[h]) +
-                             " form more than one fan: the tile is pinched there");
+        throw_violation(kDiscLaw, "the faces at vertex " + to_string(faces.corners[h]) +
+                                      " form more than one fan: the tile is pinched there");
     }
 }
 
 /// With one fan round each vertex, each boundary vertex has one boundary edge that leaves it.
-void require_one_loop(const FlatTile& tile, const GluedFaces& faces) {
+void require_one_loop(const Tile& tile, const GluedFaces& faces) {
     DisjointSets loops(tile.n_vertices());
     int first = -1;
     for (int h = 0; h < faces.n_halfedges(); ++h) {
@@ -164,26 +167,28 @@ void require_one_loop(const FlatTile& tile, const GluedFaces& faces) {
         if (first < 0) first = h;
         loops.unite(faces.corners[h], faces.corners[faces.next(h)]);
     }
-    if (first < 0) refuse(kDiscLaw, "the tile has no boundary");
+    if (first < 0) throw_violation(kDiscLaw, "the tile has no boundary");
     for (int h = first; h < faces.n_halfedges(); ++h) {
         if (!faces.on_seam(h)) continue;
         if (loops.find(faces.corners[h]) == loops.find(faces.corners[first])) continue;
-        refuse(kDiscLaw, "the boundary has more than one loop: vertices " +
-                             to_string(faces.corners[first]) + " and " +
-                             to_string(faces.corners[h]) + " lie on two; the tile has a hole");
+        throw_violation(kDiscLaw, "the boundary has more than one loop: vertices " +
+                                      to_string(faces.corners[first]) + " and " +
+                                      to_string(faces.corners[h]) +
+                                      " lie on two; the tile has a hole");
     }
 }
 
 void require_euler(const std::string& law, int n_vertices, int n_edges, int n_faces, int wanted) {
     const int euler = n_vertices - n_edges + n_faces;
     if (euler == wanted) return;
-    refuse(law, "V - E + F = " + to_string(n_vertices) + " - " + to_string(n_edges) + " + " +
-                    to_string(n_faces) + " = " + to_string(euler) + ", not " + to_string(wanted));
+    throw_violation(law, "V - E + F = " + to_string(n_vertices) + " - " + to_string(n_edges) +
+                             " + " + to_string(n_faces) + " = " + to_string(euler) + ", not " +
+                             to_string(wanted));
 }
 
 /// Moving each boundary vertex by the tolerance in each coordinate changes the area by no more than
 /// sqrt(2) times tolerance times perimeter; the second term bounds the rounding of the sum.
-void require_area(const FlatTile& tile, const GluedFaces& faces, const TileProof& proof) {
+void require_area(const Tile& tile, const GluedFaces& faces, const TileProof& proof) {
     double perimeter = 0;
     for (int h = 0; h < faces.n_halfedges(); ++h) {
         if (!faces.on_seam(h)) continue;
@@ -193,10 +198,10 @@ void require_area(const FlatTile& tile, const GluedFaces& faces, const TileProof
     const double wanted = tile.lattice.area();
     const double allowed = 2 * proof.tolerance * perimeter + 0x1p-48 * wanted;
     if (std::abs(proof.area - wanted) <= allowed) return;
-    refuse(kAreaLaw, "the faces cover " + in_words(proof.area / wanted) +
-                         " of the fundamental domain's area; the difference is " +
-                         in_words(proof.area - wanted) + " where rounding explains " +
-                         in_words(allowed));
+    throw_violation(kAreaLaw, "the faces cover " + in_words(proof.area / wanted) +
+                                  " of the fundamental domain's area; the difference is " +
+                                  in_words(proof.area - wanted) + " where rounding explains " +
+                                  in_words(allowed));
 }
 
 void collect_vertices(const VertexOrbits& orbits, const GluedFaces& faces, TileProof& proof) {
@@ -235,7 +240,7 @@ void collect_edges(const GluedFaces& faces, TileProof& proof) {
 
 }  // namespace
 
-TileProof prove_tile(const FlatTile& tile, Precision precision) {
+TileProof prove_tile(const Tile& tile, Precision precision) {
     require_arrays(tile);
     require_known_vertices(tile);
     require_true_copies(tile);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mesher/base/error.hpp"
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -27,7 +27,7 @@ struct TileProof {
     double tolerance;      ///< length units, 4 ulps of the largest coordinate
     /// For each vertex of the file the first one that coincides with it: most often itself.
     std::vector<int> first_copy;
-    /// As in FlatTile, between first copies.
+    /// As in Tile, between first copies.
     std::vector<VertexPair> vertex_pairs;
     /// Sorted; each pair told from the side whose offset is positive: i > 0, or i = 0 and j > 0.
     std::vector<EdgePair> edge_pairs;
@@ -53,13 +53,13 @@ struct TileProof {
 /// triangle are dropped, and an area may be negative by tolerance times perimeter.
 /// Cost: O(n log n); a face that is not convex costs the square of its corners.
 /// @throws NotATile naming the law, the vertex or face (from 0), and the measured amount.
-TileProof prove_tile(const FlatTile& tile, Precision precision);
+TileProof prove_tile(const Tile& tile, Precision precision);
 
 /// Compares stored pairs with the proven ones, as sets of identifications: vertex pairs may be any
 /// that generate them, and an edge pair may be told from either side.
 /// @throws NotATile naming the first stored pair that is wrong, or the first that is missing.
-void compare_vertex_pairs(const FlatTile& tile, const TileProof& proof);
-void compare_edge_pairs(const FlatTile& tile, const TileProof& proof);
+void compare_vertex_pairs(const Tile& tile, const TileProof& proof);
+void compare_edge_pairs(const Tile& tile, const TileProof& proof);
 
 /// Cells: proves that each cell is the Voronoi cell of its own centroid among all images of all
 /// centroids, i.e. that the tile is a centroidal Voronoi tessellation: every cell is convex, and
@@ -76,6 +76,6 @@ void compare_edge_pairs(const FlatTile& tile, const TileProof& proof);
 /// @returns the largest such distance found, in units of h; 0 where no corner lies inside.
 /// @throws NotATile naming the face and the amount.
 /// @throws InvalidInput for grains.
-double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolerance);
+double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance);
 
 }  // namespace pcvt

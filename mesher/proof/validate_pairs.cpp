@@ -2,7 +2,7 @@
 #include <string>
 
 #include "mesher/base/disjoint_sets.hpp"
-#include "mesher/proof/refusal.hpp"
+#include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/validate.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
 
@@ -15,7 +15,8 @@ const char* const kPairs = "of the stored identification";
 
 void require_vertex(int v, const std::string& name, int n_vertices) {
     if (v >= 0 && v < n_vertices) return;
-    refuse(kPairs, name + " names vertex " + to_string(v) + "; there are " + to_string(n_vertices));
+    throw_violation(
+        kPairs, name + " names vertex " + to_string(v) + "; there are " + to_string(n_vertices));
 }
 
 std::string stated(int v, int w, Offset offset) {
@@ -29,10 +30,11 @@ void require_true_pair(const VertexPair& pair, std::size_t index, const VertexOr
     require_vertex(pair.w, name, n);
     const std::string says = name + " says " + stated(pair.v, pair.w, pair.offset);
     if (orbits.representative[pair.v] != orbits.representative[pair.w]) {
-        refuse(kPairs, says + "; they are not images of each other");
+        throw_violation(kPairs, says + "; they are not images of each other");
     }
     const Offset offset = orbits.offset[pair.w] - orbits.offset[pair.v];
-    if (offset != pair.offset) refuse(kPairs, says + "; the offset is " + in_words(offset));
+    if (offset != pair.offset)
+        throw_violation(kPairs, says + "; the offset is " + in_words(offset));
 }
 
 /// The edge pair seen from its side with the positive translation, on the first copies of vertices.
@@ -49,22 +51,22 @@ std::string in_words(const EdgePair& pair) {
            edge_in_words(pair.v0, pair.v1) + " + " + pcvt::in_words(pair.offset);
 }
 
-EdgePair checked_edge_pair(const FlatTile& tile, const TileProof& proof, std::size_t index) {
+EdgePair checked_edge_pair(const Tile& tile, const TileProof& proof, std::size_t index) {
     const EdgePair& pair = tile.edge_pairs[index];
     const std::string name = "edge pair " + to_string(index);
     const int n = static_cast<int>(proof.first_copy.size());
     for (const int v : {pair.v0, pair.v1, pair.w0, pair.w1}) require_vertex(v, name, n);
     const EdgePair normal = normal_form(pair, proof);
     if (!std::binary_search(proof.edge_pairs.begin(), proof.edge_pairs.end(), normal)) {
-        refuse(kPairs,
-               name + " says " + in_words(pair) + "; no two boundary edges are glued in this way");
+        throw_violation(kPairs, name + " says " + in_words(pair) +
+                                    "; no two boundary edges are glued in this way");
     }
     return normal;
 }
 
 }  // namespace
 
-void compare_vertex_pairs(const FlatTile& tile, const TileProof& proof) {
+void compare_vertex_pairs(const Tile& tile, const TileProof& proof) {
     const VertexOrbits orbits = proven_orbits(proof);
     const int n = static_cast<int>(orbits.offset.size());
     DisjointSets stored(n);
@@ -75,12 +77,12 @@ void compare_vertex_pairs(const FlatTile& tile, const TileProof& proof) {
     }
     for (const VertexPair& pair : proof.vertex_pairs) {
         if (stored.find(pair.v) == stored.find(pair.w)) continue;
-        refuse(kPairs, "it does not follow from the stored vertex pairs that " +
-                           stated(pair.v, pair.w, pair.offset));
+        throw_violation(kPairs, "it does not follow from the stored vertex pairs that " +
+                                    stated(pair.v, pair.w, pair.offset));
     }
 }
 
-void compare_edge_pairs(const FlatTile& tile, const TileProof& proof) {
+void compare_edge_pairs(const Tile& tile, const TileProof& proof) {
     std::vector<EdgePair> stored;
     for (std::size_t k = 0; k < tile.edge_pairs.size(); ++k) {
         stored.push_back(checked_edge_pair(tile, proof, k));
@@ -88,7 +90,7 @@ void compare_edge_pairs(const FlatTile& tile, const TileProof& proof) {
     std::sort(stored.begin(), stored.end());
     for (const EdgePair& pair : proof.edge_pairs) {
         if (std::binary_search(stored.begin(), stored.end(), pair)) continue;
-        refuse(kPairs, "the stored edge pairs lack " + in_words(pair));
+        throw_violation(kPairs, "the stored edge pairs lack " + in_words(pair));
     }
 }
 

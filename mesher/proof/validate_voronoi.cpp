@@ -6,7 +6,7 @@
 
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/glued_faces.hpp"
-#include "mesher/proof/refusal.hpp"
+#include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
 
 namespace pcvt {
@@ -18,7 +18,7 @@ const char* const kVoronoiLaw = "of Voronoi";
 const char* const kDelaunayLaw = "of Delaunay";
 
 /// Whether triangle f goes on with the fan that triangle f - 1 belongs to.
-bool continues_fan(const FlatTile& tile, const std::vector<int>& first_copy, int f) {
+bool continues_fan(const Tile& tile, const std::vector<int>& first_copy, int f) {
     if (f == 0 || tile.face_site.size() != static_cast<std::size_t>(tile.n_faces())) return false;
     if (tile.face_site[f] != tile.face_site[f - 1]) return false;
     if (tile.face_size(f) != 3 || tile.face_size(f - 1) != 3) return false;
@@ -30,8 +30,8 @@ bool continues_fan(const FlatTile& tile, const std::vector<int>& first_copy, int
 
 /// The tile with each fan of triangles joined to the polygon that it was cut from, and in
 /// `file_face` the first face of each.
-FlatTile join_fans(const FlatTile& tile, const TileProof& proof, std::vector<int>& file_face) {
-    FlatTile cells{tile.lattice, TileKind::kCells, tile.points, {}, {}, {}, {}, {}, {}};
+Tile join_fans(const Tile& tile, const TileProof& proof, std::vector<int>& file_face) {
+    Tile cells{tile.lattice, MeshKind::kVoronoi, tile.points, {}, {}, {}, {}, {}, {}};
     for (int f = 0; f < tile.n_faces(); ++f) {
         const bool joins = continues_fan(tile, proof.first_copy, f);
         if (!joins) {
@@ -49,7 +49,7 @@ FlatTile join_fans(const FlatTile& tile, const TileProof& proof, std::vector<int
 /// The faces of a proven tile on its vertices, with their numbers in the file for the messages.
 class ProvenFaces {
    public:
-    ProvenFaces(const FlatTile& tile, const TileProof& proof)
+    ProvenFaces(const Tile& tile, const TileProof& proof)
         : tile_(join_fans(tile, proof, joined_)),
           faces_(glue_faces(tile_, proven_orbits(proof), Precision::kSingle)) {}
 
@@ -75,7 +75,7 @@ class ProvenFaces {
 
    private:
     std::vector<int> joined_;
-    FlatTile tile_;
+    Tile tile_;
     GluedFaces faces_;
 };
 
@@ -91,11 +91,12 @@ std::vector<Vec2> require_convex_cells(const ProvenFaces& faces, double h, doubl
         const Polygon polygon = faces.polygon(f);
         const double depth = reflex_depth(polygon) / h;
         if (!(depth <= tolerance)) {
-            refuse(kVoronoiLaw, faces.name(f) + " is not convex: a corner lies inside by " +
-                                    against(depth, tolerance));
+            throw_violation(kVoronoiLaw, faces.name(f) +
+                                             " is not convex: a corner lies inside by " +
+                                             against(depth, tolerance));
         }
         if (!(polygon_area(polygon) > 0)) {
-            refuse(kVoronoiLaw, faces.name(f) + " has no area, so no centroid");
+            throw_violation(kVoronoiLaw, faces.name(f) + " has no area, so no centroid");
         }
         centroids.push_back(centroid(polygon));
     }
@@ -121,9 +122,9 @@ double require_voronoi_cells(const ProvenFaces& faces, double tolerance, double 
         const Vec2 right = centroids[glued.face_of[glued.opposite[side]]] + faces.back_across(side);
         const double distance = bisector_distance(faces, side, left, right) / h;
         if (!(distance <= tolerance)) {
-            refuse(kVoronoiLaw, "a corner of the " + faces.edge_name(side) +
-                                    " lies off the bisector of their centroids by " +
-                                    against(distance, tolerance));
+            throw_violation(kVoronoiLaw, "a corner of the " + faces.edge_name(side) +
+                                             " lies off the bisector of their centroids by " +
+                                             against(distance, tolerance));
         }
         largest = std::max(largest, distance);
     }
@@ -153,10 +154,11 @@ double require_delaunay_edges(const ProvenFaces& faces, double tolerance, double
         const double depth =
             depth_in_circle(faces.from(side), faces.to(side), faces.from(apex), corner) / h;
         if (!(depth <= tolerance)) {
-            refuse(kDelaunayLaw, "at the " + faces.edge_name(side) +
-                                     " the corner of the second lies inside the circumcircle of "
-                                     "the first by " +
-                                     against(depth, tolerance));
+            throw_violation(kDelaunayLaw,
+                            "at the " + faces.edge_name(side) +
+                                " the corner of the second lies inside the circumcircle of "
+                                "the first by " +
+                                against(depth, tolerance));
         }
         largest = std::max(largest, depth);
     }
@@ -168,21 +170,22 @@ void require_triangles(const ProvenFaces& faces) {
     for (int f = 0; f < glued.n_faces(); ++f) {
         const int size = glued.face_begin[f + 1] - glued.face_begin[f];
         if (size == 3) continue;
-        refuse(kDelaunayLaw, faces.name(f) + " has " + to_string(size) + " corners, not 3");
+        throw_violation(kDelaunayLaw,
+                        faces.name(f) + " has " + to_string(size) + " corners, not 3");
     }
 }
 
 }  // namespace
 
-double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolerance,
+double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance,
                      const CentroidFunction& centroid) {
-    if (tile.kind == TileKind::kGrains) {
+    if (tile.kind == MeshKind::kGrains) {
         throw InvalidInput(
             "grains are neither Voronoi cells nor Delaunay triangles; ask for the "
             "Voronoi property of a tile of cells");
     }
     const ProvenFaces faces(tile, proof);
-    if (tile.kind == TileKind::kCells) {
+    if (tile.kind == MeshKind::kVoronoi) {
         const double h = std::sqrt(tile.lattice.area() / faces.glued().n_faces());
         return require_voronoi_cells(faces, tolerance, h, centroid);
     }
@@ -191,7 +194,7 @@ double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolera
     return require_delaunay_edges(faces, tolerance, h);
 }
 
-double prove_voronoi(const FlatTile& tile, const TileProof& proof, double tolerance) {
+double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance) {
     return prove_voronoi(tile, proof, tolerance, polygon_centroid);
 }
 

@@ -9,7 +9,7 @@
 
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/disjoint_sets.hpp"
-#include "mesher/proof/refusal.hpp"
+#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {
@@ -113,9 +113,10 @@ class OrbitFinder {
     void require_small_tolerance() const {
         const double shortest = reduction_.reduced.a().norm();
         if (tolerance_ <= kLargestTolerance * shortest) return;
-        refuse("(1)", "the coordinates are so large that 4 of their ulps, " + in_words(tolerance_) +
-                          ", are not small against the shortest period, " + in_words(shortest) +
-                          "; move the tile nearer to the origin");
+        throw_violation("(1)", "the coordinates are so large that 4 of their ulps, " +
+                                   in_words(tolerance_) +
+                                   ", are not small against the shortest period, " +
+                                   in_words(shortest) + "; move the tile nearer to the origin");
     }
 
     void require_countable_periods() const {
@@ -126,8 +127,8 @@ class OrbitFinder {
         for (std::size_t v = 0; v < coordinates_.size(); ++v) {
             const double periods = coordinates_[v].cwiseAbs().maxCoeff();
             if (periods <= limit) continue;
-            refuse("(1)", "vertex " + std::to_string(v) + " lies " + in_words(periods) +
-                              " periods away from vertex 0");
+            throw_violation("(1)", "vertex " + std::to_string(v) + " lies " + in_words(periods) +
+                                       " periods away from vertex 0");
         }
     }
 
@@ -152,10 +153,11 @@ class OrbitFinder {
     void require_short_chain(int r, int v, Offset offset) const {
         const double apart = mismatch(r, v, offset);
         if (apart <= kLongestChain * tolerance_) return;
-        refuse("(1)", "vertices " + std::to_string(r) + " and " + std::to_string(v) +
-                          " are joined by a chain of vertices that coincide modulo the lattice, "
-                          "but lie " +
-                          in_words(apart) + " apart (tolerance " + in_words(tolerance_) + ")");
+        throw_violation("(1)",
+                        "vertices " + std::to_string(r) + " and " + std::to_string(v) +
+                            " are joined by a chain of vertices that coincide modulo the lattice, "
+                            "but lie " +
+                            in_words(apart) + " apart (tolerance " + in_words(tolerance_) + ")");
     }
 
     std::vector<BinEntry> bin_entries() const {

@@ -1,54 +1,73 @@
 #pragma once
 
-#include <type_traits>
-#include <variant>
+#include <string>
+#include <vector>
 
-#include "mesher/mesh/periodic_mesh.hpp"
-#include "mesher/tile/flat_tile.hpp"
-#include "mesher/tile/identification.hpp"
+#include "mesher/lattice/sites.hpp"
+#include "mesher/mesh/mesh_kind.hpp"
 
 namespace pcvt {
 
-/// An open disc: one OpenMesh mesh of one fundamental domain whose boundary halfedges are matched.
-///
-/// Laws, tested by number:
-///   (1) The partner of a partner is the halfedge itself, and no halfedge is its own partner.
-///   (2) A partner runs the other way: its from-vertex is the translate of the to-vertex.
-///   (3) Positions are representative + translation, so the two sides of the seam agree to the
-///       rounding of one addition.
-///   (4) V - E + F = 1 as it stands and 0 after gluing.
-///   (5) The face areas sum to lattice.area().
-template <class Mesh>
-struct Tile {
-    static constexpr TileKind kUsualKind =
-        std::is_same_v<Mesh, CellMesh> ? TileKind::kCells : TileKind::kTriangles;
-
-    /// An empty mesh with the properties attached and the lattice noted.
-    explicit Tile(const Lattice& period, TileKind of = kUsualKind) : lattice(period), kind(of) {
-        identification.attach(mesh);
-        mesh.property(identification.lattice) = {period.a().x(), period.a().y(), period.b().x(),
-                                                 period.b().y()};
-    }
-
-    Lattice lattice;
-    TileKind kind;
-    /// 2: the triangles have a node in the middle of each edge as well (second_order.hpp).
-    int order = 1;
-    Mesh mesh;
-    Identification identification;
+/// position(w) = position(v) + translation(offset).
+struct VertexPair {
+    int v;
+    int w;
+    Offset offset;
+    friend constexpr auto operator<=>(const VertexPair&, const VertexPair&) = default;
 };
 
-using CellTile = Tile<CellMesh>;
-using TriangleTile = Tile<TriangleMesh>;
-using AnyTile = std::variant<CellTile, TriangleTile>;
+/// The boundary edge v0 -> v1 (its face on the left) is glued to w0 -> w1, whose face lies on the
+/// right: position(w_k) = position(v_k) + translation(offset) for k = 0 and 1.
+struct EdgePair {
+    int v0;
+    int v1;
+    int w0;
+    int w1;
+    Offset offset;
+    friend constexpr auto operator<=>(const EdgePair&, const EdgePair&) = default;
+};
 
-/// The tile of the faces of `periodic`, face f in the image placement[f].
+/// The name of the part of a boundary that `offset` takes to its partners, in every format:
+/// `seam_1_0`, `seam_-1_0`.
+inline std::string seam_name(Offset offset) {
+    return "seam_" + std::to_string(offset.i) + "_" + std::to_string(offset.j);
+}
+
+/// A tile as plain arrays: what writers take and readers give back.
 ///
-/// Each site of a Delaunay tile is a vertex; faces of a tile of cells, or of grains, know theirs.
-/// @throws InternalError if the placed faces do not form a disc.
-AnyTile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& placement);
+/// Offsets are in the basis of `lattice`, the one that the user typed (times the repetition).
+struct Tile {
+    Lattice lattice;
+    MeshKind kind;
+    /// One position a vertex, length units.
+    std::vector<Vec2> points;
+    /// Face f has the corners corners[face_begin[f]] ... corners[face_begin[f + 1] - 1],
+    /// vertex indices, counter-clockwise.
+    std::vector<int> face_begin;
+    std::vector<int> corners;
+    /// Cells and grains: one site a face. Delaunay triangles: empty.
+    std::vector<SiteId> face_site;
+    /// Delaunay triangles: one site a vertex. Else: empty.
+    std::vector<SiteId> vertex_site;
+    /// One pair for each vertex w that is not the representative v of its orbit, by rising w.
+    /// The representative is the vertex of the orbit with the smallest index, so v < w.
+    std::vector<VertexPair> vertex_pairs;
+    /// Each identified pair of boundary edges once: n_boundary_edges / 2 entries.
+    std::vector<EdgePair> edge_pairs;
+    /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
+    std::vector<Vec2> site_points = {};
+    /// Files whose faces do not share all of their vertices: for each of the last vertices the
+    /// earlier one, itself no copy, whose position it repeats. May be empty all the same.
+    std::vector<int> copies = {};
+    /// Pieces of cells and grains of a tile in memory: the sides of the whole cell that each face
+    /// is part of. Whole cells, Delaunay triangles and files: empty.
+    std::vector<int> whole_sides = {};
+    /// 2: triangles have a node in the middle of each edge as well (mesher/tile/midside_nodes.hpp).
+    int order = 1;
 
-/// The tile as plain arrays, for writers and for the proof.
-FlatTile flatten(const AnyTile& tile);
+    int n_vertices() const { return static_cast<int>(points.size()); }
+    int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }
+    int face_size(int f) const { return face_begin[f + 1] - face_begin[f]; }
+};
 
 }  // namespace pcvt

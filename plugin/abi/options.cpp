@@ -141,14 +141,14 @@ pcvt_options default_options() {
     return options;
 }
 
-TileKind tile_kind(std::int32_t kind) {
+MeshKind tile_kind(std::int32_t kind) {
     switch (kind) {
         case PCVT_VORONOI:
-            return TileKind::kCells;
+            return MeshKind::kVoronoi;
         case PCVT_DELAUNAY:
-            return TileKind::kTriangles;
+            return MeshKind::kDelaunay;
         case PCVT_GRAINS:
-            return TileKind::kGrains;
+            return MeshKind::kGrains;
     }
     refuse_unknown("kind", kind);
 }

@@ -38,7 +38,7 @@ Job make_job(const pcvt_options& options);
 
 /// The kind and the outline of numbers of the interface.
 /// @throws InvalidInput for what is unknown.
-TileKind tile_kind(std::int32_t kind);
+MeshKind tile_kind(std::int32_t kind);
 Outline tile_outline(std::int32_t outline);
 
 }  // namespace pcvt::abi

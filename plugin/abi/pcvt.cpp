@@ -56,7 +56,7 @@ pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std:
     const pcvt_options options = read_struct("pcvt_options", given);
     Job job = make_job(options);
     set_density(options, host, job);
-    std::optional<JobResult> computed = compute_job(job, job_callback(options, job, host));
+    std::optional<Computation> computed = compute_job(job, job_callback(options, job, host));
     if (!computed) {
         set_last_error("cancelled by the progress callback");
         return PCVT_CANCELLED;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
+#include "mesher/mesh/voronoi.hpp"
 #include "plugin/abi/guard.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_tiles.hpp"
@@ -44,7 +45,7 @@ auto from_geometry(const Make& make) {
 }
 
 void note_orbits(TileArrays& arrays) {
-    const FlatTile& flat = arrays.proved.flat;
+    const Tile& flat = arrays.proved.flat;
     arrays.offset.resize(flat.points.size());
     for (int v = 0; v < flat.n_vertices(); ++v) arrays.orbit.push_back(v);
     for (const VertexPair& pair : flat.vertex_pairs) {
@@ -70,13 +71,13 @@ double energy_bound(const Job& job, const CvtResult& cvt) {
     return job.density ? std::numeric_limits<double>::quiet_NaN() : cvt.energy_bound;
 }
 
-std::int32_t kind_number(TileKind kind) {
+std::int32_t kind_number(MeshKind kind) {
     switch (kind) {
-        case TileKind::kCells:
+        case MeshKind::kVoronoi:
             return PCVT_VORONOI;
-        case TileKind::kTriangles:
+        case MeshKind::kDelaunay:
             return PCVT_DELAUNAY;
-        case TileKind::kGrains:
+        case MeshKind::kGrains:
             break;
     }
     return PCVT_GRAINS;
@@ -93,15 +94,15 @@ std::int32_t stop_number(Stop stop) {
 
 }  // namespace
 
-Result::Result(Job job, JobResult computed)
+Result::Result(Job job, Computation computed)
     : job_(std::move(job)), computed_(std::move(computed)), sites_(wrapped_sites(computed_.cvt)) {}
 
-const PeriodicMesh& Result::periodic(TileKind kind) const {
-    if (kind == TileKind::kGrains) {
+const PeriodicMesh& Result::periodic(MeshKind kind) const {
+    if (kind == MeshKind::kGrains) {
         throw InvalidInput("grains are there as a tile only; take pcvt_get_tile");
     }
     return meshes_[kind_number(kind)].get(
-        [&] { return from_geometry([&] { return periodic_mesh(computed_.cvt, kind); }); });
+        [&] { return from_geometry([&] { return periodic_mesh(computed_.cvt.delaunay, kind); }); });
 }
 
 const TileArrays& Result::arrays(const Layout& layout) const {
@@ -127,7 +128,7 @@ pcvt_sites Result::sites() const {
 
 pcvt_statistics Result::statistics() const {
     const std::vector<int>& valences =
-        valences_.get([&] { return counts_by_sides(periodic(TileKind::kCells)); });
+        valences_.get([&] { return counts_by_sides(periodic(MeshKind::kVoronoi)); });
     const CvtResult& cvt = computed_.cvt;
     return {.energy = cvt.energy,
             .energy_bound = energy_bound(job_, cvt),
@@ -146,7 +147,7 @@ pcvt_statistics Result::statistics() const {
             .n_mirrors = cvt.counts.n_mirrors.value_or(-1)};
 }
 
-pcvt_mesh Result::mesh(TileKind kind) const {
+pcvt_mesh Result::mesh(MeshKind kind) const {
     const PeriodicMesh& mesh = periodic(kind);
     pcvt_mesh view{};
     copy_lattice(mesh.lattice, view.lattice);
@@ -166,7 +167,7 @@ pcvt_mesh Result::mesh(TileKind kind) const {
 
 pcvt_tile Result::tile(const Layout& layout) const {
     const TileArrays& tile = arrays(layout);
-    const FlatTile& flat = tile.proved.flat;
+    const Tile& flat = tile.proved.flat;
     pcvt_tile view{};
     copy_lattice(flat.lattice, view.lattice);
     view.points = numbers(flat.points);

@@ -29,7 +29,7 @@ class Lazy {
 
 /// How a tile is made from the tessellation.
 struct Layout {
-    TileKind kind;
+    MeshKind kind;
     Outline outline;
 };
 
@@ -45,12 +45,12 @@ struct TileArrays {
 /// once.
 class Result {
    public:
-    Result(Job job, JobResult computed);
+    Result(Job job, Computation computed);
 
     pcvt_sites sites() const;
     pcvt_statistics statistics() const;
     /// @throws BadGeometry where cells are too small, as tile() and write().
-    pcvt_mesh mesh(TileKind kind) const;
+    pcvt_mesh mesh(MeshKind kind) const;
     /// @throws InvalidInput for Delaunay triangles in a box.
     pcvt_tile tile(const Layout& layout) const;
     /// @param path, report  empty: none.
@@ -59,11 +59,11 @@ class Result {
                bool force) const;
 
    private:
-    const PeriodicMesh& periodic(TileKind kind) const;
+    const PeriodicMesh& periodic(MeshKind kind) const;
     const TileArrays& arrays(const Layout& layout) const;
 
     Job job_;
-    JobResult computed_;
+    Computation computed_;
     Points sites_;
     /// By the number of the kind, and of the outline.
     std::array<Lazy<PeriodicMesh>, 2> meshes_;

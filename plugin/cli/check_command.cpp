@@ -12,8 +12,8 @@
 #include "io/bytes/text.hpp"
 #include "io/mpas/mpas_reader.hpp"
 #include "io/tile_formats.hpp"
-#include "mesher/density/weighted_centroid.hpp"
-#include "mesher/finite_volume/c_grid_proof.hpp"
+#include "mesher/density/density_centroid.hpp"
+#include "mesher/finite_volume/mpas_grid_proof.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/density_option.hpp"
 #include "plugin/cli/option_values.hpp"
@@ -114,7 +114,7 @@ double resolved(const TileFile& file, const TileProof& proof, double tolerance) 
     if (file.precision == Precision::kDouble) return tolerance;
     // Three cells meet at a vertex, so there are two vertices a cell; files may hold cells in
     // parts.
-    const double n = file.tile.kind == TileKind::kCells ? proof.n_orbits / 2.0 : proof.n_orbits;
+    const double n = file.tile.kind == MeshKind::kVoronoi ? proof.n_orbits / 2.0 : proof.n_orbits;
     return std::max(tolerance, 2 * proof.tolerance / std::sqrt(file.tile.lattice.area() / n));
 }
 
@@ -126,12 +126,12 @@ double prove_voronoi(const TileFile& file, const TileProof& proof, const Questio
     const CellQuadrature quadrature(density);
     DensityProbe probe(lattice, density.make_function());
     return prove_voronoi(file.tile, proof, tolerance, [&](const Polygon& polygon) {
-        return weighted_centroid(lattice, quadrature, polygon, probe);
+        return density_centroid(lattice, quadrature, polygon, probe);
     });
 }
 
 std::string prove_cvt(const TileFile& file, const TileProof& proof, const Question& question) {
-    const bool cells = file.tile.kind == TileKind::kCells;
+    const bool cells = file.tile.kind == MeshKind::kVoronoi;
     const double tolerance = resolved(file, proof, *question.cvt_tolerance);
     const double found = prove_voronoi(file, proof, question, tolerance);
     return std::string(cells ? ", centroidal Voronoi within " : ", Delaunay within ") +
@@ -153,11 +153,11 @@ std::string prove_mpas(const std::string& path, const Question& question) {
     if (question.cvt_tolerance) {
         throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
     }
-    const CGrid grid = decode_mpas(path, read_whole_file(path));
+    const MpasGrid grid = decode_mpas(path, read_whole_file(path));
     if (question.lattice) {
         compare_lattice(Lattice::rectangle(grid.x_period, grid.y_period), *question.lattice);
     }
-    const CGridProof proof = prove_c_grid(grid);
+    const MpasGridProof proof = prove_mpas_grid(grid);
     return path + ": an MPAS mesh: " + std::to_string(grid.n_cells) + " cells, " +
            std::to_string(grid.n_edges) + " edges, " + std::to_string(grid.n_vertices) +
            " vertices, period " + figure(grid.x_period) + " x " + figure(grid.y_period) +

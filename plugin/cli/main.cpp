@@ -10,7 +10,7 @@
 #include "plugin/cli/study_command.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
-#include "plugin/cli/terminal/memory_habits.hpp"
+#include "plugin/cli/terminal/malloc_tuning.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt::cli {

@@ -22,7 +22,7 @@ double expected_energy(const Job& job, int n) {
 }
 
 /// Runs the job under the signals and the progress display.
-JobOutcome run_watched(const Job& job, bool quiet) {
+RunSummary run_watched(const Job& job, bool quiet) {
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
     ProgressDisplay display(expected_energy(job, n), job.tolerance, !quiet);
     catch_cancel_signals();
@@ -33,7 +33,7 @@ JobOutcome run_watched(const Job& job, bool quiet) {
 }
 
 /// Faults of single sites, told by their lines: too far away, coincident.
-JobOutcome run_file(const Job& job, const SiteFile& file, bool quiet) {
+RunSummary run_file(const Job& job, const SiteFile& file, bool quiet) {
     const Lattice reduced = reduce(job.lattice).reduced;
     for (std::size_t s = 0; s < file.lines.size(); ++s) {
         const Vec2 u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
@@ -48,7 +48,7 @@ JobOutcome run_file(const Job& job, const SiteFile& file, bool quiet) {
     }
 }
 
-void print_summary(const Job& job, const JobOutcome& outcome) {
+void print_summary(const Job& job, const RunSummary& outcome) {
     try {
         print(summary(job, outcome));
     } catch (const OutputError& error) {
@@ -62,7 +62,7 @@ ExitCode cancelled() {
     return cancel_signal() == SIGTERM ? ExitCode::kTerminated : ExitCode::kInterrupted;
 }
 
-ExitCode not_converged(const JobOutcome& outcome, double tolerance) {
+ExitCode not_converged(const RunSummary& outcome, double tolerance) {
     std::fprintf(stderr,
                  "pcvt: not converged (%s, residual %.3g, tolerance %.3g); the files are written\n",
                  stop_name(outcome.stop), outcome.residual, tolerance);
@@ -72,7 +72,7 @@ ExitCode not_converged(const JobOutcome& outcome, double tolerance) {
 }  // namespace
 
 ExitCode run_mesh(Job job, const MeshOptions& options) {
-    JobOutcome outcome;
+    RunSummary outcome;
     if (options.input.empty()) {
         outcome = run_watched(job, options.quiet);
     } else {

@@ -142,10 +142,10 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
     if (from_file && options.input != "-") job.inputs.push_back(options.input);
 }
 
-TileKind mesh_kind(const std::string& name) {
-    if (name == "voronoi") return TileKind::kCells;
-    if (name == "delaunay") return TileKind::kTriangles;
-    if (name == "grains") return TileKind::kGrains;
+MeshKind mesh_kind(const std::string& name) {
+    if (name == "voronoi") return MeshKind::kVoronoi;
+    if (name == "delaunay") return MeshKind::kDelaunay;
+    if (name == "grains") return MeshKind::kGrains;
     throw InvalidInput("--mesh " + name + ": unknown; take voronoi, delaunay or grains");
 }
 
@@ -153,7 +153,7 @@ void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--mesh") == 0) return;
     job.meshes.clear();
     for (const std::string& name : options.meshes) {
-        const TileKind kind = mesh_kind(name);
+        const MeshKind kind = mesh_kind(name);
         if (std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end()) {
             throw InvalidInput("--mesh " + name + " is given twice; remove one");
         }
@@ -186,7 +186,7 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
 void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
     for (const char* name : {"--size", "--per-edge", "--order"}) {
         const bool grains =
-            std::find(job.meshes.begin(), job.meshes.end(), TileKind::kGrains) != job.meshes.end();
+            std::find(job.meshes.begin(), job.meshes.end(), MeshKind::kGrains) != job.meshes.end();
         if (app.count(name) == 0 || grains) continue;
         throw InvalidInput(std::string(name) + " is for grains; add --mesh grains or leave it out");
     }
@@ -238,7 +238,7 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
             throw InvalidInput("--short-edges " + options.short_edges +
                                ": such edges are not short; take at most 0.5");
         }
-        if (job.meshes == std::vector<TileKind>{TileKind::kTriangles}) {
+        if (job.meshes == std::vector<MeshKind>{MeshKind::kDelaunay}) {
             throw InvalidInput(
                 "--short-edges is for cells and grains; take --mesh voronoi or leave it out");
         }

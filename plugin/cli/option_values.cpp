@@ -12,8 +12,8 @@
 namespace pcvt::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text,
-                         const std::string& what) {
+[[noreturn]] void throw_bad_value(const std::string& option, const std::string& text,
+                                  const std::string& what) {
     throw InvalidInput(option + " " + (text.empty() ? "''" : text) + ": " + what);
 }
 
@@ -36,7 +36,7 @@ double number(const std::string& option, const std::string& text, std::string_vi
     try {
         return parse_number(word);
     } catch (const InvalidInput& error) {
-        refuse(option, text, error.what());
+        throw_bad_value(option, text, error.what());
     }
 }
 
@@ -49,9 +49,9 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
         begin = end + 1;
     }
     if (values.size() != count) {
-        refuse(option, text,
-               std::to_string(values.size()) + " numbers where " + std::to_string(count) +
-                   " are expected; give " + form);
+        throw_bad_value(option, text,
+                        std::to_string(values.size()) + " numbers where " + std::to_string(count) +
+                            " are expected; give " + form);
     }
     return values;
 }
@@ -64,7 +64,7 @@ Lattice make_lattice(const std::string& option, const std::string& text, const V
         reduce(lattice);
         return lattice;
     } catch (const InvalidInput& error) {
-        refuse(option, text, error.what());
+        throw_bad_value(option, text, error.what());
     }
 }
 
@@ -74,8 +74,9 @@ int whole_number(const std::string& option, const std::string& text, int lowest,
     std::uint64_t value = 0;
     const std::string form =
         "give a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
-    if (!read_digits(text, value)) refuse(option, text, "not a whole number; " + form);
-    if (value < static_cast<std::uint64_t>(lowest)) refuse(option, text, "too small; " + form);
+    if (!read_digits(text, value)) throw_bad_value(option, text, "not a whole number; " + form);
+    if (value < static_cast<std::uint64_t>(lowest))
+        throw_bad_value(option, text, "too small; " + form);
     if (value > static_cast<std::uint64_t>(highest)) {
         throw LimitExceeded(option + " " + text + ": too large for pcvt; " + form);
     }
@@ -86,14 +87,16 @@ std::uint64_t seed_number(const std::string& option, const std::string& text) {
     std::uint64_t value = 0;
     if (!read_digits(text, value) ||
         (value == std::numeric_limits<std::uint64_t>::max() && text != "18446744073709551615")) {
-        refuse(option, text, "not a seed; give a whole number from 0 to 18446744073709551615");
+        throw_bad_value(option, text,
+                        "not a seed; give a whole number from 0 to 18446744073709551615");
     }
     return value;
 }
 
 double positive_number(const std::string& option, const std::string& text) {
     const double value = number(option, text, text);
-    if (!(value > 0)) refuse(option, text, "not above 0; give a positive number, such as 1e-6");
+    if (!(value > 0))
+        throw_bad_value(option, text, "not above 0; give a positive number, such as 1e-6");
     return value;
 }
 
@@ -105,7 +108,7 @@ Vec2 point(const std::string& option, const std::string& text) {
 Lattice rectangle_lattice(const std::string& option, const std::string& text) {
     const std::vector<double> sides = numbers(option, text, 2, "W,H, such as 1,1");
     if (!(sides[0] > 0) || !(sides[1] > 0)) {
-        refuse(option, text, "a side is not above 0; give two positive lengths");
+        throw_bad_value(option, text, "a side is not above 0; give two positive lengths");
     }
     return make_lattice(option, text, {sides[0], 0}, {0, sides[1]});
 }
@@ -121,7 +124,8 @@ Repetition repetition(const std::string& option, const std::string& text) {
     std::uint64_t rows = 0;
     if (cross == std::string::npos || !read_digits(text.substr(0, cross), columns) ||
         !read_digits(text.substr(cross + 1), rows) || columns == 0 || rows == 0) {
-        refuse(option, text, "not of the form IxJ; give two whole numbers from 1 on, such as 2x3");
+        throw_bad_value(option, text,
+                        "not of the form IxJ; give two whole numbers from 1 on, such as 2x3");
     }
     constexpr std::uint64_t kMost = kMostSites;
     if (columns > kMost || rows > kMost) {

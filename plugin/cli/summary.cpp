@@ -18,7 +18,7 @@ std::string line(const char* label, const std::string& text) {
     return head + text + "\n";
 }
 
-std::string valence_text(const JobOutcome& outcome) {
+std::string valence_text(const RunSummary& outcome) {
     std::string text = std::to_string(outcome.n_hexagons) + " of " +
                        std::to_string(outcome.n_sites) + " cells; sides";
     for (const auto& [sides, count] : outcome.valences) {
@@ -27,13 +27,13 @@ std::string valence_text(const JobOutcome& outcome) {
     return text;
 }
 
-const char* kind_text(TileKind kind) {
+const char* kind_text(MeshKind kind) {
     switch (kind) {
-        case TileKind::kCells:
+        case MeshKind::kVoronoi:
             return "voronoi";
-        case TileKind::kTriangles:
+        case MeshKind::kDelaunay:
             return "delaunay";
-        case TileKind::kGrains:
+        case MeshKind::kGrains:
             return "grains";
     }
     return "";
@@ -46,7 +46,7 @@ std::string grain_text(const GrainFigures& grains) {
            (n_sharp == 0 ? "" : " but in " + std::to_string(n_sharp) + " sharp corners of pieces");
 }
 
-std::string tile_lines(const JobOutcome& outcome) {
+std::string tile_lines(const RunSummary& outcome) {
     std::string text;
     for (const TileFigures& tile : outcome.tiles) {
         text += line("seam", std::string(kind_text(tile.kind)) + ", " +
@@ -80,7 +80,7 @@ std::string pattern_lines(const PatternOutcome& pattern) {
            line("stability", stability_text(pattern.stability));
 }
 
-std::string energy_text(const JobOutcome& outcome) {
+std::string energy_text(const RunSummary& outcome) {
     std::string text = figure(outcome.energy);
     if (outcome.energy_bound) {
         text += ", " + figure(outcome.energy / *outcome.energy_bound) + " of the hexagonal bound";
@@ -109,7 +109,7 @@ std::string density_lines(const DensityFigures& density) {
 
 }  // namespace
 
-std::string summary(const Job& job, const JobOutcome& outcome) {
+std::string summary(const Job& job, const RunSummary& outcome) {
     std::string text;
     text += line("sites", std::to_string(outcome.n_sites));
     text += line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));

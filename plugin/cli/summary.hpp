@@ -7,6 +7,6 @@
 namespace pcvt::cli {
 
 /// What `pcvt mesh` prints on standard output when it is done.
-std::string summary(const Job& job, const JobOutcome& outcome);
+std::string summary(const Job& job, const RunSummary& outcome);
 
 }  // namespace pcvt::cli

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
@@ -81,9 +81,9 @@ std::optional<Minimum> minimum_of(const CvtResult& result) {
     return stability(sites);
 }
 
-JobOutcome describe(const JobResult& job_result, std::span<const ProvedTile> tiles) {
+RunSummary describe(const Computation& job_result, std::span<const ProvedTile> tiles) {
     const CvtResult& result = job_result.cvt;
-    JobOutcome outcome;
+    RunSummary outcome;
     outcome.stop = result.stop;
     outcome.n_sites = result.delaunay.sites().n_sites();
     outcome.iterations = result.iterations;
@@ -99,7 +99,7 @@ JobOutcome describe(const JobResult& job_result, std::span<const ProvedTile> til
     outcome.rms_residual = result.rms_residual;
     outcome.minimum = minimum_of(result);
     outcome.n_mirrors = result.counts.n_mirrors;
-    outcome.valences = histogram(cell_sides(periodic_mesh(result, TileKind::kCells)));
+    outcome.valences = histogram(cell_sides(periodic_mesh(result.delaunay, MeshKind::kVoronoi)));
     const auto hexagons = outcome.valences.find(6);
     outcome.n_hexagons = hexagons == outcome.valences.end() ? 0 : hexagons->second;
     for (const ProvedTile& tile : tiles) outcome.tiles.push_back(tile.figures);
@@ -121,7 +121,7 @@ std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
                                     const Monitor& monitor) {
     std::vector<ProvedTile> tiles;
     tiles.reserve(job.meshes.size());
-    for (const TileKind kind : job.meshes) {
+    for (const MeshKind kind : job.meshes) {
         tiles.push_back(build_tile(job, result, kind));
         monitor.between_stages();
     }
@@ -129,9 +129,9 @@ std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
 }
 
 /// Stages every file and then, last, commits them all: the one moment that cannot be cancelled.
-void write(const Job& job, const std::vector<JobFile>& files, const JobResult& result,
+void write(const Job& job, const std::vector<JobFile>& files, const Computation& result,
            std::span<const ProvedTile> tiles, const Monitor& monitor, Stopwatch& watch,
-           JobOutcome& outcome) {
+           RunSummary& outcome) {
     OutputSet outputs;
     stage_files(
         job, files, result, tiles, [&] { monitor.between_stages(); }, outputs);
@@ -158,7 +158,7 @@ std::vector<double> site_densities(const Job& job, const CvtResult& result) {
     return densities_at(*job.density, job.lattice, wrapped_sites(result));
 }
 
-JobResult compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
+Computation compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
     JobStart start = job_start(job, monitor.callback());
     if (start.cancelled) throw Cancelled{};
     watch.stop(&JobSeconds::optimize);
@@ -171,12 +171,12 @@ JobResult compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
             std::move(start.pattern), std::move(start.found), watch.seconds()};
 }
 
-JobOutcome run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
+RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
     Stopwatch watch;
     Monitor monitor(callback, watch);
-    const JobResult result = compute(job, monitor, watch);
+    const Computation result = compute(job, monitor, watch);
     const std::vector<ProvedTile> tiles = build_tiles(job, result.cvt, monitor);
-    JobOutcome outcome = describe(result, tiles);
+    RunSummary outcome = describe(result, tiles);
     watch.stop(&JobSeconds::build);
     write(job, files, result, tiles, monitor, watch, outcome);
     outcome.seconds = watch.seconds();
@@ -199,7 +199,7 @@ const char* stop_name(Stop stop) {
     return "";
 }
 
-std::optional<JobResult> compute_job(const Job& job, const JobCallback& callback) {
+std::optional<Computation> compute_job(const Job& job, const JobCallback& callback) {
     check_job(job);
     Stopwatch watch;
     Monitor monitor(callback, watch);
@@ -217,19 +217,19 @@ Points wrapped_sites(const CvtResult& result) {
     return points;
 }
 
-JobOutcome write_job(const Job& job, const JobResult& result, std::span<const ProvedTile> tiles) {
+RunSummary write_job(const Job& job, const Computation& result, std::span<const ProvedTile> tiles) {
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
     require_all_writable(job, files);
     Stopwatch watch(result.seconds);
     const JobCallback no_callback;
-    JobOutcome outcome = describe(result, tiles);
+    RunSummary outcome = describe(result, tiles);
     write(job, files, result, tiles, Monitor(no_callback, watch), watch, outcome);
     outcome.seconds = watch.seconds();
     return outcome;
 }
 
-JobOutcome run_job(const Job& job, const JobCallback& callback) {
+RunSummary run_job(const Job& job, const JobCallback& callback) {
     check_job(job);
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);

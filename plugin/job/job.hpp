@@ -12,7 +12,7 @@
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/energy/stability.hpp"
 #include "mesher/search/lattice_stability.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/tile/openmesh_tile.hpp"
 
 namespace pcvt {
 
@@ -55,7 +55,7 @@ struct Job {
 
     /// At least one, each at most once. With several, -voronoi, -delaunay and -grains precede
     /// the extension. Delaunay triangles have no box outline.
-    std::vector<TileKind> meshes = {TileKind::kCells};
+    std::vector<MeshKind> meshes = {MeshKind::kVoronoi};
     Outline outline = Outline::kWhole;
     /// Edges of grains, length units; 0: h / 3, h = sqrt(area / number of sites).
     double grain_size = 0;
@@ -106,7 +106,7 @@ struct GrainFigures {
 
 /// What there is to tell of one tile: its seam, its outline, its grains.
 struct TileFigures {
-    TileKind kind;
+    MeshKind kind;
     int n_boundary_edges;
     int n_edge_pairs;
     /// The box outline: its corner, and the shortest edge that the cut has made, in units of h.
@@ -123,14 +123,14 @@ struct PatternOutcome {
 
 /// One mesh of a job, laid out and proved.
 struct ProvedTile {
-    AnyTile mesh;
+    OpenMeshTile mesh;
     /// The same as plain arrays.
-    FlatTile flat;
+    Tile flat;
     TileFigures figures;
 };
 
 /// What a job computes before it makes tiles and files.
-struct JobResult {
+struct Computation {
     CvtResult cvt;
     /// rho at each site; empty without a density.
     std::vector<double> site_densities;
@@ -145,7 +145,7 @@ struct JobResult {
 };
 
 /// What came out, beside the files.
-struct JobOutcome {
+struct RunSummary {
     /// kCancelled: no file was written, and nothing below is filled.
     Stop stop = Stop::kCancelled;
     int n_sites = 0;
@@ -193,7 +193,7 @@ using JobCallback = ProgressCallback;
 /// @throws OutputError    a file cannot be written, or exists and `force` is not set.
 /// @throws LimitExceeded  too many sites or faces.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.
-JobOutcome run_job(const Job& job, const JobCallback& callback);
+RunSummary run_job(const Job& job, const JobCallback& callback);
 
 /// @throws InvalidInput, LimitExceeded as run_job does before any computing, but for the outputs.
 void check_job(const Job& job);
@@ -201,13 +201,13 @@ void check_job(const Job& job);
 /// The steps of run_job one by one, for a host that keeps the result in memory; errors as there.
 ///
 /// The tessellation; nothing where the callback returned false.
-std::optional<JobResult> compute_job(const Job& job, const JobCallback& callback);
+std::optional<Computation> compute_job(const Job& job, const JobCallback& callback);
 /// The optimised sites, 2 x n, wrapped into the reduced domain at the origin: what `.txt` files
 /// hold.
 Points wrapped_sites(const CvtResult& result);
 /// Writes job.outputs and job.report; tiles[k] is the one of job.meshes[k], and need not be there
 /// where no output is a tile.
-JobOutcome write_job(const Job& job, const JobResult& result, std::span<const ProvedTile> tiles);
+RunSummary write_job(const Job& job, const Computation& result, std::span<const ProvedTile> tiles);
 
 /// The stop as contract words: "converged", "iteration-limit", "stalled", "cancelled".
 const char* stop_name(Stop stop);

@@ -43,7 +43,7 @@ void check_origin(const Job& job, const Reduction& repeated, double n_sites) {
     }
 }
 
-bool asks_for(const Job& job, TileKind kind) {
+bool asks_for(const Job& job, MeshKind kind) {
     return std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end();
 }
 
@@ -66,13 +66,13 @@ void check_meshes(const Job& job) {
     if (job.meshes.empty()) {
         throw InvalidInput("no mesh is asked for; take voronoi, delaunay or grains");
     }
-    if (job.outline == Outline::kBox && asks_for(job, TileKind::kTriangles)) {
+    if (job.outline == Outline::kBox && asks_for(job, MeshKind::kDelaunay)) {
         throw InvalidInput(
             "the box outline would cut Delaunay triangles, and cut ones are none; "
             "take the mesh grains with the box outline, or the whole outline");
     }
     if (job.order != 1 && job.order != 2) throw InvalidInput("the order of grains is 1 or 2");
-    if (asks_for(job, TileKind::kGrains)) check_grains(job);
+    if (asks_for(job, MeshKind::kGrains)) check_grains(job);
 }
 
 /// Starts and solvers that know no density.

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "io/tiles/triangle_elements.hpp"
-#include "mesher/finite_volume/c_grid.hpp"
-#include "plugin/job/path_book.hpp"
+#include "mesher/finite_volume/mpas_grid.hpp"
+#include "plugin/job/distinct_paths.hpp"
 
 namespace pcvt {
 namespace {
@@ -27,28 +27,28 @@ std::string lower_case_extension(const std::string& path) {
                        "; take one of " + output_extensions());
 }
 
-const char* kind_suffix(TileKind kind) {
+const char* kind_suffix(MeshKind kind) {
     switch (kind) {
-        case TileKind::kCells:
+        case MeshKind::kVoronoi:
             return "-voronoi";
-        case TileKind::kTriangles:
+        case MeshKind::kDelaunay:
             return "-delaunay";
-        case TileKind::kGrains:
+        case MeshKind::kGrains:
             return "-grains";
     }
     return "";
 }
 
 /// Pieces of cells are slivers where the box cuts a cell near its corner.
-void require_whole_cells(const Job& job, TileKind kind, const std::string& path) {
-    if (job.outline == Outline::kWhole || kind != TileKind::kCells) return;
+void require_whole_cells(const Job& job, MeshKind kind, const std::string& path) {
+    if (job.outline == Outline::kWhole || kind != MeshKind::kVoronoi) return;
     throw InvalidInput("-o " + path +
                        ": cells that the box cuts are too thin for finite volumes; take the whole "
                        "outline, or the mesh grains");
 }
 
 /// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
-void require_c_grid(const Job& job, const std::string& path) {
+void require_mpas_grid(const Job& job, const std::string& path) {
     if (job.short_edges > 0) {
         throw InvalidInput("-o " + path +
                            ": MPAS needs every Voronoi edge; leave --short-edges out");
@@ -63,8 +63,8 @@ void require_c_grid(const Job& job, const std::string& path) {
 void add_output(const Job& job, const std::string& path, std::vector<JobFile>& files) {
     const std::string extension = lower_case_extension(path);
     if (extension == ".txt" || extension == ".nc") {
-        if (extension == ".nc") require_c_grid(job, path);
-        files.push_back({{path}, extension == ".nc" ? JobContent::kCGrid : JobContent::kSites});
+        if (extension == ".nc") require_mpas_grid(job, path);
+        files.push_back({{path}, extension == ".nc" ? JobContent::kMpasGrid : JobContent::kSites});
         return;
     }
     const TileFormat* format = find_tile_format(path);
@@ -108,7 +108,7 @@ std::string with_suffix(const std::string& path, const std::string& suffix) {
 std::vector<JobFile> plan_files(const Job& job) {
     std::vector<JobFile> files;
     for (const std::string& path : job.outputs) add_output(job, without_slash(path), files);
-    PathBook book;
+    DistinctPaths book;
     for (const std::string& path : job.inputs) book.add_input(path);
     for (const JobFile& file : files) {
         for (const std::string& path : file.paths) book.add_output(path);

@@ -9,7 +9,7 @@
 namespace pcvt {
 
 /// What a file holds: one of the job's tiles, the sites, or the C-grid of the torus.
-enum class JobContent { kTile, kSites, kCGrid };
+enum class JobContent { kTile, kSites, kMpasGrid };
 
 /// One file that a job was asked for, with the companions that its format writes beside it.
 struct JobFile {

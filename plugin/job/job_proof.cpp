@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "io/mpas/mpas_reader.hpp"
-#include "mesher/finite_volume/c_grid_proof.hpp"
-#include "mesher/tile/same_geometry.hpp"
+#include "mesher/finite_volume/mpas_grid_proof.hpp"
+#include "mesher/tile/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kUlps = 4;
 /// A tile whose smallest feature is this many times that rounding keeps its laws.
 constexpr double kResolved = 1e3;
 
-double shortest_edge(const FlatTile& tile) {
+double shortest_edge(const Tile& tile) {
     double shortest = std::numeric_limits<double>::infinity();
     for (int f = 0; f < tile.n_faces(); ++f) {
         Vec2 from = tile.points[tile.corners[tile.face_begin[f + 1] - 1]];
@@ -30,7 +30,7 @@ double shortest_edge(const FlatTile& tile) {
     return shortest;
 }
 
-bool fits_single_precision(const FlatTile& tile) {
+bool fits_single_precision(const Tile& tile) {
     double largest = 0;
     for (const Vec2& point : tile.points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
     const double smallest = std::min({shortest_edge(tile), reduce(tile.lattice).reduced.a().norm(),
@@ -44,7 +44,7 @@ std::vector<EdgePair> sorted(std::vector<EdgePair> pairs) {
 }
 
 /// Whether every law of a tile says the same of both: the proof of the one is that of the other.
-bool is_the_same(const TileFile& file, const FlatTile& proved) {
+bool is_the_same(const TileFile& file, const Tile& proved) {
     return file.precision == Precision::kDouble && same_geometry(file.tile, proved) &&
            (!file.has_vertex_pairs || file.tile.vertex_pairs == proved.vertex_pairs) &&
            (!file.has_edge_pairs || sorted(file.tile.edge_pairs) == sorted(proved.edge_pairs));
@@ -64,7 +64,7 @@ void prove_with_pairs(const TileFile& file) {
 
 }  // namespace
 
-TileProof prove_own_tile(const FlatTile& tile) {
+TileProof verify_generated_tile(const Tile& tile) {
     try {
         TileProof proof = prove_tile(tile, Precision::kDouble);
         compare_vertex_pairs(tile, proof);
@@ -83,7 +83,7 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
 }
 
 void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                 const FlatTile& original, const Vec2& origin) {
+                 const Tile& original, const Vec2& origin) {
     const std::string& path = files.front().path;
     Precision precision = Precision::kDouble;
     try {
@@ -100,9 +100,9 @@ void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files
     }
 }
 
-void prove_c_grid_file(const EncodedFile& file) {
+void prove_mpas_grid_file(const EncodedFile& file) {
     try {
-        prove_c_grid(decode_mpas(file.path, file.bytes));
+        prove_mpas_grid(decode_mpas(file.path, file.bytes));
     } catch (const InvalidInput& error) {
         throw InternalError(file.path + " breaks a law of C-grids: " + error.what());
     }

@@ -10,7 +10,7 @@ namespace pcvt {
 
 /// Proves a tile of ours in double precision, with what it stores of its seam.
 /// @throws InternalError  it breaks a law: a fault of pcvt.
-TileProof prove_own_tile(const FlatTile& tile);
+TileProof verify_generated_tile(const Tile& tile);
 
 /// Proves that the disk gives the staged files back as they were encoded: what is read in `files`
 /// from here on is what stands there.
@@ -25,10 +25,10 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
 /// @throws InvalidInput   `original` is too fine for the format's single precision.
 /// @throws InternalError  a law is broken all the same: a fault of pcvt.
 void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                 const FlatTile& original, const Vec2& origin);
+                 const Tile& original, const Vec2& origin);
 
 /// Proves the C-grid in an MPAS file of ours.
 /// @throws InternalError  a law is broken: a fault of pcvt.
-void prove_c_grid_file(const EncodedFile& file);
+void prove_mpas_grid_file(const EncodedFile& file);
 
 }  // namespace pcvt

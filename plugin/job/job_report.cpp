@@ -33,7 +33,7 @@ const char* solver_name(Solver solver) {
 }
 
 /// Over all tiles of the run.
-std::optional<double> shortest_box_edge(const JobOutcome& outcome) {
+std::optional<double> shortest_box_edge(const RunSummary& outcome) {
     std::optional<double> shortest;
     for (const TileFigures& tile : outcome.tiles) {
         if (!tile.box_shortest_edge) continue;
@@ -42,7 +42,7 @@ std::optional<double> shortest_box_edge(const JobOutcome& outcome) {
     return shortest;
 }
 
-std::optional<Report::Grains> report_grains(const JobOutcome& outcome) {
+std::optional<Report::Grains> report_grains(const RunSummary& outcome) {
     for (const TileFigures& tile : outcome.tiles) {
         if (!tile.grains) continue;
         Report::Grains grains{tile.grains->n_triangles, tile.grains->smallest_angle, {}};
@@ -54,7 +54,7 @@ std::optional<Report::Grains> report_grains(const JobOutcome& outcome) {
     return std::nullopt;
 }
 
-std::optional<Report::Density> report_density(const Job& job, const JobOutcome& outcome) {
+std::optional<Report::Density> report_density(const Job& job, const RunSummary& outcome) {
     if (!outcome.density) return std::nullopt;
     const DensityFigures& figures = *outcome.density;
     return Report::Density{.name = job.density_name,
@@ -71,7 +71,7 @@ std::optional<Report::Density> report_density(const Job& job, const JobOutcome& 
 
 }  // namespace
 
-std::string encode_job_report(const Job& job, const JobOutcome& outcome) {
+std::string encode_job_report(const Job& job, const RunSummary& outcome) {
     const JobSeconds& seconds = outcome.seconds;
     return encode_report({
         .version = version(),

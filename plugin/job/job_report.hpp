@@ -7,6 +7,6 @@
 namespace pcvt {
 
 /// The JSON report of a run, its keys in the order that the report promises.
-std::string encode_job_report(const Job& job, const JobOutcome& outcome);
+std::string encode_job_report(const Job& job, const RunSummary& outcome);
 
 }  // namespace pcvt

@@ -8,7 +8,8 @@
 #include "io/pictures/svg_writer.hpp"
 #include "io/run_files/site_writer.hpp"
 #include "mesher/base/workers.hpp"
-#include "mesher/finite_volume/c_grid.hpp"
+#include "mesher/finite_volume/mpas_grid.hpp"
+#include "mesher/mesh/voronoi.hpp"
 #include "plugin/job/job_proof.hpp"
 
 namespace pcvt {
@@ -39,13 +40,13 @@ void stage_sites(const std::string& path, const CvtResult& result, OutputSet& ou
 }
 
 /// The C-grid of the whole torus, encoded, on the disk and proved there like a tile.
-void stage_c_grid(const std::string& path, const Job& job, const JobResult& result,
-                  OutputSet& outputs) {
+void stage_mpas_grid(const std::string& path, const Job& job, const Computation& result,
+                     OutputSet& outputs) {
     const PeriodicMesh cells =
-        repeated(periodic_mesh(result.cvt, TileKind::kCells), job.columns, job.rows);
+        repeated(periodic_mesh(result.cvt.delaunay, MeshKind::kVoronoi), job.columns, job.rows);
     std::vector<EncodedFile> encoded;
     try {
-        CGrid grid = c_grid(cells, job.origin);
+        MpasGrid grid = mpas_grid(cells, job.origin);
         if (job.density) fill_mesh_density(result.site_densities, grid);
         encoded = only_file(path, encode_mpas(grid));
     } catch (const InvalidInput& error) {
@@ -53,15 +54,15 @@ void stage_c_grid(const std::string& path, const Job& job, const JobResult& resu
     }
     outputs.stage(path, encoded.front().bytes);
     require_on_disk(outputs, encoded);
-    prove_c_grid_file(encoded.front());
+    prove_mpas_grid_file(encoded.front());
 }
 
-void stage_file(const Job& job, const JobFile& file, const JobResult& result,
+void stage_file(const Job& job, const JobFile& file, const Computation& result,
                 std::span<const ProvedTile> tiles, OutputSet& outputs) {
     if (file.content == JobContent::kSites) {
         stage_sites(file.paths.front(), result.cvt, outputs);
-    } else if (file.content == JobContent::kCGrid) {
-        stage_c_grid(file.paths.front(), job, result, outputs);
+    } else if (file.content == JobContent::kMpasGrid) {
+        stage_mpas_grid(file.paths.front(), job, result, outputs);
     } else {
         stage_tile(job, file, tiles[static_cast<std::size_t>(file.mesh)], outputs);
     }
@@ -69,7 +70,7 @@ void stage_file(const Job& job, const JobFile& file, const JobResult& result,
 
 }  // namespace
 
-void stage_files(const Job& job, const std::vector<JobFile>& files, const JobResult& result,
+void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
                  std::span<const ProvedTile> tiles, const std::function<void()>& between_files,
                  OutputSet& outputs) {
     const std::thread::id caller = std::this_thread::get_id();

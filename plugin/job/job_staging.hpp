@@ -16,7 +16,7 @@ namespace pcvt {
 /// @param between_files  called on the calling thread now and then; what it throws ends the
 ///                       staging.
 /// @throws the fault of the first file in the list that has one.
-void stage_files(const Job& job, const std::vector<JobFile>& files, const JobResult& result,
+void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
                  std::span<const ProvedTile> tiles, const std::function<void()>& between_files,
                  OutputSet& outputs);
 

@@ -1,7 +1,7 @@
 #include "plugin/job/job_start.hpp"
 
 #include "mesher/cvt/coarse_start.hpp"
-#include "mesher/delaunay/columns.hpp"
+#include "mesher/delaunay/spatial_sort.hpp"
 #include "mesher/density/density_survey.hpp"
 #include "mesher/search/global_search.hpp"
 
@@ -78,7 +78,7 @@ JobStart job_start(const Job& job, const JobCallback& callback) {
         return start;
     }
     start = found_start(job, callback);
-    if (!start.cancelled) start.points = numbered_by_columns(job.lattice, start.points);
+    if (!start.cancelled) start.points = spatially_sorted(job.lattice, start.points);
     return start;
 }
 

@@ -8,8 +8,9 @@
 #include "mesher/mesh/box_origin.hpp"
 #include "mesher/mesh/box_outline.hpp"
 #include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/quality.hpp"
 #include "mesher/mesh/short_edges.hpp"
+#include "mesher/mesh/valence.hpp"
+#include "mesher/mesh/voronoi.hpp"
 #include "plugin/job/job_proof.hpp"
 
 namespace pcvt {
@@ -29,7 +30,7 @@ LaidOut lay_out(const Job& job, PeriodicMesh mesh, double h, TileFigures& figure
         std::vector<Offset> placement = whole_outline(mesh, job.origin);
         return {std::move(mesh), std::move(placement)};
     }
-    const double snap = figures.kind == TileKind::kGrains ? kGrainSnap * h : 0;
+    const double snap = figures.kind == MeshKind::kGrains ? kGrainSnap * h : 0;
     figures.box_origin = job.finds_origin ? find_box_origin(mesh) : job.origin;
     BoxCut box = cut_along_box(mesh, *figures.box_origin, snap);
     figures.box_shortest_edge = box.shortest_edge / h;
@@ -61,23 +62,23 @@ PeriodicMesh without_shortest(PeriodicMesh cells, double shortest) {
 
 }  // namespace
 
-ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind) {
+ProvedTile build_tile(const Job& job, const CvtResult& result, MeshKind kind) {
     const double h = result.delaunay.sites().spacing();
-    const bool grains = kind == TileKind::kGrains;
-    const TileKind source = grains ? TileKind::kCells : kind;
-    PeriodicMesh mesh = repeated(periodic_mesh(result, source), job.columns, job.rows);
+    const bool grains = kind == MeshKind::kGrains;
+    const MeshKind source = grains ? MeshKind::kVoronoi : kind;
+    PeriodicMesh mesh = repeated(periodic_mesh(result.delaunay, source), job.columns, job.rows);
     if (grains) {
         mesh = without_shortest(std::move(mesh), std::max(kShortGrainEdge, job.short_edges) * h);
-    } else if (kind == TileKind::kCells && job.short_edges > 0) {
+    } else if (kind == MeshKind::kVoronoi && job.short_edges > 0) {
         mesh = without_short_edges(mesh, job.short_edges * h);
     }
     TileFigures figures{kind, 0, 0, {}, {}, {}};
     LaidOut laid_out = lay_out(job, std::move(mesh), h, figures);
     if (grains) laid_out = mesh_cells(job, laid_out, h, figures);
-    AnyTile tile = make_tile(laid_out.mesh, laid_out.placement);
+    OpenMeshTile tile = make_tile(laid_out.mesh, laid_out.placement);
     if (grains) std::get<TriangleTile>(tile).order = job.order;
-    FlatTile flat = flatten(tile);
-    const TileProof proof = prove_own_tile(flat);
+    Tile flat = flatten(tile);
+    const TileProof proof = verify_generated_tile(flat);
     figures.n_boundary_edges = proof.n_boundary_edges;
     figures.n_edge_pairs = static_cast<int>(proof.edge_pairs.size());
     return {std::move(tile), std::move(flat), std::move(figures)};

@@ -8,6 +8,6 @@ namespace pcvt {
 /// outline of the job, meshes the grains, and proves the tile.
 /// @throws LimitExceeded  grains too fine, or a piece of a cell too thin for them.
 /// @throws InternalError  the tile breaks its laws: a fault of pcvt.
-ProvedTile build_tile(const Job& job, const CvtResult& result, TileKind kind);
+ProvedTile build_tile(const Job& job, const CvtResult& result, MeshKind kind);
 
 }  // namespace pcvt

@@ -51,7 +51,7 @@ struct StudyRecipe {
     int most_sites;
     /// Its times mean something only while nothing else runs: one run at a time.
     bool timed;
-    /// Columns of a run's rows, behind n, run and seed.
+    /// SpatialSort of a run's rows, behind n, run and seed.
     std::vector<std::string> columns;
     /// What they mean.
     std::vector<std::string> notes;

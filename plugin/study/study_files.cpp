@@ -4,8 +4,8 @@
 
 #include "io/bytes/output.hpp"
 #include "mesher/base/error.hpp"
+#include "plugin/job/distinct_paths.hpp"
 #include "plugin/job/job_files.hpp"
-#include "plugin/job/path_book.hpp"
 
 namespace pcvt {
 namespace {
@@ -72,7 +72,7 @@ std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
             add_named(output, recipe, shard, files);
         }
     }
-    PathBook book;
+    DistinctPaths book;
     for (const std::string& input : inputs) book.add_input(input);
     for (const StudyFile& file : files) book.add_output(file.path);
     return files;

@@ -5,7 +5,8 @@
 #include <set>
 
 #include "io/tiles/palette.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
+#include "mesher/mesh/voronoi.hpp"
 
 namespace pcvt {
 namespace {
@@ -98,7 +99,7 @@ int count_sides(const Polygon& polygon, double h) {
 }  // namespace
 
 CellPanel periodic_panel(const CvtResult& result) {
-    const PeriodicMesh mesh = periodic_mesh(result, TileKind::kCells);
+    const PeriodicMesh mesh = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
     const std::vector<int> sides = cell_sides(mesh);
     CellPanel panel;
     panel.outline = domain_outline(mesh.lattice);

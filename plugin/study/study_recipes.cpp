@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
+#include "mesher/mesh/voronoi.hpp"
 
 namespace pcvt {
 
@@ -19,7 +20,7 @@ CvtOptions plain_lbfgs(double tolerance, int max_iterations) {
 }
 
 int count_hexagons(const CvtResult& result) {
-    const std::vector<int> sides = cell_sides(periodic_mesh(result, TileKind::kCells));
+    const std::vector<int> sides = cell_sides(periodic_mesh(result.delaunay, MeshKind::kVoronoi));
     return static_cast<int>(std::count(sides.begin(), sides.end(), 6));
 }
 

@@ -32,7 +32,7 @@ std::string encode_csv(const StudyTable& table);
 /// @throws BadFile `name:line: what; what to do`.
 StudyTable decode_csv(const std::string& name, const std::string& text);
 
-/// Columns aligned for the eye, the first `most_columns` of them; then the remarks.
+/// SpatialSort aligned for the eye, the first `most_columns` of them; then the remarks.
 std::string aligned_text(const StudyTable& table, std::size_t most_columns);
 
 /// Cells: shortest decimals that read back as the number, and so many significant digits at most.

@@ -25,7 +25,7 @@
 
 #include "io/run_files/density_expression.hpp"
 #include "mesher/density/density_survey.hpp"
-#include "mesher/energy/weighted_energy.hpp"
+#include "mesher/energy/density_energy.hpp"
 
 namespace pcvt {
 namespace {
@@ -75,7 +75,7 @@ struct Place {
     }
     Workers workers{1};
     MovingDelaunay delaunay;
-    WeightedPass pass;
+    DensityPass pass;
     EnergyPass uniform_pass;
     Energy energy;
 };

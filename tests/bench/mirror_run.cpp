@@ -49,7 +49,8 @@ class MirrorObjective final : public Objective {
         const auto corner = [&](int k) {
             return image(sites, triangle[k].site, triangle[k].offset);
         };
-        const Frame frame{sites.reduction().reduced.a().x(), 0, sites.reduction().reduced.b().y()};
+        const ReducedFrame frame{sites.reduction().reduced.a().x(), 0,
+                                 sites.reduction().reduced.b().y()};
         const TriangleTerms terms = triangle_terms(difference(corner(0), corner(1)),
                                                    difference(corner(0), corner(2)), frame);
         evaluation.value += terms.value;

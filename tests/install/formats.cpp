@@ -5,12 +5,13 @@
 #include "io/tile_formats.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/mesh/outline.hpp"
+#include "mesher/mesh/voronoi.hpp"
 
 int main() {
     const pcvt::Lattice lattice = pcvt::Lattice::rectangle(1, 1);
     const auto result = pcvt::compute_cvt(lattice, pcvt::uniform_points(lattice, 20, 1), {});
     // Triangles, which all formats hold.
-    const auto mesh = pcvt::periodic_mesh(result, pcvt::TileKind::kTriangles);
+    const auto mesh = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kDelaunay);
     const auto tile = pcvt::make_tile(mesh, pcvt::whole_outline(mesh, {0, 0}));
     for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
         const auto files = pcvt::encode_tile(format, tile, "tile" + format.extension);

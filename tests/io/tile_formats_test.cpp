@@ -8,7 +8,7 @@
 namespace pcvt {
 namespace {
 
-AnyTile example(const TileFormat& format) {
+OpenMeshTile example(const TileFormat& format) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 7, 5)));
     const PeriodicMesh mesh = format.triangles_only ? triangle_mesh(delaunay) : cell_mesh(delaunay);
@@ -29,7 +29,7 @@ TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
 
 TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
     for (const TileFormat& format : tile_formats()) {
-        const AnyTile tile = example(format);
+        const OpenMeshTile tile = example(format);
         const std::string path = "dir/tile" + format.extension;
         std::vector<std::string> written;
         for (const EncodedFile& file : encode_tile(format, tile, path)) {
@@ -43,7 +43,7 @@ TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
 
 TEST(TileFormats, EveryFormatReadsItsOwnFilesButThePicture) {
     for (const TileFormat& format : tile_formats()) {
-        const AnyTile tile = example(format);
+        const OpenMeshTile tile = example(format);
         ASSERT_EQ(format.decode == nullptr, format.extension == ".svg");
         if (!format.decode) continue;
         const TileFile file = format.decode(encode_tile(format, tile, "t" + format.extension), {});

@@ -73,7 +73,7 @@ void CheckedEngine::compare() {
 
 void CheckedEngine::require_arrived(const Points& from, const Eigen::VectorXf& direction,
                                     double t) {
-    const Frame& frame = delaunay_.frame();
+    const ReducedFrame& frame = delaunay_.frame();
     Points expected = from;
     double longest = 1;
     for (SiteId s = 0; s < delaunay_.n_sites(); ++s) {

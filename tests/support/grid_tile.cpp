@@ -4,8 +4,8 @@ namespace pcvt::testing {
 namespace {
 
 /// Vertices of the (columns + 1) x (rows + 1) grid and their identification; no faces yet.
-FlatTile grid_vertices(const Lattice& lattice, TileKind kind, int columns, int rows) {
-    FlatTile tile{lattice, kind, {}, {0}, {}, {}, {}, {}, {}};
+Tile grid_vertices(const Lattice& lattice, MeshKind kind, int columns, int rows) {
+    Tile tile{lattice, kind, {}, {0}, {}, {}, {}, {}, {}};
     const auto id = [columns](int i, int j) { return j * (columns + 1) + i; };
     for (int j = 0; j <= rows; ++j) {
         for (int i = 0; i <= columns; ++i) {
@@ -35,7 +35,7 @@ FlatTile grid_vertices(const Lattice& lattice, TileKind kind, int columns, int r
     return tile;
 }
 
-void add_face(FlatTile& tile, std::vector<int> corners) {
+void add_face(Tile& tile, std::vector<int> corners) {
     if (!tile.lattice.right_handed()) corners = {corners.rbegin(), corners.rend()};
     tile.corners.insert(tile.corners.end(), corners.begin(), corners.end());
     tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
@@ -43,8 +43,8 @@ void add_face(FlatTile& tile, std::vector<int> corners) {
 
 }  // namespace
 
-FlatTile grid_tile(const Lattice& lattice, int columns, int rows) {
-    FlatTile tile = grid_vertices(lattice, TileKind::kCells, columns, rows);
+Tile grid_tile(const Lattice& lattice, int columns, int rows) {
+    Tile tile = grid_vertices(lattice, MeshKind::kVoronoi, columns, rows);
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
             const int v = j * (columns + 1) + i;
@@ -56,8 +56,8 @@ FlatTile grid_tile(const Lattice& lattice, int columns, int rows) {
     return tile;
 }
 
-FlatTile triangle_grid_tile(const Lattice& lattice, int columns, int rows) {
-    FlatTile tile = grid_vertices(lattice, TileKind::kTriangles, columns, rows);
+Tile triangle_grid_tile(const Lattice& lattice, int columns, int rows) {
+    Tile tile = grid_vertices(lattice, MeshKind::kDelaunay, columns, rows);
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
             const int v = j * (columns + 1) + i;
@@ -73,9 +73,9 @@ FlatTile triangle_grid_tile(const Lattice& lattice, int columns, int rows) {
     return tile;
 }
 
-FlatTile grain_grid_tile(const Lattice& lattice, int columns, int rows) {
-    FlatTile tile = triangle_grid_tile(lattice, columns, rows);
-    tile.kind = TileKind::kGrains;
+Tile grain_grid_tile(const Lattice& lattice, int columns, int rows) {
+    Tile tile = triangle_grid_tile(lattice, columns, rows);
+    tile.kind = MeshKind::kGrains;
     tile.vertex_site.clear();
     for (int f = 0; f < tile.n_faces(); ++f) tile.face_site.push_back(f / 2);
     return tile;

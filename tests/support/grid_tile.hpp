@@ -1,17 +1,17 @@
 #pragma once
 
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt::testing {
 
 /// A tile of columns x rows congruent parallelograms, site ids row by row: a tile that can be
 /// written down without any of the code under test.
-FlatTile grid_tile(const Lattice& lattice, int columns, int rows);
+Tile grid_tile(const Lattice& lattice, int columns, int rows);
 
 /// The same with each parallelogram cut into two triangles; sites are the grid points.
-FlatTile triangle_grid_tile(const Lattice& lattice, int columns, int rows);
+Tile triangle_grid_tile(const Lattice& lattice, int columns, int rows);
 
 /// The same two triangles a parallelogram, which is their grain.
-FlatTile grain_grid_tile(const Lattice& lattice, int columns, int rows);
+Tile grain_grid_tile(const Lattice& lattice, int columns, int rows);
 
 }  // namespace pcvt::testing

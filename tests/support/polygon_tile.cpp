@@ -15,8 +15,8 @@ Vec2 rounded(const Vec2& p) { return p.cast<float>().cast<double>(); }
 
 }  // namespace
 
-FlatTile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons) {
-    FlatTile tile{lattice, TileKind::kCells, {}, {0}, {}, {}, {}, {}, {}};
+Tile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons) {
+    Tile tile{lattice, MeshKind::kVoronoi, {}, {0}, {}, {}, {}, {}, {}};
     for (const Polygon& polygon : polygons) {
         for (const Vec2& corner : polygon) {
             int v = 0;
@@ -30,7 +30,7 @@ FlatTile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygo
     return tile;
 }
 
-FlatTile honeycomb_tile(int columns, int rows) {
+Tile honeycomb_tile(int columns, int rows) {
     const double half_width = std::sqrt(3.0) / 2;
     const Vec2 across(2 * half_width, 0);
     const Vec2 up(half_width, 1.5);
@@ -46,7 +46,7 @@ FlatTile honeycomb_tile(int columns, int rows) {
     return polygon_tile(Lattice(columns * across, rows * up), hexagons);
 }
 
-FlatTile square_tiled(const SquareTiled& surface) {
+Tile square_tiled(const SquareTiled& surface) {
     const auto bulge = [](int s) { return 0.02 * (s + 1); };
     std::vector<Polygon> squares;
     for (int s = 0; s < static_cast<int>(surface.at.size()); ++s) {
@@ -60,8 +60,8 @@ FlatTile square_tiled(const SquareTiled& surface) {
     return polygon_tile(Lattice::rectangle(1, 1), squares);
 }
 
-FlatTile float_fans(const FlatTile& tile) {
-    FlatTile fans{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}, {}};
+Tile float_fans(const Tile& tile) {
+    Tile fans{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}, {}};
     std::vector<int> first_copy(tile.points.size(), -1);
     for (int f = 0; f < tile.n_faces(); ++f) {
         const int base = fans.n_vertices();

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "mesher/lattice/polygon.hpp"
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt::testing {
 
 /// A tile whose faces are the polygons, with one vertex for corners nearer than 1e-9. Stored pairs
 /// are left out.
-FlatTile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons);
+Tile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons);
 
 /// columns x rows regular hexagons with edges of length 1, on the lattice that they fill: a
 /// centroidal Voronoi tessellation.
-FlatTile honeycomb_tile(int columns, int rows);
+Tile honeycomb_tile(int columns, int rows);
 
 /// Unit squares whose sides bulge, each by an amount of its own, so that two sides fit each other
 /// only where they are meant to. The unit square lattice need not be theirs.
@@ -25,10 +25,10 @@ struct SquareTiled {
 };
 
 /// The faces of such a surface as a tile of the unit square lattice.
-FlatTile square_tiled(const SquareTiled& surface);
+Tile square_tiled(const SquareTiled& surface);
 
 /// Each face of `tile` as a fan of triangles on vertices of its own, rounded to float32. Stored
 /// vertex pairs name the first copy; sites are kept.
-FlatTile float_fans(const FlatTile& tile);
+Tile float_fans(const Tile& tile);
 
 }  // namespace pcvt::testing

@@ -9,11 +9,11 @@
 namespace pcvt::testing {
 namespace {
 
-FlatTile jittered_grid(const Lattice& lattice, std::mt19937& random) {
+Tile jittered_grid(const Lattice& lattice, std::mt19937& random) {
     const int columns = 1 + static_cast<int>(random() % 5);
     const int rows = 1 + static_cast<int>(random() % 5);
-    FlatTile tile = random() % 2 ? grid_tile(lattice, columns, rows)
-                                 : triangle_grid_tile(lattice, columns, rows);
+    Tile tile = random() % 2 ? grid_tile(lattice, columns, rows)
+                             : triangle_grid_tile(lattice, columns, rows);
     std::uniform_real_distribution<double> jitter(-0.1, 0.1);
     for (Vec2& p : tile.points) {
         p += lattice.to_plane({jitter(random) / columns, jitter(random) / rows});
@@ -41,12 +41,12 @@ std::vector<Lattice> many_lattices() {
             Lattice({1e-60, 0}, {0.3e-60, 1e-60})};
 }
 
-FlatTile scrambled_grid(const Lattice& lattice, std::mt19937& random) {
-    const FlatTile tile = jittered_grid(lattice, random);
+Tile scrambled_grid(const Lattice& lattice, std::mt19937& random) {
+    const Tile tile = jittered_grid(lattice, random);
     std::vector<int> name(tile.points.size());
     std::iota(name.begin(), name.end(), 0);
     std::shuffle(name.begin(), name.end(), random);
-    FlatTile result = tile;
+    Tile result = tile;
     for (int v = 0; v < tile.n_vertices(); ++v) result.points[name[v]] = tile.points[v];
     for (VertexPair& pair : result.vertex_pairs) {
         pair = {name[pair.v], name[pair.w], pair.offset};

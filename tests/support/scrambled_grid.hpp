@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "mesher/tile/flat_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt::testing {
 
@@ -11,6 +11,6 @@ std::vector<Lattice> many_lattices();
 
 /// A grid of up to 5 x 5 parallelograms or twice as many triangles with jittered vertices; vertex
 /// names, first corners of faces and the sides from which pairs are told are random.
-FlatTile scrambled_grid(const Lattice& lattice, std::mt19937& random);
+Tile scrambled_grid(const Lattice& lattice, std::mt19937& random);
 
 }  // namespace pcvt::testing

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt::testing {
 namespace {
 
-FlatTile as_grains(FlatTile tile) {
-    tile.kind = TileKind::kGrains;
+Tile as_grains(Tile tile) {
+    tile.kind = MeshKind::kGrains;
     tile.vertex_site.clear();
     for (int f = 0; f < tile.n_faces(); ++f) tile.face_site.push_back(f / 3);
     return tile;
@@ -17,8 +17,8 @@ FlatTile as_grains(FlatTile tile) {
 
 }  // namespace
 
-std::vector<FlatTile> solver_tiles(const std::vector<Lattice>& lattices) {
-    std::vector<FlatTile> tiles;
+std::vector<Tile> solver_tiles(const std::vector<Lattice>& lattices) {
+    std::vector<Tile> tiles;
     for (const Lattice& lattice : lattices) {
         for (const auto& [columns, rows] : {std::pair(1, 1), std::pair(3, 2), std::pair(2, 5)}) {
             tiles.push_back(triangle_grid_tile(lattice, columns, rows));
@@ -32,7 +32,7 @@ std::vector<FlatTile> solver_tiles(const std::vector<Lattice>& lattices) {
     return tiles;
 }
 
-void expect_read_back(const TileFile& file, const FlatTile& written) {
+void expect_read_back(const TileFile& file, const Tile& written) {
     EXPECT_EQ(file.precision, Precision::kDouble);
     EXPECT_EQ(file.tile.order, written.order);
     const TileProof proof = prove_tile(file.tile, Precision::kDouble);
@@ -41,7 +41,7 @@ void expect_read_back(const TileFile& file, const FlatTile& written) {
     if (file.has_edge_pairs) {
         EXPECT_NO_THROW(compare_edge_pairs(file.tile, proof));
     }
-    FlatTile plain = written;
+    Tile plain = written;
     plain.vertex_pairs = file.tile.vertex_pairs;
     plain.edge_pairs = file.tile.edge_pairs;
     expect_same_tile(file.tile, plain);

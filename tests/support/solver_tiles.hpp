@@ -7,10 +7,10 @@
 namespace pcvt::testing {
 
 /// Tiles of triangles on awkward lattices: Delaunay triangles and grains, of order 1 and 2.
-std::vector<FlatTile> solver_tiles(const std::vector<Lattice>& lattices);
+std::vector<Tile> solver_tiles(const std::vector<Lattice>& lattices);
 
 /// A tile that was read has the points, faces, sites and order of `written`, bit for bit, and
 /// stores pairs that say the same as those that follow from its positions.
-void expect_read_back(const TileFile& file, const FlatTile& written);
+void expect_read_back(const TileFile& file, const Tile& written);
 
 }  // namespace pcvt::testing

@@ -49,7 +49,7 @@ WideVector circumcentre(const WideVector& p, const WideVector& q) {
 
 }  // namespace
 
-WideTerms wide_terms(const Vec2& p, const Vec2& q, const Frame& frame) {
+WideTerms wide_terms(const Vec2& p, const Vec2& q, const ReducedFrame& frame) {
     const auto plane = [&frame](const Vec2& u) {
         return WideVector{Wide(frame.ax) * u.x() + Wide(frame.bx) * u.y(), Wide(frame.by) * u.y()};
     };

@@ -17,6 +17,6 @@ struct WideTerms {
 };
 
 /// @param p, q  as of triangle_terms.
-WideTerms wide_terms(const Vec2& p, const Vec2& q, const Frame& frame);
+WideTerms wide_terms(const Vec2& p, const Vec2& q, const ReducedFrame& frame);
 
 }  // namespace pcvt::testing

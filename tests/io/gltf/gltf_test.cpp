@@ -5,10 +5,10 @@
 
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/glb.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,7 +26,7 @@ using testing::triangle_grid_tile;
 
 const Lattice kOblique({1, 0}, {0.37, 0.81});
 
-std::string glb(const FlatTile& tile) { return encode_glb(tile, "t.glb").at(0).bytes; }
+std::string glb(const Tile& tile) { return encode_glb(tile, "t.glb").at(0).bytes; }
 
 TileFile read(const std::string& bytes, const std::optional<Lattice>& lattice = {}) {
     return decode_gltf({{"t.glb", bytes}}, lattice);
@@ -43,7 +43,7 @@ std::string fault_of(const std::string& bytes) {
 
 /// Tiles of both kinds, the cells with few nodes and with one; the same number of faces a site
 /// each.
-std::vector<FlatTile> tiles_of(const Lattice& lattice) {
+std::vector<Tile> tiles_of(const Lattice& lattice) {
     return {grid_tile(lattice, 1, 1),          grid_tile(lattice, 5, 6),
             grid_tile(lattice, 41, 50),        triangle_grid_tile(lattice, 1, 1),
             triangle_grid_tile(lattice, 5, 6), grain_grid_tile(lattice, 1, 1),
@@ -68,7 +68,7 @@ void survive(const std::string& bytes) {
 
 TEST(Gltf, ReadsBackPointsLatticeAndPairs) {
     for (const Lattice& lattice : awkward_lattices()) {
-        for (const FlatTile& tile : tiles_of(lattice)) {
+        for (const Tile& tile : tiles_of(lattice)) {
             const TileFile file = read(glb(tile));
             EXPECT_EQ(file.tile.kind, tile.kind);
             EXPECT_EQ(file.precision, Precision::kSingle);
@@ -86,8 +86,8 @@ TEST(Gltf, ReadsBackPointsLatticeAndPairs) {
 }
 
 TEST(Gltf, TrianglesOfACellKeepItsSiteAndItsArea) {
-    for (const FlatTile& tile : {grid_tile(kOblique, 5, 6), grid_tile(kOblique, 41, 50)}) {
-        const FlatTile back = read(glb(tile)).tile;
+    for (const Tile& tile : {grid_tile(kOblique, 5, 6), grid_tile(kOblique, 41, 50)}) {
+        const Tile back = read(glb(tile)).tile;
         std::vector<double> area(tile.n_faces());
         for (int f = 0; f < back.n_faces(); ++f) {
             const auto corner = [&](int k) { return back.points[back.corners[3 * f + k]]; };
@@ -101,8 +101,8 @@ TEST(Gltf, TrianglesOfACellKeepItsSiteAndItsArea) {
 }
 
 TEST(Gltf, TriangleTilesKeepTheirFacesAndSites) {
-    const FlatTile tile = triangle_grid_tile(kOblique, 5, 6);
-    const FlatTile back = read(glb(tile)).tile;
+    const Tile tile = triangle_grid_tile(kOblique, 5, 6);
+    const Tile back = read(glb(tile)).tile;
     EXPECT_EQ(back.corners, tile.corners);
     EXPECT_EQ(back.face_begin, tile.face_begin);
     EXPECT_EQ(back.vertex_site, tile.vertex_site);
@@ -110,8 +110,8 @@ TEST(Gltf, TriangleTilesKeepTheirFacesAndSites) {
 }
 
 TEST(Gltf, TrianglesOfAGrainShareTheirVertices) {
-    const FlatTile tile = grain_grid_tile(kOblique, 5, 6);
-    const FlatTile back = read(glb(tile)).tile;
+    const Tile tile = grain_grid_tile(kOblique, 5, 6);
+    const Tile back = read(glb(tile)).tile;
     EXPECT_EQ(back.face_site, tile.face_site);
     // Four corners a grain, and none that no grain has.
     EXPECT_EQ(std::set<int>(back.corners.begin(), back.corners.end()).size(), 4 * 30U);
@@ -120,7 +120,7 @@ TEST(Gltf, TrianglesOfAGrainShareTheirVertices) {
 
 TEST(Gltf, ReadsAsATileOnEveryLattice) {
     for (const Lattice& lattice : awkward_lattices()) {
-        for (const FlatTile& tile : tiles_of(lattice)) {
+        for (const Tile& tile : tiles_of(lattice)) {
             const TileFile file = read(glb(tile));
             const TileProof proof = prove_tile(file.tile, file.precision);
             EXPECT_EQ(proof.n_vertices, tile.n_vertices());
@@ -130,7 +130,7 @@ TEST(Gltf, ReadsAsATileOnEveryLattice) {
 }
 
 TEST(Gltf, StatedCopiesChangeNoProof) {
-    for (const FlatTile& tile : {grid_tile(kOblique, 41, 50), grain_grid_tile(kOblique, 5, 6)}) {
+    for (const Tile& tile : {grid_tile(kOblique, 41, 50), grain_grid_tile(kOblique, 5, 6)}) {
         TileFile file = read(glb(tile));
         EXPECT_FALSE(file.tile.copies.empty());
         const TileProof stated = prove_tile(file.tile, file.precision);
@@ -144,7 +144,7 @@ TEST(Gltf, StatedCopiesChangeNoProof) {
 }
 
 TEST(Gltf, TextAndBinaryHoldTheSameTile) {
-    for (const FlatTile& tile : tiles_of(kOblique)) {
+    for (const Tile& tile : tiles_of(kOblique)) {
         const std::string text = encode_gltf(tile, "t.gltf").at(0).bytes;
         EXPECT_THAT(text, StartsWith("{"));
         testing::expect_same_tile(read(text).tile, read(glb(tile)).tile);
@@ -152,7 +152,7 @@ TEST(Gltf, TextAndBinaryHoldTheSameTile) {
 }
 
 TEST(Gltf, BoundsAreThoseOfTheFloats) {
-    for (const FlatTile& tile : tiles_of(Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9}))) {
+    for (const Tile& tile : tiles_of(Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9}))) {
         const Glb file = split_glb(glb(tile));
         for (const auto& mesh : file.json["meshes"]) {
             const std::size_t id = mesh["primitives"][0]["attributes"]["POSITION"];
@@ -185,7 +185,7 @@ TEST(Gltf, FewCellsHaveANodeAndAMaterialEach) {
 }
 
 TEST(Gltf, ManyCellsHaveVerticesOfTheirOwn) {
-    const FlatTile tile = grid_tile(kOblique, 41, 50);
+    const Tile tile = grid_tile(kOblique, 41, 50);
     const Glb file = split_glb(glb(tile));
     EXPECT_EQ(file.json["nodes"].size(), 3u);
     const auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
@@ -213,7 +213,7 @@ TEST(Gltf, OutlinesLieAboveTheSurface) {
 }
 
 TEST(Gltf, ViewsAreAlignedAndHaveATarget) {
-    for (const FlatTile& tile : tiles_of(kOblique)) {
+    for (const Tile& tile : tiles_of(kOblique)) {
         const Glb file = split_glb(glb(tile));
         for (const auto& view : file.json["bufferViews"]) {
             EXPECT_EQ(view.value("byteOffset", 0) % 4, 0);
@@ -223,19 +223,19 @@ TEST(Gltf, ViewsAreAlignedAndHaveATarget) {
 }
 
 TEST(Gltf, SameTileSameBytes) {
-    for (const FlatTile& tile : tiles_of(kOblique)) EXPECT_EQ(glb(tile), glb(tile));
+    for (const Tile& tile : tiles_of(kOblique)) EXPECT_EQ(glb(tile), glb(tile));
 }
 
 TEST(Gltf, RefusesWhatFloat32CannotHold) {
     EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e60, 1e60), 2, 2)), InvalidInput);
     EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e-60, 1e-60), 2, 2)), InvalidInput);
-    FlatTile far = grid_tile(Lattice::rectangle(1, 1), 4, 4);
+    Tile far = grid_tile(Lattice::rectangle(1, 1), 4, 4);
     for (Vec2& p : far.points) p.x() += 1e9;
     EXPECT_THROW(glb(far), InvalidInput);
 }
 
 TEST(Gltf, SitesThatFloatsCannotCountAreALimit) {
-    FlatTile tile = grid_tile(kOblique, 1, 1);
+    Tile tile = grid_tile(kOblique, 1, 1);
     tile.face_site[0] = (1 << 24) - 1;
     EXPECT_NO_THROW(glb(tile));
     tile.face_site[0] = 1 << 24;
@@ -319,7 +319,7 @@ TEST(GltfReader, SurvivesEveryTruncation) {
 
 TEST(GltfReader, SurvivesMutatedFiles) {
     std::mt19937_64 random(7);
-    for (const FlatTile& tile : {grid_tile(kOblique, 1, 2), triangle_grid_tile(kOblique, 2, 1)}) {
+    for (const Tile& tile : {grid_tile(kOblique, 1, 2), triangle_grid_tile(kOblique, 2, 1)}) {
         const std::string text = encode_gltf(tile, "t").at(0).bytes;
         const Glb parts = split_glb(glb(tile));
         const std::string json = parts.json.dump();

@@ -3,9 +3,9 @@
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"
 #include "io/tiles/palette.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -52,9 +52,9 @@ std::string with(const std::string& piece, const std::string& other) {
 }
 
 /// A row of cells with 5, 3 and 4 corners: not a tile, but what a writer has to sort.
-FlatTile cells_to_be_sorted() {
+Tile cells_to_be_sorted() {
     return {kSquare,
-            TileKind::kCells,
+            MeshKind::kVoronoi,
             {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0.5, 1.5}, {0, 1}},
             {0, 5, 8, 12},
             {0, 1, 6, 7, 8, 1, 2, 6, 2, 3, 4, 5},
@@ -66,7 +66,7 @@ FlatTile cells_to_be_sorted() {
 
 TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const FlatTile& tile :
+        for (const Tile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
               testing::triangle_grid_tile(lattice, 2, 5),
               testing::grain_grid_tile(lattice, 2, 5)}) {
@@ -115,7 +115,7 @@ TEST(Obj, PlainObjOfOtherProgramsIsRead) {
         "v 0 0 -0.0 1 0.5 0\r\nv\t1 0 0\r\nv 1 1 0 # corner\r\nv 0 1 0\r\ng x\r\ns off\r\n"
         "usemtl m\r\nf 1 2/1 3//1\r\nf -4/1/1 -2 4",
         Lattice({2, 0}, {0, 3}));
-    EXPECT_EQ(file.tile.kind, TileKind::kTriangles);
+    EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
     EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
     EXPECT_EQ(file.tile.lattice.b(), Vec2(0, 3));
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
@@ -200,7 +200,7 @@ TEST(Obj, TheSidecarMustAgreeWithTheComments) {
 }
 
 TEST(Obj, TheSidecarGivesTheSeamWhereTheCommentsAreLost) {
-    const FlatTile tile = testing::grid_tile(kSquare, 2, 3);
+    const Tile tile = testing::grid_tile(kSquare, 2, 3);
     auto files = encode_obj(tile, "t.obj");
     std::string bare;
     for (std::size_t at = files[0].bytes.find("\nv "); at < files[0].bytes.size(); ++at) {
@@ -238,7 +238,7 @@ TEST(Obj, FaultsOfTheSidecarNameIt) {
 }
 
 TEST(Obj, CoordinatesThatAreNotFiniteAreOurFault) {
-    FlatTile tile = testing::grid_tile(kSquare, 1, 1);
+    Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[3].y() = std::numeric_limits<double>::infinity();
     EXPECT_THROW(encode_obj(tile, "t.obj"), InternalError);
 }

@@ -12,8 +12,8 @@
 #include "io/graphics/om_writer.hpp"
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/mutation.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -22,11 +22,11 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 /// The Voronoi cells or the Delaunay triangles of n random sites; the latter stand for grains, too.
-AnyTile tile_of(const Lattice& lattice, int n, TileKind kind) {
+OpenMeshTile tile_of(const Lattice& lattice, int n, MeshKind kind) {
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
-    const bool cells = kind == TileKind::kCells;
+    const bool cells = kind == MeshKind::kVoronoi;
     PeriodicMesh mesh = cells ? cell_mesh(delaunay) : triangle_mesh(delaunay);
-    if (kind == TileKind::kGrains) {
+    if (kind == MeshKind::kGrains) {
         mesh.kind = kind;
         mesh.site.resize(static_cast<std::size_t>(mesh.n_faces()), 3);
     }
@@ -42,15 +42,15 @@ std::string fault_of(const std::string& bytes) {
     return "";
 }
 
-std::string example(TileKind kind = TileKind::kCells) {
+std::string example(MeshKind kind = MeshKind::kVoronoi) {
     return encode_om(tile_of(Lattice({1, 0}, {0.37, 0.81}), 9, kind), "t.om")[0].bytes;
 }
 
 /// What OpenMesh itself makes of the bytes.
 template <class Mesh>
-FlatTile read_with_openmesh(const std::string& bytes, const Lattice& lattice) {
-    AnyTile any(std::in_place_type<Tile<Mesh>>, lattice);
-    auto& tile = std::get<Tile<Mesh>>(any);
+Tile read_with_openmesh(const std::string& bytes, const Lattice& lattice) {
+    OpenMeshTile any(std::in_place_type<OpenMeshTileOf<Mesh>>, lattice);
+    auto& tile = std::get<OpenMeshTileOf<Mesh>>(any);
     tile.mesh.property(tile.identification.lattice).clear();
     std::istringstream stream(bytes);
     OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
@@ -63,9 +63,9 @@ FlatTile read_with_openmesh(const std::string& bytes, const Lattice& lattice) {
 
 TEST(Om, TilesReadBackExactlyWithTheirSeam) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles, TileKind::kGrains}) {
+        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
             for (const int n : {1, 2, 40, 3000}) {
-                const AnyTile tile = tile_of(lattice, n, kind);
+                const OpenMeshTile tile = tile_of(lattice, n, kind);
                 const TileFile file = decode_om(encode_om(tile, "t.om"), std::nullopt);
                 testing::expect_same_tile(file.tile, flatten(tile));
                 EXPECT_TRUE(file.has_vertex_pairs && file.has_edge_pairs);
@@ -78,10 +78,10 @@ TEST(Om, TilesReadBackExactlyWithTheirSeam) {
 TEST(Om, OpenMeshReadsTheIdentificationBack) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     for (const int n : {1, 5, 300}) {
-        const AnyTile cells = tile_of(lattice, n, TileKind::kCells);
+        const OpenMeshTile cells = tile_of(lattice, n, MeshKind::kVoronoi);
         testing::expect_same_tile(
             read_with_openmesh<CellMesh>(encode_om(cells, "")[0].bytes, lattice), flatten(cells));
-        const AnyTile triangles = tile_of(lattice, n, TileKind::kTriangles);
+        const OpenMeshTile triangles = tile_of(lattice, n, MeshKind::kDelaunay);
         testing::expect_same_tile(
             read_with_openmesh<TriangleMesh>(encode_om(triangles, "")[0].bytes, lattice),
             flatten(triangles));
@@ -89,7 +89,7 @@ TEST(Om, OpenMeshReadsTheIdentificationBack) {
 }
 
 TEST(Om, TheSameTileGivesTheSameBytes) {
-    for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles}) {
+    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
         const std::string first = example(kind);
         std::vector<std::string> litter(100, std::string(1000, 'x'));
         litter.clear();
@@ -106,7 +106,7 @@ TEST(Om, NothingIsPrinted) {
 }
 
 TEST(Om, CoordinatesThatAreNotFiniteAreOurFault) {
-    AnyTile tile = tile_of(Lattice({1, 0}, {0, 1}), 4, TileKind::kCells);
+    OpenMeshTile tile = tile_of(Lattice({1, 0}, {0, 1}), 4, MeshKind::kVoronoi);
     std::get<CellTile>(tile).mesh.point(OpenMesh::VertexHandle(2))[1] = std::nan("");
     EXPECT_THROW(encode_om(tile, "t.om"), InternalError);
 }
@@ -139,7 +139,7 @@ TEST(Om, PartnersThatDoNotAnswerAreRefused) {
 TEST(Om, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(11);
     int n_refused = 0;
-    for (const TileKind kind : {TileKind::kCells, TileKind::kTriangles}) {
+    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
         const std::string bytes = example(kind);
         for (int k = 0; k < 4000; ++k) {
             const std::string fault = fault_of(testing::mutated(bytes, random));

@@ -5,9 +5,9 @@
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
 #include "tests/support/damaged_text.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -55,9 +55,9 @@ std::string fault_with(const std::string& piece, const std::string& other) {
 
 TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (FlatTile tile : {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
-                              testing::triangle_grid_tile(lattice, 2, 5),
-                              testing::grain_grid_tile(lattice, 2, 5)}) {
+        for (Tile tile : {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
+                          testing::triangle_grid_tile(lattice, 2, 5),
+                          testing::grain_grid_tile(lattice, 2, 5)}) {
             const auto files = encode_ply(tile, "dir/t.ply");
             ASSERT_EQ(files.size(), 1U);
             EXPECT_EQ(files[0].path, "dir/t.ply");
@@ -72,7 +72,7 @@ TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
 }
 
 TEST(Ply, ListsBecomeWiderOnlyForFacesThatNeedIt) {
-    FlatTile tile = testing::grid_tile(kSquare, 1, 1);
+    Tile tile = testing::grid_tile(kSquare, 1, 1);
     EXPECT_THAT(encode_ply(tile, "")[0].bytes, HasSubstr("property list uchar int vertex_indices"));
     tile.points.clear();
     tile.corners.clear();
@@ -96,7 +96,7 @@ TEST(Ply, PlainPlyOfOtherProgramsIsRead) {
         "property list uint8 uint32 vertex_index\r\nend_header\r\n"
         "2 0.5 1e3\r\n255 0 0 -0\r\n\r\n0 0 1 0\r\n0 2 0 0\r\n0.5 3 0 1 2",
         Lattice({2, 0}, {0, 3}));
-    EXPECT_EQ(file.tile.kind, TileKind::kTriangles);
+    EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
     EXPECT_EQ(file.tile.points[2], Vec2(0, 2));
     EXPECT_THAT(file.tile.corners, ElementsAre(0, 1, 2));
     EXPECT_EQ(file.precision, Precision::kSingle);
@@ -177,7 +177,7 @@ TEST(Ply, AThirdDimensionIsRefused) {
 }
 
 TEST(Ply, CoordinatesThatAreNotFiniteAreOurFault) {
-    FlatTile tile = testing::grid_tile(kSquare, 1, 1);
+    Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_ply(tile, "t.ply"), InternalError);
 }

@@ -4,7 +4,7 @@
 #include "io/mpas/mpas_reader.hpp"
 #include "io/mpas/mpas_writer.hpp"
 #include "io/tiles/tile_file.hpp"
-#include "mesher/finite_volume/c_grid_proof.hpp"
+#include "mesher/finite_volume/mpas_grid_proof.hpp"
 #include "tests/support/hexagons.hpp"
 #include "tests/support/mutation.hpp"
 
@@ -17,11 +17,11 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-CGrid example() { return c_grid(testing::hexagonal_cells(6, 4), Vec2(0, 0)); }
+MpasGrid example() { return mpas_grid(testing::hexagonal_cells(6, 4), Vec2(0, 0)); }
 
 std::string fault_of(const std::string& bytes) {
     try {
-        prove_c_grid(decode_mpas("t.nc", bytes));
+        prove_mpas_grid(decode_mpas("t.nc", bytes));
     } catch (const InvalidInput& fault) {
         return fault.what();
     }
@@ -29,8 +29,8 @@ std::string fault_of(const std::string& bytes) {
 }
 
 TEST(Mpas, EveryTableReadsBackExactly) {
-    const CGrid grid = example();
-    const CGrid read = decode_mpas("t.nc", encode_mpas(grid));
+    const MpasGrid grid = example();
+    const MpasGrid read = decode_mpas("t.nc", encode_mpas(grid));
     for (const MpasVariable& variable : mpas_variables()) {
         if (variable.indices != nullptr) {
             EXPECT_EQ(read.*variable.indices, grid.*variable.indices) << variable.name;

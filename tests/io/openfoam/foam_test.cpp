@@ -6,9 +6,9 @@
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "mesher/proof/validate.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -48,7 +48,7 @@ std::string fault_with(const std::string& name, const std::string& piece,
 
 TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const FlatTile& tile :
+        for (const Tile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
               testing::triangle_grid_tile(lattice, 2, 5)}) {
             const TileFile file = decode_foam(encode_foam(tile, "t.foam"), std::nullopt);
@@ -120,7 +120,7 @@ TEST(Foam, CommentsAndOneLineListsAreRead) {
 }
 
 TEST(Foam, CoordinatesThatAreNotFiniteAreOurFault) {
-    FlatTile tile = testing::grid_tile(Lattice::rectangle(1, 1), 1, 1);
+    Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_foam(tile, "t.foam"), InternalError);
 }

@@ -11,8 +11,8 @@
 #include "io/pictures/svg_canvas.hpp"
 #include "io/pictures/svg_writer.hpp"
 #include "io/tiles/palette.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -25,7 +25,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using testing::triangle_grid_tile;
 
-std::string svg(const FlatTile& tile) { return encode_svg(tile, "t.svg").at(0).bytes; }
+std::string svg(const Tile& tile) { return encode_svg(tile, "t.svg").at(0).bytes; }
 
 std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
     const std::regex regex(pattern);
@@ -60,7 +60,7 @@ std::vector<Vec2> path_points(const std::string& picture) {
 TEST(Svg, FitsTheCanvasAtAnyScaleAndAspect) {
     for (const Vec2& size : {Vec2(1, 1), Vec2(20, 1), Vec2(1, 20), Vec2(1e6, 1e6), Vec2(1e-3, 2e-3),
                              Vec2(1, 1000), Vec2(1e59, 1e59)}) {
-        for (const FlatTile& tile :
+        for (const Tile& tile :
              {grid_tile(Lattice::rectangle(size.x(), size.y()), 3, 2),
               triangle_grid_tile(Lattice::rectangle(size.x(), size.y()), 3, 2)}) {
             const std::string picture = svg(tile);
@@ -78,7 +78,7 @@ TEST(Svg, FitsTheCanvasAtAnyScaleAndAspect) {
 }
 
 TEST(Svg, UpIsUp) {
-    FlatTile tile = grid_tile(Lattice::rectangle(1, 1), 1, 1);
+    Tile tile = grid_tile(Lattice::rectangle(1, 1), 1, 1);
     const std::vector<Vec2> points = path_points(svg(tile));
     ASSERT_EQ(tile.points[tile.corners[0]], Vec2(0, 0));
     ASSERT_EQ(tile.points[tile.corners[2]], Vec2(1, 1));
@@ -95,7 +95,7 @@ TEST(Svg, CellsHaveTheColourOfTheirSides) {
 }
 
 TEST(Svg, GrainsHaveABoundaryBetweenSites) {
-    FlatTile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 3, 2);
+    Tile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 3, 2);
     tile.whole_sides.assign(std::size_t(tile.n_faces()), 5);
     const std::string picture = svg(tile);
     EXPECT_THAT(picture, HasSubstr("<title>Periodic grains, 12 triangles</title>"));
@@ -107,7 +107,7 @@ TEST(Svg, GrainsHaveABoundaryBetweenSites) {
 }
 
 TEST(Svg, PiecesWithoutTheirSiteHaveNoDot) {
-    FlatTile tile = grid_tile(Lattice::rectangle(1, 1), 2, 1);
+    Tile tile = grid_tile(Lattice::rectangle(1, 1), 2, 1);
     tile.site_points = {{0.25, 0.5}, {0.25, 0.5}};
     const std::size_t both = path_points(svg(tile)).size();
     tile.whole_sides = {4, 4};
@@ -115,7 +115,7 @@ TEST(Svg, PiecesWithoutTheirSiteHaveNoDot) {
 }
 
 TEST(Svg, TheSeamOfEachTranslationHasOneColour) {
-    FlatTile tile = grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
+    Tile tile = grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
     for (std::size_t k = 0; k < tile.edge_pairs.size(); k += 2) {
         const EdgePair pair = tile.edge_pairs[k];
         tile.edge_pairs[k] = {pair.w1, pair.w0, pair.v1, pair.v0, -pair.offset};
@@ -135,7 +135,7 @@ TEST(Svg, MarksTheSitesThatAreNotRegular) {
     const std::string regular = svg(triangle_grid_tile(Lattice::rectangle(1, 1), 3, 2));
     EXPECT_THAT(regular, HasSubstr("valence 6: 6<"));
     EXPECT_THAT(regular, Not(HasSubstr("stroke=\"" + hex(side_colour(6)))));
-    FlatTile tile = triangle_grid_tile(Lattice::rectangle(1, 1), 3, 3);
+    Tile tile = triangle_grid_tile(Lattice::rectangle(1, 1), 3, 3);
     // The other diagonal of the first square.
     tile.corners[2] = 4;
     tile.corners[3] = 1;
@@ -174,8 +174,8 @@ TEST(Svg, NumbersArePlainDecimals) {
 }
 
 /// A grid whose columns become wider to the right, by the ratio 1:3.
-FlatTile graded_tile() {
-    FlatTile tile = grid_tile(Lattice::rectangle(1, 1), 8, 8);
+Tile graded_tile() {
+    Tile tile = grid_tile(Lattice::rectangle(1, 1), 8, 8);
     for (Vec2& p : tile.points) p.x() = (p.x() + p.x() * p.x()) / 2;
     return tile;
 }

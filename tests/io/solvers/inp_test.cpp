@@ -5,10 +5,10 @@
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
 #include "tests/support/damaged_text.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/solver_tiles.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -38,7 +38,7 @@ std::string fault_with(const std::string& piece, const std::string& other) {
 TEST(Inp, TilesReadBackExactlyWithTheirVertexPairs) {
     const std::vector<Lattice> fitting = {Lattice({1, 0}, {0, 1}), Lattice({2, 0}, {0.25, 0.875}),
                                           Lattice({0, 1}, {1, 0})};
-    for (const FlatTile& tile : testing::solver_tiles(fitting)) {
+    for (const Tile& tile : testing::solver_tiles(fitting)) {
         const auto files = encode_inp(tile, "dir/t.inp");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.inp");
@@ -61,7 +61,7 @@ TEST(Inp, EachTiedNodeHasOneEquationOfEachDirection) {
 
 TEST(Inp, ALineHoldsAtMostEightIdsAndANumberTwentyCharacters) {
     const Lattice lattice({1, 0}, {1.0 / 3, 2.0 / 3});
-    FlatTile tile = testing::triangle_grid_tile(lattice, 30, 30);
+    Tile tile = testing::triangle_grid_tile(lattice, 30, 30);
     const std::string text = encode_inp(tile, "t.inp")[0].bytes;
     std::size_t n_fields = 0;
     std::size_t length = 0;
@@ -77,7 +77,7 @@ TEST(Inp, ALineHoldsAtMostEightIdsAndANumberTwentyCharacters) {
 
 TEST(Inp, NumbersThatTwentyCharactersDoNotHoldAreRefusedOrRoundedInvisibly) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
-        const FlatTile tile = testing::triangle_grid_tile(lattice, 7, 7);
+        const Tile tile = testing::triangle_grid_tile(lattice, 7, 7);
         if (lattice.a().norm() < 0.1) {
             EXPECT_THROW(encode_inp(tile, "t.inp"), InvalidInput);
             continue;
@@ -166,7 +166,7 @@ TEST(Inp, AWrongTranslationIsRefuted) {
 
 TEST(Inp, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
-    for (const FlatTile& tile : testing::solver_tiles({kSquare})) {
+    for (const Tile& tile : testing::solver_tiles({kSquare})) {
         const std::string bytes = encode_inp(tile, "t.inp")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {

@@ -5,10 +5,10 @@
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
 #include "tests/support/damaged_text.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/solver_tiles.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -37,7 +37,7 @@ std::string fault_with(const std::string& piece, const std::string& other) {
 }
 
 TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
-    for (const FlatTile& tile : testing::solver_tiles(testing::awkward_lattices())) {
+    for (const Tile& tile : testing::solver_tiles(testing::awkward_lattices())) {
         const auto files = encode_msh(tile, "dir/t.msh");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.msh");
@@ -80,7 +80,7 @@ TEST(Msh, MeshesOfOtherProgramsAreRead) {
         "$Elements\n2 3 1 9\n0 1 15 1\n1 7\n2 1 2 2\n9 7 20 9\n4 7 9 40\n$EndElements\n"
         "$ElementData\n1\n\"stress\"\n1\n0\n3\n0\n1\n1\n9 0.5\n$EndElementData\n",
         kSquare);
-    EXPECT_EQ(file.tile.kind, TileKind::kTriangles);
+    EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
     EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 3, 0, 2, 1));
     EXPECT_EQ(file.tile.points[2], Vec2(1, 0));
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
@@ -137,14 +137,14 @@ TEST(Msh, ALineThatIsNoSeamIsRefuted) {
 }
 
 TEST(Msh, CoordinatesThatAreNotFiniteAreOurFault) {
-    FlatTile tile = testing::triangle_grid_tile(kSquare, 1, 1);
+    Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_msh(tile, "t.msh"), InternalError);
 }
 
 TEST(Msh, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
-    for (const FlatTile& tile : testing::solver_tiles({kSquare})) {
+    for (const Tile& tile : testing::solver_tiles({kSquare})) {
         const std::string bytes = encode_msh(tile, "t.msh")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {

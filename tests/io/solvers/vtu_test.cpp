@@ -5,10 +5,10 @@
 #include "io/solvers/vtu_reader.hpp"
 #include "io/solvers/vtu_writer.hpp"
 #include "tests/support/damaged_text.hpp"
-#include "tests/support/flat_tile_equality.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/solver_tiles.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
@@ -34,12 +34,12 @@ std::string fault_with(const std::string& piece, const std::string& other) {
 }
 
 TEST(Vtu, TilesReadBackExactlyWithTheirVertexPairs) {
-    std::vector<FlatTile> tiles = testing::solver_tiles(testing::awkward_lattices());
+    std::vector<Tile> tiles = testing::solver_tiles(testing::awkward_lattices());
     for (const Lattice& lattice : testing::awkward_lattices()) {
         tiles.push_back(testing::grid_tile(lattice, 3, 2));
         tiles.push_back(testing::grid_tile(lattice, 1, 1));
     }
-    for (const FlatTile& tile : tiles) {
+    for (const Tile& tile : tiles) {
         const auto files = encode_vtu(tile, "dir/t.vtu");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.vtu");
@@ -50,8 +50,8 @@ TEST(Vtu, TilesReadBackExactlyWithTheirVertexPairs) {
 }
 
 TEST(Vtu, CellsThatAreTrianglesStayPolygons) {
-    FlatTile tile = testing::triangle_grid_tile(kSquare, 2, 2);
-    tile.kind = TileKind::kCells;
+    Tile tile = testing::triangle_grid_tile(kSquare, 2, 2);
+    tile.kind = MeshKind::kVoronoi;
     tile.vertex_site.clear();
     for (int f = 0; f < tile.n_faces(); ++f) tile.face_site.push_back(f);
     testing::expect_read_back(decode_vtu(encode_vtu(tile, "t.vtu"), {}), tile);
@@ -69,7 +69,7 @@ TEST(Vtu, GridsOfOtherProgramsAreRead) {
         "Name=\"offsets\">3 6</DataArray><DataArray type=\"UInt8\" Name=\"types\">5 5</DataArray>"
         "</Cells></Piece></UnstructuredGrid></VTKFile>\n",
         kSquare);
-    EXPECT_EQ(file.tile.kind, TileKind::kTriangles);
+    EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
     EXPECT_EQ(file.precision, Precision::kSingle);
     EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
     EXPECT_FALSE(file.has_vertex_pairs);
@@ -133,16 +133,16 @@ TEST(Vtu, AWrongPairIsRefuted) {
 }
 
 TEST(Vtu, CoordinatesThatAreNotFiniteAreOurFault) {
-    FlatTile tile = testing::grid_tile(kSquare, 1, 1);
+    Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_vtu(tile, "t.vtu"), InternalError);
 }
 
 TEST(Vtu, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
-    std::vector<FlatTile> tiles = testing::solver_tiles({kSquare});
+    std::vector<Tile> tiles = testing::solver_tiles({kSquare});
     tiles.push_back(testing::grid_tile(kSquare, 2, 2));
-    for (const FlatTile& tile : tiles) {
+    for (const Tile& tile : tiles) {
         const std::string bytes = encode_vtu(tile, "t.vtu")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {

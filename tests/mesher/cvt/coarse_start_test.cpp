@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mesher/density/density_survey.hpp"
-#include "mesher/mesh/quality.hpp"
+#include "mesher/mesh/valence.hpp"
 #include "tests/support/densities.hpp"
 
 namespace pcvt {

@@ -9,7 +9,7 @@
 namespace pcvt {
 namespace {
 
-constexpr Frame kOblique{1.5, 0.4, 1.2};
+constexpr ReducedFrame kOblique{1.5, 0.4, 1.2};
 constexpr SiteId kSites = 100;
 
 /// In [-1, 2), multiples of 2^-51.

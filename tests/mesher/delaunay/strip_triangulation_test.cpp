@@ -18,8 +18,8 @@ using Wide = boost::multiprecision::int128_t;
 using testing::lattices;
 using testing::random_lattice;
 
-Columns columns_of(const Sites& sites) {
-    return sort_into_columns(sites.coordinates(), gram_of(sites.reduction().reduced));
+SpatialSort columns_of(const Sites& sites) {
+    return spatial_sort(sites.coordinates(), gram_of(sites.reduction().reduced));
 }
 
 std::optional<TorusTriangulation> strips_of(const Sites& sites) {

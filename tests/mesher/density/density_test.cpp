@@ -22,7 +22,7 @@ std::string refusal(double value) {
     });
     const std::array points{probe.point(0.25, 0), probe.point(0.5, 0.25), probe.point(0.75, 0)};
     try {
-        probe.ask(points);
+        probe.evaluate(points);
     } catch (const BadDensity& error) {
         return error.what();
     }
@@ -64,14 +64,14 @@ TEST(Density, IsOnlyAskedBelowOne) {
         return 1.0;
     });
     const std::array points{probe.point(1, 1), probe.point(0, 1), probe.point(0.3, 0.6)};
-    probe.ask(points);
+    probe.evaluate(points);
 }
 
 TEST(Density, RangeTellsExtremesAndCountSinceTheLastQuestion) {
     DensityProbe probe =
         probe_of(Lattice::rectangle(1, 1), [](const DensityPoint& p) { return 1 + p.u; });
     const std::array points{probe.point(0.5, 0), probe.point(0.25, 0), probe.point(0.75, 0)};
-    probe.ask(points);
+    probe.evaluate(points);
     const DensityRange range = probe.take_range();
     EXPECT_EQ(range.least, 1.25);
     EXPECT_EQ(range.greatest, 1.75);
@@ -87,11 +87,12 @@ TEST(Density, FunctionsAreMadeOncePerProbeAndLentAgain) {
     }};
     DensityProbes probes(Lattice::rectangle(1, 1), density);
     for (int k = 0; k < 3; ++k) {
-        probes.lend([](DensityProbe& probe) { probe.ask(std::array{probe.point(0, 0)}); });
+        probes.with_probe(
+            [](DensityProbe& probe) { probe.evaluate(std::array{probe.point(0, 0)}); });
     }
     EXPECT_EQ(n_made, 1);
     EXPECT_EQ(probes.range().n_evaluations, 3);
-    probes.lend([&](DensityProbe&) { probes.lend([](DensityProbe&) {}); });
+    probes.with_probe([&](DensityProbe&) { probes.with_probe([](DensityProbe&) {}); });
     EXPECT_EQ(n_made, 2);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using testing::lattices;
 
-Frame frame_of(const Lattice& lattice) {
+ReducedFrame frame_of(const Lattice& lattice) {
     return MovingDelaunay(Sites(lattice, uniform_points(lattice, 1, 0))).frame();
 }
 
@@ -57,7 +57,7 @@ std::vector<Corners> random_triangles(int n, std::uint64_t seed) {
 }
 
 /// Relative to the sums of absolute values.
-void expect_terms(const TriangleTerms& actual, const Corners& corners, const Frame& frame,
+void expect_terms(const TriangleTerms& actual, const Corners& corners, const ReducedFrame& frame,
                   double tolerance) {
     const testing::WideTerms expected = testing::wide_terms(corners.p, corners.q, frame);
     ASSERT_NEAR(actual.value, expected.value, tolerance * expected.value_size);
@@ -71,7 +71,7 @@ void expect_terms(const TriangleTerms& actual, const Corners& corners, const Fra
 TEST(TriangleTerms, AreTheIntegralsOverTheRightAngledParts) {
     for (const auto& [name, lattice] : lattices()) {
         SCOPED_TRACE(name);
-        const Frame frame = frame_of(lattice);
+        const ReducedFrame frame = frame_of(lattice);
         for (const Corners& c : random_triangles(150, 1)) {
             const double cross = detail::cross(c.p, c.q);
             const double thinness = detail::cross_bound(c.p, c.q) / cross;
@@ -81,14 +81,15 @@ TEST(TriangleTerms, AreTheIntegralsOverTheRightAngledParts) {
 }
 
 /// The vector of the plane in coordinates of the reduced basis.
-Vec2 to_lattice(const Frame& frame, const Vec2& d) {
+Vec2 to_lattice(const ReducedFrame& frame, const Vec2& d) {
     const double v = d.y() / frame.by;
     return snapped({(d.x() - frame.bx * v) / frame.ax, v});
 }
 
 /// Triangles with a side from corner 0 to 1 and another one that leaves corner 0 at `angle` from
 /// it, `near` times as long; the corners turned by `first`.
-Corners corners_at_angle(const Frame& frame, const Vec2& p, double angle, double near, int first) {
+Corners corners_at_angle(const ReducedFrame& frame, const Vec2& p, double angle, double near,
+                         int first) {
     const Vec2 side = frame.to_plane(p);
     const Vec2 q = to_lattice(frame, near * (Eigen::Rotation2Dd(angle) * side));
     const std::array<Corners, 3> turned{Corners{p, q}, Corners{q - p, -p}, Corners{-q, p - q}};
@@ -101,7 +102,7 @@ TEST(TriangleTerms, OfNeedlesKeepThirteenDigits) {
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (const auto& [name, lattice] : lattices()) {
         SCOPED_TRACE(name);
-        const Frame frame = frame_of(lattice);
+        const ReducedFrame frame = frame_of(lattice);
         for (int k = 0; k < 200; ++k) {
             const Vec2 p = snapped({uniform(random), uniform(random)});
             const double angle = M_PI_2 * (1 + 0.8 * uniform(random));
@@ -112,7 +113,7 @@ TEST(TriangleTerms, OfNeedlesKeepThirteenDigits) {
 }
 
 TEST(TriangleTerms, KnowTheSteepestCotangent) {
-    const Frame frame = frame_of(Lattice::rectangle(1, 1));
+    const ReducedFrame frame = frame_of(Lattice::rectangle(1, 1));
     EXPECT_NEAR(triangle_terms({0.5, 0}, {0, 0.125}, frame).steepest, 4, 1e-15);
     EXPECT_NEAR(triangle_terms({0.5, 0}, {-0.5, 0.0625}, frame).steepest, 16, 4);
 }
@@ -129,7 +130,7 @@ TriangleTerms terms_of(const TriangleBlock& b, int k) {
 using Check = std::function<void(const TriangleBlock& block, int k, const Corners& corners)>;
 
 /// Computes triangles block by block and has each of them checked.
-void for_blocks(const std::vector<Corners>& list, const Frame& frame, const Check& check) {
+void for_blocks(const std::vector<Corners>& list, const ReducedFrame& frame, const Check& check) {
     TriangleBlock block;
     for (std::size_t first = 0; first + TriangleBlock::kSize <= list.size();
          first += TriangleBlock::kSize) {
@@ -149,7 +150,7 @@ void for_blocks(const std::vector<Corners>& list, const Frame& frame, const Chec
 TEST(TriangleBlock, EqualsTheTermsOfOneTriangle) {
     for (const auto& [name, lattice] : lattices()) {
         SCOPED_TRACE(name);
-        const Frame frame = frame_of(lattice);
+        const ReducedFrame frame = frame_of(lattice);
         int n_thick = 0;
         for_blocks(random_triangles(256, 3), frame,
                    [&](const auto& block, int k, const Corners& c) {
@@ -162,7 +163,7 @@ TEST(TriangleBlock, EqualsTheTermsOfOneTriangle) {
 }
 
 TEST(TriangleBlock, KnowsTheCosines) {
-    const Frame frame = frame_of(Lattice({1, 0}, {0.37, 0.81}));
+    const ReducedFrame frame = frame_of(Lattice({1, 0}, {0.37, 0.81}));
     for_blocks(random_triangles(640, 4), frame, [&](const auto& block, int k, const Corners& c) {
         const Vec2 p = frame.to_plane(c.p);
         const Vec2 q = frame.to_plane(c.q);
@@ -187,7 +188,7 @@ std::vector<Corners> flat_triangles(int n) {
 }
 
 TEST(TriangleBlock, NeverTakesAThinOrInvertedTriangleForAThickOne) {
-    const Frame frame = frame_of(Lattice::rectangle(1, 1));
+    const ReducedFrame frame = frame_of(Lattice::rectangle(1, 1));
     std::vector<Corners> list = flat_triangles(64 * 50);
     for (Corners c : random_triangles(640, 6)) {
         list.push_back({c.q, c.p});
@@ -211,7 +212,7 @@ bool exactly_acute(const Gram& gram, const Image& p, const Image& q, const Image
 }
 
 /// Right angles but for rounding, at any corner, with legs of any ratio.
-std::vector<Corners> right_triangles(const Frame& frame, int n) {
+std::vector<Corners> right_triangles(const ReducedFrame& frame, int n) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> uniform(-1, 1);
     std::vector<Corners> list;
@@ -228,7 +229,7 @@ TEST(TriangleBlock, NeverTakesAnAngleForAcuteThatIsNot) {
     int n_not_acute = 0;
     for (const auto& [name, lattice] : lattices()) {
         SCOPED_TRACE(name);
-        const Frame frame = frame_of(lattice);
+        const ReducedFrame frame = frame_of(lattice);
         const Gram gram = gram_of(reduce(lattice).reduced);
         const auto check = [&](const auto& block, int k, const Corners& c) {
             const auto [p, q, r] = images(c);
@@ -245,7 +246,7 @@ TEST(TriangleBlock, NeverTakesAnAngleForAcuteThatIsNot) {
 
 TEST(TriangleBlock, SeesThatNearlyRegularTrianglesAreAcute) {
     for (const auto& [name, lattice] : lattices()) {
-        const Frame frame = frame_of(lattice);
+        const ReducedFrame frame = frame_of(lattice);
         std::vector<Corners> list;
         for (int k = 0; k < TriangleBlock::kSize; ++k) {
             const double angle = (50 + k % 30) * M_PI / 180;

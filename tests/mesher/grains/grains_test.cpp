@@ -18,7 +18,7 @@
 #include "mesher/mesh/short_edges.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/proof/validate.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/tile/openmesh_tile.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/nearest_site.hpp"
 #include "tests/support/special_sites.hpp"
@@ -43,7 +43,7 @@ PeriodicMesh optimised_cells(const Lattice& lattice, int n, std::uint64_t seed) 
     CvtOptions options;
     options.tolerance = 1e-3;
     const CvtResult result = compute_cvt(lattice, uniform_points(lattice, n, seed), options);
-    const PeriodicMesh cells = periodic_mesh(result, TileKind::kCells);
+    const PeriodicMesh cells = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
     return without_short_edges(cells, kShortGrainEdge * spacing(cells));
 }
 
@@ -68,7 +68,7 @@ void expect_torus(const PeriodicMesh& cells, const std::vector<Offset>& placemen
         area[f] += polygon_area({p, q, r});
         ASSERT_EQ(grains.triangles.site[t], cells.site[f]);
     }
-    const FlatTile flat = flatten(make_tile(grains.triangles, at));
+    const Tile flat = flatten(make_tile(grains.triangles, at));
     const TileProof proof = prove_tile(flat, Precision::kDouble);
     compare_vertex_pairs(flat, proof);
     compare_edge_pairs(flat, proof);

@@ -11,7 +11,7 @@
 #include "mesher/mesh/short_edges.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/proof/validate.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/tile/openmesh_tile.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
 
@@ -20,7 +20,7 @@ namespace {
 
 using testing::lattices;
 
-FlatTile box_tile(const PeriodicMesh& pieces) {
+Tile box_tile(const PeriodicMesh& pieces) {
     return flatten(make_tile(pieces, std::vector<Offset>(std::size_t(pieces.n_faces()))));
 }
 
@@ -34,7 +34,7 @@ Polygon face(const PeriodicMesh& mesh, int f) {
 
 /// Law 1: by the proof behind `pcvt check`, and each corner within the box.
 void expect_box(const PeriodicMesh& pieces, const Vec2& origin) {
-    const FlatTile flat = box_tile(pieces);
+    const Tile flat = box_tile(pieces);
     const TileProof proof = prove_tile(flat, Precision::kDouble);
     compare_vertex_pairs(flat, proof);
     compare_edge_pairs(flat, proof);
@@ -124,7 +124,7 @@ TEST(BoxOutline, CutsCellsThatAreNotConvex) {
 TEST(BoxOutline, CutsACellAtACornerThatOnlyTouches) {
     PeriodicMesh cell{
         Lattice::rectangle(1, 1),
-        TileKind::kCells,
+        MeshKind::kVoronoi,
         {{0, 0}, {0.25, 0.2}, {0.5, 0}, {0.75, 0.4}},
         {0, 10},
         {0, 1, 2, 3, 0, 0, 3, 2, 1, 0},
@@ -158,7 +158,7 @@ TEST(BoxOutline, OppositeSidesHaveTheSameVertices) {
     const Lattice lattice({1, 0}, {0.3, 0.9});
     const PeriodicMesh cells =
         cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, 50, 2))));
-    const FlatTile flat = box_tile(cut_along_box(cells, {0.1, 0.2}).pieces);
+    const Tile flat = box_tile(cut_along_box(cells, {0.1, 0.2}).pieces);
     std::set<std::pair<double, double>> points;
     for (const Vec2& p : flat.points) points.emplace(p.x(), p.y());
     int n_lower = 0;

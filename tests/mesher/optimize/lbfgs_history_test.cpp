@@ -85,19 +85,21 @@ class Walk {
     }
 
     VectorXd direction() { return history.direction().cast<double>(); }
-    LbfgsHistory::Direction aim() {
+    LbfgsHistory::Direction compute_direction() {
         if (history.empty()) history.direction() = (-0.1 * gradient).cast<float>();
-        return history.aim();
+        return history.compute_direction();
     }
-    void look_at(const VectorXd& there) { history.look(with_gradient(quadratic.gradient(there))); }
+    void look_at(const VectorXd& there) {
+        history.directional_derivative(with_gradient(quadratic.gradient(there)));
+    }
     /// Goes t times the direction; returns the slope there.
     double go(double t) {
         const VectorXd there = x + t * direction();
         const VectorXd gradient_there = quadratic.gradient(there);
         step = there - x;
         change = gradient_there - gradient;
-        const double slope = history.look(with_gradient(gradient_there));
-        history.add(t);
+        const double slope = history.directional_derivative(with_gradient(gradient_there));
+        history.append_pair(t);
         x = there;
         gradient = gradient_there;
         return slope;
@@ -126,7 +128,7 @@ TEST(LbfgsHistory, AimsAsTheTwoLoopRecursionDoes) {
         Walk walk(n, 1, workers);
         TwinHistory twin(LbfgsHistory::kPairs);
         for (int k = 0; k < std::min<Eigen::Index>(n, 20); ++k) {
-            const auto [slope, largest_move] = walk.aim();
+            const auto [slope, largest_move] = walk.compute_direction();
             const VectorXd d = walk.direction();
             if (k > 0) {
                 const VectorXd expected = twin.direction(walk.gradient);
@@ -160,7 +162,7 @@ TEST(LbfgsHistory, PreconditionsAsScaledVariablesDo) {
     history.direction() = -here.preconditioned;
     VectorXd x = VectorXd::Zero(kNumbers);
     for (int k = 0; k < 12; ++k) {
-        history.aim();
+        history.compute_direction();
         const VectorXd step = step_length(k) * history.direction().cast<double>();
         if (k > 0) {
             const VectorXd scaled = twin.direction(here.gradient.cwiseQuotient(scale));
@@ -168,8 +170,8 @@ TEST(LbfgsHistory, PreconditionsAsScaledVariablesDo) {
             EXPECT_LT((step - expected).norm(), kRounding * expected.norm()) << k;
         }
         const Evaluation there = evaluate(x + step);
-        history.look(there);
-        history.add(step_length(k));
+        history.directional_derivative(there);
+        history.append_pair(step_length(k));
         twin.add(step.cwiseProduct(scale), (there.gradient - here.gradient).cwiseQuotient(scale));
         x += step;
         here = there;
@@ -184,7 +186,7 @@ TEST(LbfgsHistory, RemembersFivePairs) {
     TwinHistory longer(6);
     TwinHistory shorter(4);
     for (int k = 0; k < 12; ++k) {
-        walk.aim();
+        walk.compute_direction();
         if (k > 7) {
             const VectorXd d = walk.direction();
             EXPECT_GT((d - longer.direction(walk.gradient)).norm(), 2 * kRounding * d.norm());
@@ -202,8 +204,8 @@ TEST(LbfgsHistory, ForgetsTrialsThatWereNotTaken) {
     Walk straight(60, 3, workers);
     Walk hesitant(60, 3, workers);
     for (int k = 0; k < 10; ++k) {
-        straight.aim();
-        hesitant.aim();
+        straight.compute_direction();
+        hesitant.compute_direction();
         for (const double t : {3.0, 0.01}) {
             const VectorXd there = hesitant.x + t * hesitant.direction();
             hesitant.look_at(there);
@@ -217,13 +219,13 @@ TEST(LbfgsHistory, NegativeCurvatureClearsIt) {
     Workers workers(1);
     Walk walk(20, 4, workers);
     for (int k = 0; k < 3; ++k) {
-        walk.aim();
+        walk.compute_direction();
         walk.go(1);
     }
     ASSERT_FALSE(walk.history.empty());
-    walk.aim();
-    walk.history.look(with_gradient(walk.gradient - walk.direction()));
-    walk.history.add(1);
+    walk.compute_direction();
+    walk.history.directional_derivative(with_gradient(walk.gradient - walk.direction()));
+    walk.history.append_pair(1);
     EXPECT_TRUE(walk.history.empty());
 }
 
@@ -236,9 +238,9 @@ TEST(LbfgsHistory, ForgetsAllPairsWhereTheSlopeChangesByLessThanAThousandth) {
             const VectorXd gradient = -length * VectorXd::Unit(kVariables, 0);
             history.begin(with_gradient(gradient));
             history.direction() = -gradient.cast<float>();
-            history.aim();
-            history.look(with_gradient((1 - part) * gradient));
-            history.add(0.5);
+            history.compute_direction();
+            history.directional_derivative(with_gradient((1 - part) * gradient));
+            history.append_pair(0.5);
             EXPECT_EQ(history.empty(), part < 1e-3) << length << " " << part;
         }
     }
@@ -248,14 +250,14 @@ TEST(LbfgsHistory, ForgetsAllPairsWhereItBeginsAnew) {
     Workers workers(1);
     Walk walk(60, 5, workers);
     for (int k = 0; k < 9; ++k) {
-        walk.aim();
+        walk.compute_direction();
         walk.go(step_length(k));
     }
     walk.history.begin(with_gradient(walk.gradient));
     EXPECT_TRUE(walk.history.empty());
     TwinHistory twin(LbfgsHistory::kPairs);
     for (int k = 0; k < 9; ++k) {
-        walk.aim();
+        walk.compute_direction();
         const VectorXd d = walk.direction();
         if (k > 0) {
             EXPECT_LT((d - twin.direction(walk.gradient)).norm(), kRounding * d.norm());
@@ -273,7 +275,7 @@ TEST(LbfgsHistory, GivesTheSameBitsForAnyNumberOfWorkers) {
         Walk walk(200000, 6, workers);
         double slope = 0;
         for (int k = 0; k < 9; ++k) {
-            walk.aim();
+            walk.compute_direction();
             slope = walk.go(step_length(k));
         }
         reached.push_back(walk.x);

@@ -15,7 +15,7 @@ using testing::triangle_grid_tile;
 const Lattice kUnit = Lattice::rectangle(1, 1);
 
 /// The reason why the stored pairs are refused; empty if they are right.
-std::string refusal(const FlatTile& tile) {
+std::string refusal(const Tile& tile) {
     const TileProof proof = prove_tile(tile, Precision::kDouble);
     try {
         compare_vertex_pairs(tile, proof);
@@ -27,7 +27,7 @@ std::string refusal(const FlatTile& tile) {
 }
 
 TEST(StoredPairs, WrongOnesAreNamed) {
-    FlatTile tile = grid_tile(kUnit, 3, 2);
+    Tile tile = grid_tile(kUnit, 3, 2);
     tile.vertex_pairs[2].offset = {1, 1};
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("vertex pair 2"), HasSubstr("the offset is (")));
     tile.vertex_pairs[2].w = 5;
@@ -42,14 +42,14 @@ TEST(StoredPairs, WrongOnesAreNamed) {
 }
 
 TEST(StoredPairs, EachOneIsNeeded) {
-    const FlatTile whole = triangle_grid_tile(Lattice({1, 0}, {7, 1}), 3, 2);
+    const Tile whole = triangle_grid_tile(Lattice({1, 0}, {7, 1}), 3, 2);
     for (std::size_t k = 0; k < whole.vertex_pairs.size(); ++k) {
-        FlatTile tile = whole;
+        Tile tile = whole;
         tile.vertex_pairs.erase(tile.vertex_pairs.begin() + static_cast<int>(k));
         EXPECT_THAT(refusal(tile), HasSubstr("does not follow from the stored vertex pairs"));
     }
     for (std::size_t k = 0; k < whole.edge_pairs.size(); ++k) {
-        FlatTile tile = whole;
+        Tile tile = whole;
         tile.edge_pairs.erase(tile.edge_pairs.begin() + static_cast<int>(k));
         EXPECT_THAT(refusal(tile), HasSubstr("edge pairs lack"));
     }
@@ -57,7 +57,7 @@ TEST(StoredPairs, EachOneIsNeeded) {
 
 TEST(StoredPairs, AnyGeneratingSetWillDo) {
     // The four corners of a tile of one cell, as a chain instead of a star.
-    FlatTile tile = grid_tile(Lattice({1, 0}, {7, 1}), 1, 1);
+    Tile tile = grid_tile(Lattice({1, 0}, {7, 1}), 1, 1);
     tile.vertex_pairs = {{3, 2, {-1, 0}}, {1, 3, {0, 1}}, {2, 0, {0, -1}}, {0, 3, {1, 1}}};
     EXPECT_THAT(refusal(tile), IsEmpty());
     tile.vertex_pairs[1].offset = {1, 0};

@@ -24,7 +24,7 @@ using testing::triangle_grid_tile;
 const Lattice kUnit = Lattice::rectangle(1, 1);
 
 /// The reason why the tile is refused; empty if it is proved, with all that it stores.
-std::string refusal(const FlatTile& tile, Precision precision = Precision::kDouble) {
+std::string refusal(const Tile& tile, Precision precision = Precision::kDouble) {
     try {
         const TileProof proof = prove_tile(tile, precision);
         if (!tile.vertex_pairs.empty()) compare_vertex_pairs(tile, proof);
@@ -41,7 +41,7 @@ std::vector<Pair> sorted(std::vector<Pair> pairs) {
     return pairs;
 }
 
-void expect_proved(const FlatTile& tile, int n_vertices, int n_orbits) {
+void expect_proved(const Tile& tile, int n_vertices, int n_orbits) {
     const TileProof proof = prove_tile(tile, Precision::kDouble);
     EXPECT_EQ(proof.n_vertices, n_vertices);
     EXPECT_EQ(proof.n_orbits, n_orbits);
@@ -66,7 +66,7 @@ TEST(ProveTile, GridsOfAnyLatticeAreProvedWithTheirPairs) {
 
 TEST(ProveTile, TileFarFromTheOriginIsProved) {
     for (const Lattice& lattice : many_lattices()) {
-        FlatTile tile = grid_tile(lattice, 4, 3);
+        Tile tile = grid_tile(lattice, 4, 3);
         const Vec2 far = lattice.to_plane({1234.5678, -987.654});
         for (Vec2& p : tile.points) p += far;
         expect_proved(tile, 20, 12);
@@ -74,7 +74,7 @@ TEST(ProveTile, TileFarFromTheOriginIsProved) {
 }
 
 TEST(ProveTile, ToleranceIsFourUlpsOfTheLargestCoordinate) {
-    const FlatTile tile = grid_tile(Lattice::rectangle(3, 1), 2, 2);
+    const Tile tile = grid_tile(Lattice::rectangle(3, 1), 2, 2);
     EXPECT_EQ(prove_tile(tile, Precision::kDouble).tolerance, 4 * 0x1p-51);
     EXPECT_EQ(prove_tile(tile, Precision::kSingle).tolerance, 4 * 0x1p-22);
 }
@@ -91,13 +91,13 @@ TEST(ProveTile, OrderAndNamesDoNotMatter) {
 // Law (1)
 
 TEST(ProveTileFaces, NeedFiniteCoordinates) {
-    FlatTile tile = grid_tile(kUnit, 2, 2);
+    Tile tile = grid_tile(kUnit, 2, 2);
     tile.points[3].y() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (1)"), HasSubstr("vertex 3")));
 }
 
 TEST(ProveTileFaces, NeedThreeDistinctCornersThatExist) {
-    FlatTile tile = grid_tile(kUnit, 2, 2);
+    Tile tile = grid_tile(kUnit, 2, 2);
     tile.corners[1] = tile.corners[0];
     EXPECT_THAT(refusal(tile),
                 AllOf(HasSubstr("law (1)"), HasSubstr("face 0"), HasSubstr("twice")));
@@ -117,7 +117,7 @@ TEST(ProveTileFaces, NeedThreeDistinctCornersThatExist) {
 
 TEST(ProveTileFaces, MeetNoVertexTwice) {
     // Face 1 of a pair of squares goes to a corner of face 0 and back.
-    FlatTile tile = testing::polygon_tile(
+    Tile tile = testing::polygon_tile(
         Lattice::rectangle(2, 1),
         {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 0}, {1, 1}}});
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (1)"), HasSubstr("face 1 meets vertex")));
@@ -125,25 +125,25 @@ TEST(ProveTileFaces, MeetNoVertexTwice) {
 
 TEST(ProveTileFaces, NeedPositiveArea) {
     // The vertex in the middle goes outside of face 3, but its edges stay matched.
-    FlatTile tile = grid_tile(Lattice::rectangle(2, 2), 2, 2);
+    Tile tile = grid_tile(Lattice::rectangle(2, 2), 2, 2);
     tile.points[4] = {2.7, 2.7};
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (1)"), HasSubstr("face 3"), HasSubstr("-0.7")));
 }
 
 TEST(ProveTileFaces, CrossNotThemselves) {
-    FlatTile tile = grid_tile(Lattice::rectangle(3, 3), 3, 3);
+    Tile tile = grid_tile(Lattice::rectangle(3, 3), 3, 3);
     tile.points[5] = {-0.5, 0.9};
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (1)"), HasSubstr("face 0 crosses itself")));
 }
 
 TEST(ProveTileFaces, VerticesOfOneTileMustNotCoincide) {
-    FlatTile tile = grid_tile(kUnit, 2, 2);
+    Tile tile = grid_tile(kUnit, 2, 2);
     tile.points[4] = tile.points[0] + Vec2(1e-16, 0);
     EXPECT_THAT(refusal(tile), HasSubstr("vertices 0 and 4 coincide: they lie 1e-16 apart"));
 }
 
 TEST(ProveTileFaces, CoordinatesMustNotSwallowThePeriod) {
-    FlatTile tile = grid_tile(kUnit, 2, 2);
+    Tile tile = grid_tile(kUnit, 2, 2);
     for (Vec2& p : tile.points) p.x() += 1e14;
     EXPECT_THAT(refusal(tile), HasSubstr("nearer to the origin"));
     tile = grid_tile(Lattice({1, 0}, {9e5, 1}), 2, 2);
@@ -154,7 +154,7 @@ TEST(ProveTileFaces, CoordinatesMustNotSwallowThePeriod) {
 // Law (2)
 
 TEST(ProveTileSeam, VertexTenTolerancesOffIsRefusedWithTheAmount) {
-    FlatTile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kUnit, 4, 4);
     const double moved = 10 * prove_tile(tile, Precision::kDouble).tolerance;
     tile.points[24].x() += moved;
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("no reversed partner"),
@@ -164,12 +164,12 @@ TEST(ProveTileSeam, VertexTenTolerancesOffIsRefusedWithTheAmount) {
 }
 
 TEST(ProveTileSeam, LatticeScaledByOneInABillionIsRefused) {
-    FlatTile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kUnit, 4, 4);
     tile.lattice = Lattice::rectangle(1 + 1e-9, 1 + 1e-9);
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("off by 1e-09")));
 }
 
-void erase_face(FlatTile& tile, int f) {
+void erase_face(Tile& tile, int f) {
     const auto begin = tile.corners.begin() + tile.face_begin[f];
     const int size = tile.face_size(f);
     tile.corners.erase(begin, begin + size);
@@ -179,19 +179,19 @@ void erase_face(FlatTile& tile, int f) {
 
 TEST(ProveTileSeam, MissingFaceIsRefusedInsideAndAtTheBoundary) {
     for (const int f : {1, 5}) {
-        FlatTile tile = grid_tile(kUnit, 4, 4);
+        Tile tile = grid_tile(kUnit, 4, 4);
         erase_face(tile, f);
         EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("no reversed partner")));
     }
 }
 
-void append_face(FlatTile& tile, const std::vector<int>& corners) {
+void append_face(Tile& tile, const std::vector<int>& corners) {
     tile.corners.insert(tile.corners.end(), corners.begin(), corners.end());
     tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
 }
 
 TEST(ProveTileSeam, DoubledFaceIsRefused) {
-    FlatTile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kUnit, 4, 4);
     append_face(tile, {tile.corners.begin() + 20, tile.corners.begin() + 24});
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("face 5"),
                                      HasSubstr("face 16"), HasSubstr("same direction")));
@@ -199,26 +199,26 @@ TEST(ProveTileSeam, DoubledFaceIsRefused) {
 
 TEST(ProveTileSeam, FaceOnItsImageIsRefused) {
     // The fifth column stands on the image of the first one.
-    FlatTile tile = grid_tile(Lattice::rectangle(5, 4), 5, 4);
+    Tile tile = grid_tile(Lattice::rectangle(5, 4), 5, 4);
     tile.lattice = Lattice::rectangle(4, 4);
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("images by (1, 0)")));
 }
 
 TEST(ProveTileSeam, TurnedFaceIsRefused) {
-    FlatTile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kUnit, 4, 4);
     std::reverse(tile.corners.begin() + 20, tile.corners.begin() + 24);
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("face 5")));
 }
 
 TEST(ProveTileSeam, SwappedCornersAreRefused) {
-    FlatTile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kUnit, 4, 4);
     std::swap(tile.corners[20], tile.corners[21]);
     EXPECT_THAT(refusal(tile), HasSubstr("law (2)"));
 }
 
 TEST(ProveTileSeam, EdgeSplitOnOneSideOnlyIsRefused) {
     for (const double height : {0.0, 0.25, 1.0}) {
-        FlatTile tile = grid_tile(kUnit, 1, 4);
+        Tile tile = grid_tile(kUnit, 1, 4);
         const auto corner = std::find_if(tile.corners.begin(), tile.corners.end(),
                                          [&](int v) { return tile.points[v] == Vec2(0, height); });
         tile.points.push_back({0.5, height});
@@ -232,7 +232,7 @@ TEST(ProveTileSeam, EdgeSplitOnOneSideOnlyIsRefused) {
 }
 
 TEST(ProveTileSeam, HoleWithoutPartnersIsRefused) {
-    FlatTile tile = grid_tile(Lattice::rectangle(3, 3), 3, 3);
+    Tile tile = grid_tile(Lattice::rectangle(3, 3), 3, 3);
     erase_face(tile, 4);
     EXPECT_THAT(refusal(tile), HasSubstr("law (2)"));
 }
@@ -269,7 +269,7 @@ TEST(ProveTileTorus, SurfaceOfGenusTwoIsRefused) {
 
 TEST(ProveTileAreas, DoubleCoverIsRefused) {
     // Two cells 0.9 and 1.1 wide: no edge of one sheet lies on an edge of the other.
-    const FlatTile tile = testing::polygon_tile(
+    const Tile tile = testing::polygon_tile(
         kUnit, {{{0, 0}, {0.9, 0}, {0.9, 1}, {0, 1}}, {{0.9, 0}, {2, 0}, {2, 1}, {0.9, 1}}});
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (5)"), HasSubstr("cover 2 of")));
 }
@@ -279,7 +279,7 @@ TEST(ProveTileAreas, DoubleCoverIsRefused) {
 TEST(ProveTileInSinglePrecision, FansWithVerticesOfTheirOwnAreProved) {
     for (const Lattice& lattice : many_lattices()) {
         if (lattice.area() < 1e-30 || lattice.area() < 1e-3 * lattice.b().squaredNorm()) continue;
-        const FlatTile fans = testing::float_fans(grid_tile(lattice, 5, 3));
+        const Tile fans = testing::float_fans(grid_tile(lattice, 5, 3));
         const TileProof proof = prove_tile(fans, Precision::kSingle);
         EXPECT_EQ(proof.n_vertices, 24);
         EXPECT_EQ(proof.n_merged, 4 * 15 - 24);
@@ -294,7 +294,7 @@ TEST(ProveTileInSinglePrecision, FansWithVerticesOfTheirOwnAreProved) {
 TEST(ProveTileInSinglePrecision, EdgeThatShrinksToAPointIsDropped) {
     // A square with two corners cut off along the period vectors' sum, 1e-8 deep.
     const double e = 1e-8;
-    FlatTile tile =
+    Tile tile =
         testing::polygon_tile(Lattice({1 + e, e}, {e, 1 + e}),
                               {{{0, 0}, {1, 0}, {1 + e, e}, {1 + e, 1 + e}, {e, 1 + e}, {0, 1}}});
     EXPECT_EQ(prove_tile(tile, Precision::kDouble).n_orbits, 2);
@@ -306,7 +306,7 @@ TEST(ProveTileInSinglePrecision, EdgeThatShrinksToAPointIsDropped) {
 }
 
 TEST(ProveTileInSinglePrecision, StatedCopiesAreNotBelieved) {
-    FlatTile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
+    Tile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
     fans.points.push_back(fans.points[5]);
     fans.copies = {5};
     EXPECT_THAT(refusal(fans, Precision::kSingle), IsEmpty());
@@ -320,7 +320,7 @@ TEST(ProveTileInSinglePrecision, StatedCopiesAreNotBelieved) {
 }
 
 TEST(ProveTileInSinglePrecision, CopyWithoutAFaceIsMerged) {
-    FlatTile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
+    Tile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
     fans.points.push_back(fans.points[5]);
     EXPECT_EQ(prove_tile(fans, Precision::kSingle).n_merged, 8);
     fans.points.back().x() += 0.1;
@@ -328,10 +328,10 @@ TEST(ProveTileInSinglePrecision, CopyWithoutAFaceIsMerged) {
 }
 
 TEST(ProveTileInSinglePrecision, VertexTenTolerancesOffIsRefused) {
-    FlatTile fans = testing::float_fans(grid_tile(kUnit, 4, 4));
+    Tile fans = testing::float_fans(grid_tile(kUnit, 4, 4));
     const double moved = 10 * prove_tile(fans, Precision::kSingle).tolerance;
     for (int v = 0; v < fans.n_vertices(); ++v) {
-        FlatTile tile = fans;
+        Tile tile = fans;
         tile.points[v].y() += moved;
         EXPECT_THAT(refusal(tile, Precision::kSingle), HasSubstr("law (2)")) << v;
     }
@@ -339,7 +339,7 @@ TEST(ProveTileInSinglePrecision, VertexTenTolerancesOffIsRefused) {
 
 // Random faults: whatever breaks the topology of a tile is refused.
 
-void break_at_random(FlatTile& tile, std::mt19937& random) {
+void break_at_random(Tile& tile, std::mt19937& random) {
     const int f = static_cast<int>(random() % tile.n_faces());
     const auto begin = tile.corners.begin() + tile.face_begin[f];
     const int size = tile.face_size(f);
@@ -367,7 +367,7 @@ TEST(ProveTile, RandomFaultsAreRefused) {
     std::mt19937 random(2);
     for (int round = 0; round < 3000; ++round) {
         const auto lattices = many_lattices();
-        FlatTile tile = scrambled_grid(lattices[random() % lattices.size()], random);
+        Tile tile = scrambled_grid(lattices[random() % lattices.size()], random);
         break_at_random(tile, random);
         ASSERT_THAT(refusal(tile), HasSubstr("law ")) << round;
     }

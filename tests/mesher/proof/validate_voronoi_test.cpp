@@ -19,13 +19,13 @@ using testing::honeycomb_tile;
 using ::testing::ThrowsMessage;
 using testing::triangle_grid_tile;
 
-double largest_distance(const FlatTile& tile, double tolerance,
+double largest_distance(const Tile& tile, double tolerance,
                         Precision precision = Precision::kDouble) {
     return prove_voronoi(tile, prove_tile(tile, precision), tolerance);
 }
 
 /// Moves each orbit of vertices by up to `amount`, as one.
-FlatTile jittered(FlatTile tile, double amount, std::mt19937& random) {
+Tile jittered(Tile tile, double amount, std::mt19937& random) {
     std::uniform_real_distribution<double> jitter(-amount, amount);
     const TileProof proof = prove_tile(tile, Precision::kDouble);
     for (Vec2& p : tile.points) p += Vec2(jitter(random), jitter(random));
@@ -44,14 +44,14 @@ TEST(ProveVoronoi, HoneycombsAndRectanglesAreCentroidal) {
 }
 
 TEST(ProveVoronoi, ObliqueParallelogramsAreNoCells) {
-    const FlatTile tile = grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
+    const Tile tile = grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
     EXPECT_THAT([&] { largest_distance(tile, 1e-6); },
                 ThrowsMessage<NotATile>(AllOf(HasSubstr("law of Voronoi"), HasSubstr("face 0"),
                                               HasSubstr("off the bisector"))));
 }
 
 TEST(ProveVoronoi, CellsMustBeConvex) {
-    FlatTile tile = grid_tile(Lattice::rectangle(3, 3), 3, 3);
+    Tile tile = grid_tile(Lattice::rectangle(3, 3), 3, 3);
     tile.points[5] = {0.4, 0.4};
     EXPECT_THAT(
         [&] { largest_distance(tile, 1e-3); },
@@ -60,7 +60,7 @@ TEST(ProveVoronoi, CellsMustBeConvex) {
 
 TEST(ProveVoronoi, DistanceFollowsTheVertexAndIsMeasuredInH) {
     for (const double scale : {1e-4, 1.0, 1e5}) {
-        FlatTile tile = grid_tile(Lattice::rectangle(3 * scale, 3 * scale), 3, 3);
+        Tile tile = grid_tile(Lattice::rectangle(3 * scale, 3 * scale), 3, 3);
         tile.points[5] += Vec2(1e-6, 1e-6) * scale;
         const double distance = largest_distance(tile, 1e-5);
         EXPECT_GT(distance, 0.5e-6);
@@ -75,7 +75,7 @@ struct Centroid {
     int face;
 };
 
-std::vector<Centroid> images_of_centroids(const FlatTile& tile, int reach) {
+std::vector<Centroid> images_of_centroids(const Tile& tile, int reach) {
     std::vector<Centroid> images;
     for (int f = 0; f < tile.n_faces(); ++f) {
         Polygon polygon;
@@ -92,7 +92,7 @@ std::vector<Centroid> images_of_centroids(const FlatTile& tile, int reach) {
 }
 
 /// How much nearer a corner of a cell is to some image of a centroid than to its own, at most.
-double brute_force_excess(const FlatTile& tile) {
+double brute_force_excess(const Tile& tile) {
     const std::vector<Centroid> images = images_of_centroids(tile, 3);
     const std::vector<Centroid> own = images_of_centroids(tile, 0);
     double excess = 0;
@@ -112,8 +112,7 @@ TEST(ProveVoronoi, AgreesWithAllImagesOfAllCentroids) {
     std::mt19937 random(3);
     for (int round = 0; round < 60; ++round) {
         const double amount = std::pow(10.0, -1 - round % 8);
-        const FlatTile tile =
-            jittered(honeycomb_tile(1 + round % 3, 1 + round % 2), amount, random);
+        const Tile tile = jittered(honeycomb_tile(1 + round % 3, 1 + round % 2), amount, random);
         const double h = std::sqrt(tile.lattice.area() / tile.n_faces());
         const double excess = brute_force_excess(tile) / h;
         const double distance = largest_distance(tile, 1);
@@ -125,21 +124,21 @@ TEST(ProveVoronoi, AgreesWithAllImagesOfAllCentroids) {
 }
 
 TEST(ProveVoronoi, FansOfTrianglesAreJoinedToCells) {
-    const FlatTile hexagons = float_fans(honeycomb_tile(4, 3));
+    const Tile hexagons = float_fans(honeycomb_tile(4, 3));
     EXPECT_LT(largest_distance(hexagons, 1e-5, Precision::kSingle), 1e-6);
-    FlatTile strangers = hexagons;
+    Tile strangers = hexagons;
     for (int f = 0; f < strangers.n_faces(); ++f) strangers.face_site[f] = f;
     EXPECT_THROW(largest_distance(strangers, 1e-5, Precision::kSingle), NotATile);
 }
 
 TEST(ProveVoronoi, CopiesOfOneSiteSideBySideStayApart) {
     // As in a repeated tile of one site.
-    FlatTile tile = honeycomb_tile(3, 2);
+    Tile tile = honeycomb_tile(3, 2);
     for (SiteId& site : tile.face_site) site = 0;
     EXPECT_LT(largest_distance(tile, 1e-12), 1e-14);
     EXPECT_LT(largest_distance(float_fans(tile), 1e-5, Precision::kSingle), 1e-6);
     // The last corner of the second square is the second corner of the third one.
-    FlatTile squares = grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    Tile squares = grid_tile(Lattice::rectangle(1, 1), 2, 2);
     for (SiteId& site : squares.face_site) site = 0;
     EXPECT_LT(largest_distance(float_fans(squares), 1e-5, Precision::kSingle), 1e-6);
 }
@@ -154,7 +153,7 @@ TEST(ProveDelaunay, GridsOfAcuteAndRightTrianglesAreDelaunay) {
 }
 
 TEST(ProveDelaunay, WrongDiagonalIsRefusedWithItsDepth) {
-    const FlatTile tile = triangle_grid_tile(Lattice({1, 0}, {0.4, 0.9}), 3, 3);
+    const Tile tile = triangle_grid_tile(Lattice({1, 0}, {0.4, 0.9}), 3, 3);
     EXPECT_THAT([&] { largest_distance(tile, 1e-6); },
                 ThrowsMessage<NotATile>(AllOf(HasSubstr("law of Delaunay"), HasSubstr("face 0"),
                                               HasSubstr("inside the circumcircle"))));
@@ -163,21 +162,21 @@ TEST(ProveDelaunay, WrongDiagonalIsRefusedWithItsDepth) {
 TEST(ProveDelaunay, DepthIsThatOfTheCornerInTheCircle) {
     // Sides 1 and (s, 1): the power of the corner is 2 s, radius and distance are sqrt(1/2) + O(s).
     for (const double shear : {1e-3, 1e-6}) {
-        const FlatTile tile = triangle_grid_tile(Lattice({1, 0}, {shear, 1}), 2, 2);
+        const Tile tile = triangle_grid_tile(Lattice({1, 0}, {shear, 1}), 2, 2);
         EXPECT_NEAR(largest_distance(tile, 1), std::sqrt(2) * shear, 2 * shear * shear);
     }
 }
 
 TEST(ProveDelaunay, CellsOfMoreThanThreeCornersAreRefused) {
-    FlatTile tile = grid_tile(Lattice::rectangle(1, 1), 2, 2);
-    tile.kind = TileKind::kTriangles;
+    Tile tile = grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    tile.kind = MeshKind::kDelaunay;
     tile.face_site.clear();
     EXPECT_THAT([&] { largest_distance(tile, 1e-6); },
                 ThrowsMessage<NotATile>(HasSubstr("face 0 has 4 corners, not 3")));
 }
 
 TEST(Voronoi, GrainsAreNotAskedFor) {
-    const FlatTile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    const Tile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 2, 2);
     const TileProof proof = prove_tile(tile, Precision::kDouble);
     EXPECT_THROW(prove_voronoi(tile, proof, 1), InvalidInput);
 }

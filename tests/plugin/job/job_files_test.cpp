@@ -25,7 +25,7 @@ TEST(JobFiles, CompanionsFollowTheirFile) {
 
 TEST(JobFiles, EachMeshHasAFileOfItsOwnAndTheSitesOne) {
     Job job;
-    job.meshes = {TileKind::kTriangles, TileKind::kCells};
+    job.meshes = {MeshKind::kDelaunay, MeshKind::kVoronoi};
     job.outputs = {"t.ply", "s.txt"};
     const std::vector<JobFile> files = plan_files(job);
     ASSERT_EQ(files.size(), 3U);
@@ -37,13 +37,13 @@ TEST(JobFiles, EachMeshHasAFileOfItsOwnAndTheSitesOne) {
 
 TEST(JobFiles, ACaseIsAFolderAndTheCGridOneForAllMeshes) {
     Job job;
-    job.meshes = {TileKind::kTriangles, TileKind::kCells};
+    job.meshes = {MeshKind::kDelaunay, MeshKind::kVoronoi};
     job.outputs = {"t.foam", "t.nc"};
     const std::vector<JobFile> files = plan_files(job);
     ASSERT_EQ(files.size(), 3U);
     EXPECT_EQ(files[0].folder, "t-delaunay.foam");
     EXPECT_EQ(files[0].paths.front(), "t-delaunay.foam/constant/polyMesh/points");
-    EXPECT_EQ(files[2].content, JobContent::kCGrid);
+    EXPECT_EQ(files[2].content, JobContent::kMpasGrid);
     EXPECT_THAT(files[2].paths, ElementsAre("t.nc"));
 }
 

@@ -8,6 +8,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/mesh/outline.hpp"
+#include "mesher/mesh/voronoi.hpp"
 
 namespace pcvt {
 namespace {
@@ -15,15 +16,15 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-FlatTile cells(const Lattice& lattice, int n) {
+Tile cells(const Lattice& lattice, int n) {
     const CvtResult result = compute_cvt(lattice, uniform_points(lattice, n, 0), {});
-    const PeriodicMesh mesh = periodic_mesh(result, TileKind::kCells);
+    const PeriodicMesh mesh = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
     return flatten(make_tile(mesh, whole_outline(mesh, Vec2::Zero())));
 }
 
 const TileFormat& glb() { return *find_tile_format("t.glb"); }
 
-std::string refusal(const FlatTile& tile, const Vec2& origin) {
+std::string refusal(const Tile& tile, const Vec2& origin) {
     try {
         prove_files(glb(), encode_glb(tile, "t.glb"), tile, origin);
     } catch (const InvalidInput& error) {
@@ -33,37 +34,37 @@ std::string refusal(const FlatTile& tile, const Vec2& origin) {
 }
 
 TEST(JobProof, AFaithfulFileIsProved) {
-    const FlatTile tile = cells(Lattice::rectangle(1, 1), 8);
-    EXPECT_NO_THROW(prove_own_tile(tile));
+    const Tile tile = cells(Lattice::rectangle(1, 1), 8);
+    EXPECT_NO_THROW(verify_generated_tile(tile));
     EXPECT_NO_THROW(prove_files(glb(), encode_glb(tile, "t.glb"), tile, Vec2::Zero()));
 }
 
 TEST(JobProof, ABrokenFileOfATileThatFitsIsAFaultOfPcvt) {
-    const FlatTile tile = cells(Lattice::rectangle(1, 1), 8);
-    FlatTile moved = tile;
+    const Tile tile = cells(Lattice::rectangle(1, 1), 8);
+    Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-3;
     EXPECT_THROW(prove_files(glb(), encode_glb(moved, "t.glb"), tile, Vec2::Zero()), InternalError);
-    FlatTile unpaired = tile;
+    Tile unpaired = tile;
     unpaired.vertex_pairs.pop_back();
     EXPECT_THROW(prove_files(glb(), encode_glb(unpaired, "t.glb"), tile, Vec2::Zero()),
                  InternalError);
 }
 
-void prove(const std::string& path, const FlatTile& written, const FlatTile& proved) {
+void prove(const std::string& path, const Tile& written, const Tile& proved) {
     const TileFormat& format = *find_tile_format(path);
-    const AnyTile no_mesh(std::in_place_type<CellTile>, written.lattice);
+    const OpenMeshTile no_mesh(std::in_place_type<CellTile>, written.lattice);
     prove_files(format, format.encode(no_mesh, written, path), proved, Vec2::Zero());
 }
 
 TEST(JobProof, AFileIsComparedInEveryNumberBeforeItsProofIsSpared) {
-    const FlatTile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
-    FlatTile moved = tile;
+    const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
+    Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-12;
     for (const char* path : {"t.obj", "t.ply", "t.vtu", "t.foam"}) {
         EXPECT_NO_THROW(prove(path, tile, tile)) << path;
         EXPECT_THROW(prove(path, moved, tile), InternalError) << path;
     }
-    FlatTile turned = tile;
+    Tile turned = tile;
     std::reverse(turned.corners.begin(), turned.corners.begin() + turned.face_begin[1]);
     for (const char* path : {"t.obj", "t.ply", "t.vtu"}) {
         EXPECT_THROW(prove(path, turned, tile), InternalError) << path;
@@ -71,8 +72,8 @@ TEST(JobProof, AFileIsComparedInEveryNumberBeforeItsProofIsSpared) {
 }
 
 TEST(JobProof, StoredPairsAreComparedToo) {
-    const FlatTile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
-    FlatTile unpaired = tile;
+    const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
+    Tile unpaired = tile;
     unpaired.edge_pairs.pop_back();
     EXPECT_THROW(prove("t.obj", unpaired, tile), InternalError);
     unpaired = tile;
@@ -83,8 +84,8 @@ TEST(JobProof, StoredPairsAreComparedToo) {
 }
 
 TEST(JobProof, ATileTooFineForFloatsIsRefusedWithTheAdviceThatHelps) {
-    const FlatTile thin = cells(Lattice::rectangle(1, 1e-4), 1);
-    EXPECT_NO_THROW(prove_own_tile(thin));
+    const Tile thin = cells(Lattice::rectangle(1, 1e-4), 1);
+    EXPECT_NO_THROW(verify_generated_tile(thin));
     EXPECT_THAT(refusal(thin, {0, 0}), EndsWith("take another format"));
     EXPECT_THAT(refusal(thin, {1, 0}), EndsWith("or an origin nearer to 0,0"));
     EXPECT_THAT(refusal(thin, {0, 0}), HasSubstr("t.glb: "));

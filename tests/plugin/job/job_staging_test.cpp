@@ -19,7 +19,7 @@ Job job_for_every_format(const TemporaryFolder& folder, int n_threads) {
     job.lattice = Lattice::rectangle(1, 2 / std::sqrt(3.0));
     job.n_sites = 192;
     job.start = Start::kLattice;
-    job.meshes = {TileKind::kCells, TileKind::kTriangles};
+    job.meshes = {MeshKind::kVoronoi, MeshKind::kDelaunay};
     job.n_threads = n_threads;
     for (const std::string extension : {"obj", "ply", "glb", "gltf", "om", "svg", "vtu", "foam"}) {
         job.outputs.push_back(folder / ("tile." + extension));
@@ -41,7 +41,7 @@ std::map<std::string, std::string> files_in(const TemporaryFolder& folder) {
 
 std::map<std::string, std::string> files_written(int n_threads) {
     const TemporaryFolder folder;
-    const JobOutcome outcome =
+    const RunSummary outcome =
         run_job(job_for_every_format(folder, n_threads), [](const Progress&) { return true; });
     EXPECT_EQ(outcome.stop, Stop::kConverged);
     return files_in(folder);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcvt {
+
+/// One file of an output: a format may write companions beside the file that was asked for.
+struct EncodedFile {
+    std::string path;
+    std::string bytes;
+};
+
+/// The list of one file; from braces its bytes would be copied.
+inline std::vector<EncodedFile> only_file(std::string path, std::string bytes) {
+    std::vector<EncodedFile> files;
+    files.push_back({std::move(path), std::move(bytes)});
+    return files;
+}
+
+}  // namespace pcvt

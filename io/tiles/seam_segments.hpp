@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/tile/midside_nodes.hpp"
+
+namespace pcvt {
+
+/// A longest stretch of a tile's boundary that one translation takes to its partners.
+struct SeamSegment {
+    /// Takes the run to its partner: position + translation(offset).
+    Offset offset;
+    /// Along the boundary, the tile on the left; both ends included, so two or more.
+    std::vector<int> vertices;
+    /// Of order 2 the nodes between them: middles[k] after vertices[k].
+    std::vector<int> middles;
+    /// Index of the run that it is glued to, which runs the other way: vertex k of this one and
+    /// vertex size - 1 - k of that one are partners, likewise the middles.
+    int partner;
+};
+
+/// The boundary as runs, counter-clockwise, from the run that leaves the smallest vertex. Each run
+/// begins where the one before ends. Laws, tested by number:
+///
+///   (1) The partner of a partner is the run itself, with the opposite offset.
+///   (2) Every boundary edge lies in one run; a run's neighbours have other offsets than it has.
+///   (3) The ends of runs are closed under identification: a vertex on the orbit of an end is one.
+///
+/// @param middles  of a tile of order 2; else empty.
+/// @pre the tile has its edge_pairs.
+/// @throws InternalError where they do not form one loop.
+std::vector<SeamSegment> seam_segments(const Tile& tile, const MidsideNodes& middles);
+
+}  // namespace pcvt

@@ -1,0 +1,293 @@
+#include "mesher/cvt/density_cvt.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "mesher/density/density_survey.hpp"
+#include "mesher/energy/density_energy.hpp"
+#include "mesher/energy/gersho_scaling.hpp"
+#include "mesher/energy/long_waves.hpp"
+#include "mesher/energy/residuals.hpp"
+#include "mesher/optimize/lbfgs.hpp"
+#include "mesher/optimize/lbfgs_newton.hpp"
+#include "mesher/optimize/lloyd.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Residuals at the ends of the rounds, until the tolerance is reached.
+constexpr double kFirstTarget = 0.1;
+constexpr double kNextTarget = 0.01;
+/// Quadrature errors over the residual that they must not disturb: the difference between the
+/// gradient and that of the quadratured F is about 20 times as large.
+constexpr double kAccuracyPerTarget = 1.0 / 200;
+/// Below this the difference of two rules is rounding.
+constexpr double kBestAccuracy = 1e-11;
+constexpr int kMostRepetitions = 5;
+
+/// Where cells are longer than this, in periods, they are cut into parts of that length at most: a
+/// rule of the highest order could not follow the density over the whole of them.
+constexpr double kLongestPart = 1.0 / 8;
+
+/// The periods that are so short that cells of size h are cut along them: of a, of b.
+std::array<bool, 2> short_periods(const Lattice& lattice, double h) {
+    return {h > kLongestPart * lattice.area() / lattice.b().norm(),
+            h > kLongestPart * lattice.area() / lattice.a().norm()};
+}
+
+/// The density with break lines for cells of size h.
+Density cut_for(const Lattice& lattice, Density density, double h) {
+    const auto [cut_u, cut_v] = short_periods(lattice, h);
+    for (double at = kLongestPart; at < 1; at += kLongestPart) {
+        if (cut_u) density.u_breaks.push_back(at);
+        if (cut_v) density.v_breaks.push_back(at);
+    }
+    return density;
+}
+
+double accuracy_for(double residual) {
+    return std::max(kAccuracyPerTarget * residual, kBestAccuracy);
+}
+
+/// The energy as a function of scaled variables z_i = scale_i x_i.
+class DensityObjective final : public Objective {
+   public:
+    DensityObjective(MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice,
+                     const Density& density, double density_unit, bool has_hessian)
+        : delaunay_(delaunay),
+          workers_(workers),
+          pass_(delaunay, workers, lattice, density, density_unit),
+          has_hessian_(has_hessian),
+          scale_(Eigen::VectorXd::Ones(delaunay.n_sites())) {}
+
+    Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
+    bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override;
+    bool precondition(Evaluation& evaluation) override;
+    void accept() override { delaunay_.settle(); }
+    void reject() override { undo_step(); }
+    bool has_hessian() const override { return has_hessian_; }
+    void hessian(BlockMatrix& hessian) const override;
+    void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override;
+
+    /// Chooses rules and scales at the point.
+    void begin_round(double accuracy);
+    /// Raises the order of rules that miss the accuracy at the point.
+    RuleCheck check_rules(double accuracy);
+    /// Evaluates at the point and tells how things stand there.
+    DensityFigures figures();
+
+   private:
+    /// Takes the triangulation back from a trial that was not accepted.
+    bool undo_step() {
+        if (delaunay_.settled()) return true;
+        delaunay_.step_back();
+        return pass_.restore();
+    }
+    bool try_step(const Eigen::VectorXf& direction, double t);
+    void measure(Evaluation& evaluation) const;
+    void apply_long_waves(Evaluation& evaluation);
+
+    MovingDelaunay& delaunay_;
+    Workers& workers_;
+    mutable DensityPass pass_;
+    bool has_hessian_;
+    Energy energy_;
+    Eigen::VectorXd scale_;
+    /// m_i / scale_i^2 of the usual cell over its area: how much stiffer all is than for rho = 1.
+    double stiffness_ = 1;
+    std::unique_ptr<LongWaves> long_waves_;
+    /// The last direction, not scaled.
+    Eigen::VectorXf direction_;
+};
+
+bool DensityObjective::evaluate(const Eigen::VectorXf& direction, double t,
+                                Evaluation& evaluation) {
+    if (!undo_step() || !try_step(direction, t)) return false;
+    measure(evaluation);
+    if (long_waves_) apply_long_waves(evaluation);
+    return true;
+}
+
+/// In scaled variables the stiffness against long waves is the same everywhere, as for rho = 1: of
+/// an arrangement of cells of size l it goes with rho l^4 times the squared strain of x, so with
+/// rho l^4 / h^2 times that of z.
+bool DensityObjective::precondition(Evaluation& evaluation) {
+    if (delaunay_.n_sites() < kFewestForLongWaves) return false;
+    long_waves_ = std::make_unique<LongWaves>(delaunay_, workers_);
+    apply_long_waves(evaluation);
+    return true;
+}
+
+void DensityObjective::apply_long_waves(Evaluation& evaluation) {
+    long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+    evaluation.preconditioned /= static_cast<float>(stiffness_);
+}
+
+bool DensityObjective::try_step(const Eigen::VectorXf& direction, double t) {
+    if (t != 0) {
+        direction_.resize(n_variables());
+        for (Eigen::Index s = 0; s < scale_.size(); ++s) {
+            direction_.segment<2>(2 * s) =
+                direction.segment<2>(2 * s) / static_cast<float>(scale_[s]);
+        }
+        if (!delaunay_.step(direction_, t, workers_)) return false;
+    }
+    return pass_.evaluate(energy_);
+}
+
+void DensityObjective::measure(Evaluation& evaluation) const {
+    evaluation.gradient.resize(n_variables());
+    for (Eigen::Index s = 0; s < scale_.size(); ++s) {
+        evaluation.gradient.segment<2>(2 * s) = energy_.gradient.segment<2>(2 * s) / scale_[s];
+    }
+    const auto [largest, rms] =
+        residuals(energy_.gradient, energy_.mass, delaunay_.spacing(), workers_);
+    evaluation.value = energy_.value;
+    evaluation.residual = largest;
+    evaluation.rms_residual = rms;
+}
+
+void DensityObjective::lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const {
+    direction.resize(n_variables());
+    for (Eigen::Index s = 0; s < scale_.size(); ++s) {
+        const double per_mass = scale_[s] * scale_[s] / (-2 * energy_.mass[s]);
+        direction.segment<2>(2 * s) =
+            (per_mass * evaluation.gradient.segment<2>(2 * s)).cast<float>();
+    }
+}
+
+void DensityObjective::hessian(BlockMatrix& hessian) const {
+    pass_.hessian(energy_.mass, hessian);
+    for (int i = 0; i < hessian.n_rows(); ++i) {
+        for (double& number : hessian.diagonal[i]) number /= scale_[i] * scale_[i];
+        for (int k = hessian.row_begin[i]; k < hessian.row_begin[i + 1]; ++k) {
+            const auto factor = static_cast<float>(1 / (scale_[i] * scale_[hessian.column[k]]));
+            for (float& number : hessian.block[k]) number *= factor;
+        }
+    }
+}
+
+void DensityObjective::begin_round(double accuracy) {
+    pass_.restore();
+    pass_.choose_orders(accuracy, true);
+    pass_.evaluate(energy_);
+    // The sum of (h / scale_i)^2 is the area where the sites follow the law.
+    scale_ = (energy_.mass.array() / pass_.areas().array()).pow(0.25);
+    scale_ *= std::sqrt(scale_.array().square().inverse().mean());
+    const double h = delaunay_.spacing();
+    stiffness_ = (energy_.mass.array() / scale_.array().square()).mean() / (h * h);
+    long_waves_.reset();
+}
+
+RuleCheck DensityObjective::check_rules(double accuracy) {
+    pass_.restore();
+    return pass_.choose_orders(accuracy, false);
+}
+
+DensityFigures DensityObjective::figures() {
+    pass_.evaluate(energy_);
+    const GershoScaling law = compare_with_gersho_scaling(energy_.mass, pass_.areas());
+    return {.least = pass_.range().least,
+            .greatest = pass_.range().greatest,
+            .evaluations_per_site = pass_.evaluations_per_site(),
+            .mass = energy_.mass.sum(),
+            .spacing_deviation = law.median_deviation,
+            .expected_energy = law.energy};
+}
+
+/// Counts over rounds, and passes progress on with the counts of all of them.
+class Rounds {
+   public:
+    Rounds(DensityObjective& objective, Workers& workers, const DensityCvtOptions& options,
+           double value_unit)
+        : objective_(objective), workers_(workers), options_(options), value_unit_(value_unit) {}
+
+    /// @returns false where nothing is left to do: cancelled, or out of iterations.
+    bool run(double target) {
+        OptimizerOptions round = options_.optimizer;
+        round.tolerance = target;
+        if (round.max_iterations >= 0) round.max_iterations -= total_.iterations;
+        if (round.progress) {
+            round.progress = [&](const Progress& progress) { return report(progress); };
+        }
+        const int iterations = total_.iterations;
+        const int evaluations = total_.evaluations;
+        const int hessians = total_.hessians;
+        const int cg_products = total_.cg_products;
+        total_ = minimize(round);
+        total_.iterations += iterations;
+        total_.evaluations += evaluations;
+        total_.hessians += hessians;
+        total_.cg_products += cg_products;
+        first_ = false;
+        return total_.stop == Stop::kConverged || total_.stop == Stop::kStalled;
+    }
+    OptimizerResult& total() { return total_; }
+
+   private:
+    OptimizerResult minimize(const OptimizerOptions& round) {
+        if (options_.lloyd) return minimize_lloyd(objective_, round);
+        if (!options_.newton) return minimize_lbfgs(objective_, round, workers_);
+        return minimize_lbfgs_newton(objective_, round, *options_.newton, workers_);
+    }
+    bool report(Progress progress) const {
+        if (!first_ && progress.iteration == 0) return true;
+        if (!first_) {
+            progress.iteration += total_.iterations;
+            progress.evaluations += total_.evaluations;
+        }
+        progress.value *= value_unit_;
+        return options_.optimizer.progress(progress);
+    }
+
+    DensityObjective& objective_;
+    Workers& workers_;
+    const DensityCvtOptions& options_;
+    double value_unit_;
+    OptimizerResult total_{};
+    bool first_ = true;
+};
+
+/// The last check of the rules.
+RuleCheck run_rounds(DensityObjective& objective, Rounds& rounds, const OptimizerOptions& options) {
+    const double accuracy = accuracy_for(options.tolerance);
+    if (options.max_iterations != 0) {
+        for (double target = kFirstTarget; target > options.tolerance; target *= kNextTarget) {
+            objective.begin_round(accuracy_for(target));
+            if (!rounds.run(target)) return objective.check_rules(accuracy);
+        }
+    }
+    objective.begin_round(accuracy);
+    for (int repetition = 0;; ++repetition) {
+        const bool done = !rounds.run(options.tolerance);
+        const RuleCheck check = objective.check_rules(accuracy);
+        if (done || check.n_raised == 0 || repetition == kMostRepetitions) return check;
+    }
+}
+
+}  // namespace
+
+DensityCvtResult minimize_density_energy(MovingDelaunay& delaunay, Workers& workers,
+                                         const Lattice& lattice, const Density& density,
+                                         const DensityCvtOptions& options) {
+    const double unit = DensitySurvey(lattice, density, kSurveyResolution).unit();
+    const double area_unit = delaunay.unit() * delaunay.unit() * unit;
+    const double h = delaunay.spacing() * delaunay.unit();
+    const Density cut = cut_for(lattice, density, h);
+    const auto [cut_u, cut_v] = short_periods(lattice, h);
+    DensityObjective objective(delaunay, workers, lattice, cut, unit, !cut_u && !cut_v);
+    Rounds rounds(objective, workers, options, area_unit * delaunay.unit() * delaunay.unit());
+    const RuleCheck check = run_rounds(objective, rounds, options.optimizer);
+    DensityCvtResult result{std::move(rounds.total()), objective.figures()};
+    result.figures.n_rough_cells = check.n_rough;
+    result.figures.quadrature_error = check.largest_error;
+    result.figures.mass *= area_unit;
+    result.figures.mass_deviation = result.figures.mass / integral(lattice, density) - 1;
+    result.figures.expected_energy *= area_unit * delaunay.unit() * delaunay.unit();
+    result.run.evaluation.value *= area_unit * delaunay.unit() * delaunay.unit();
+    return result;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesher/density/quadrature_batch.hpp"
+
+namespace pcvt {
+
+/// Integrates a density over cells.
+///
+/// A cell that no break line crosses is the fan of the triangles between its site and its sides,
+/// and each gets the conical rule of q x q points that collapses at the site. A cell that some
+/// cross is first cut along them, and then each piece is a fan of its own, or where it is a whole
+/// parallelogram between break lines, a product of two Gauss rules. Laws, tested by number:
+///   (1) Exact to rounding for densities that are polynomials of degree 2 q - 3 on each piece.
+///   (2) A cell and its translates by lattice vectors have the same moments.
+class CellQuadrature {
+   public:
+    explicit CellQuadrature(const Density& density);
+
+    /// Adds a cell to a batch.
+    /// @param site      lattice coordinates of the site, whose plane coordinates are (0, 0).
+    /// @param q         see triangle_rule.
+    void add(CellView cell, const Vec2& site, int q, QuadratureBatch& batch) const;
+
+    /// The moments of one cell.
+    /// @throws BadDensity as the probe does.
+    Moments operator()(CellView cell, const Vec2& site, int q, DensityProbe& probe) const;
+
+    /// Where break lines and the seam cut the way between two places: shares of it in [0, 1],
+    /// rising, 0 and 1 among them.
+    void cut_way(const Vec2& from, const Vec2& to, std::vector<double>& shares) const;
+
+    /// Whether a break line or the seam crosses a cell with this box.
+    /// @param box  so shifted that the site lies in [0, 1).
+    bool is_cut(const LatticeBox& box) const {
+        return box.low.x() < 0 || box.low.y() < 0 || box.high.x() > 1 || box.high.y() > 1 ||
+               (has_breaks_ && is_cut_inside(box));
+    }
+
+   private:
+    bool is_cut_inside(const LatticeBox& box) const;
+
+    /// Coordinates in [0, 1), 0 among them, rising.
+    std::array<std::vector<double>, 2> breaks_;
+    /// Whether there are others than 0.
+    bool has_breaks_;
+};
+
+}  // namespace pcvt

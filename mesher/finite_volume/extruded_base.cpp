@@ -1,0 +1,277 @@
+#include "mesher/finite_volume/extruded_base.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <tuple>
+
+#include "mesher/proof/law_violation.hpp"
+
+namespace pcvt {
+namespace {
+
+using std::to_string;
+
+const char* const kPlanes = "(1) of extruded meshes, planes";
+const char* const kOrder = "(2) of extruded meshes, faces";
+const char* const kSeams = "(3) of extruded meshes, seam";
+
+/// A stored translation is that of the lattice up to this many ulps.
+constexpr double kUlps = 4;
+
+void require_indices(const ExtrudedMesh& extruded) {
+    for (const int p : extruded.corners) {
+        if (p >= 0 && p < extruded.n_points()) continue;
+        throw_violation(kOrder, "a face names point " + to_string(p) + "; there are " +
+                                    to_string(extruded.n_points()));
+    }
+    const int last_cell = extruded.owner.empty()
+                              ? -1
+                              : *std::max_element(extruded.owner.begin(), extruded.owner.end());
+    if (last_cell >= extruded.n_faces()) {
+        throw_violation(kOrder, "cell " + to_string(last_cell) + " is named; there are only " +
+                                    to_string(extruded.n_faces()) + " faces");
+    }
+    const int n_cells = last_cell + 1;
+    if (static_cast<int>(extruded.face_begin.size()) != extruded.n_faces() + 1) {
+        throw_violation(kOrder, "there are " + to_string(extruded.face_begin.size() - 1) +
+                                    " faces and " + to_string(extruded.n_faces()) + " owners");
+    }
+    if (extruded.n_inner_faces() > extruded.n_faces())
+        throw_violation(kOrder, "more neighbours than faces");
+    for (int f = 0; f < extruded.n_faces(); ++f) {
+        const int behind = extruded.owner[f];
+        const int before = f < extruded.n_inner_faces() ? extruded.neighbour[f] : n_cells - 1;
+        if (behind >= 0 && before >= 0 && before < n_cells) continue;
+        throw_violation(kOrder, "face " + to_string(f) + " lies at a cell that does not exist");
+    }
+}
+
+void require_runs(const ExtrudedMesh& extruded) {
+    int next = extruded.n_inner_faces();
+    for (const ExtrudedPatch& patch : extruded.patches) {
+        if (patch.first_face != next || patch.n_faces < 0 ||
+            patch.n_faces > extruded.n_faces() - next) {
+            throw_violation(kOrder, "patch " + patch.name + " begins with face " +
+                                        to_string(patch.first_face) + ", not " + to_string(next) +
+                                        ", or has faces that do not exist");
+        }
+        next += patch.n_faces;
+    }
+    if (next != extruded.n_faces()) {
+        throw_violation(kOrder, "the patches leave face " + to_string(next) + " out");
+    }
+}
+
+void require_inner_order(const ExtrudedMesh& extruded) {
+    for (int f = 0; f < extruded.n_inner_faces(); ++f) {
+        if (extruded.owner[f] >= extruded.neighbour[f]) {
+            throw_violation(kOrder,
+                            "the owner of face " + to_string(f) + " is not below its neighbour");
+        }
+        if (f == 0 || std::tie(extruded.owner[f - 1], extruded.neighbour[f - 1]) <=
+                          std::tie(extruded.owner[f], extruded.neighbour[f])) {
+            continue;
+        }
+        throw_violation(kOrder,
+                        "face " + to_string(f) + " is out of order: sort by owner and neighbour");
+    }
+}
+
+void require_planes(const ExtrudedMesh& extruded) {
+    const int above = extruded.n_points() / 2;
+    if (above == 0 || extruded.n_points() % 2 != 0)
+        throw_violation(kPlanes, "the number of points is odd or 0");
+    const double thickness = extruded.points[above].z();
+    if (!(thickness > 0)) throw_violation(kPlanes, "the extruded mesh has no thickness");
+    for (int v = 0; v < above; ++v) {
+        const Eigen::Vector3d& low = extruded.points[v];
+        const Eigen::Vector3d& high = extruded.points[v + above];
+        if (low.z() == 0 && high.z() == thickness && low.head<2>() == high.head<2>()) continue;
+        throw_violation(kPlanes, "point " + to_string(v + above) + " does not stand above point " +
+                                     to_string(v));
+    }
+}
+
+const ExtrudedPatch& patch_named(const ExtrudedMesh& extruded, const std::string& name) {
+    for (const ExtrudedPatch& patch : extruded.patches) {
+        if (patch.name == name && patch.partner < 0) return patch;
+    }
+    throw_violation(kOrder, "there is no empty patch " + name);
+}
+
+std::span<const int> points_of(const ExtrudedMesh& extruded, int f) {
+    return std::span(extruded.corners)
+        .subspan(static_cast<std::size_t>(extruded.face_begin[f]),
+                 static_cast<std::size_t>(extruded.face_size(f)));
+}
+
+/// Whether `lid` has the points above those of `face` in the same order, from whichever on.
+bool stands_above(std::span<const int> lid, const std::vector<int>& face, int above) {
+    const auto first = std::find(lid.begin(), lid.end(), face.front() + above);
+    const auto above_it = [&](int q, int p) { return q == p + above; };
+    return lid.size() == face.size() && first != lid.end() &&
+           std::equal(first, lid.end(), face.begin(), above_it) &&
+           std::equal(lid.begin(), first, face.end() - (first - lid.begin()), above_it);
+}
+
+/// For each cell its one face in the patch: the lids of the prisms.
+std::vector<int> lids(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
+    std::vector<int> lid(static_cast<std::size_t>(patch.n_faces), -1);
+    for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
+        const int cell = extruded.owner[f];
+        if (cell >= patch.n_faces || lid[cell] >= 0) {
+            throw_violation(kOrder, "patch " + patch.name + " has not exactly one face a cell");
+        }
+        lid[cell] = f;
+    }
+    return lid;
+}
+
+void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
+    const int above = extruded.n_points() / 2;
+    const std::vector<int> back = lids(extruded, patch_named(extruded, "back"));
+    const std::vector<int> front = lids(extruded, patch_named(extruded, "front"));
+    const int n_cells = *std::max_element(extruded.owner.begin(), extruded.owner.end()) + 1;
+    if (back.size() != front.size() || static_cast<int>(back.size()) != n_cells) {
+        throw_violation(kOrder, "back and front have " + to_string(back.size()) + " and " +
+                                    to_string(front.size()) + " faces for " + to_string(n_cells) +
+                                    " cells");
+    }
+    std::vector<int> face;
+    for (std::size_t cell = 0; cell < back.size(); ++cell) {
+        const std::span<const int> points = points_of(extruded, back[cell]);
+        if (points.size() < 3)
+            throw_violation(kPlanes, "a face of the back has fewer than 3 points");
+        face.assign(points.begin(), points.end());
+        std::reverse(face.begin() + 1, face.end());
+        const bool low = std::all_of(face.begin(), face.end(), [&](int p) { return p < above; });
+        if (!low || !stands_above(points_of(extruded, front[cell]), face, above)) {
+            throw_violation(kPlanes,
+                            "cell " + to_string(cell) + " is not a prism between back and front");
+        }
+        tile.corners.insert(tile.corners.end(), face.begin(), face.end());
+        tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
+    }
+}
+
+/// The side of the tile under a wall: from v to w, the wall's owner on its left; `from_v` where the
+/// wall's first point is v, and not w.
+struct WallFoot {
+    int v;
+    int w;
+    bool from_v;
+};
+
+WallFoot wall_foot(const ExtrudedMesh& extruded, int f) {
+    const int above = extruded.n_points() / 2;
+    if (extruded.face_size(f) == 4) {
+        std::array<int, 4> p{};
+        std::copy_n(extruded.corners.begin() + extruded.face_begin[f], 4, p.begin());
+        if (p[0] < above && p[2] == p[1] + above && p[3] == p[0] + above) {
+            return {p[0], p[1], true};
+        }
+        if (p[3] < above && p[1] == p[0] + above && p[2] == p[3] + above) {
+            return {p[3], p[0], false};
+        }
+    }
+    throw_violation(kPlanes,
+                    "face " + to_string(f) + " is not an upright wall that begins at the back");
+}
+
+/// Which sides of the tile have a wall over them.
+class Walls {
+   public:
+    explicit Walls(const Tile& tile) : tile_(tile), built_(tile.corners.size(), false) {}
+
+    /// @param f  the wall, for the message.
+    void build(int cell, int v, int w, int f) {
+        int from = tile_.corners[tile_.face_begin[cell + 1] - 1];
+        for (int c = tile_.face_begin[cell]; c < tile_.face_begin[cell + 1]; ++c) {
+            if (from == v && tile_.corners[c] == w && !built_[c]) {
+                built_[c] = true;
+                return;
+            }
+            from = tile_.corners[c];
+        }
+        throw_violation(kOrder, "face " + to_string(f) + " does not stand on a free side of cell " +
+                                    to_string(cell) + ", or its normal points inwards");
+    }
+
+    void require_all() const {
+        const auto missing = std::find(built_.begin(), built_.end(), false);
+        if (missing == built_.end()) return;
+        throw_violation(kOrder, "a cell is open: no face stands on the side that ends in point " +
+                                    to_string(tile_.corners[missing - built_.begin()]));
+    }
+
+   private:
+    const Tile& tile_;
+    std::vector<bool> built_;
+};
+
+void require_translation(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
+    const Vec2 translation = extruded.lattice.translation(patch.offset);
+    const double allowed =
+        kUlps * std::numeric_limits<double>::epsilon() * translation.cwiseAbs().maxCoeff();
+    if (patch.name != seam_name(patch.offset) || patch.offset == Offset{} ||
+        !((patch.separation - translation).cwiseAbs().maxCoeff() <= allowed)) {
+        throw_violation(kSeams, "patch " + patch.name + " states another separation than " +
+                                    in_words(patch.offset));
+    }
+}
+
+/// The pairs of edges under a patch and its partner; told from the side with the positive offset.
+void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& tile) {
+    const ExtrudedPatch& partner = extruded.patches[patch.partner];
+    if (partner.partner != &patch - extruded.patches.data() || partner.offset != -patch.offset ||
+        partner.n_faces != patch.n_faces) {
+        throw_violation(
+            kSeams, "patches " + patch.name + " and " + partner.name + " do not answer each other");
+    }
+    require_translation(extruded, patch);
+    if (patch.offset < Offset{}) return;
+    for (int k = 0; k < patch.n_faces; ++k) {
+        const WallFoot here = wall_foot(extruded, patch.first_face + k);
+        const WallFoot there = wall_foot(extruded, partner.first_face + k);
+        if (here.from_v == there.from_v) {
+            throw_violation(kSeams, "faces " + to_string(patch.first_face + k) + " and " +
+                                        to_string(partner.first_face + k) +
+                                        " do not begin at points that answer each other");
+        }
+        tile.edge_pairs.push_back({here.v, here.w, there.w, there.v, patch.offset});
+    }
+}
+
+}  // namespace
+
+Tile extruded_base(const ExtrudedMesh& extruded) {
+    require_indices(extruded);
+    require_runs(extruded);
+    require_inner_order(extruded);
+    require_planes(extruded);
+    Tile tile{extruded.lattice, extruded.kind, {}, {0}, {}, {}, {}, {}, {}};
+    for (int v = 0; v < extruded.n_points() / 2; ++v)
+        tile.points.emplace_back(extruded.points[v].head<2>());
+    read_faces(extruded, tile);
+    Walls walls(tile);
+    for (int f = 0; f < extruded.n_inner_faces(); ++f) {
+        const WallFoot foot = wall_foot(extruded, f);
+        walls.build(extruded.owner[f], foot.v, foot.w, f);
+        walls.build(extruded.neighbour[f], foot.w, foot.v, f);
+    }
+    for (const ExtrudedPatch& patch : extruded.patches) {
+        if (patch.partner < 0) continue;
+        for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
+            const WallFoot foot = wall_foot(extruded, f);
+            walls.build(extruded.owner[f], foot.v, foot.w, f);
+        }
+        read_seam(extruded, patch, tile);
+    }
+    walls.require_all();
+    return tile;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,173 @@
+#include "mesher/finite_volume/extruded_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "mesher/base/bucket_sort.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The halfedge from v to w of a face.
+struct Side {
+    int v;
+    int w;
+    int face;
+};
+
+/// By the edge, so that the two sides of an inner edge stand together.
+bool edge_less(const Side& s, const Side& t) {
+    return std::tuple(std::minmax(s.v, s.w), s.face) < std::tuple(std::minmax(t.v, t.w), t.face);
+}
+
+std::vector<Side> sides_by_edge(const Tile& tile) {
+    std::vector<Side> sides;
+    sides.reserve(tile.corners.size());
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        int from = tile.corners[tile.face_begin[f + 1] - 1];
+        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
+            sides.push_back({from, tile.corners[c], f});
+            from = tile.corners[c];
+        }
+    }
+    bucket_sort(
+        sides, tile.n_vertices(), [](const Side& side) { return std::min(side.v, side.w); },
+        edge_less);
+    return sides;
+}
+
+/// An inner edge, seen from the face with the smaller index.
+struct InnerEdge {
+    int owner;
+    int neighbour;
+    int v;
+    int w;
+    friend auto operator<=>(const InnerEdge&, const InnerEdge&) = default;
+};
+
+bool same_edge(const Side& s, const Side& t) { return s.v == t.w && s.w == t.v; }
+
+std::vector<InnerEdge> inner_edges(const std::vector<Side>& sides, int n_faces) {
+    std::vector<InnerEdge> edges;
+    for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
+        const Side& side = sides[k];
+        if (!same_edge(side, sides[k + 1])) continue;
+        edges.push_back({side.face, sides[k + 1].face, side.v, side.w});
+    }
+    bucket_sort(edges, n_faces, [](const InnerEdge& edge) { return edge.owner; });
+    return edges;
+}
+
+/// The face whose halfedge runs from v to w.
+int face_beside(const std::vector<Side>& sides, int v, int w) {
+    auto found = std::lower_bound(sides.begin(), sides.end(), Side{v, w, -1}, edge_less);
+    while (found != sides.end() && std::minmax(found->v, found->w) == std::minmax(v, w)) {
+        if (found->v == v) return found->face;
+        ++found;
+    }
+    throw InternalError("an edge of the seam belongs to no face");
+}
+
+/// Appends faces to a extruded whose points are there already.
+class ExtrudedFaces {
+   public:
+    explicit ExtrudedFaces(ExtrudedMesh& extruded)
+        : mesh_(extruded), above_(extruded.n_points() / 2) {}
+
+    /// The wall over v -> w: its normal points to the right of it.
+    void add_wall(int v, int w, int owner) { add({v, w, w + above_, v + above_}, owner); }
+    /// The same wall, told from the top of w's end: it starts at w and answers a wall w' -> v'.
+    void add_answering_wall(int v, int w, int owner) { add({w, w + above_, v + above_, v}, owner); }
+
+    void add_lids(const Tile& tile, bool front) {
+        for (int f = 0; f < tile.n_faces(); ++f) {
+            std::vector<int> points(tile.corners.begin() + tile.face_begin[f],
+                                    tile.corners.begin() + tile.face_begin[f + 1]);
+            if (front) {
+                for (int& p : points) p += above_;
+            } else {
+                std::reverse(points.begin() + 1, points.end());
+            }
+            add(points, f);
+        }
+    }
+
+   private:
+    void add(const std::vector<int>& points, int owner) {
+        mesh_.corners.insert(mesh_.corners.end(), points.begin(), points.end());
+        mesh_.face_begin.push_back(static_cast<int>(mesh_.corners.size()));
+        mesh_.owner.push_back(owner);
+    }
+
+    ExtrudedMesh& mesh_;
+    int above_;
+};
+
+void add_points(const Tile& tile, ExtrudedMesh& extruded) {
+    const double thickness = std::sqrt(tile.lattice.area() / tile.n_faces());
+    for (const double z : {0.0, thickness}) {
+        for (const Vec2& p : tile.points) extruded.points.emplace_back(p.x(), p.y(), z);
+    }
+}
+
+/// The two patches of the pairs from `begin` to `end`, which have one offset.
+void add_seam(const std::vector<EdgePair>& pairs, std::size_t begin, std::size_t end,
+              const std::vector<Side>& sides, ExtrudedMesh& extruded) {
+    const Offset offset = pairs[begin].offset;
+    const Vec2 translation = extruded.lattice.translation(offset);
+    const int n = static_cast<int>(end - begin);
+    const int patch = static_cast<int>(extruded.patches.size());
+    ExtrudedFaces faces(extruded);
+    extruded.patches.push_back(
+        {seam_name(offset), extruded.n_faces(), n, patch + 1, offset, translation});
+    for (std::size_t k = begin; k < end; ++k) {
+        faces.add_wall(pairs[k].v0, pairs[k].v1, face_beside(sides, pairs[k].v0, pairs[k].v1));
+    }
+    extruded.patches.push_back(
+        {seam_name(-offset), extruded.n_faces(), n, patch, -offset, Vec2(-translation)});
+    for (std::size_t k = begin; k < end; ++k) {
+        faces.add_answering_wall(pairs[k].w1, pairs[k].w0,
+                                 face_beside(sides, pairs[k].w1, pairs[k].w0));
+    }
+}
+
+void add_seams(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
+    std::vector<EdgePair> pairs;
+    for (EdgePair pair : tile.edge_pairs) {
+        if (pair.offset < Offset{}) pair = {pair.w1, pair.w0, pair.v1, pair.v0, -pair.offset};
+        pairs.push_back(pair);
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const EdgePair& s, const EdgePair& t) {
+        return std::tie(s.offset, s) < std::tie(t.offset, t);
+    });
+    for (std::size_t begin = 0; begin < pairs.size();) {
+        std::size_t end = begin;
+        while (end < pairs.size() && pairs[end].offset == pairs[begin].offset) ++end;
+        add_seam(pairs, begin, end, sides, extruded);
+        begin = end;
+    }
+}
+
+}  // namespace
+
+ExtrudedMesh extruded_mesh(const Tile& tile) {
+    ExtrudedMesh extruded{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}};
+    add_points(tile, extruded);
+    const std::vector<Side> sides = sides_by_edge(tile);
+    ExtrudedFaces faces(extruded);
+    for (const InnerEdge& edge : inner_edges(sides, tile.n_faces())) {
+        faces.add_wall(edge.v, edge.w, edge.owner);
+        extruded.neighbour.push_back(edge.neighbour);
+    }
+    add_seams(tile, sides, extruded);
+    for (const bool front : {false, true}) {
+        extruded.patches.push_back({front ? "front" : "back", extruded.n_faces(), tile.n_faces(),
+                                    -1, Offset{}, Vec2(0, 0)});
+        faces.add_lids(tile, front);
+    }
+    return extruded;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,27 @@
+#include "mesher/proof/law_violation.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace pcvt {
+
+void throw_violation(const std::string& law, const std::string& what) {
+    throw NotATile("law " + law + ": " + what);
+}
+
+std::string in_words(double amount) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), amount,
+                                   std::chars_format::general, 3);
+    return {text.data(), end.ptr};
+}
+
+std::string in_words(Offset offset) {
+    return "(" + std::to_string(offset.i) + ", " + std::to_string(offset.j) + ")";
+}
+
+std::string edge_in_words(int from, int to) {
+    return std::to_string(from) + " -> " + std::to_string(to);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,35 @@
+#include "mesher/tile/openmesh_properties.hpp"
+
+namespace pcvt {
+namespace {
+
+template <class Mesh, class Handle>
+void attach_property(Mesh& mesh, Handle& handle, const char* name) {
+    if (!mesh.get_property_handle(handle, name)) mesh.add_property(handle, name);
+    mesh.property(handle).set_persistent(true);
+}
+
+template <class Mesh>
+void attach_all(Mesh& mesh, OpenMeshProperties& id) {
+    attach_property(mesh, id.partner, "pcvt_partner");
+    attach_property(mesh, id.partner_offset, "pcvt_partner_offset");
+    attach_property(mesh, id.orbit, "pcvt_orbit");
+    attach_property(mesh, id.orbit_offset, "pcvt_orbit_offset");
+    attach_property(mesh, id.face_site, "pcvt_face_site");
+    attach_property(mesh, id.vertex_site, "pcvt_vertex_site");
+    attach_property(mesh, id.site_point, "pcvt_site_point");
+    mesh.property(id.site_point).set_persistent(false);
+    attach_property(mesh, id.whole_sides, "pcvt_whole_sides");
+    mesh.property(id.whole_sides).set_persistent(false);
+    if (!mesh.get_property_handle(id.lattice, "pcvt_lattice")) {
+        mesh.add_property(id.lattice, "pcvt_lattice");
+    }
+    mesh.mproperty(id.lattice).set_persistent(true);
+}
+
+}  // namespace
+
+void OpenMeshProperties::attach(CellMesh& mesh) { attach_all(mesh, *this); }
+void OpenMeshProperties::attach(TriangleMesh& mesh) { attach_all(mesh, *this); }
+
+}  // namespace pcvt

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include "mesher/lattice/sites.hpp"
+
+namespace pcvt {
+
+struct DoubleTraits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3d;
+};
+
+/// Cells as polygons, z = 0.
+using CellMesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
+/// Delaunay triangles, or triangles inside of cells, z = 0.
+using TriangleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
+
+/// The pairing of a tile's boundary, as OpenMesh properties that `.om` files keep.
+///
+/// Names in the file: "pcvt_partner", "pcvt_partner_offset", "pcvt_orbit", "pcvt_orbit_offset",
+/// "pcvt_face_site", "pcvt_vertex_site" and, of the mesh, "pcvt_lattice" (ax, ay, bx, by).
+struct OpenMeshProperties {
+    /// A boundary halfedge's partner, as a halfedge index; -1 for a halfedge that has a face.
+    OpenMesh::HPropHandleT<int> partner;
+    /// position(to-vertex of the partner) = position(from-vertex) + translation.
+    OpenMesh::HPropHandleT<OpenMesh::Vec2i> partner_offset;
+    /// The smallest vertex index on the vertex's orbit.
+    OpenMesh::VPropHandleT<int> orbit;
+    /// position(vertex) = position(orbit) + translation.
+    OpenMesh::VPropHandleT<OpenMesh::Vec2i> orbit_offset;
+    /// The site of a cell, or of the cell that a grain's triangle lies in; -1 in a mesh of Delaunay
+    /// triangles.
+    OpenMesh::FPropHandleT<int> face_site;
+    /// Where the site of a cell stands; zero in a triangle mesh. `.om` does not keep it.
+    OpenMesh::FPropHandleT<OpenMesh::Vec3d> site_point;
+    /// The sides of the whole cell that a piece or a grain's triangle is part of; else 0. `.om`
+    /// does not keep it.
+    OpenMesh::FPropHandleT<int> whole_sides;
+    /// The site at a vertex of a mesh of Delaunay triangles; else -1.
+    OpenMesh::VPropHandleT<int> vertex_site;
+    OpenMesh::MPropHandleT<std::vector<double>> lattice;
+
+    /// Adds the properties to a mesh, or finds them where they are there already.
+    void attach(CellMesh& mesh);
+    void attach(TriangleMesh& mesh);
+};
+
+}  // namespace pcvt

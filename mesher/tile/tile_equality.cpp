@@ -1,0 +1,62 @@
+#include "mesher/tile/tile_equality.hpp"
+
+#include <algorithm>
+#include <compare>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "mesher/base/bucket_sort.hpp"
+
+namespace pcvt {
+namespace {
+
+std::span<const int> face(const Tile& tile, int f) {
+    return std::span(tile.corners)
+        .subspan(static_cast<std::size_t>(tile.face_begin[f]),
+                 static_cast<std::size_t>(tile.face_size(f)));
+}
+
+/// The faces by rising corners.
+/// @pre every face has corners, and all of them exist.
+std::vector<int> faces_in_order(const Tile& tile) {
+    std::vector<int> order(static_cast<std::size_t>(tile.n_faces()));
+    std::iota(order.begin(), order.end(), 0);
+    bucket_sort(
+        order, tile.n_vertices(), [&](int f) { return face(tile, f).front(); },
+        [&](int f, int g) {
+            const auto a = face(tile, f);
+            const auto b = face(tile, g);
+            return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+        });
+    return order;
+}
+
+bool can_be_ordered(const Tile& tile) {
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        if (tile.face_size(f) < 1) return false;
+    }
+    return std::all_of(tile.corners.begin(), tile.corners.end(),
+                       [&](int v) { return v >= 0 && v < tile.n_vertices(); });
+}
+
+bool same_faces(const Tile& s, const Tile& t) {
+    if (s.face_begin == t.face_begin && s.corners == t.corners) return true;
+    if (s.n_faces() != t.n_faces() || !can_be_ordered(s) || !can_be_ordered(t)) return false;
+    const std::vector<int> of_s = faces_in_order(s);
+    const std::vector<int> of_t = faces_in_order(t);
+    return std::equal(of_s.begin(), of_s.end(), of_t.begin(), [&](int f, int g) {
+        const auto a = face(s, f);
+        const auto b = face(t, g);
+        return std::equal(a.begin(), a.end(), b.begin(), b.end());
+    });
+}
+
+}  // namespace
+
+bool same_geometry(const Tile& s, const Tile& t) {
+    return s.lattice.a() == t.lattice.a() && s.lattice.b() == t.lattice.b() &&
+           s.points == t.points && same_faces(s, t);
+}
+
+}  // namespace pcvt

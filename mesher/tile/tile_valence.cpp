@@ -1,0 +1,33 @@
+#include "mesher/tile/tile_valence.hpp"
+
+#include <cmath>
+
+#include "mesher/mesh/valence.hpp"
+
+namespace pcvt {
+
+std::vector<int> cell_sides(const Tile& cells) {
+    if (!cells.whole_sides.empty()) return cells.whole_sides;
+    const double shortest = kShortEdge * std::sqrt(cells.lattice.area() / cells.n_faces());
+    std::vector<int> sides(cells.n_faces());
+    std::vector<Vec2> polygon;
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        polygon.clear();
+        for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
+            polygon.push_back(cells.points[cells.corners[c]]);
+        }
+        sides[f] = count_sides(polygon, shortest);
+    }
+    return sides;
+}
+
+std::vector<int> vertex_valences(const Tile& triangles) {
+    // A triangle that meets an orbit at two of its corners lies there twice.
+    std::vector<int> valence(triangles.n_vertices(), 0);
+    for (const int v : triangles.corners) ++valence[v];
+    for (const VertexPair& pair : triangles.vertex_pairs) valence[pair.v] += valence[pair.w];
+    for (const VertexPair& pair : triangles.vertex_pairs) valence[pair.w] = valence[pair.v];
+    return valence;
+}
+
+}  // namespace pcvt

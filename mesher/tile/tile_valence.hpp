@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// For each face of a tile of cells or grains the number of sides of its cell, as
+/// cell_sides(const PeriodicMesh&) counts them (mesher/mesh/valence.hpp).
+std::vector<int> cell_sides(const Tile& cells);
+
+/// For each vertex of a tile of Delaunay triangles the number of triangles at its orbit: the
+/// valence of the site.
+std::vector<int> vertex_valences(const Tile& triangles);
+
+}  // namespace pcvt

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace pcvt {
+
+/// Every path of a run once: what it reads and what it writes, under whatever names.
+class DistinctPaths {
+   public:
+    void add_input(const std::string& path);
+    /// @throws InvalidInput if the path is an input or another output as well.
+    void add_output(const std::string& path);
+
+   private:
+    std::map<std::string, std::string> book_;
+};
+
+}  // namespace pcvt

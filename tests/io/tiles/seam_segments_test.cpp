@@ -1,0 +1,95 @@
+#include "io/tiles/seam_segments.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "mesher/base/error.hpp"
+#include "mesher/mesh/outline.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/tile/openmesh_tile.hpp"
+#include "tests/support/grid_tile.hpp"
+#include "tests/support/lattices.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Whole-cell tiles: their ragged boundaries have two to four translations.
+std::vector<Tile> tiles() {
+    std::vector<Tile> all;
+    for (const auto& [name, lattice] : testing::lattices()) {
+        for (const int n : {1, 2, 3, 17}) {
+            const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
+            for (const PeriodicMesh& mesh : {cell_mesh(delaunay), triangle_mesh(delaunay)}) {
+                all.push_back(flatten(make_tile(mesh, whole_outline(mesh, Vec2(0, 0)))));
+            }
+        }
+    }
+    return all;
+}
+
+// Law (1)
+TEST(SeamSegments, APartnerRunsTheOtherWayByTheOppositeOffset) {
+    for (const Tile& tile : tiles()) {
+        const auto runs = seam_segments(tile, {});
+        for (std::size_t r = 0; r < runs.size(); ++r) {
+            const SeamSegment& partner = runs.at(runs[r].partner);
+            EXPECT_EQ(partner.partner, static_cast<int>(r));
+            EXPECT_EQ(partner.offset, -runs[r].offset);
+            ASSERT_EQ(partner.vertices.size(), runs[r].vertices.size());
+            const Vec2 translation = tile.lattice.translation(runs[r].offset);
+            for (std::size_t k = 0; k < runs[r].vertices.size(); ++k) {
+                const Vec2& from = tile.points[runs[r].vertices[k]];
+                const Vec2& to = tile.points[*(partner.vertices.rbegin() + k)];
+                EXPECT_LT((from + translation - to).norm(), 1e-12 * (1 + to.norm()));
+            }
+        }
+    }
+}
+
+// Law (2)
+TEST(SeamSegments, TheyAreTheWholeLoopInStretchesAsLongAsPossible) {
+    for (const Tile& tile : tiles()) {
+        const auto runs = seam_segments(tile, {});
+        std::size_t n_edges = 0;
+        for (std::size_t r = 0; r < runs.size(); ++r) {
+            const SeamSegment& next = runs[(r + 1) % runs.size()];
+            EXPECT_EQ(runs[r].vertices.back(), next.vertices.front());
+            EXPECT_NE(runs[r].offset, next.offset);
+            n_edges += runs[r].vertices.size() - 1;
+        }
+        EXPECT_EQ(n_edges, 2 * tile.edge_pairs.size());
+    }
+}
+
+// Law (3)
+TEST(SeamSegments, OrbitsOfEndsAreEnds) {
+    for (const Tile& tile : tiles()) {
+        std::set<int> ends;
+        for (const SeamSegment& run : seam_segments(tile, {})) ends.insert(run.vertices.front());
+        for (const VertexPair& pair : tile.vertex_pairs) {
+            EXPECT_EQ(ends.count(pair.v), ends.count(pair.w));
+        }
+    }
+}
+
+TEST(SeamSegments, AParallelogramHasFourWithTheTileOnTheirLeft) {
+    const Tile tile = testing::triangle_grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
+    const auto runs = seam_segments(tile, {});
+    ASSERT_EQ(runs.size(), 4U);
+    EXPECT_THAT(runs[0].vertices, ::testing::ElementsAre(0, 1, 2, 3));
+    EXPECT_EQ(runs[0].offset, (Offset{0, 1}));
+    EXPECT_EQ(seam_name(runs[1].offset), "seam_-1_0");
+    EXPECT_EQ(runs[1].partner, 3);
+}
+
+TEST(SeamSegments, ABoundaryThatIsNoLoopIsOurFault) {
+    Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    tile.edge_pairs.pop_back();
+    EXPECT_THROW(seam_segments(tile, {}), InternalError);
+    tile.edge_pairs.clear();
+    EXPECT_THROW(seam_segments(tile, {}), InternalError);
+}
+
+}  // namespace
+}  // namespace pcvt

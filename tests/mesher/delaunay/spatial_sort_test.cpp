@@ -1,0 +1,106 @@
+#include "mesher/delaunay/spatial_sort.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mesher/lattice/sites.hpp"
+#include "tests/support/lattices.hpp"
+#include "tests/support/special_sites.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::lattices;
+
+SpatialSort columns_of(const Sites& sites) {
+    return spatial_sort(sites.coordinates(), gram_of(sites.reduction().reduced));
+}
+
+void expect_columns(const Sites& sites) {
+    const SpatialSort columns = columns_of(sites);
+    const Points& u = sites.coordinates();
+    std::vector<SiteId> ids = columns.order;
+    std::sort(ids.begin(), ids.end());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) ASSERT_EQ(ids[s], s);
+    ASSERT_EQ(columns.begin.front(), 0);
+    ASSERT_EQ(columns.begin.back(), sites.n_sites());
+    const int fewest = sites.n_sites() / columns.n_columns();
+    double reached = -1;
+    for (int k = 0; k < columns.n_columns(); ++k) {
+        const int count = columns.begin[k + 1] - columns.begin[k];
+        ASSERT_TRUE(count == fewest || count == fewest + 1);
+        double highest = reached;
+        for (int m = columns.begin[k]; m < columns.begin[k + 1]; ++m) {
+            const SiteId s = columns.order[m];
+            ASSERT_GE(u(0, s), reached);
+            highest = std::max(highest, u(0, s));
+            if (m == columns.begin[k]) continue;
+            const SiteId t = columns.order[m - 1];
+            ASSERT_LE(std::pair(u(1, t), t), std::pair(u(1, s), s));
+        }
+        reached = highest;
+    }
+}
+
+TEST(SpatialSort, AreSortedAndNearlyEqual) {
+    for (const auto& [name, lattice] : lattices()) {
+        for (const int n : {1, 2, 3, 10, 97, 1000}) {
+            SCOPED_TRACE(name + " n = " + std::to_string(n));
+            expect_columns(Sites(lattice, uniform_points(lattice, n, 4)));
+        }
+    }
+    for (const auto& [name, sites] : testing::special_sites()) {
+        SCOPED_TRACE(name);
+        expect_columns(sites);
+    }
+}
+
+// Many sites in few places: large bins.
+TEST(SpatialSort, AreSortedWhereSitesAreBunched) {
+    const Lattice unit = Lattice::rectangle(1, 1);
+    for (const double spread : {1e-2, 1e-5, 1e-12}) {
+        Points points = spread * uniform_points(unit, 500, 5);
+        points.rightCols(250).array() += 0.3;
+        expect_columns(Sites(unit, points));
+    }
+}
+
+TEST(SpatialSort, AreAsFarApartAsTheSitesInThem) {
+    for (const auto& [name, lattice] : lattices()) {
+        const Sites sites(lattice, uniform_points(lattice, 10000, 6));
+        const Lattice& reduced = sites.reduction().reduced;
+        const int n_columns = columns_of(sites).n_columns();
+        const double apart = reduced.area() / reduced.b().norm() / n_columns;
+        const double along = reduced.b().norm() / (10000.0 / n_columns);
+        EXPECT_NEAR(apart / along, 1, 0.2) << name;
+    }
+}
+
+double mean_distance(const Lattice& lattice, const Points& points) {
+    const Sites sites(lattice, points);
+    double sum = 0;
+    for (SiteId s = 1; s < sites.n_sites(); ++s) {
+        sum += (sites.position(s) - sites.position(s - 1)).norm();
+    }
+    return sum / (sites.n_sites() - 1) / sites.spacing();
+}
+
+TEST(SpatialSort, NumberNeighboursNearToEachOther) {
+    for (const auto& [name, lattice] : lattices()) {
+        const Points points = uniform_points(lattice, 2000, 7);
+        const Points numbered = spatially_sorted(lattice, points);
+        const auto sorted = [](const Points& p) {
+            std::vector<std::pair<double, double>> all;
+            for (Eigen::Index s = 0; s < p.cols(); ++s) all.emplace_back(p(0, s), p(1, s));
+            std::sort(all.begin(), all.end());
+            return all;
+        };
+        EXPECT_EQ(sorted(numbered), sorted(points)) << name;
+        EXPECT_LT(mean_distance(lattice, numbered), 2.5) << name;
+        EXPECT_GT(mean_distance(lattice, points), 5) << name;
+    }
+}
+
+}  // namespace
+}  // namespace pcvt

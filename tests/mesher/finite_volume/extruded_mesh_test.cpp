@@ -1,0 +1,181 @@
+#include "mesher/finite_volume/extruded_mesh.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "mesher/finite_volume/extruded_base.hpp"
+#include "mesher/mesh/outline.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/proof/validate.hpp"
+#include "mesher/tile/openmesh_tile.hpp"
+#include "tests/support/grid_tile.hpp"
+#include "tests/support/lattices.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::lattices;
+
+Tile random_tile(const Lattice& lattice, int n, MeshKind kind) {
+    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 4)));
+    const PeriodicMesh mesh =
+        kind == MeshKind::kVoronoi ? cell_mesh(delaunay) : triangle_mesh(delaunay);
+    return flatten(make_tile(mesh, whole_outline(mesh, Vec2(0, 0))));
+}
+
+std::vector<Eigen::Vector3d> face_points(const ExtrudedMesh& extruded, int f) {
+    std::vector<Eigen::Vector3d> points;
+    for (int c = extruded.face_begin[f]; c < extruded.face_begin[f + 1]; ++c) {
+        points.push_back(extruded.points[extruded.corners[c]]);
+    }
+    return points;
+}
+
+/// The corners of each face, each face beginning with its smallest.
+std::vector<std::vector<int>> turned_faces(const Tile& tile) {
+    std::vector<std::vector<int>> faces;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        std::vector<int> face(tile.corners.begin() + tile.face_begin[f],
+                              tile.corners.begin() + tile.face_begin[f + 1]);
+        std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+        faces.push_back(face);
+    }
+    return faces;
+}
+
+TEST(ExtrudedMesh, ATileComesBackFromItsBackPlaneAndItsPatches) {
+    for (const auto& [name, lattice] : lattices()) {
+        for (const int n : {1, 2, 7, 40}) {
+            for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
+                Tile tile = random_tile(lattice, n, kind);
+                Tile back = extruded_base(extruded_mesh(tile));
+                EXPECT_EQ(back.points, tile.points) << name;
+                EXPECT_EQ(turned_faces(back), turned_faces(tile)) << name;
+                std::sort(back.edge_pairs.begin(), back.edge_pairs.end());
+                std::sort(tile.edge_pairs.begin(), tile.edge_pairs.end());
+                EXPECT_TRUE(back.edge_pairs == tile.edge_pairs) << name << ' ' << n;
+            }
+        }
+    }
+}
+
+TEST(ExtrudedMesh, NormalsLeaveTheOwner) {
+    const Tile tile = random_tile(Lattice({1, 0}, {0.37, 0.81}), 40, MeshKind::kVoronoi);
+    const ExtrudedMesh extruded = extruded_mesh(tile);
+    for (int f = 0; f < extruded.n_faces(); ++f) {
+        const auto points = face_points(extruded, f);
+        const Eigen::Vector3d normal = (points[1] - points[0]).cross(points[2] - points[0]);
+        const Vec2& site = tile.site_points[extruded.owner[f]];
+        const Eigen::Vector3d centre(site.x(), site.y(), extruded.points.back().z() / 2);
+        EXPECT_GT(normal.dot(points[0] - centre), 0) << f;
+        if (f >= extruded.n_inner_faces()) continue;
+        EXPECT_LT(extruded.owner[f], extruded.neighbour[f]);
+        if (f > 0) {
+            EXPECT_LE(std::pair(extruded.owner[f - 1], extruded.neighbour[f - 1]),
+                      std::pair(extruded.owner[f], extruded.neighbour[f]));
+        }
+    }
+}
+
+TEST(ExtrudedMesh, FacesOfASeamAnswerEachOtherPointByPoint) {
+    const ExtrudedMesh extruded =
+        extruded_mesh(random_tile(Lattice({1, 0}, {0.37, 0.81}), 40, MeshKind::kVoronoi));
+    int n_answers = 0;
+    for (const ExtrudedPatch& patch : extruded.patches) {
+        if (patch.partner < 0) continue;
+        const ExtrudedPatch& partner = extruded.patches[patch.partner];
+        ASSERT_EQ(patch.n_faces, partner.n_faces);
+        EXPECT_EQ(patch.name, seam_name(patch.offset));
+        for (int k = 0; k < patch.n_faces; ++k) {
+            const auto here = face_points(extruded, patch.first_face + k);
+            const auto there = face_points(extruded, partner.first_face + k);
+            for (int p = 0; p < 4; ++p, ++n_answers) {
+                const Eigen::Vector3d gap = there[(4 - p) % 4] - here[p];
+                EXPECT_LT((gap.head<2>() - patch.separation).norm(), 1e-15);
+                EXPECT_EQ(gap.z(), 0);
+            }
+        }
+    }
+    EXPECT_GT(n_answers, 100);
+}
+
+/// What extruded_base says about a sound extruded after `damage`.
+template <class Damage>
+std::string fault_after(Damage damage) {
+    ExtrudedMesh extruded = extruded_mesh(testing::grid_tile(Lattice({1, 0}, {0.37, 0.81}), 4, 3));
+    damage(extruded);
+    try {
+        extruded_base(extruded);
+    } catch (const NotATile& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+TEST(ExtrudedMesh, BrokenPlanesAreRefused) {
+    EXPECT_EQ(fault_after([](ExtrudedMesh&) {}), "");
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.points.back().x() += 1e-15; }),
+                HasSubstr("law (1) of extruded meshes"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.points[3].z() = 1e-15; }),
+                HasSubstr("law (1) of extruded meshes"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { std::swap(s.corners[1], s.corners[2]); }),
+                HasSubstr("not an upright wall"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.corners.back() = s.corners[0]; }),
+                HasSubstr("not a prism"));
+}
+
+TEST(ExtrudedMesh, FacesOutOfOrderAreRefused) {
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { std::swap(s.owner[0], s.neighbour[0]); }),
+                HasSubstr("not below its neighbour"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { std::swap(s.neighbour[0], s.neighbour[1]); }),
+                HasSubstr("out of order"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { ++s.neighbour[0]; }),
+                HasSubstr("law (2) of extruded meshes"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.owner.back() = 99; }), HasSubstr("law (2)"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.owner[s.patches[0].first_face] = 12; }),
+                HasSubstr("12 and 12 faces for 13 cells"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) {
+                    s.face_begin[s.face_begin.size() - 13] -= 4;
+                    s.face_begin[s.face_begin.size() - 14] = s.face_begin[s.face_begin.size() - 13];
+                }),
+                HasSubstr("law ("));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.corners[5] = -1; }), HasSubstr("point -1"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) {
+                    std::rotate(s.corners.begin(), s.corners.begin() + 1, s.corners.begin() + 4);
+                    std::swap(s.corners[0], s.corners[1]);
+                    std::swap(s.corners[2], s.corners[3]);
+                }),
+                HasSubstr("law ("));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { --s.patches[1].n_faces; }), HasSubstr("patch"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.patches.pop_back(); }),
+                HasSubstr("leave face"));
+}
+
+TEST(ExtrudedMesh, FalseSeamsAreRefused) {
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.patches[0].separation.x() += 1e-12; }),
+                HasSubstr("states another separation"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.patches[0].partner = 2; }),
+                HasSubstr("do not answer each other"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) {
+                    const auto first = s.corners.begin() + s.face_begin[s.patches[0].first_face];
+                    std::rotate(first, first + 1, first + 4);
+                }),
+                HasSubstr("do not begin at points that answer each other"));
+}
+
+TEST(ExtrudedMesh, FacesOfASeamInAnotherOrderAreNotItsPairs) {
+    ExtrudedMesh extruded = extruded_mesh(testing::grid_tile(Lattice::rectangle(1, 1), 4, 3));
+    const auto first =
+        extruded.corners.begin() + extruded.face_begin[extruded.patches[0].first_face];
+    std::swap_ranges(first, first + 4, first + 4);
+    std::swap(extruded.owner[extruded.patches[0].first_face],
+              extruded.owner[extruded.patches[0].first_face + 1]);
+    const Tile tile = extruded_base(extruded);
+    EXPECT_THROW(compare_edge_pairs(tile, prove_tile(tile, Precision::kDouble)), NotATile);
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,73 @@
+#include "mesher/mesh/valence.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numeric>
+
+#include "mesher/tile/tile_valence.hpp"
+#include "tests/support/grid_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::Each;
+using ::testing::IsEmpty;
+using ::testing::Pair;
+using ::testing::UnorderedElementsAre;
+
+const Lattice kSkewed({1, 0}, {7, 1});
+
+/// One unit square whose lower side is split at x = `cut`.
+Tile split_square(double cut) {
+    Tile tile{Lattice::rectangle(1, 1), MeshKind::kVoronoi, {}, {0, 5}, {}, {0}, {}, {}, {}};
+    tile.points = {{0, 0}, {cut, 0}, {1, 0}, {1, 1}, {0, 1}};
+    tile.corners = {0, 1, 2, 3, 4};
+    return tile;
+}
+
+TEST(CellSides, ParallelogramHasFour) {
+    EXPECT_THAT(cell_sides(testing::grid_tile(kSkewed, 3, 2)), Each(4));
+}
+
+TEST(CellSides, EdgeCountsOnlyAboveTheNamedLength) {
+    EXPECT_THAT(cell_sides(split_square(1.01 * kShortEdge)), Each(5));
+    EXPECT_THAT(cell_sides(split_square(0.99 * kShortEdge)), Each(4));
+}
+
+TEST(CellSides, ShortnessIsMeasuredInTheSpacingOfTheTile) {
+    Tile tile = split_square(1.01 * kShortEdge);
+    tile.lattice = Lattice::rectangle(1e3, 1e3);
+    for (Vec2& p : tile.points) p *= 1e3;
+    EXPECT_THAT(cell_sides(tile), Each(5));
+}
+
+TEST(VertexValences, EveryCopyOfAGridPointHasSix) {
+    for (const int columns : {1, 2, 5}) {
+        EXPECT_THAT(vertex_valences(testing::triangle_grid_tile(kSkewed, columns, 3)), Each(6));
+    }
+}
+
+TEST(VertexValences, FlippedEdgeMovesOneTriangleFromTwoSitesToTwoOthers) {
+    Tile tile = testing::triangle_grid_tile(Lattice::rectangle(1, 1), 4, 4);
+    // The two triangles of the parallelogram (1, 1): vertices 6, 7, 12, 11, none of them on the
+    // seam.
+    const int first = 3 * 2 * 5;
+    ASSERT_EQ(tile.corners[first], 6);
+    const std::vector<int> flipped = {6, 7, 11, 7, 12, 11};
+    std::copy(flipped.begin(), flipped.end(), tile.corners.begin() + first);
+    const std::vector<int> valence = vertex_valences(tile);
+    EXPECT_EQ(valence[6], 5);
+    EXPECT_EQ(valence[12], 5);
+    EXPECT_EQ(valence[7], 7);
+    EXPECT_EQ(valence[11], 7);
+    EXPECT_EQ(valence[0], 6);
+}
+
+TEST(Histogram, CountsEachNumberOfSides) {
+    EXPECT_THAT(histogram({6, 5, 7, 6, 6}),
+                UnorderedElementsAre(Pair(5, 1), Pair(6, 3), Pair(7, 1)));
+    EXPECT_THAT(histogram({}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace pcvt

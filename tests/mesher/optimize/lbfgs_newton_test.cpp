@@ -1,0 +1,132 @@
+#include "mesher/optimize/lbfgs_newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/plain_objective.hpp"
+
+namespace pcvt {
+namespace {
+
+using Eigen::VectorXd;
+using testing::PlainObjective;
+
+/// sum cosh(k x_k): minimum at 0, where Newton's method is superlinear.
+bool chain(const VectorXd& x, Evaluation& e) {
+    const VectorXd weight = VectorXd::LinSpaced(x.size(), 1, double(x.size()));
+    const VectorXd kx = weight.cwiseProduct(x);
+    e.value = kx.array().cosh().sum();
+    e.gradient = weight.array() * kx.array().sinh();
+    e.residual = e.gradient.cwiseAbs().maxCoeff() / double(x.size());
+    e.rms_residual = e.gradient.norm() / (double(x.size()) * std::sqrt(double(x.size())));
+    return true;
+}
+
+PlainObjective from(double start) { return {chain, VectorXd::Constant(20, start), 1.0 / 400}; }
+
+OptimizerResult relay(Objective& objective, double tolerance, NewtonStart start,
+                      const ProgressCallback& progress = {}) {
+    Workers workers(1);
+    return minimize_lbfgs_newton(objective, {tolerance, -1, 0.5, progress}, start, workers);
+}
+
+TEST(LbfgsNewton, LeavesToLbfgsWhatIsNotNearAMinimum) {
+    PlainObjective objective = from(0.3);
+    const OptimizerResult loose = relay(objective, 1e-2, NewtonStart::kNear);
+    EXPECT_EQ(loose.stop, Stop::kConverged);
+    EXPECT_EQ(loose.hessians, 0);
+    PlainObjective again = from(0.3);
+    EXPECT_GT(relay(again, 1e-2, NewtonStart::kAtOnce).hessians, 0);
+}
+
+TEST(LbfgsNewton, LeavesAllToLbfgsWithoutAHessian) {
+    PlainObjective objective = from(0.3);
+    objective.forget_hessian();
+    const OptimizerResult result = relay(objective, 1e-9, NewtonStart::kAtOnce);
+    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_EQ(result.hessians, 0);
+    EXPECT_EQ(result.evaluations, objective.n_evaluations());
+}
+
+TEST(LbfgsNewton, FinishesByNewtonAndAtOnceWhereTheFirstPointIsNear) {
+    PlainObjective far = from(0.3);
+    const OptimizerResult finished = relay(far, 1e-12, NewtonStart::kNear);
+    EXPECT_EQ(finished.stop, Stop::kConverged);
+    EXPECT_GT(finished.hessians, 0);
+    EXPECT_GT(finished.iterations, finished.hessians);
+    PlainObjective near = from(1e-3);
+    const OptimizerResult at_once = relay(near, 1e-12, NewtonStart::kNear);
+    EXPECT_EQ(at_once.stop, Stop::kConverged);
+    EXPECT_EQ(at_once.iterations, at_once.hessians);
+}
+
+// Iterations are reported one by one, and evaluations are those of the objective.
+TEST(LbfgsNewton, CountsOverAllLegs) {
+    for (const NewtonStart start : {NewtonStart::kNear, NewtonStart::kAtOnce}) {
+        PlainObjective objective = from(0.3);
+        int next = 0;
+        const OptimizerResult result = relay(objective, 1e-12, start, [&](const Progress& p) {
+            EXPECT_EQ(p.iteration, next++);
+            EXPECT_EQ(p.evaluations, objective.n_evaluations());
+            return true;
+        });
+        EXPECT_EQ(result.iterations + 1, next);
+        EXPECT_EQ(result.evaluations, objective.n_evaluations());
+        Evaluation there;
+        chain(objective.point(), there);
+        EXPECT_EQ(result.evaluation.value, there.value);
+    }
+}
+
+TEST(LbfgsNewton, LimitsAndCancelsInEveryLeg) {
+    for (const NewtonStart start : {NewtonStart::kNear, NewtonStart::kAtOnce}) {
+        PlainObjective whole = from(0.3);
+        const int n_iterations = relay(whole, 1e-12, start).iterations;
+        for (int limit = 0; limit <= n_iterations; ++limit) {
+            PlainObjective objective = from(0.3);
+            Workers workers(1);
+            const auto limited =
+                minimize_lbfgs_newton(objective, {1e-12, limit, 0.5, {}}, start, workers);
+            EXPECT_EQ(limited.iterations, limit);
+            EXPECT_EQ(limited.stop == Stop::kConverged, limit == n_iterations) << limit;
+            PlainObjective another = from(0.3);
+            const auto cancelled = relay(
+                another, 1e-12, start, [limit](const Progress& p) { return p.iteration < limit; });
+            EXPECT_EQ(cancelled.stop, Stop::kCancelled);
+            EXPECT_EQ(cancelled.iterations, limit);
+        }
+    }
+}
+
+// Beyond double precision Newton gets stuck, then L-BFGS does.
+TEST(LbfgsNewton, StallsWhereBothDo) {
+    for (const NewtonStart start : {NewtonStart::kNear, NewtonStart::kAtOnce}) {
+        PlainObjective objective(
+            [](const VectorXd& x, Evaluation& e) {
+                chain(x, e);
+                e.residual += 1e-3;
+                return true;
+            },
+            VectorXd::Constant(20, 0.3), 1.0 / 400);
+        EXPECT_EQ(relay(objective, 1e-6, start).stop, Stop::kStalled);
+    }
+}
+
+// Where Newton's method leads nowhere L-BFGS still gets there.
+TEST(LbfgsNewton, GoesOnByLbfgsWhereNewtonIsStuck) {
+    int n_hessians = 0;
+    PlainObjective objective = from(0.3);
+    objective.mislead_hessian([&](BlockMatrix& h) {
+        ++n_hessians;
+        for (auto& block : h.diagonal) block = {1e12, 0, 0, 1e12};
+        for (auto& block : h.block) block = {};
+    });
+    const OptimizerResult result = relay(objective, 1e-9, NewtonStart::kNear);
+    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_EQ(result.hessians, n_hessians);
+    EXPECT_GT(n_hessians, 0);
+}
+
+}  // namespace
+}  // namespace pcvt

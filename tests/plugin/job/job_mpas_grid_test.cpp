@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/mpas/mpas_reader.hpp"
+#include "mesher/search/lattice_pattern.hpp"
+#include "plugin/job/job.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The C-grid that a job writes whose sites stay at an exact lattice of acute triangles.
+MpasGrid written_grid(const std::optional<Density>& density, int columns) {
+    const Lattice period = Lattice::rectangle(1, 2 / std::sqrt(3));
+    const testing::TemporaryFolder folder;
+    Job job;
+    job.lattice = period;
+    job.points = pattern_points(best_lattice(period, 48));
+    job.points.colwise() += Vec2(0.01, 0.02);
+    job.max_iterations = 0;
+    job.density = density;
+    job.columns = columns;
+    job.origin = {5, -3};
+    job.outputs = {folder / "t.nc"};
+    run_job(job, {});
+    return decode_mpas(job.outputs[0], testing::bytes_of(job.outputs[0]));
+}
+
+TEST(JobMpasGrid, TheMeshDensityIsThatOfTheSitesOverItsLargestValue) {
+    const auto rho = [](double u) { return 2 + std::cos(2 * M_PI * u); };
+    const Density density = shared_density([&](const DensityPoint& p) { return 7 * rho(p.u); });
+    for (const int columns : {1, 2}) {
+        const MpasGrid grid = written_grid(density, columns);
+        ASSERT_EQ(grid.n_cells, 48 * columns);
+        double largest = 0;
+        for (const double x : grid.x_cell) largest = std::max(largest, rho(x));
+        for (int f = 0; f < grid.n_cells; ++f) {
+            EXPECT_NEAR(grid.mesh_density[f], rho(grid.x_cell[f]) / largest, 1e-12);
+        }
+        EXPECT_EQ(*std::max_element(grid.mesh_density.begin(), grid.mesh_density.end()), 1);
+        EXPECT_LT(*std::min_element(grid.mesh_density.begin(), grid.mesh_density.end()), 0.4);
+    }
+}
+
+TEST(JobMpasGrid, WithoutADensityItIsOne) {
+    const MpasGrid grid = written_grid(std::nullopt, 1);
+    EXPECT_EQ(grid.mesh_density, std::vector<double>(48, 1));
+}
+
+}  // namespace
+}  // namespace pcvt

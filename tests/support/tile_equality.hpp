@@ -1,0 +1,29 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt::testing {
+
+/// Every number of the two tiles is the same, bit for bit but for the sign of zero.
+inline void expect_same_tile(const Tile& actual, const Tile& expected) {
+    EXPECT_EQ(actual.lattice.a(), expected.lattice.a());
+    EXPECT_EQ(actual.lattice.b(), expected.lattice.b());
+    EXPECT_EQ(actual.kind, expected.kind);
+    EXPECT_EQ(actual.points, expected.points);
+    EXPECT_EQ(actual.face_begin, expected.face_begin);
+    EXPECT_EQ(actual.corners, expected.corners);
+    EXPECT_EQ(actual.face_site, expected.face_site);
+    EXPECT_EQ(actual.vertex_site, expected.vertex_site);
+    EXPECT_TRUE(actual.vertex_pairs == expected.vertex_pairs);
+    EXPECT_TRUE(actual.edge_pairs == expected.edge_pairs);
+}
+
+/// Tiles of both kinds on lattices with awkward numbers: oblique, left-handed, tiny, huge.
+inline std::vector<Lattice> awkward_lattices() {
+    return {Lattice({1, 0}, {0, 1}), Lattice({1, 0}, {0.37, 0.81}), Lattice({0, 1}, {1, 0}),
+            Lattice({1e-3 / 3, 0}, {0, 2e-3 / 7}), Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9})};
+}
+
+}  // namespace pcvt::testing
