@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include "io/run_files/site_writer.hpp"
+#include "mesher/lattice/sites.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/temporary_folder.hpp"
 
