@@ -4,8 +4,11 @@
 
 namespace pcvt {
 
-/// A file's content is at fault. The message reads `file:line: what; what to do` (no line where the
-/// fault has none).
+/// The content of a file is invalid. The message reads `file:line: problem; remedy`; the line is
+/// left out where the problem has none.
+///
+/// Example usage:
+///     if (n_faces == 0) throw BadFile(name + ": there is no face; give a mesh");
 class BadFile : public InvalidInput {
    public:
     using InvalidInput::InvalidInput;

@@ -14,7 +14,7 @@ constexpr std::string_view kDigitsAndPadding =
 constexpr std::string_view kDigits = kDigitsAndPadding.substr(0, 64);
 constexpr CharSet kText(kDigitsAndPadding);
 
-/// The value of each character as a base64 digit; -1 for the others.
+/// The value of each character as a base64 digit; -1 for all other characters.
 constexpr std::array<signed char, 256> base64_values() {
     std::array<signed char, 256> values{};
     for (signed char& value : values) value = -1;
@@ -47,6 +47,7 @@ void append_base64(std::string& text, const std::vector<unsigned char>& bytes) {
 std::size_t base64_length(std::string_view text) { return kText.skip_in(text); }
 
 bool decode_base64(std::string_view text, std::string& bytes) {
+    // At most two characters of padding.
     if (text.size() % 4 != 0) return false;
     std::size_t padding = 0;
     while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=')
@@ -54,7 +55,7 @@ bool decode_base64(std::string_view text, std::string& bytes) {
     static constexpr std::array<signed char, 256> kValues = base64_values();
     bytes.resize(text.size() / 4 * 3);
     char* byte = bytes.data();
-    // Below 0 from the first character on that is no digit.
+    // Four digits become three bytes. `all` is negative from the first invalid digit on.
     int all = 0;
     const auto append = [&](const char* digits, std::size_t n_digits) {
         int group = 0;
@@ -65,6 +66,7 @@ bool decode_base64(std::string_view text, std::string& bytes) {
         }
         for (const int shift : {16, 8, 0}) *byte++ = static_cast<char>(group >> shift & 0xff);
     };
+    // The last group may be padded.
     const std::size_t n_whole = text.size() - (padding > 0 ? 4 : 0);
     for (std::size_t k = 0; k < n_whole; k += 4) append(text.data() + k, 4);
     if (padding > 0) append(text.data() + n_whole, 4 - padding);

@@ -6,7 +6,12 @@
 
 namespace pcvt {
 
-/// A set of characters, looked up in a table: scanners of large files ask it for each character.
+/// A set of characters, stored as a table because scanners of large files test every character.
+///
+/// Example usage:
+///     constexpr CharSet kBlanks(" \t");
+///     text.remove_prefix(kBlanks.skip_in(text));
+///     const std::string_view word = text.substr(0, kBlanks.find_in(text));
 class CharSet {
    public:
     constexpr explicit CharSet(std::string_view members) {
@@ -14,13 +19,13 @@ class CharSet {
     }
 
     constexpr bool holds(char c) const { return holds_[static_cast<unsigned char>(c)]; }
-    /// Where the first member stands, and the first character that is none; the size of `text`
-    /// where there is none.
+    /// Returns the index of the first character of `text` in the set; text.size() if there is none.
     constexpr std::size_t find_in(std::string_view text) const {
         std::size_t k = 0;
         while (k < text.size() && !holds(text[k])) ++k;
         return k;
     }
+    /// Returns the index of the first character of `text` outside of the set, likewise.
     constexpr std::size_t skip_in(std::string_view text) const {
         std::size_t k = 0;
         while (k < text.size() && holds(text[k])) ++k;

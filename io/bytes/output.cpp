@@ -17,7 +17,7 @@
 namespace pcvt {
 namespace {
 
-/// Keeps the temporary name under the 255 bytes of a folder's entry.
+/// Keeps a temporary name below 255 bytes, the longest name of a file.
 constexpr std::size_t kLongestStem = 200;
 
 [[noreturn]] void throw_bad_file(const std::string& path, const std::string& reason) {
@@ -35,7 +35,7 @@ std::string folder_of(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
-/// Six letters and digits that no other call of this process has had lately.
+/// Returns six letters and digits that differ from all recent results in this process.
 std::string fresh_suffix() {
     static std::atomic<std::uint64_t> counter{static_cast<std::uint64_t>(::getpid()) * 0x9E3779B9U};
     constexpr std::string_view letters = "0123456789abcdefghijklmnopqrstuvwxyz";
@@ -50,8 +50,8 @@ std::string temporary_name(const std::string& path) {
     return folder_of(path) + "/." + name.substr(0, kLongestStem) + ".pcvt-" + fresh_suffix();
 }
 
-/// Creates and opens a file that was not there. Not mkstemp: its 0600 could be widened to what the
-/// umask allows only by setting the umask of the whole process for a moment.
+/// Creates and opens a new file. mkstemp() will not do: its mode 0600 could be widened to the
+/// permissions of the umask only by setting the umask of the whole process for a moment.
 int create_temporary(const std::string& path, std::string& temporary) {
     while (true) {
         temporary = temporary_name(path);
@@ -61,14 +61,14 @@ int create_temporary(const std::string& path, std::string& temporary) {
     }
 }
 
-/// In a folder that nobody else knows of, where the name itself is free.
+/// Creates and opens `temporary` in a folder under a hidden name, where no other file can be.
 int create_new(const std::string& path, const std::string& temporary) {
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) throw_bad_file(path, reason_of(errno));
     return file;
 }
 
-/// 0, or the error that stopped it.
+/// Returns 0, or the error that stopped the writing.
 int write_all(int file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t n = ::write(file, bytes.data(), bytes.size());
@@ -79,37 +79,37 @@ int write_all(int file, std::string_view bytes) {
     return 0;
 }
 
-/// Some pipes and special file systems cannot sync; they say so with EINVAL or ENOTSUP.
+/// Returns 0, or the error. Some pipes and special file systems cannot sync; they report EINVAL or
+/// ENOTSUP.
 int sync(int file) {
     if (::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP) return 0;
     return errno;
 }
 
-/// Moves a file to a name that must be free. 0, or the error.
+/// Moves a file to a name that must be free. Returns 0, or the error.
 int rename_to_free_name(const std::string& from, const std::string& to) {
     if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
     if (errno != EINVAL && errno != ENOSYS) return errno;
-    // The file system knows no such rename: a second name does not replace either.
+    // The file system lacks this rename. A hard link does not replace an existing file either.
     if (::link(from.c_str(), to.c_str()) != 0) return errno;
     ::unlink(from.c_str());
     return 0;
 }
 
-/// As above, for folders; where the file system knows no such rename, one that is empty is
-/// replaced.
+/// The same for folders; an empty folder is replaced where the file system lacks this rename.
 int rename_folder(const std::string& from, const std::string& to) {
     if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
     if (errno != EINVAL && errno != ENOSYS) return errno;
     return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Gives what stands at `target` a second name, so that it can come back. 0, or the error.
+/// Gives the file at `target` a second name, so that it can be restored. Returns 0, or the error.
 int keep(const std::string& target, const std::string& backup) {
     struct stat status {};
     if (::lstat(target.c_str(), &status) != 0) return errno;
     if (S_ISDIR(status.st_mode)) return EISDIR;
     if (::link(target.c_str(), backup.c_str()) == 0) return 0;
-    // No hard links here, or not to a file of somebody else: move it aside.
+    // Hard links are not supported, or not permitted to another user's file: rename it instead.
     return ::rename(target.c_str(), backup.c_str()) == 0 ? 0 : errno;
 }
 
@@ -120,7 +120,7 @@ OutputSet::~OutputSet() { remove_staged(); }
 void OutputSet::remove_staged() {
     for (const Staged& file : staged_) ::unlink(file.temporary.c_str());
     for (const Folder& folder : folders_) {
-        // Folders into which somebody else has put a file stay.
+        // rmdir() keeps folders into which somebody else has put a file.
         for (auto path = folder.created.rbegin(); path != folder.created.rend(); ++path) {
             ::rmdir(path->c_str());
         }
@@ -160,7 +160,7 @@ void OutputSet::require_writable_folder(const std::string& folder,
     if (!force) throw_bad_file(folder, "it exists; use --force to replace the files in it");
     for (const std::string& path : paths) {
         std::string inner = folder_of(path);
-        // What is missing will be created in the innermost folder that is there.
+        // Missing folders will be created in the innermost folder that exists.
         while (inner.size() > folder.size() && ::lstat(inner.c_str(), &status) != 0) {
             inner = folder_of(inner);
         }
@@ -184,7 +184,7 @@ void OutputSet::stage_folder(const std::string& folder) {
     } while (entry.created.empty());
 }
 
-/// Creates what is missing of `innermost`, which lies below the folder or is the folder.
+/// Creates `innermost`, which is the folder or lies below it, with all missing folders above it.
 void OutputSet::make_folders(Folder& folder, const std::string& innermost) {
     struct stat status {};
     if (::stat(innermost.c_str(), &status) == 0) return;
@@ -193,7 +193,7 @@ void OutputSet::make_folders(Folder& folder, const std::string& innermost) {
     folder.created.push_back(innermost);
 }
 
-/// Creates and opens the file that stands for `path` until commit().
+/// Creates and opens the temporary file that replaces `path` in commit().
 int OutputSet::create(const std::string& path) {
     const std::lock_guard lock(mutex_);
     Staged entry{path, {}, {}};
@@ -268,7 +268,7 @@ void OutputSet::take_back(std::size_t n_put) {
         const Staged& file = staged_[k];
         if (!file.backup.empty()) {
             ::rename(file.backup.c_str(), file.target.c_str());
-            // Between two names of one file, rename does nothing.
+            // rename() does nothing where both names belong to one file.
             ::unlink(file.backup.c_str());
         } else if (k < n_put && !file.moves_with_folder) {
             ::unlink(file.target.c_str());

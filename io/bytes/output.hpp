@@ -9,27 +9,35 @@
 
 namespace pcvt {
 
-/// A file could not be written; the message holds the path and the system's reason.
+/// A file could not be written. The message names the path and the system's reason.
 class OutputError : public Error {
    public:
     using Error::Error;
 };
 
-/// It exists already, and may not be replaced. The message ends there: how to allow it depends on
-/// the caller.
+/// The file exists already and may not be replaced. The message ends there, because only the caller
+/// knows how its users permit the replacement.
 class OutputExists : public OutputError {
    public:
     using OutputError::OutputError;
 };
 
-/// Files, and folders of files, that appear together and complete, or not at all.
+/// Writes files, and folders of files, that appear together and complete, or not at all.
 ///
-/// stage() writes a hidden temporary file in the folder of its target and checks every byte down to
-/// the disk (fsync, close); commit() renames them all. Whatever is staged and not committed is
-/// removed by the destructor; a commit that fails half way takes back the files it had put there.
-/// A folder that does not exist yet is filled under a hidden name and renamed as a whole; in one
-/// that exists, files are replaced one by one and all others stay.
-/// Threads may stage and read back at the same time.
+/// stage() writes a hidden temporary file in the folder of its target and reports every failure
+/// down to the disk (write, fsync, close); commit() renames all staged files to their targets. The
+/// destructor removes files that were staged and not committed; a commit that fails half way
+/// restores the state before it.
+/// A folder that does not exist yet is filled under a hidden name and renamed as a whole; in an
+/// existing folder, files are replaced one by one and all other files stay.
+/// Several threads may stage files and read them back at the same time.
+///
+/// Example usage:
+///     OutputSet::require_writable("tile.obj", false);
+///     OutputSet output;
+///     output.stage("tile.obj", bytes);
+///     if (!output.holds("tile.obj", bytes)) throw OutputError("tile.obj: the disk lost bytes");
+///     output.commit(false);
 class OutputSet {
    public:
     OutputSet() = default;
@@ -37,41 +45,43 @@ class OutputSet {
     OutputSet(const OutputSet&) = delete;
     OutputSet& operator=(const OutputSet&) = delete;
 
+    /// Checks that `path` can be written; call it for every target before any computation.
     /// @param force  whether an existing target may be replaced.
-    /// To be asked for every target before any computing.
-    /// @throws OutputExists if the target exists, without force.
-    /// @throws OutputError if it is a folder, or its folder is missing or not writable.
+    /// @throws OutputExists if the target exists and `force` is not set.
+    /// @throws OutputError if the target is a folder, or its folder is missing or not writable.
     static void require_writable(const std::string& path, bool force);
 
-    /// The same for a folder and the files in it that are to be staged; `force` lets files in a
-    /// folder that exists be replaced.
+    /// The same check for a folder and for `paths`, the files to be staged in it; `force` allows
+    /// files in an existing folder to be replaced.
     static void require_writable_folder(const std::string& folder,
                                         const std::vector<std::string>& paths, bool force);
 
-    /// Says that paths below `folder`, staged later, belong to it.
+    /// Declares that files staged later below `folder` belong to it.
     /// @throws OutputError with path and reason.
     void stage_folder(const std::string& folder);
+    /// Writes `bytes` to the temporary file of `path`.
     /// @throws OutputError with path and reason.
     void stage(const std::string& path, const std::string& bytes);
-    /// Whether the disk gives back exactly these bytes for `path`, which is staged.
+    /// Returns whether the temporary file of `path`, which is staged, holds exactly these bytes.
     bool holds(const std::string& path, std::string_view bytes) const;
-    /// @throws OutputExists, OutputError with path and reason; no target is left changed then.
+    /// Renames everything that is staged to its target.
+    /// @throws OutputExists, OutputError with path and reason; no target is changed then.
     void commit(bool force);
 
    private:
     struct Staged {
         std::string target;
         std::string temporary;
-        /// While commit() is under way: where the file that it replaces is kept.
+        /// During commit(): the second name of the file that it replaces.
         std::string backup;
-        /// It stands in a folder that is renamed as a whole.
+        /// The file lies in a folder that is renamed as a whole.
         bool moves_with_folder = false;
     };
     struct Folder {
         std::string target;
-        /// Where it is filled; empty if the target existed.
+        /// The name under which the folder is filled; empty if the target existed.
         std::string temporary;
-        /// Every folder that was created on the way, outer ones first.
+        /// Every folder created for it, outer ones first.
         std::vector<std::string> created;
         bool moved = false;
     };

@@ -28,7 +28,7 @@ std::string_view without_plus(std::string_view word) {
     return plus ? word.substr(1) : word;
 }
 
-/// NaN and infinity, which std::from_chars would take for numbers.
+/// Recognizes NaN and infinity, which std::from_chars accepts as numbers.
 bool spells_no_finite_number(std::string_view word) {
     const std::size_t at = word.find_first_not_of("+-");
     if (at == std::string_view::npos) return false;
@@ -69,10 +69,10 @@ Number parse(std::string_view word) {
 
 int open_to_read(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }
 
-/// Reads a file from its beginning to its end, and closes it.
+/// Reads a file block by block from its beginning to its end, and closes it.
 class BlockReader {
    public:
-    /// @param file  its descriptor; negative where errno tells why it could not be opened.
+    /// @param file  its descriptor; negative if open() failed and errno holds the reason.
     BlockReader(const std::string& name, int file) : name_(name), file_(file), block_(1 << 16) {
         if (file_ < 0) throw_bad_file();
     }
@@ -82,7 +82,7 @@ class BlockReader {
     BlockReader(const BlockReader&) = delete;
     BlockReader& operator=(const BlockReader&) = delete;
 
-    /// The next bytes, which hold until the call after; empty at the end.
+    /// Returns the next bytes, which are valid until the next call; empty at the end of the file.
     std::string_view next() {
         while (true) {
             const ssize_t n = ::read(file_, block_.data(), block_.size());

@@ -8,37 +8,52 @@
 
 namespace pcvt {
 
-/// Appends the shortest decimals that read back as `value`, whatever the locale; -0.0 is written 0.
-/// @throws InternalError if value is not finite: no text format of ours has a word for that.
+/// Appends the shortest decimal number that reads back as `value`, in every locale; -0.0 is written
+/// as 0.
+///
+/// Example usage:
+///     std::string text = "v ";
+///     append_number(text, 0.25);  // text is "v 0.25"
+///     const double x = parse_number("0.25");
+///
+/// @throws InternalError if `value` is not finite: no text format here can represent it.
 void append_number(std::string& text, double value);
 void append_number(std::string& text, int value);
 
-/// The number that the whole of `word` spells: decimal, a leading + allowed; no hex, NaN or
-/// infinity.
-/// @throws InvalidInput `'1,5' is not a number; use a decimal point`, and the like.
+/// Returns the decimal number that the whole of `word` spells. A leading + is allowed; hexadecimal
+/// numbers, NaN and infinity are not.
+/// @throws InvalidInput such as `'1,5' is not a number; use a decimal point`.
 double parse_number(std::string_view word);
 int parse_integer(std::string_view word);
 
-/// `word` between quotes for a message: at most 40 characters, unprintable bytes as question marks.
+/// Returns `word` in quotes for a message: at most 40 characters, with question marks for
+/// unprintable bytes.
 std::string in_quotes(std::string_view word);
 
-/// Walks over the lines of a text. Lines end with LF, CRLF or CR, the last one also with the text;
-/// a UTF-8 byte order mark at the beginning is passed over.
+/// Walks over the lines of a text. LF, CRLF and CR end a line, and so does the end of the text. A
+/// UTF-8 byte order mark at the beginning is skipped.
+///
+/// Example usage:
+///     LineScanner scanner("sites.txt", text);
+///     while (scanner.next()) {
+///         if (scanner.words().size() != 2) scanner.throw_bad_file("give two numbers a line");
+///         const double x = scanner.number(scanner.words()[0]);
+///     }
 class LineScanner {
    public:
     /// @param name  the file's name in messages.
     /// @param text  must outlive the scanner.
     LineScanner(std::string name, std::string_view text);
 
-    /// Steps to the next line; false at the end of the text.
+    /// Advances to the next line; returns false at the end of the text.
     bool next();
-    /// Number of the current line, from 1; 0 before the first next().
+    /// The number of the current line, counted from 1; 0 before the first next().
     int line() const { return line_; }
-    /// The current line, cut at blanks and tabs.
+    /// The words of the current line, which blanks and tabs separate.
     const std::vector<std::string_view>& words() const { return words_; }
 
-    /// parse_number and parse_integer with the place of the fault before the message.
-    /// @throws BadFile `name:line: what; what to do`.
+    /// parse_number() and parse_integer() with file and line before the message.
+    /// @throws BadFile `name:line: problem; remedy`.
     double number(std::string_view word) const;
     int integer(std::string_view word) const;
     /// @throws BadFile `name:line: complaint`.
@@ -51,16 +66,18 @@ class LineScanner {
     int line_ = 0;
 };
 
-/// @throws BadFile `name: looks like a binary file; remedy` if the text holds a NUL byte.
+/// Refuses a text that holds a NUL byte.
+/// @throws BadFile `name: looks like a binary file; remedy`.
 void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy);
 
-/// All bytes of the file; standard input where `path` is "-" and `or_standard_input` is set.
+/// Returns all bytes of the file, or of standard input if `path` is "-" and `or_standard_input` is
+/// set.
 /// @throws BadFile `path: cannot read: reason; give a readable file`.
 std::string read_whole_file(const std::string& path, bool or_standard_input = false);
 
-/// Whether the file consists of exactly these bytes. It is read block by block: a second copy of a
-/// large file in memory would cost more than the reading.
-/// @throws BadFile as read_whole_file().
+/// Returns whether the file consists of exactly these bytes. The file is read block by block,
+/// because a second copy of a large file in memory would cost more than the reading.
+/// @throws BadFile as read_whole_file() does.
 bool file_holds(const std::string& path, std::string_view bytes);
 
 }  // namespace pcvt

@@ -35,12 +35,14 @@ std::string_view XmlScanner::take_until(std::string_view mark, const char* what)
 }
 
 XmlScanner::Event XmlScanner::next() {
+    // An element without content ends where it begins.
     if (ends_at_once_) {
         ends_at_once_ = false;
         content_ = {};
         return Event::kEnd;
     }
     while (true) {
+        // At the end of the text, every element must be closed.
         content_line_ = next_line_;
         if (without_blanks_before(rest_).empty()) {
             if (!open_.empty()) {
@@ -49,6 +51,7 @@ XmlScanner::Event XmlScanner::next() {
             }
             return Event::kNothing;
         }
+        // Return the next tag; skip comments and declarations.
         content_ = take_until("<", "the text");
         line_ = next_line_;
         if (rest_.starts_with("!--")) {

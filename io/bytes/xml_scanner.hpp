@@ -10,8 +10,16 @@
 
 namespace pcvt {
 
-/// Walks over the tags of a plain XML text: elements with attributes and text, comments and
-/// declarations passed over. No entities, no CDATA, no DTD: VTK's files need none.
+/// Walks over the tags of a plain XML text: elements with attributes and text. Comments and
+/// declarations are skipped. Entities, CDATA and DTD are not supported; VTK's files do not use
+/// them.
+///
+/// Example usage:
+///     using Event = XmlScanner::Event;
+///     XmlScanner scanner("grid.vtu", text);
+///     for (Event event = scanner.next(); event != Event::kNothing; event = scanner.next()) {
+///         if (event == Event::kBegin) names.emplace_back(scanner.element());
+///     }
 class XmlScanner {
    public:
     enum class Event { kBegin, kEnd, kNothing };
@@ -20,15 +28,15 @@ class XmlScanner {
     /// @param text  must outlive the scanner.
     XmlScanner(std::string name, std::string_view text);
 
-    /// Steps to the next tag; an element without content, `<a/>`, begins and ends. kNothing after
-    /// the last one.
-    /// @throws BadFile with the line where the text is no XML, or tags do not nest.
+    /// Advances to the next tag; an element without content, `<a/>`, begins and ends. Returns
+    /// kNothing after the last tag.
+    /// @throws BadFile with the line if the text is not XML or its tags do not nest.
     Event next();
-    /// The element that begins or ends here.
+    /// The name of the element that begins or ends here.
     std::string_view element() const { return element_; }
-    /// An attribute of the element that begins here.
+    /// The value of an attribute of the element that begins here; `nullopt` if it has none.
     std::optional<std::string_view> attribute(std::string_view key) const;
-    /// The text before the current tag, since the tag before, and the line on which it begins.
+    /// The text between the previous tag and the current one, and the line on which it begins.
     std::string_view text() const { return content_; }
     int text_line() const { return content_line_; }
     /// The line of the current tag.
@@ -39,7 +47,7 @@ class XmlScanner {
     [[noreturn]] void throw_bad_file(int line, const std::string& complaint) const;
 
    private:
-    /// Takes the text up to `mark` and the mark off; @returns the text.
+    /// Removes the text up to and including `mark` from the rest; returns the text before `mark`.
     std::string_view take_until(std::string_view mark, const char* what);
     void read_attributes(std::string_view tag);
     Event begin(std::string_view tag);

@@ -29,7 +29,8 @@ std::string fault_of(Action action) {
     return "";
 }
 
-/// Files may not grow beyond `bytes` within the scope: a full disk that any machine has.
+/// Limits the size of files to `bytes` within its scope, which simulates a full disk on any
+/// machine.
 class FileSizeLimit {
    public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -69,7 +70,7 @@ TEST(Output, TemporaryFilesAreHiddenBesideTheirTarget) {
     EXPECT_THAT(folder.names()[0], ::testing::MatchesRegex("\\.tile\\.obj\\.pcvt-[0-9a-z]{6}"));
 }
 
-TEST(Output, WhatIsNotCommittedLeavesNothing) {
+TEST(Output, FilesThatAreNotCommittedAreRemoved) {
     const TemporaryFolder folder;
     {
         OutputSet set;
@@ -102,7 +103,7 @@ TEST(Output, ForceReplacesAndKeepsNoBackup) {
     EXPECT_EQ(bytes_of(folder / "a"), "new");
 }
 
-TEST(Output, ACommitThatFailsHalfWayIsTakenBack) {
+TEST(Output, ACommitThatFailsHalfWayIsUndone) {
     const TemporaryFolder folder;
     write_bytes(folder / "a", "old");
     {
@@ -116,7 +117,7 @@ TEST(Output, ACommitThatFailsHalfWayIsTakenBack) {
     EXPECT_EQ(bytes_of(folder / "a"), "old");
 }
 
-TEST(Output, AFullDiskIsToldAndLeavesNothing) {
+TEST(Output, AFullDiskIsReportedAndLeavesNoFile) {
     const TemporaryFolder folder;
     {
         OutputSet set;
@@ -157,7 +158,7 @@ TEST(Output, UnwritableTargetsAreRefusedBeforeAnyWork) {
     EXPECT_THAT(fault(""), StartsWith(": cannot write: a file name is missing"));
 }
 
-TEST(Output, NamesAsLongAsAFolderAllowsAreWritten) {
+TEST(Output, FilesWithTheLongestNamesAreWritten) {
     const TemporaryFolder folder;
     const std::string name(255, 'n');
     OutputSet set;
@@ -180,7 +181,7 @@ TEST(Output, AFolderAppearsAsAWhole) {
     EXPECT_EQ(bytes_of(folder / "c/x/y/a"), "first");
 }
 
-TEST(Output, AFolderThatIsNotCommittedLeavesNothing) {
+TEST(Output, AFolderThatIsNotCommittedIsRemoved) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "old");
     {
@@ -194,7 +195,7 @@ TEST(Output, AFolderThatIsNotCommittedLeavesNothing) {
     EXPECT_TRUE(std::filesystem::is_empty(folder / "old"));
 }
 
-TEST(Output, AFolderThatAppearsMeanwhileStaysAndTheOtherFilesAreTakenBack) {
+TEST(Output, AFolderCreatedMeanwhileStaysAndTheCommitIsUndone) {
     const TemporaryFolder folder;
     {
         OutputSet set;
@@ -211,7 +212,7 @@ TEST(Output, AFolderThatAppearsMeanwhileStaysAndTheOtherFilesAreTakenBack) {
     EXPECT_TRUE(std::filesystem::is_empty(folder / "d"));
 }
 
-TEST(Output, InAFolderThatExistsOnlyTheStagedFilesAreReplaced) {
+TEST(Output, OnlyStagedFilesOfAnExistingFolderAreReplaced) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder / "c/x");
     write_bytes(folder / "c/x/a", "old");
@@ -245,7 +246,7 @@ TEST(Output, UnwritableFoldersAreRefusedBeforeAnyWork) {
     EXPECT_THAT(fault("none/new", false), HasSubstr("none: No such file or directory"));
 }
 
-TEST(Output, WhatWasNotStagedCannotBeReadBack) {
+TEST(Output, FilesThatWereNotStagedCannotBeReadBack) {
     EXPECT_THROW(OutputSet().holds("a", ""), InternalError);
 }
 

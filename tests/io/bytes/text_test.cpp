@@ -33,7 +33,7 @@ std::string fault_of(std::string_view word) {
     return "";
 }
 
-/// The words of all lines, one string a line.
+/// Returns number and words of each line, separated by bars.
 std::vector<std::string> lines_of(std::string_view text) {
     LineScanner scanner("t", text);
     std::vector<std::string> lines;
@@ -64,7 +64,7 @@ TEST(Text, NumbersAreShortAndZeroHasNoSign) {
     EXPECT_THROW(written(std::numeric_limits<double>::infinity()), InternalError);
 }
 
-TEST(Text, DecimalsInAnyUsualSpellingAreNumbers) {
+TEST(Text, DecimalsInEveryUsualSpellingAreParsed) {
     EXPECT_EQ(parse_number("+1.5"), 1.5);
     EXPECT_EQ(parse_number("-.5"), -0.5);
     EXPECT_EQ(parse_number("5."), 5);
@@ -74,7 +74,7 @@ TEST(Text, DecimalsInAnyUsualSpellingAreNumbers) {
     EXPECT_EQ(parse_integer("-2147483648"), std::numeric_limits<int>::min());
 }
 
-TEST(Text, WhatIsNoNumberIsRefusedWithAReason) {
+TEST(Text, WordsThatAreNotNumbersAreRefusedWithAReason) {
     EXPECT_THAT(fault_of("1,5"), HasSubstr("decimal point"));
     for (const char* word : {"nan", "-NaN", "inf", "-Infinity", "+INF"}) {
         EXPECT_THAT(fault_of(word), HasSubstr("not a finite number")) << word;
@@ -118,7 +118,7 @@ TEST(Text, FaultsNameFileAndLine) {
     }
 }
 
-TEST(Text, WhatCannotBeReadIsRefusedWithTheReason) {
+TEST(Text, UnreadableFilesAreRefusedWithTheReason) {
     const testing::TemporaryFolder folder;
     const auto fault = [](const std::string& path) -> std::string {
         try {
