@@ -30,6 +30,7 @@ class ObjParser {
     using Words = std::span<const std::string_view>;
 
     void parse_line() {
+        // Comments of pcvt hold the seam; the rest of a line after # is skipped.
         Words words = scanner_.words();
         if (words.size() >= 2 && words[0] == "#" && words[1] == "pcvt") {
             parse_seam(words.subspan(2));
@@ -39,6 +40,7 @@ class ObjParser {
                                           [](std::string_view word) { return word[0] == '#'; });
         words = words.first(static_cast<std::size_t>(comment - words.begin()));
         if (words.empty()) return;
+        // Only vertices and faces matter.
         const std::string_view statement = words.front();
         words = words.subspan(1);
         if (statement == "v") {
@@ -70,7 +72,8 @@ class ObjParser {
         raw_.add_face(corners, scanner_.line());
     }
 
-    /// Index from 0; one that is out of range comes back negative or too large, for finish().
+    /// Returns the vertex counted from 0. An index out of range is returned as it is, negative or
+    /// too large, and finish() refuses it.
     int parse_corner(std::string_view word) {
         std::string_view rest = word;
         std::array<int, 3> indices{};
@@ -90,12 +93,14 @@ class ObjParser {
                                 " is not a corner; write v, v/vt, v//vn or v/vt/vn");
     }
 
-    /// A line of ours, without "# pcvt".
+    /// Reads the words of a comment after "# pcvt".
     void parse_seam(Words words) {
+        // The first word says which part of the seam follows.
         if (words.empty())
             scanner_.throw_bad_file("a word is missing after \"# pcvt\"; remove the line");
         const std::string_view key = words.front();
         const Words values = words.subspan(1);
+        // Vertices count from 1 in the file, sites from 0.
         if (key == "kind") {
             raw_.take_kind(scanner_, values);
         } else if (key == "lattice") {
@@ -126,7 +131,7 @@ class ObjParser {
         return numbers;
     }
 
-    /// The index from 0 of one from 1.
+    /// Returns the index counted from 0 of an index counted from 1.
     int from_zero(int index) {
         if (index < 1)
             scanner_.throw_bad_file("vertex " + std::to_string(index) +

@@ -9,11 +9,16 @@
 namespace pcvt {
 
 /// Reads a Wavefront OBJ strictly: `v` (with or without a colour), `f` (v, v/vt, v//vn, v/vt/vn,
-/// negative indices) and our own comments; vn vt vp o g s usemtl mtllib and other comments are
-/// passed over, every other statement is refused, and so is a z that is not 0.
+/// negative indices) and the comments of encode_obj(). It skips vn vt vp o g s usemtl mtllib and
+/// all other comments, and refuses every other statement and every z other than 0.
 ///
-/// A NAME.seam.json among `files` must agree with the comments; where the OBJ has none (another
-/// program wrote it), the sidecar gives kind, lattice, pairs and sites.
+/// A NAME.seam.json among `files` must agree with the comments. Where the OBJ has no such comments,
+/// because another program wrote it, kind, lattice, pairs and sites come from the sidecar.
+///
+/// Example usage:
+///     const TileFile file = decode_obj({{"tile.obj", read_whole_file("tile.obj")}}, std::nullopt);
+///     const TileProof proof = prove_tile(file.tile, file.precision);
+///
 /// @throws BadFile with the line.
 TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
 

@@ -41,13 +41,13 @@ std::string material(const Tile& tile, int sides) {
     return faces_have_sites(tile.kind) ? "sides_" + std::to_string(sides) : "triangle";
 }
 
-/// Number of sides by which each face gets its material.
+/// Returns the number of sides that selects the material of each face.
 std::vector<int> sides_of_faces(const Tile& tile) {
     if (faces_have_sites(tile.kind)) return cell_sides(tile);
     return std::vector<int>(static_cast<std::size_t>(tile.n_faces()), 3);
 }
 
-/// The tile with its faces in the order `order`.
+/// Returns the tile with its faces in the order `order`.
 Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
     Tile sorted = tile;
     sorted.face_begin = {0};
@@ -63,10 +63,12 @@ Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
 }
 
 void append_seam(std::string& text, const Tile& tile) {
+    // Kind and lattice.
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     text += "# pcvt kind " + kind_word(tile.kind) + "\n# pcvt lattice";
     append_words(text, {a.x(), a.y(), b.x(), b.y()});
+    // Pairs, with vertices counted from 1.
     for (const VertexPair& p : tile.vertex_pairs) {
         text += "# pcvt vertex_pair";
         append_words(text, {p.v + 1, p.w + 1, p.offset.i, p.offset.j});
@@ -75,6 +77,7 @@ void append_seam(std::string& text, const Tile& tile) {
         text += "# pcvt edge_pair";
         append_words(text, {p.v0 + 1, p.v1 + 1, p.w0 + 1, p.w1 + 1, p.offset.i, p.offset.j});
     }
+    // Sites, several per line.
     const auto& sites = faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     for (std::size_t k = 0; k < sites.size(); ++k) {
         if (k % kSitesALine == 0) text += k == 0 ? "# pcvt sites" : "\n# pcvt sites";

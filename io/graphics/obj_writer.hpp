@@ -8,14 +8,20 @@
 
 namespace pcvt {
 
-/// NAME.obj, NAME.mtl and NAME.seam.json.
+/// Returns the paths of NAME.obj, NAME.mtl and NAME.seam.json, in the order of encode_obj().
 std::vector<std::string> obj_paths(const std::string& path);
 
-/// Wavefront OBJ: the faces as they are, z = 0, materials by the number of sides, the seam in
-/// comments that begin with `# pcvt` and once more in NAME.seam.json.
+/// Encodes a tile as Wavefront OBJ: polygons with z = 0, one material for each number of sides, and
+/// the seam twice, in comments that begin with `# pcvt` and in NAME.seam.json.
 ///
 /// Faces are grouped by material, fewest sides first, and keep their order within a group; vertices
-/// keep theirs. Comments count vertices from 1 as the faces do, the sidecar counts from 0.
+/// keep theirs. The comments count vertices from 1, as the faces do; the sidecar counts from 0.
+///
+/// Example usage:
+///     for (const EncodedFile& file : encode_obj(tile, "tile.obj")) {
+///         output.stage(file.path, file.bytes);
+///     }
+///
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_obj(const Tile& tile, const std::string& path);
 

@@ -14,7 +14,7 @@
 namespace pcvt {
 namespace {
 
-/// The format of OpenMesh 9, and what its chunk headers say for each part of our files.
+/// The format of OpenMesh 9, and the chunk headers of each part of our files.
 constexpr char kVersion = 'B';
 constexpr unsigned kPositions = 0x5600;
 constexpr unsigned kEnd = 0x001c;
@@ -22,7 +22,7 @@ constexpr unsigned kKindMask = 0x01ff;
 constexpr unsigned kTopologyOfVertices = 0x00e0;
 constexpr unsigned kTopologyOfHalfedges = 0x00f8;
 constexpr unsigned kTopologyOfFaces = 0x00e8;
-/// A chunk with a name: a property.
+/// Set in the header of a chunk with a name, which holds a property.
 constexpr unsigned kIsNamed = 0x0002;
 
 class OmParser {
@@ -39,7 +39,7 @@ class OmParser {
         read_orbits(tile);
         read_partners(tile);
         auto sites = integers("pcvt_face_site", 1, n_faces_);
-        // Triangles are grains where they have sites.
+        // A mesh of triangles with face sites holds grains.
         if (kind_ == MeshKind::kDelaunay && sites[0] >= 0) tile.kind = MeshKind::kGrains;
         const bool owned = faces_have_sites(tile.kind);
         if (!owned) sites = integers("pcvt_vertex_site", 1, n_vertices_);
@@ -59,7 +59,7 @@ class OmParser {
         return taken;
     }
 
-    /// A little-endian integer, its sign from its own width.
+    /// Reads a signed little-endian integer of bytes.size() bytes.
     static std::int64_t integer_of(std::string_view bytes) {
         std::uint64_t value = 0;
         for (std::size_t k = 0; k < bytes.size(); ++k) {
@@ -78,7 +78,8 @@ class OmParser {
                                         ((std::int64_t{1} << 8 * width) - 1));
     }
 
-    /// Each element is at least one byte of the file, so that a wrong count asks for no memory.
+    /// Reads a number of elements. Each element takes at least one byte of the file, so a larger
+    /// count is refused before any memory is allocated for it.
     std::size_t read_count() {
         const std::size_t count = read_size(4);
         if (count > rest_.size()) throw_bad_file("is cut short");
@@ -96,7 +97,7 @@ class OmParser {
         if (n_vertices_ == 0 || n_faces_ == 0 || n_halfedges_ == 0) throw_bad_file("holds no face");
     }
 
-    /// False at the end.
+    /// Reads the next chunk; returns false at the end of the file.
     bool read_chunk() {
         const std::size_t header = read_size(2);
         if (header == kEnd) return false;
@@ -161,7 +162,7 @@ class OmParser {
     }
 
     Lattice lattice() const {
-        // The number of entries stands before them.
+        // Four bytes before the entries hold their number.
         const std::string_view bytes = property("pcvt_lattice", 4 + 4 * 8);
         const auto number = [&](std::size_t k) { return double_of(bytes.substr(4 + 8 * k)); };
         try {
@@ -248,7 +249,7 @@ class OmParser {
     std::size_t n_faces_ = 0;
     std::size_t n_halfedges_ = 0;
     std::vector<Vec2> points_;
-    /// Of each halfedge: the next one, the vertex that it points to, its face or -1.
+    /// For each halfedge: the next halfedge, the vertex that it points to, and its face or -1.
     std::vector<std::int64_t> halfedges_;
     std::vector<std::int64_t> face_halfedge_;
     std::map<std::string_view, std::string_view> properties_;

@@ -8,12 +8,18 @@
 
 namespace pcvt {
 
-/// Reads the `.om` files of encode_om byte by byte, without OpenMesh, which trusts what it reads:
-/// indices are in range, partners mutual, chunks as long as they say.
+/// Reads the `.om` files of encode_om() byte by byte. OpenMesh is not used, because it trusts its
+/// input; this reader checks that indices are in range, that partners are mutual and that chunks
+/// have their stated length.
 ///
-/// Faces, vertices and seam come back as flatten() gives them.
-/// @param lattice  has no effect: a file of ours always names its lattice.
-/// @throws BadFile naming what is wrong, also for an `.om` file without the identification.
+/// Faces, vertices and seam come back as flatten() returns them.
+///
+/// Example usage:
+///     const TileFile file = decode_om({{"tile.om", read_whole_file("tile.om")}}, std::nullopt);
+///     const TileProof proof = prove_tile(file.tile, file.precision);
+///
+/// @param lattice  has no effect: encode_om() always stores the lattice.
+/// @throws BadFile naming the fault, also for an `.om` file without the identification.
 TileFile decode_om(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
 
 }  // namespace pcvt

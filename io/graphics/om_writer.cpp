@@ -1,4 +1,4 @@
-// OpenMesh wants its readers and writers included before any mesh.
+// OpenMesh requires its readers and writers to be included before any mesh.
 // clang-format off
 #include <OpenMesh/Core/IO/MeshIO.hh>
 // clang-format on
@@ -14,7 +14,8 @@
 namespace pcvt {
 namespace {
 
-/// OpenMesh counts bytes on std::clog and complains on std::cerr; a library prints nothing.
+/// Silences OpenMesh, which prints byte counts to std::clog and errors to std::cerr: a library
+/// prints nothing.
 class SilentOpenMesh {
    public:
     SilentOpenMesh() : log_(omlog().is_enabled()), errors_(omerr().is_enabled()) {
@@ -44,7 +45,7 @@ std::vector<EncodedFile> encode_om(const OpenMeshTile& tile, const std::string& 
     const bool written = std::visit(
         [&](const auto& any) { return OpenMesh::IO::write_mesh(any.mesh, stream, ".om", options); },
         tile);
-    // OpenMesh reports success also after its stream has failed.
+    // OpenMesh reports success even after its stream has failed.
     if (!written || !stream) throw InternalError("OpenMesh could not write " + path);
     return only_file(path, std::move(stream).str());
 }

@@ -8,9 +8,15 @@
 
 namespace pcvt {
 
-/// OpenMesh's own format, in doubles and with the connectivity as it is: mesh and identification
-/// come back with the same handles. Little-endian on every machine.
-/// @throws InternalError if a coordinate is not finite, or OpenMesh does not write.
+/// Encodes a tile in OpenMesh's own format, in double precision and with its connectivity, so that
+/// mesh and identification read back with the same handles. Little-endian on every machine.
+///
+/// Example usage:
+///     for (const EncodedFile& file : encode_om(tile, "tile.om")) {
+///         output.stage(file.path, file.bytes);
+///     }
+///
+/// @throws InternalError if a coordinate is not finite, or OpenMesh fails to write.
 std::vector<EncodedFile> encode_om(const OpenMeshTile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -57,6 +57,7 @@ void read_element(const LineScanner& scanner, std::vector<PlyElement>& elements)
 }
 
 void read_property(const LineScanner& scanner, std::vector<PlyElement>& elements) {
+    // `property TYPE NAME` or `property list COUNT_TYPE TYPE NAME`.
     const Words& words = scanner.words();
     const bool is_list =
         words.size() == 5 && words[1] == "list" && contains(kIntegerTypes, words[2]);
@@ -64,6 +65,7 @@ void read_property(const LineScanner& scanner, std::vector<PlyElement>& elements
         scanner.throw_bad_file("a property has a type and a name; write \"property double x\"");
     }
     if (elements.empty()) scanner.throw_bad_file("a property stands before any element; remove it");
+    // Type and name are the last two words of both forms.
     const std::string_view type = words[words.size() - 2];
     const bool is_single = contains(kSingleTypes, type);
     const bool is_real = is_single || contains(kDoubleTypes, type);
@@ -87,9 +89,11 @@ const PlyProperty* PlyElement::find(std::string_view property) const {
 }
 
 std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw) {
+    // The first line is "ply".
     if (!scanner.next() || scanner.words() != Words{"ply"}) {
         throw BadFile(raw.name + ": does not begin with the line \"ply\"; give a PLY file");
     }
+    // One declaration per line follows, up to end_header.
     bool has_format = false;
     std::vector<PlyElement> elements;
     while (scanner.next()) {

@@ -8,6 +8,7 @@
 
 namespace pcvt {
 
+/// One declared property: `is_real` holds for float and double, `is_single` for float alone.
 struct PlyProperty {
     std::string_view name;
     bool is_real;
@@ -15,18 +16,19 @@ struct PlyProperty {
     bool is_list;
 };
 
+/// One declared element: `element NAME COUNT`, and the properties after it.
 struct PlyElement {
     std::string_view name;
     int count;
     std::vector<PlyProperty> properties;
 
-    /// nullptr if there is none of this name.
+    /// Returns the property of this name; nullptr if there is none.
     const PlyProperty* find(std::string_view property) const;
 };
 
-/// Reads the header of an ASCII PLY up to `end_header`; our comments go to raw.kind and
-/// raw.lattice.
-/// @returns the elements as declared; names point into the scanner's text.
+/// Reads the header of an ASCII PLY up to `end_header`. The comments `pcvt kind` and `pcvt lattice`
+/// fill raw.kind and raw.lattice.
+/// @returns the elements in the order of their declaration; names point into the scanner's text.
 /// @throws BadFile with the line, also for a binary PLY.
 std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw);
 

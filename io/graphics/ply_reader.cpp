@@ -9,14 +9,14 @@
 namespace pcvt {
 namespace {
 
-/// The values of one line after the other: a number has one, a list its items.
+/// The values of the current line by property: a number has one value, a list its items.
 class PlyValues {
    public:
     explicit PlyValues(const PlyElement& element) {
         for (const PlyProperty& property : element.properties) of_.emplace_back(property.name, 0);
     }
 
-    /// Those of property k, without the ones of the line before.
+    /// Returns the values of property k, emptied for a new line.
     std::vector<double>& renew(std::size_t k) {
         of_[k].second.clear();
         return of_[k].second;
@@ -28,7 +28,7 @@ class PlyValues {
         }
         return none;
     }
-    /// 0 where the property is not there.
+    /// Returns 0 where the element lacks the property.
     double number(std::string_view name) const {
         const std::vector<double>& values = list(name);
         return values.empty() ? 0 : values.front();
@@ -39,8 +39,9 @@ class PlyValues {
     std::vector<std::pair<std::string_view, std::vector<double>>> of_;
 };
 
-/// The numbers of the current line, as `element` declares them.
+/// Reads the numbers of the current line as `element` declares them.
 void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValues& values) {
+    // Words are taken one by one.
     std::size_t at = 0;
     const auto next_word = [&] {
         if (at == scanner.words().size()) {
@@ -48,6 +49,7 @@ void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValu
         }
         return scanner.words()[at++];
     };
+    // A list begins with its length.
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const PlyProperty& property = element.properties[p];
         const int count = property.is_list ? scanner.integer(next_word()) : 1;
@@ -121,7 +123,7 @@ class PlyParser {
         require_sites(face, true);
     }
 
-    /// `site` means something only in a file of ours, in the element that owns the sites.
+    /// Only a file of pcvt gives `site` a meaning, in the element that owns the sites.
     void require_sites(const PlyElement& element, bool of_faces) {
         has_sites_ = raw_.kind && faces_have_sites(*raw_.kind) == of_faces && element.find("site");
         if (has_sites_) require(element, "site", Type::kInteger);

@@ -8,12 +8,17 @@
 
 namespace pcvt {
 
-/// Reads an ASCII PLY 1.0 strictly: one element a line, vertices with x and y (and z = 0), faces
-/// with the list vertex_indices or vertex_index; other properties and elements are passed over.
-/// Coordinates declared `float` make the tile one of single precision.
+/// Reads an ASCII PLY 1.0 strictly: one element per line, vertices with x and y (and z = 0), faces
+/// with the list vertex_indices or vertex_index. It skips other properties and elements.
+/// Coordinates declared as `float` give a tile of single precision.
 ///
-/// Vertex pairs come from orbit, offset_i and offset_j, where all three are there; edge pairs have
-/// no place in a PLY.
+/// Vertex pairs come from the properties orbit, offset_i and offset_j, which a file declares
+/// together or not at all; a PLY stores no edge pairs.
+///
+/// Example usage:
+///     const TileFile file = decode_ply({{"tile.ply", read_whole_file("tile.ply")}}, std::nullopt);
+///     const TileProof proof = prove_tile(file.tile, file.precision);
+///
 /// @throws BadFile with the line.
 TileFile decode_ply(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
 

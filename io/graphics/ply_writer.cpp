@@ -15,7 +15,7 @@ namespace pcvt {
 namespace {
 
 constexpr Colour kPlain{1, 1, 1};
-/// The most corners that a list counted by uchar can have.
+/// The largest number of corners of a list whose length is a uchar.
 constexpr int kMostByUchar = 255;
 
 template <class Number>
@@ -32,7 +32,7 @@ std::string words(Colour colour) {
     return text;
 }
 
-/// The colours of numbers of sides as words, each made once.
+/// The colour of each number of sides as words, computed once.
 class SideColours {
    public:
     const std::string& of(int sides) {
@@ -48,6 +48,7 @@ class SideColours {
 void end_line(std::string& text) { text.back() = '\n'; }
 
 std::string header(const Tile& tile) {
+    // Kind and lattice are comments.
     const bool owned = faces_have_sites(tile.kind);
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
@@ -58,11 +59,13 @@ std::string header(const Tile& tile) {
         kind_word(tile.kind) + "\ncomment pcvt lattice ";
     for (const double number : {a.x(), a.y(), b.x(), b.y()}) append_word(text, number);
     end_line(text);
+    // Vertices have a position, a colour and their place on their orbit.
     text += "element vertex " + std::to_string(tile.n_vertices()) +
             "\nproperty double x\nproperty double y\nproperty double z\n"
             "property uchar red\nproperty uchar green\nproperty uchar blue\n"
             "property int orbit\nproperty int offset_i\nproperty int offset_j\n";
     if (!owned) text += "property int site\n";
+    // Faces are lists, with a length as narrow as the largest face permits.
     int most_corners = 0;
     for (int f = 0; f < tile.n_faces(); ++f)
         most_corners = std::max(most_corners, tile.face_size(f));
@@ -75,13 +78,16 @@ std::string header(const Tile& tile) {
 
 void append_vertices(std::string& text, const Tile& tile) {
     const bool owned = faces_have_sites(tile.kind);
+    // Delaunay triangles have coloured vertices.
     const std::vector<int> valences = owned ? std::vector<int>() : vertex_valences(tile);
     const std::string plain = words(kPlain);
     SideColours colours;
+    // A vertex without a pair is its own representative.
     std::vector<VertexPair> orbits;
     orbits.reserve(tile.points.size());
     for (int v = 0; v < tile.n_vertices(); ++v) orbits.push_back({v, v, {}});
     for (const VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
+    // One vertex per line.
     for (int v = 0; v < tile.n_vertices(); ++v) {
         append_word(text, tile.points[v].x());
         append_word(text, tile.points[v].y());

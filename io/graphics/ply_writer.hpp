@@ -8,12 +8,19 @@
 
 namespace pcvt {
 
-/// ASCII PLY 1.0 with double coordinates, z = 0, faces as they are, coloured by the number of sides
-/// (cells: faces, triangles: vertices, by their valence). Indices count from 0.
+/// Encodes a tile as ASCII PLY 1.0: double coordinates with z = 0, and polygons. Cells and grains
+/// have coloured faces, by the number of sides; Delaunay triangles have coloured vertices, by the
+/// valence. Indices count from 0.
 ///
-/// The lattice and the kind stand in comments. Each vertex tells its orbit, i.e. the vertex with
-/// the smallest index on it, and its offset: position = position(orbit) + offset_i a + offset_j b.
-/// `site` is a property of faces (cells) or vertices (triangles).
+/// Comments hold the lattice and the kind. Each vertex stores its orbit, the smallest index of a
+/// vertex on it, and its offset: position = position(orbit) + offset_i a + offset_j b. `site` is a
+/// property of faces (cells and grains) or of vertices (Delaunay triangles).
+///
+/// Example usage:
+///     for (const EncodedFile& file : encode_ply(tile, "tile.ply")) {
+///         output.stage(file.path, file.bytes);
+///     }
+///
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_ply(const Tile& tile, const std::string& path);
 

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 constexpr int kVersion = 1;
 constexpr std::size_t kSitesALine = 16;
 
-/// `values` as a JSON list, without a line break.
+/// Appends `values` as a JSON list without line breaks.
 template <class Values>
 void append_list(std::string& text, const Values& values) {
     text += '[';
@@ -28,7 +28,7 @@ void append_list(std::string& text, const Values& values) {
     text += ']';
 }
 
-/// A named list of rows, one a line.
+/// Appends a named list of rows, one row per line.
 template <class Rows, class ToNumbers>
 void append_rows(std::string& text, const char* key, const Rows& rows, ToNumbers to_numbers) {
     text += std::string("  \"") + key + "\": [";
@@ -51,7 +51,7 @@ void append_sites(std::string& text, const std::vector<SiteId>& sites) {
     text += "\n  ]\n";
 }
 
-/// Reads the parts of a seam and names the part that is at fault.
+/// Reads the parts of a seam and names the part that is invalid.
 class SeamDecoder {
    public:
     SeamDecoder(const std::string& name, const Json& json) : name_(name), json_(json) {}
@@ -76,7 +76,7 @@ class SeamDecoder {
 
     int integer(const Json& json, const char* key) const {
         using Limits = std::numeric_limits<int>;
-        // Beyond 2^63 the library would wrap on the way to a signed number.
+        // The library wraps an unsigned number of 2^63 or more when it converts it to a signed one.
         const bool small = !json.is_number_unsigned() || json.get<std::uint64_t>() <= Limits::max();
         const std::int64_t value = json.is_number_integer() && small
                                        ? json.get<std::int64_t>()
@@ -160,15 +160,18 @@ std::string encode_seam(const Tile& tile) {
 }
 
 Seam decode_seam(const std::string& name, std::string_view text) {
+    // Check the format before its content.
     const Json json = parse_json(name, text);
     const SeamDecoder decoder(name, json);
     if (decoder.at("format") != "pcvt seam") decoder.throw_bad_file("it is not a seam of pcvt");
     if (decoder.at("version") != kVersion) decoder.throw_bad_file("its version is not 1");
     if (decoder.at("index_base") != 0) decoder.throw_bad_file("its index base is not 0");
+    // Kind and lattice.
     const Json& word = decoder.at("kind");
     const auto kind = word.is_string() ? kind_of_word(word.get<std::string>()) : std::nullopt;
     if (!kind) decoder.throw_bad_file("its kind is none of cells, triangles and grains");
     Seam seam{*kind, decoder.lattice(), {}, {}, {}};
+    // Pairs and sites.
     for (const auto& [v, w, i, j] : decoder.rows<4>("vertex_pairs")) {
         seam.vertex_pairs.push_back({v, w, {i, j}});
     }

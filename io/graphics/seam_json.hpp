@@ -8,15 +8,20 @@
 
 namespace pcvt {
 
-/// The seam of a tile without its geometry: the companion NAME.seam.json of NAME.obj.
+/// The seam of a tile without its geometry, as the companion NAME.seam.json of NAME.obj stores it.
 ///
 ///   {"format": "pcvt seam", "version": 1, "kind": "cells" or "triangles",
 ///    "lattice": [[ax, ay], [bx, by]], "index_base": 0,
 ///    "vertex_pairs": [[v, w, i, j], ...], "edge_pairs": [[v0, v1, w0, w1, i, j], ...],
 ///    "sites": [s, ...]}
 ///
-/// Vertices are counted from 0 in the order of the OBJ's `v` lines; there is one site a face of a
-/// cell tile, in the order of its `f` lines, or one a vertex of a triangle tile.
+/// Vertices count from 0 in the order of the OBJ's `v` lines. Cells and grains have one site per
+/// face, in the order of the `f` lines; Delaunay triangles have one site per vertex.
+///
+/// Example usage:
+///     const Seam seam = decode_seam("tile.seam.json", read_whole_file("tile.seam.json"));
+///     const VertexPair& pair = seam.vertex_pairs.front();
+///     const Vec2 translation = seam.lattice.translation(pair.offset);  // from pair.v to pair.w
 struct Seam {
     MeshKind kind;
     Lattice lattice;
@@ -25,11 +30,12 @@ struct Seam {
     std::vector<SiteId> sites;
 };
 
-/// One pair a line; the same bytes for the same tile.
+/// Encodes the seam with one pair per line; the same tile gives the same bytes.
 std::string encode_seam(const Tile& tile);
 
+/// Reads such a file back.
 /// @param name  the file's name in messages.
-/// @throws BadFile unless the text is such a seam.
+/// @throws BadFile if the text does not have this form.
 Seam decode_seam(const std::string& name, std::string_view text);
 
 }  // namespace pcvt

@@ -45,13 +45,13 @@ std::string fault_of(const std::string& text) {
     return fault_of(std::vector<EncodedFile>{{"t.obj", text}});
 }
 
-/// kOneCell with one piece of its text exchanged.
+/// Returns kOneCell with `piece` of its text replaced by `other`.
 std::string with(const std::string& piece, const std::string& other) {
     std::string text = kOneCell;
     return text.replace(text.find(piece), piece.size(), other);
 }
 
-/// A row of cells with 5, 3 and 4 corners: not a tile, but what a writer has to sort.
+/// A row of cells with 5, 3 and 4 corners: not a tile, but a writer must sort its faces.
 Tile cells_to_be_sorted() {
     return {kSquare,
             MeshKind::kVoronoi,
@@ -80,7 +80,7 @@ TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
     }
 }
 
-TEST(Obj, CompanionsStandBesideTheFile) {
+TEST(Obj, CompanionsLieBesideTheFile) {
     const auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), "a.b/tile.v2.obj");
     ASSERT_EQ(files.size(), 3U);
     EXPECT_EQ(files[0].path, "a.b/tile.v2.obj");
@@ -90,7 +90,7 @@ TEST(Obj, CompanionsStandBesideTheFile) {
     EXPECT_EQ(obj_paths("x.OBJ"), (std::vector<std::string>{"x.OBJ", "x.mtl", "x.seam.json"}));
 }
 
-TEST(Obj, FacesStandInGroupsByTheirNumberOfSides) {
+TEST(Obj, FacesAreGroupedByTheirNumberOfSides) {
     const auto files = encode_obj(cells_to_be_sorted(), "t.obj");
     EXPECT_THAT(files[0].bytes, HasSubstr("usemtl sides_3\nf 2 3 7\n"
                                           "usemtl sides_4\nf 3 4 5 6\n"
@@ -122,7 +122,7 @@ TEST(Obj, PlainObjOfOtherProgramsIsRead) {
     EXPECT_TRUE(file.tile.vertex_site.empty());
 }
 
-TEST(Obj, TheLatticeOfTheFileComesFirst) {
+TEST(Obj, TheLatticeOfTheFileOverridesTheGivenOne) {
     EXPECT_EQ(read(kOneCell, Lattice({2, 0}, {0, 3})).tile.lattice.a(), Vec2(1, 0));
     EXPECT_THAT(fault_of(with("# pcvt lattice 1 0 0 1\n", "")),
                 StartsWith("t.obj: the file names no lattice; pass --lattice AX,AY,BX,BY"));
@@ -237,7 +237,7 @@ TEST(Obj, FaultsOfTheSidecarNameIt) {
     EXPECT_THAT(fault_with("[0, 1, 1, 0]", "7"), HasSubstr("does not hold lists"));
 }
 
-TEST(Obj, CoordinatesThatAreNotFiniteAreOurFault) {
+TEST(Obj, NonFiniteCoordinatesAreInternalErrors) {
     Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[3].y() = std::numeric_limits<double>::infinity();
     EXPECT_THROW(encode_obj(tile, "t.obj"), InternalError);

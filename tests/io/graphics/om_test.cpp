@@ -1,4 +1,4 @@
-// OpenMesh wants its readers and writers included before any mesh.
+// OpenMesh requires its readers and writers to be included before any mesh.
 // clang-format off
 #include <OpenMesh/Core/IO/MeshIO.hh>
 // clang-format on
@@ -21,7 +21,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// The Voronoi cells or the Delaunay triangles of n random sites; the latter stand for grains, too.
+/// The Voronoi cells or the Delaunay triangles of n random sites; the triangles with face sites are
+/// grains.
 OpenMeshTile tile_of(const Lattice& lattice, int n, MeshKind kind) {
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
     const bool cells = kind == MeshKind::kVoronoi;
@@ -46,7 +47,7 @@ std::string example(MeshKind kind = MeshKind::kVoronoi) {
     return encode_om(tile_of(Lattice({1, 0}, {0.37, 0.81}), 9, kind), "t.om")[0].bytes;
 }
 
-/// What OpenMesh itself makes of the bytes.
+/// Reads the bytes with OpenMesh itself.
 template <class Mesh>
 Tile read_with_openmesh(const std::string& bytes, const Lattice& lattice) {
     OpenMeshTile any(std::in_place_type<OpenMeshTileOf<Mesh>>, lattice);
@@ -105,7 +106,7 @@ TEST(Om, NothingIsPrinted) {
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(Om, CoordinatesThatAreNotFiniteAreOurFault) {
+TEST(Om, NonFiniteCoordinatesAreInternalErrors) {
     OpenMeshTile tile = tile_of(Lattice({1, 0}, {0, 1}), 4, MeshKind::kVoronoi);
     std::get<CellTile>(tile).mesh.point(OpenMesh::VertexHandle(2))[1] = std::nan("");
     EXPECT_THROW(encode_om(tile, "t.om"), InternalError);
@@ -127,7 +128,7 @@ TEST(Om, AMeshWithoutTheIdentificationIsRefused) {
     EXPECT_THAT(fault_of(bytes), StartsWith("t.om: has no property pcvt_orbit; "));
 }
 
-TEST(Om, PartnersThatDoNotAnswerAreRefused) {
+TEST(Om, PartnersThatAreNotMutualAreRefused) {
     std::string bytes = example();
     const std::string head = std::string("pcvt_partner\7int32_t");
     std::size_t at = bytes.find(head) + head.size() + 4;

@@ -48,7 +48,7 @@ std::string fault_of(const std::string& text) {
     return testing::fault_in([&] { read(text); });
 }
 
-/// The fault of kOneCell with one piece of its text exchanged.
+/// Returns the fault of kOneCell with `piece` of its text replaced by `other`.
 std::string fault_with(const std::string& piece, const std::string& other) {
     return fault_of(testing::exchanged(kOneCell, piece, other));
 }
@@ -103,7 +103,7 @@ TEST(Ply, PlainPlyOfOtherProgramsIsRead) {
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
 }
 
-TEST(Ply, TheExampleOfTheFaultsIsSound) {
+TEST(Ply, TheUndamagedExampleIsRead) {
     const TileFile file = read(kOneCell);
     EXPECT_THAT(file.tile.face_site, ElementsAre(0));
     EXPECT_EQ(file.tile.vertex_pairs.size(), 3U);
@@ -136,7 +136,7 @@ TEST(Ply, FaultsOfTheHeaderNameTheirLine) {
                 StartsWith("t.ply:14: 'end_headers' has no"));
 }
 
-TEST(Ply, PropertiesThatATileNeedsAreAskedFor) {
+TEST(Ply, MissingOrMistypedPropertiesAreRefused) {
     EXPECT_THAT(fault_with("double x", "double X"), HasSubstr("'vertex' lacks a proper 'x'; "));
     EXPECT_THAT(fault_with("int orbit", "double orbit"), HasSubstr("lacks a proper 'orbit'; "));
     EXPECT_THAT(fault_with("offset_j", "offset_k"), HasSubstr("lacks a proper 'offset_j'; "));
@@ -176,7 +176,7 @@ TEST(Ply, AThirdDimensionIsRefused) {
                 StartsWith("t.ply:8: z is not 0; "));
 }
 
-TEST(Ply, CoordinatesThatAreNotFiniteAreOurFault) {
+TEST(Ply, NonFiniteCoordinatesAreInternalErrors) {
     Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_ply(tile, "t.ply"), InternalError);
