@@ -11,7 +11,7 @@ constexpr std::uint32_t kVersion = 2;
 constexpr std::string_view kUriHead = "data:application/octet-stream;base64,";
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
 
-/// Little-endian.
+/// Appends 32 bits, little-endian.
 void append_word(std::string& bytes, std::size_t value) {
     for (const int shift : {0, 8, 16, 24}) bytes += static_cast<char>(value >> shift & 0xff);
 }

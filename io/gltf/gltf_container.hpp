@@ -6,10 +6,11 @@
 
 namespace pcvt {
 
-/// A .glb file from its JSON and its one buffer; both chunks are padded to whole words.
+/// Returns a .glb file with its JSON and its one buffer; both chunks are padded to a multiple of
+/// four bytes.
 std::string glb_bytes(std::string_view json, const std::vector<unsigned char>& buffer);
 
-/// Appends the buffer as the URI in which a .gltf file carries it.
+/// Appends the buffer as the data URI that embeds it in a .gltf file.
 void append_data_uri(std::string& text, const std::vector<unsigned char>& buffer);
 
 }  // namespace pcvt

@@ -18,12 +18,12 @@ constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderSize = 12;
 constexpr std::size_t kChunkHeaderSize = 8;
-/// Sums and products of two counts of a file stay far below 2^64.
+/// Keeps sums and products of two counts far below 2^64.
 constexpr std::size_t kMaxCount = std::numeric_limits<std::uint32_t>::max() / 2;
 
 enum ComponentType { kByte = 5121, kShort = 5123, kInt = 5125, kFloat = 5126 };
 
-/// A little-endian number of `width` bytes.
+/// Reads a little-endian number of `width` bytes.
 std::uint32_t little_endian(const void* data, std::size_t width) {
     const auto* bytes = static_cast<const unsigned char*>(data);
     std::uint32_t value = 0;
@@ -47,8 +47,8 @@ std::size_t component_width(int component_type) {
 
 constexpr std::string_view kBase64Mark = ";base64,";
 
-/// Takes the base64 of data URIs out of the JSON, which is parsed much faster then; `taken` gets
-/// it, and #k, which is no base64, stands where taken[k] stood.
+/// Returns the JSON without the base64 texts of its data URIs, which parses much faster. `taken`
+/// receives the texts; #k, which is not valid base64, replaces taken[k].
 std::string without_base64(std::string_view text, std::vector<std::string_view>& taken) {
     std::string json;
     while (!text.empty()) {
@@ -107,6 +107,7 @@ const GltfDocument::Json& GltfDocument::entry(const std::string& table, std::siz
 
 GltfDocument::Elements GltfDocument::elements(std::size_t accessor, const std::string& type,
                                               std::size_t width) const {
+    // The accessor gives the size of its elements.
     const std::string name = "accessor " + std::to_string(accessor);
     const Json& object = entry("accessors", accessor);
     if (object.contains("sparse")) throw_bad_file(name + " is sparse; export plain accessors");
@@ -114,6 +115,7 @@ GltfDocument::Elements GltfDocument::elements(std::size_t accessor, const std::s
     const int component_type = static_cast<int>(count_in(object, "componentType"));
     const std::size_t element_size = width * component_width(component_type);
     if (element_size == 0) throw_bad_file(name + " has a component type that pcvt does not read");
+    // The buffer view gives their position and stride in a buffer.
     const Json& view = entry("bufferViews", count_in(object, "bufferView"));
     const std::size_t buffer = count_in(view, "buffer");
     if (buffer >= buffers_.size()) throw_bad_file("there is no buffer " + std::to_string(buffer));
@@ -122,6 +124,7 @@ GltfDocument::Elements GltfDocument::elements(std::size_t accessor, const std::s
     const std::size_t stride = count_in(view, "byteStride", element_size);
     const std::size_t offset = count_in(object, "byteOffset", 0);
     const std::size_t n = count_in(object, "count");
+    // The view lies inside its buffer, and the elements lie inside the view.
     if (view_offset + view_length > buffers_[buffer].size()) {
         throw_bad_file("a buffer view of " + name + " leaves its buffer; the file is damaged");
     }
@@ -188,12 +191,14 @@ void GltfDocument::parse_json(std::string_view text) {
     }
 }
 
-/// Reads the JSON chunk; returns the binary one, empty where there is none.
+/// Parses the JSON chunk; returns the binary chunk, empty if there is none.
 std::string_view GltfDocument::split_binary(std::string_view bytes) {
+    // The header holds version and length of the file.
     const auto number = [&](std::size_t at) { return little_endian(bytes.data() + at, 4); };
     if (bytes.size() < kHeaderSize || number(4) != kVersion || number(8) != bytes.size()) {
         throw_bad_file("not a complete GLB file of version 2; copy or export it again");
     }
+    // The JSON is the first chunk, the buffer is the first binary chunk after it.
     std::string_view json;
     std::string_view binary;
     for (std::size_t at = kHeaderSize; at < bytes.size();) {
@@ -212,7 +217,8 @@ std::string_view GltfDocument::split_binary(std::string_view bytes) {
     return binary;
 }
 
-/// What stood where `text` says #k; else the text as it is.
+/// Returns the base64 text that without_base64() replaced by `text`, if that is a mark #k; else
+/// `text` itself.
 std::string_view GltfDocument::base64_of(std::string_view text) const {
     std::size_t k = 0;
     if (!text.starts_with('#')) return text;
@@ -226,6 +232,7 @@ void GltfDocument::load_buffer(const Json& buffer, std::size_t index,
                                std::string_view binary_chunk) {
     const std::size_t length = count_in(buffer, "byteLength");
     const Json& uri = member(buffer, "uri");
+    // The first buffer of a .glb file is its binary chunk; every other buffer is a data URI.
     std::string_view bytes;
     if (uri.is_null() && index == 0) {
         bytes = binary_chunk;
@@ -242,6 +249,7 @@ void GltfDocument::load_buffer(const Json& buffer, std::size_t index,
         }
         bytes = decoded_.back();
     }
+    // Bytes beyond byteLength are padding.
     if (bytes.size() < length)
         throw_bad_file("its buffer is shorter than byteLength; the file is damaged");
     buffers_.push_back(bytes.substr(0, length));

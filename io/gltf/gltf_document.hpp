@@ -11,37 +11,37 @@
 
 namespace pcvt {
 
-/// A glTF 2.0 file that carries its own buffers, `.gltf` or `.glb`: JSON and numbers, no meaning
-/// yet.
+/// A glTF 2.0 file with embedded buffers, `.gltf` or `.glb`: its JSON and its numbers, without
+/// their meaning for a tile.
 ///
-/// Whatever the bytes are, each member either returns what is asked for or throws BadFile naming
-/// the file: no index, length or type of the file is believed before it is checked.
+/// For arbitrary bytes, each member either returns a valid result or throws BadFile naming the
+/// file: every index, length and type in the file is checked before it is used.
 class GltfDocument {
    public:
     using Json = nlohmann::json;
 
     /// @param file  must outlive the document.
-    /// @throws BadFile also where the file refers to other files, or requires an extension.
+    /// @throws BadFile also if the file refers to other files or requires an extension.
     explicit GltfDocument(const EncodedFile& file);
 
     const Json& root() const { return root_; }
 
-    /// Entry `index` of the table `name` of the root ("nodes", "meshes", ...).
+    /// Returns entry `index` of the list `table` of the root ("nodes", "meshes", ...).
     const Json& entry(const std::string& table, std::size_t index) const;
-    /// `number` as an index or a count; `name` is for the message.
+    /// Returns `number` as an index or a count; a message calls it `name`.
     std::size_t count(const Json& number, const std::string& name) const;
-    /// object[key] likewise.
+    /// Returns object[key] as an index or a count; `otherwise` if the object lacks the key.
     std::size_t count_in(const Json& object, const std::string& key) const;
     std::size_t count_in(const Json& object, const std::string& key, std::size_t otherwise) const;
 
-    /// object[key]; null where the object lacks it, or is none. Never a copy: a copy of deeply
-    /// nested JSON, unlike all else here, would take the depth of the file from the stack.
+    /// Returns object[key]; null if `object` lacks the key or is not an object. The result is a
+    /// reference, because a copy of deeply nested JSON would recurse to the depth of the file.
     static const Json& member(const Json& object, const std::string& key);
 
-    /// The numbers of an accessor of floats with `width` components, one after the other; all
-    /// finite.
+    /// Returns the numbers of an accessor of floats, element by element with `width` components
+    /// each; all are finite.
     std::vector<float> floats(std::size_t accessor, std::size_t width) const;
-    /// The numbers of an accessor of indices, each below `limit`.
+    /// Returns the numbers of an accessor of indices; all are below `limit`.
     std::vector<int> indices(std::size_t accessor, std::size_t limit) const;
 
     /// Throws BadFile `file: complaint`.
@@ -63,11 +63,11 @@ class GltfDocument {
     Elements elements(std::size_t accessor, const std::string& type, std::size_t width) const;
 
     std::string path_;
-    /// While buffers are loaded: base64 of the file, taken out before the JSON was parsed.
+    /// While buffers are loaded: the base64 texts, which are removed before the JSON is parsed.
     std::vector<std::string_view> base64_;
     Json root_;
     std::vector<std::string_view> buffers_;
-    /// What the base64 of buffers was decoded to.
+    /// The decoded bytes of buffers in base64; `buffers_` points into them.
     std::deque<std::string> decoded_;
 };
 

@@ -14,20 +14,21 @@ namespace {
 
 using Json = GltfDocument::Json;
 
-/// Modes of a primitive; below are points and lines, above strips and fans of triangles.
+/// The mode of a primitive of triangles. Points and lines have smaller modes, strips and fans of
+/// triangles have larger ones.
 constexpr std::size_t kDelaunay = 4;
 constexpr std::string_view kCellPrefix = "cell_";
 constexpr SiteId kMaxSite = 1 << 28;
-/// Also of corners; far below the end of int.
+/// The largest number of vertices, and of corners; far below the largest int.
 constexpr std::size_t kMaxVertices = std::size_t{1} << 29;
 
-/// Where the vertices of one accessor stand in a list of all.
+/// The range of one accessor's vertices in the list of all vertices.
 struct VertexRange {
     std::size_t first;
     std::size_t n;
 };
 
-/// What the walk over the nodes has found so far.
+/// The data collected so far by the walk over the nodes.
 struct Finding {
     explicit Finding(const EncodedFile& file) : document(file) {}
 
@@ -35,12 +36,12 @@ struct Finding {
     /// extras.periodic of the one node that has it.
     const Json* periodic = nullptr;
     std::vector<Vec2> points;
-    /// The vertices of each POSITION accessor that has been met.
+    /// The vertices of each POSITION accessor, each read once.
     std::map<std::size_t, VertexRange> ranges;
     std::vector<int> corners;
-    /// Of each face; -1 where the file does not tell.
+    /// One site per face; -1 where the file names none.
     std::vector<SiteId> face_site;
-    /// Of each point; -1 likewise.
+    /// One site per point; -1 likewise.
     std::vector<SiteId> vertex_site;
 
     const Json& periodic_member(const std::string& key) const {
@@ -65,7 +66,7 @@ std::vector<SiteId> read_sites(const GltfDocument& document, std::size_t accesso
     return sites;
 }
 
-/// The site in a node's name; -1 where there is none.
+/// Returns the site in a node's name; -1 if there is none.
 SiteId named_site(const Json& node) {
     const Json& name = GltfDocument::member(node, "name");
     if (!name.is_string()) return -1;
@@ -248,7 +249,7 @@ std::vector<VertexPair> read_pairs(const Finding& finding, const Json& rows) {
     return pairs;
 }
 
-/// The last vertices may be copies of earlier ones: vertexCopies says of which.
+/// Reads vertexCopies: the last vertices are copies of these earlier vertices.
 std::vector<int> read_copies(const Finding& finding, const Json& copies) {
     const GltfDocument& document = finding.document;
     if (!copies.is_array() || finding.ranges.size() != 1 || copies.size() > finding.points.size()) {

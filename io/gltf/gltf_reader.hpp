@@ -5,18 +5,21 @@
 
 namespace pcvt {
 
-/// The tile in a glTF 2.0 file, `.gltf` or `.glb` by its first bytes, as encode_gltf() describes
-/// it.
+/// Reads the tile in a glTF 2.0 file, which encode_gltf() describes. The first bytes decide between
+/// `.gltf` and `.glb`.
 ///
 /// Faces are the triangles of the file. The site of a triangle of a cell comes from _CELL_ID or
-/// from the node's name `cell_<site>`; without either the file holds a triangle tile, its sites in
-/// _SITE_ID if anywhere. Vertex pairs are read, edge pairs are not stored. Lines and points, z,
-/// normals and colours are passed over.
+/// from the node's name `cell_<site>`; without either, the file holds Delaunay triangles, whose
+/// sites come from _SITE_ID. Vertex pairs are read; glTF files store no edge pairs. Lines, points,
+/// z, normals and colours are skipped.
 ///
-/// @param lattice  stands in for one that the file lacks.
-/// @throws BadFile where the file is damaged, moves its nodes about, keeps data in other files, or
-/// has
-///         no triangles or no lattice.
+/// Example usage:
+///     const TileFile file = decode_gltf({{"tile.glb", read_whole_file("tile.glb")}},
+///     std::nullopt); const TileProof proof = prove_tile(file.tile, file.precision);
+///
+/// @param lattice  used if the file has no lattice.
+/// @throws BadFile if the file is damaged, transforms its nodes, keeps data in other files, or has
+///                 no triangles or no lattice.
 TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
 
 }  // namespace pcvt

@@ -11,7 +11,7 @@
 namespace pcvt {
 namespace {
 
-/// The colour of each number of sides as linear light.
+/// Returns the colour of each number of sides as linear light.
 std::vector<Point3> side_lights(const std::vector<int>& sides) {
     std::map<int, Point3> light_of;
     std::vector<Point3> lights;
@@ -63,7 +63,7 @@ std::vector<int> corners_of(const Tile& tile, int face) {
             tile.corners.begin() + tile.face_begin[face + 1]};
 }
 
-/// Cells that share the vertices of the tile.
+/// Returns cells that share the vertices of the tile.
 Surface separate_cells(const Tile& tile, const std::string& path) {
     Surface surface;
     surface.points = single_precision(tile, path);
@@ -73,15 +73,17 @@ Surface separate_cells(const Tile& tile, const std::string& path) {
     return surface;
 }
 
-/// Cells with vertices of their own: the first cell at a vertex keeps it, each other one gets a
-/// copy.
+/// Returns cells with vertices of their own: the first cell at a vertex keeps it, every other cell
+/// gets a copy.
 Surface joined_cells(const Tile& tile, const std::string& path) {
+    // A vertex without a cell has site -1.
     Surface surface;
     surface.points = single_precision(tile, path);
     surface.vertex_site.assign(surface.points.size(), -1);
     surface.vertex_colour.assign(surface.points.size(), {});
     const std::vector<Point3> lights = side_lights(cell_sides(tile));
     for (int f = 0; f < tile.n_faces(); ++f) {
+        // Copy the corners that an earlier cell has.
         std::vector<int> corners = corners_of(tile, f);
         for (int& v : corners) {
             if (surface.vertex_site[v] >= 0) {
@@ -99,15 +101,17 @@ Surface joined_cells(const Tile& tile, const std::string& path) {
     return surface;
 }
 
-/// Triangles that share vertices within their grain: the first grain at a vertex keeps it, each
-/// other one gets a copy.
+/// Returns triangles that share vertices within their grain: the first grain at a vertex keeps it,
+/// every other grain gets a copy.
 Surface grains(const Tile& tile, const std::string& path) {
+    // A vertex without a grain has site -1.
     Surface surface;
     surface.points = single_precision(tile, path);
     surface.face_begin = tile.face_begin;
     surface.vertex_site.assign(surface.points.size(), -1);
     surface.vertex_colour.assign(surface.points.size(), {});
     const std::vector<Point3> lights = side_lights(cell_sides(tile));
+    // Find the vertex of each corner in its grain, or make a copy.
     std::map<std::pair<int, SiteId>, int> copies;
     for (std::size_t c = 0; c < tile.corners.size(); ++c) {
         const int v = tile.corners[c];
@@ -122,6 +126,7 @@ Surface grains(const Tile& tile, const std::string& path) {
             surface.vertex_site.push_back(-1);
             surface.vertex_colour.emplace_back();
         }
+        // All triangles of the grain give the vertex the same site and colour.
         surface.vertex_site[own] = static_cast<float>(site);
         surface.vertex_colour[own] = lights[c / 3];
         surface.indices.push_back(own);

@@ -20,18 +20,18 @@
 namespace pcvt {
 namespace {
 
-/// tinygltf writes offsets through int.
+/// tinygltf stores offsets as int.
 constexpr std::size_t kMaxBytes = std::numeric_limits<int>::max();
-/// float32, which attributes are stored in, counts without gaps up to here.
+/// float32, the type of attributes, represents all integers up to here.
 constexpr SiteId kMaxSite = 1 << 24;
 constexpr double kLift = 0.002;
 constexpr Colour kLineColour{0.16, 0.17, 0.20};
 constexpr Colour kWhite{1, 1, 1};
 
-/// A glTF model that grows; every number that is returned is an index into one of its tables.
+/// Builds a glTF model; every returned number is an index into one of its tables.
 class ModelBuilder {
    public:
-    /// @param n_bytes  about as many as the data will have.
+    /// @param n_bytes  the approximate size of the data.
     explicit ModelBuilder(std::size_t n_bytes) {
         model_.asset.generator = "pcvt";
         model_.asset.version = "2.0";
@@ -41,7 +41,7 @@ class ModelBuilder {
         model_.nodes.emplace_back().name = "tile";
     }
 
-    /// An accessor of a buffer view of its own: one Element a vertex, made of floats.
+    /// Adds an accessor with its own buffer view: one Element of floats per vertex.
     template <class Element>
     int add_vertex_data(const std::vector<Element>& elements, int type) {
         const int view = add_view(elements.data(), elements.size() * sizeof(Element),
@@ -63,11 +63,11 @@ class ModelBuilder {
         return id;
     }
 
-    /// Accessors of ranges of `indices`, range k from begin[k] to begin[k + 1] - 1; in 16 bits
-    /// where n_vertices allows. Returns the first; the others follow it.
+    /// Adds accessors of ranges of `indices`, range k from begin[k] to begin[k + 1] - 1, in 16 bits
+    /// if n_vertices permits. Returns the first accessor; the others follow it.
     int add_indices(const std::vector<int>& indices, const std::vector<int>& begin,
                     std::size_t n_vertices) {
-        // The largest index of each width means a restart and may not occur.
+        // The largest index of each width is reserved for primitive restart.
         const bool is_short = n_vertices <= std::numeric_limits<std::uint16_t>::max();
         const int view = is_short ? add_index_view<std::uint16_t>(indices)
                                   : add_index_view<std::uint32_t>(indices);
@@ -97,7 +97,7 @@ class ModelBuilder {
         return material;
     }
 
-    /// A child of `tile` with the material added last.
+    /// Adds a child of the node `tile` with the material added last.
     void add_node(const std::string& name, tinygltf::Primitive primitive) {
         primitive.material = static_cast<int>(model_.materials.size()) - 1;
         tinygltf::Mesh& mesh = model_.meshes.emplace_back();
@@ -159,12 +159,13 @@ void append_list(std::string& text, std::initializer_list<Number> numbers) {
     text += ']';
 }
 
-/// extras.periodic, as JSON: a tinygltf::Value takes 150 bytes and several copies for each number.
+/// Returns extras.periodic as JSON. A tinygltf::Value would take 150 bytes per number.
 std::string periodic_json(const Tile& tile, const Surface& surface) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     std::string text = "{";
     if (tile.kind == MeshKind::kGrains) text += "\"kind\":\"" + kind_word(tile.kind) + "\",";
+    // Lattice, copies, pairs.
     text += "\"lattice\":[";
     append_list(text, {a.x(), a.y()});
     text += ',';
@@ -197,11 +198,13 @@ std::vector<Point3> lifted(const std::vector<Point32>& points, float z) {
 }
 
 void add_surface(const Tile& tile, const Surface& surface, ModelBuilder& builder) {
+    // Positions and normals are shared by all primitives.
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
     primitive.attributes["POSITION"] = builder.add_positions(lifted(surface.points, 0));
     primitive.attributes["NORMAL"] = builder.add_vertex_data(
         std::vector<Point3>(surface.points.size(), {0, 0, 1}), TINYGLTF_TYPE_VEC3);
+    // Without vertex sites, each cell has a node of its own.
     if (surface.vertex_site.empty()) {
         const std::vector<int> sides = cell_sides(tile);
         primitive.indices =
@@ -213,6 +216,7 @@ void add_surface(const Tile& tile, const Surface& surface, ModelBuilder& builder
         }
         return;
     }
+    // Else one node holds everything, and vertices have colours and sites.
     const bool cells = faces_have_sites(tile.kind);
     primitive.attributes["COLOR_0"] =
         builder.add_vertex_data(surface.vertex_colour, TINYGLTF_TYPE_VEC3);
@@ -224,7 +228,7 @@ void add_surface(const Tile& tile, const Surface& surface, ModelBuilder& builder
     builder.add_node(cells ? "cells" : "triangles", primitive);
 }
 
-/// Both ends of each edge of the tile, in rising order; edges without length in float32 left out.
+/// Returns the ends of each edge in rising order, without edges that float32 collapses.
 std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points) {
     std::vector<std::array<int, 2>> edges;
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -247,6 +251,7 @@ std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points)
 void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builder) {
     const std::vector<Point32> points(surface.points.begin(),
                                       surface.points.end() - std::ssize(surface.copies));
+    // Lift the lines above the surface.
     float size = 0;
     for (const std::size_t k : {0, 1}) {
         const auto less = [k](const Point32& p, const Point32& q) { return p[k] < q[k]; };
@@ -268,13 +273,13 @@ void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builde
 
 enum class Container { kText, kBinary };
 
-/// What stands in the JSON of a model for its extras.periodic, and for its one buffer.
+/// The placeholders in the JSON of a model for its extras.periodic and for its one buffer.
 constexpr std::string_view kPeriodicMark = "\"periodic\":0";
 constexpr std::string_view kBufferMark = "\"buffers\":[{\"byteLength\":0}]";
-/// Before the JSON in a .glb file of tinygltf's.
+/// The number of bytes before the JSON in a .glb file.
 constexpr std::size_t kGlbHeader = 20;
 
-/// A model without its buffer and with the mark for its extras.
+/// A model without its buffer and with the placeholder for its extras.
 struct ModelParts {
     tinygltf::Model model;
     std::vector<unsigned char> buffer;
@@ -289,7 +294,7 @@ ModelParts make_model(const Tile& tile, const std::string& path) {
         throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }
     const Surface surface = make_surface(tile, kMaxCellNodes, path);
-    // Up to four attributes a vertex, and the outlines.
+    // Reserve up to four attributes per vertex, and the outlines.
     ModelBuilder builder(surface.points.size() * (3 * sizeof(Point3) + sizeof(float)) +
                          tile.points.size() * sizeof(Point3) +
                          (surface.indices.size() + 2 * tile.corners.size()) * sizeof(int));
@@ -305,18 +310,18 @@ ModelParts make_model(const Tile& tile, const std::string& path) {
     return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface)};
 }
 
-/// The text before and behind a mark.
+/// Returns the text before and after a placeholder.
 std::pair<std::string_view, std::string_view> cut(std::string_view json, std::string_view mark) {
     const std::size_t at = json.find(mark);
     if (at == std::string::npos) throw InternalError("a mark is missing in the JSON of a model");
     return {json.substr(0, at), json.substr(at + mark.size())};
 }
 
-/// The JSON of a model as tinygltf writes it, with its marks.
+/// Returns the JSON of a model as tinygltf writes it, with its placeholders.
 std::string marked_json(const tinygltf::Model& model, const std::string& path) {
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;
-    // As .glb, whose one buffer needs no URI: there is nothing but a header round the JSON then.
+    // In a .glb file the buffer needs no URI, so that only a header surrounds the JSON.
     if (!writer.WriteGltfSceneToStream(&model, stream, false, true)) {
         throw InternalError(path + ": tinygltf refused the model");
     }

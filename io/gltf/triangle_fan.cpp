@@ -18,8 +18,8 @@ double doubled_area(const Point32& p, const Point32& q, const Point32& r) {
            (double(q[1]) - p[1]) * (double(r[0]) - p[0]);
 }
 
-/// The sine of the angle between the longest and the shortest edge: near 0 for three corners almost
-/// on one line, negative for a clockwise triangle, but not small because of one short edge.
+/// Returns the sine of the angle between the longest and the shortest edge: near 0 for three
+/// corners almost on one line, negative for a clockwise triangle, but not small for one short edge.
 double openness(const Point32& p, const Point32& q, const Point32& r) {
     const auto [shortest, longest] =
         std::minmax({squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)});
@@ -39,7 +39,8 @@ std::vector<FanTriangle> fan_from(std::span<const Point32> corners, int apex) {
     return fan;
 }
 
-/// The least of the triangles round `apex`; of a fan that has one no better than `bar` just that.
+/// Returns the least openness of the triangles around `apex`, or that of the first triangle which
+/// is no better than `bar`.
 double worst_openness(std::span<const Point32> corners, int apex, double bar) {
     const int n = static_cast<int>(corners.size());
     const auto at = [&](int k) { return corners[static_cast<std::size_t>((apex + k) % n)]; };

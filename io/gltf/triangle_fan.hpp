@@ -8,17 +8,17 @@ namespace pcvt {
 
 /// A point of the plane as glTF stores it.
 using Point32 = std::array<float, 2>;
-/// Indices of corners, counter-clockwise.
+/// The indices of three corners, counter-clockwise.
 using FanTriangle = std::array<int, 3>;
 
-/// The triangles of a convex polygon, as a fan round one of its corners.
+/// Splits a convex polygon into a fan of triangles around one of its corners.
 ///
-/// The corner is the one whose worst triangle is the furthest from flat; a short edge does not make
-/// a triangle bad, a corner on the line of the other two does. Triangles without area in float32
-/// are left out, so the result is empty where the whole polygon has none.
+/// The apex is the corner whose flattest triangle is least flat. A short edge does not make a
+/// triangle flat; a corner on the line through the other two does. Triangles without area in
+/// float32 are left out, so that a polygon without area gives an empty result.
 ///
 /// @param corners counter-clockwise, three or more.
-/// @returns       triples of 0 ... corners.size() - 1.
+/// @returns       triples of indices into `corners`.
 std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners);
 
 }  // namespace pcvt

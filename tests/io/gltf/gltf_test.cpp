@@ -41,8 +41,8 @@ std::string fault_of(const std::string& bytes) {
     return "";
 }
 
-/// Tiles of both kinds, the cells with few nodes and with one; the same number of faces a site
-/// each.
+/// Tiles of all kinds; the cells with one node each and with one node for all. Each tile has the
+/// same number of faces at every site.
 std::vector<Tile> tiles_of(const Lattice& lattice) {
     return {grid_tile(lattice, 1, 1),          grid_tile(lattice, 5, 6),
             grid_tile(lattice, 41, 50),        triangle_grid_tile(lattice, 1, 1),
@@ -50,14 +50,14 @@ std::vector<Tile> tiles_of(const Lattice& lattice) {
             grain_grid_tile(lattice, 5, 6)};
 }
 
-/// The fault of a small file with one JSON value exchanged.
+/// Returns the fault of a small file with the JSON value at `pointer` replaced.
 std::string fault_with(const std::string& pointer, const nlohmann::json& value) {
     Glb parts = split_glb(glb(grid_tile(kOblique, 2, 3)));
     parts.json[nlohmann::json::json_pointer(pointer)] = value;
     return fault_of(testing::join_glb(parts.json.dump(), parts.binary));
 }
 
-/// Runs the reader on broken bytes: it may accept them or throw BadFile, and nothing else.
+/// Runs the reader on damaged bytes, which it may accept or refuse with BadFile, nothing else.
 void survive(const std::string& bytes) {
     try {
         read(bytes, kOblique);
@@ -113,7 +113,7 @@ TEST(Gltf, TrianglesOfAGrainShareTheirVertices) {
     const Tile tile = grain_grid_tile(kOblique, 5, 6);
     const Tile back = read(glb(tile)).tile;
     EXPECT_EQ(back.face_site, tile.face_site);
-    // Four corners a grain, and none that no grain has.
+    // Each grain has four vertices, and each vertex belongs to one grain.
     EXPECT_EQ(std::set<int>(back.corners.begin(), back.corners.end()).size(), 4 * 30U);
     EXPECT_EQ(back.n_vertices(), 4 * 30);
 }
@@ -129,7 +129,7 @@ TEST(Gltf, ReadsAsATileOnEveryLattice) {
     }
 }
 
-TEST(Gltf, StatedCopiesChangeNoProof) {
+TEST(Gltf, StatedCopiesDoNotChangeTheProof) {
     for (const Tile& tile : {grid_tile(kOblique, 41, 50), grain_grid_tile(kOblique, 5, 6)}) {
         TileFile file = read(glb(tile));
         EXPECT_FALSE(file.tile.copies.empty());
@@ -151,7 +151,7 @@ TEST(Gltf, TextAndBinaryHoldTheSameTile) {
     }
 }
 
-TEST(Gltf, BoundsAreThoseOfTheFloats) {
+TEST(Gltf, BoundsMatchTheStoredFloats) {
     for (const Tile& tile : tiles_of(Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9}))) {
         const Glb file = split_glb(glb(tile));
         for (const auto& mesh : file.json["meshes"]) {
@@ -222,11 +222,11 @@ TEST(Gltf, ViewsAreAlignedAndHaveATarget) {
     }
 }
 
-TEST(Gltf, SameTileSameBytes) {
+TEST(Gltf, TheSameTileGivesTheSameBytes) {
     for (const Tile& tile : tiles_of(kOblique)) EXPECT_EQ(glb(tile), glb(tile));
 }
 
-TEST(Gltf, RefusesWhatFloat32CannotHold) {
+TEST(Gltf, RefusesTilesThatFloat32CannotHold) {
     EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e60, 1e60), 2, 2)), InvalidInput);
     EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e-60, 1e-60), 2, 2)), InvalidInput);
     Tile far = grid_tile(Lattice::rectangle(1, 1), 4, 4);
@@ -234,7 +234,7 @@ TEST(Gltf, RefusesWhatFloat32CannotHold) {
     EXPECT_THROW(glb(far), InvalidInput);
 }
 
-TEST(Gltf, SitesThatFloatsCannotCountAreALimit) {
+TEST(Gltf, SitesBeyondFloat32ExceedALimit) {
     Tile tile = grid_tile(kOblique, 1, 1);
     tile.face_site[0] = (1 << 24) - 1;
     EXPECT_NO_THROW(glb(tile));
@@ -242,7 +242,7 @@ TEST(Gltf, SitesThatFloatsCannotCountAreALimit) {
     EXPECT_THROW(glb(tile), LimitExceeded);
 }
 
-TEST(GltfReader, AsksForALatticeThatIsMissing) {
+TEST(GltfReader, RequiresALatticeFromTheFileOrTheCaller) {
     EXPECT_THAT(fault_with("/nodes/0/extras", nullptr), HasSubstr("--lattice"));
     Glb parts = split_glb(glb(grid_tile(kOblique, 2, 3)));
     parts.json["nodes"][0].erase("extras");
@@ -251,13 +251,13 @@ TEST(GltfReader, AsksForALatticeThatIsMissing) {
     EXPECT_FALSE(file.has_vertex_pairs);
 }
 
-/// A .gltf file with another base64 text.
+/// Returns the .gltf file `text` with its base64 replaced.
 std::string with_base64(const std::string& text, const std::string& base64) {
     const std::size_t begin = text.find(";base64,") + 8;
     return text.substr(0, begin) + base64 + text.substr(text.find('"', begin));
 }
 
-TEST(GltfReader, TakesBase64AsJsonMaySpellItAndNoWordOfItsOwnForIt) {
+TEST(GltfReader, AcceptsEscapedBase64AndRefusesItsOwnPlaceholders) {
     const std::string text = encode_gltf(grid_tile(kOblique, 2, 3), "t.gltf").at(0).bytes;
     const std::size_t begin = text.find(";base64,") + 8;
     const std::string base64 = text.substr(begin, text.find('"', begin) - begin);
@@ -303,7 +303,7 @@ TEST(GltfReader, RefusesIndicesBeyondTheVertices) {
                 HasSubstr("beyond the last vertex, 11"));
 }
 
-TEST(GltfReader, TakesDeeplyNestedJson) {
+TEST(GltfReader, SurvivesDeeplyNestedJson) {
     const std::string deep = std::string(300000, '[') + std::string(300000, ']');
     survive(R"({"asset":{"version":"2.0"},"scenes":)" + deep + "}");
     survive(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"extras":)" + deep +

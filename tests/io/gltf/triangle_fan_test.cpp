@@ -63,7 +63,7 @@ TEST(TriangleFan, ACornerOnAnEdgeGivesNoFlatTriangle) {
     EXPECT_DOUBLE_EQ(sum(areas(corners)), 1);
 }
 
-TEST(TriangleFan, CollapsedEdgesAreLeftOut) {
+TEST(TriangleFan, TrianglesOfCollapsedEdgesAreLeftOut) {
     const std::vector<Point32> corners{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 1}};
     EXPECT_THAT(areas(corners), SizeIs(2));
     EXPECT_DOUBLE_EQ(sum(areas(corners)), 1);
@@ -82,7 +82,7 @@ TEST(TriangleFan, ShortEdgesDoNotSpoilTheChoice) {
     EXPECT_GT(fan[1], 0.01);
 }
 
-TEST(TriangleFan, NothingIsLeftOfAPolygonWithoutArea) {
+TEST(TriangleFan, APolygonWithoutAreaGivesNoTriangles) {
     EXPECT_THAT(areas({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), IsEmpty());
     EXPECT_THAT(areas({{5, 5}, {5, 5}, {5, 5}}), IsEmpty());
 }
