@@ -15,10 +15,10 @@ using Words = std::vector<std::string_view>;
 
 constexpr const char* kCellSet = "CELL_";
 constexpr std::size_t kTerms = 4;
-/// The types of plane triangles; a name ends with the number of nodes.
+/// The types of plane triangles; the last character of a name is the number of nodes.
 const std::array<const char*, 4> kTypes{"CPE3", "CPS3", "CPE6", "CPS6"};
 
-/// Upper case, without blanks: what a line means to the solver.
+/// Returns a line in upper case and without blanks, as the solver reads it.
 std::string compact(const Words& words) {
     std::string text;
     for (const std::string_view word : words) text += word;
@@ -28,7 +28,7 @@ std::string compact(const Words& words) {
     return text;
 }
 
-/// Cut at commas; a comma at the end begins no field.
+/// Splits a line at its commas; a comma at the end does not begin a field.
 Words fields_of(std::string_view text) {
     Words fields;
     while (!text.empty()) {
@@ -39,7 +39,7 @@ Words fields_of(std::string_view text) {
     return fields;
 }
 
-/// The value of `NAME=value` among the parameters of a card, empty where there is none.
+/// Returns the value of `NAME=value` among the parameters of a card; empty if there is none.
 std::string parameter(const Words& fields, std::string_view name) {
     for (const std::string_view field : fields) {
         const std::size_t equals = field.find('=');
@@ -50,7 +50,7 @@ std::string parameter(const Words& fields, std::string_view name) {
     return {};
 }
 
-/// An equation as it stands: a sum of coefficient x displacement that is 0.
+/// An equation of the file: the sum of coefficient x displacement over its terms is 0.
 struct Equation {
     struct Term {
         int node;
@@ -61,7 +61,7 @@ struct Equation {
     std::vector<Term> terms;
 };
 
-/// What ties one node in one direction.
+/// The constraint of one node in one direction.
 struct Tie {
     int master;
     int line;
@@ -80,7 +80,7 @@ class InpParser {
             scanner_.throw_bad_file("the last equation is not whole; write the file again");
         if (controls_[0] && controls_[1]) tie_nodes();
         remove_controls();
-        // Where nodes have sites, the cells of triangles follow from them.
+        // Cell sets count in a file of pcvt alone, and only if its nodes have no sites.
         if (!tile_.raw.kind || !tile_.raw.sites.empty()) tile_.triangle_sites.clear();
         return std::move(tile_);
     }
@@ -122,11 +122,13 @@ class InpParser {
     }
 
     void parse_card(const Words& fields) {
+        // A card ends the data of the card before it.
         if (n_pending_ > 0)
             scanner_.throw_bad_file(
                 "the equation before this card is not whole; write the file again");
         handler_ = nullptr;
         set_.clear();
+        // The handler reads the data lines of this card; other cards have none.
         const std::string_view card = fields.front();
         if (card == "*NODE") {
             set_ = parameter(fields, "NSET");
@@ -182,6 +184,7 @@ class InpParser {
     }
 
     void parse_equation(const Words& fields) {
+        // The first line holds the number of terms.
         if (n_pending_ == 0) {
             require_fields(fields, 1, 1);
             n_pending_ = scanner_.integer(fields[0]);
@@ -190,6 +193,7 @@ class InpParser {
             equations_.push_back({scanner_.line(), {}});
             return;
         }
+        // The next lines hold the terms, three fields each.
         if (fields.size() % 3 != 0) {
             scanner_.throw_bad_file(
                 "a term is a node, a direction and a coefficient; write all three");
@@ -207,7 +211,7 @@ class InpParser {
         throw BadFile(tile_.raw.name + ":" + std::to_string(line) + ": " + complaint);
     }
 
-    /// Equations that a file of ours has no place for are refused: a solver would follow them.
+    /// Refuses every equation of another form than encode_inp() writes, because a solver obeys it.
     void require_form(const Equation& equation) const {
         const auto& terms = equation.terms;
         const bool is_ours =
@@ -224,6 +228,7 @@ class InpParser {
     }
 
     void tie_nodes() {
+        // Collect the ties of both directions.
         std::array<std::map<int, Tie>, 2> ties;
         for (const Equation& equation : equations_) {
             require_form(equation);
@@ -236,6 +241,7 @@ class InpParser {
                                    " is tied twice in this direction; remove one equation");
             }
         }
+        // The directions agree, and no master is tied itself.
         for (const auto& [node, tie] : ties[1]) {
             if (ties[0].count(node) == 0) refuse_half(node, tie.line);
         }
@@ -270,7 +276,7 @@ class InpParser {
     LineScanner scanner_;
     NumberedTile tile_;
     Handler handler_ = nullptr;
-    /// The set that the current card fills, empty where it has no name.
+    /// The name of the set that the current card fills; empty if it has none.
     std::string set_;
     std::size_t n_element_nodes_ = 3;
     std::array<std::optional<int>, 2> controls_;

@@ -26,7 +26,7 @@ constexpr const char* kExplanation =
     "** strain is the displacement of the control nodes: CONTROL_1 has e_xx, e_xy in 1, 2, and\n"
     "** CONTROL_2 has e_yy in 2. Lines that begin with \"** pcvt\" hold what no card does.\n";
 
-/// The largest absolute value of a coordinate or of a component of a translation.
+/// Returns the largest absolute value of a coordinate or of a component of a translation.
 double largest_number(const Tile& tile) {
     double largest = 0;
     for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
@@ -37,7 +37,7 @@ double largest_number(const Tile& tile) {
     return largest;
 }
 
-/// The text of one file, card by card.
+/// Builds the text of one file, card by card.
 class InpText {
    public:
     InpText(const Tile& tile, std::string path)
@@ -144,7 +144,7 @@ class InpText {
         text_ += "*NSET,NSET=FIXED\n1\n";
     }
 
-    /// `node,dof,coefficient`, a comma before all but the first term of an equation.
+    /// Appends `node,dof,coefficient`.
     void append_term(int node, int dof, double coefficient) {
         append_number(text_, node);
         text_ += dof == 1 ? ",1," : ",2,";

@@ -18,7 +18,7 @@ constexpr int kLine3 = 8;
 constexpr int kTriangle6 = 9;
 constexpr int kPoint = 15;
 constexpr int kCurves = 1;
-/// Nodes of an element of a type; 0 for types that have no place in a tile.
+/// Returns the number of nodes of an element type; 0 for types that a tile cannot have.
 std::size_t n_nodes(int type) {
     switch (type) {
         case kPoint:
@@ -35,7 +35,7 @@ std::size_t n_nodes(int type) {
     }
 }
 
-/// Numbers of an affine map, a 4 x 4 matrix row by row.
+/// The number of entries of an affine map, a 4 x 4 matrix stored row by row.
 constexpr int kAffine = 16;
 
 /// A line element and the curve that it lies on.
@@ -47,7 +47,7 @@ struct LineElement {
     int line;
 };
 
-/// What $Periodic tells of one slave curve.
+/// The link of one slave curve in $Periodic.
 struct CurveLink {
     Vec2 translation;
     std::map<int, int> master_of;
@@ -65,7 +65,7 @@ class MshParser {
         }
         do parse_section();
         while (next_filled());
-        // Where nodes have sites, the cells of triangles follow from them.
+        // Sites count in a file of pcvt alone, and node sites determine the cells of triangles.
         if (!is_ours_ || !tile_.node_sites.empty()) tile_.triangle_sites.clear();
         if (!is_ours_) tile_.node_sites.clear();
         if (is_ours_) collect_edges();
@@ -75,7 +75,7 @@ class MshParser {
    private:
     const std::string& name() const { return tile_.raw.name; }
 
-    /// Steps to the next line that is not blank; false at the end of the text.
+    /// Advances to the next line that is not blank; returns false at the end of the text.
     bool next_filled() {
         while (scanner_.next()) {
             if (!scanner_.words().empty()) return true;
@@ -83,7 +83,7 @@ class MshParser {
         return false;
     }
 
-    /// The words of the next line of a section.
+    /// Returns the words of the next line of a section.
     const Words& row() {
         if (!next_filled()) {
             throw BadFile(name() + ": ends inside of a section; give the whole file");
@@ -107,12 +107,14 @@ class MshParser {
     }
 
     void parse_section() {
+        // A section begins with $NAME and ends with $EndNAME.
         const std::string section(scanner_.words().front());
         if (section.size() < 2 || section[0] != '$' || section.starts_with("$End")) {
             scanner_.throw_bad_file(in_quotes(section) +
                                     " begins no section; write the file again");
         }
         const std::string end = "$End" + section.substr(1);
+        // Parsers that search for the end of their section have passed it: return.
         if (section == "$MeshFormat") {
             parse_format();
         } else if (section == "$Comments") {
@@ -134,6 +136,7 @@ class MshParser {
             while (row().front() != end) continue;
             return;
         }
+        // The other parsers stop before it.
         if (row().front() != end)
             scanner_.throw_bad_file("more lines than announced; correct the count");
     }
@@ -250,8 +253,9 @@ class MshParser {
         return {number(4), number(8)};
     }
 
-    /// Keeps the view named "cell_id"; passes over the others.
+    /// Reads the view named "cell_id"; skips the others.
     void parse_data(const std::string& end, std::vector<NumberedTile::SiteOf>& sites) {
+        // The first string tag is the name.
         std::string view;
         for (int n = (row(1), count(0)); n > 0; --n) {
             row();
@@ -261,19 +265,20 @@ class MshParser {
             while (row().front() != end) continue;
             return;
         }
+        // Skip the real tags; the last integer tag is the number of values.
         for (int n = (row(1), count(0)); n > 0; --n) row();
         int n_values = 0;
         for (int n = (row(1), count(0)); n > 0; --n) n_values = (row(1), count(0));
         for (; n_values > 0; --n_values) {
             row(2);
-            // Elements that are no triangles have no cell.
+            // Elements other than triangles have no cell and the value -1.
             if (number(1) >= 0) sites.push_back({integer(0), scanner_.line(), integer(1)});
         }
         if (row().front() != end)
             scanner_.throw_bad_file("more lines than announced; correct the count");
     }
 
-    /// The lines of a slave curve with their partners.
+    /// Pairs the lines of each slave curve with their partners.
     void collect_edges() {
         for (const LineElement& element : lines_) {
             const auto curve = curves_.find(element.curve);

@@ -8,13 +8,18 @@
 
 namespace pcvt {
 
-/// Reads an ASCII MSH 4.1 as pcvt or Gmsh writes it: one entry a line; nodes in the plane z = 0,
-/// triangles of three nodes, or of six with straight sides, and lines and points, which are passed
-/// over.
+/// Reads an ASCII MSH 4.1 file as pcvt or Gmsh writes it: one entry per line; nodes in the plane
+/// z = 0; triangles with three nodes, or with six nodes and straight sides; lines and points, which
+/// do not become faces.
 ///
-/// Vertex pairs come from $Periodic, whose affine maps must be translations; edge pairs from the
-/// lines of curves that it links, in a file whose $Comments are ours. Sites come from $NodeData or
-/// $ElementData "cell_id", the lattice from $Comments; other sections are passed over.
+/// Vertex pairs come from $Periodic, whose affine maps must be translations. In a file with the
+/// $Comments of encode_msh(), edge pairs come from the lines of the curves in $Periodic, sites from
+/// $NodeData or $ElementData "cell_id", and the lattice from $Comments. Other sections are skipped.
+///
+/// Example usage:
+///     const TileFile file = decode_msh({{"tile.msh", read_whole_file("tile.msh")}}, std::nullopt);
+///     const TileProof proof = prove_tile(file.tile, file.precision);
+///
 /// @throws BadFile with the line.
 TileFile decode_msh(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
 

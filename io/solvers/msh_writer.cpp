@@ -36,10 +36,10 @@ void append_line(std::string& text, std::initializer_list<Number> numbers) {
     text.back() = '\n';
 }
 
-/// The boundary as Gmsh sees it. Point k + 1 is where run k begins, curve k + 1 is run k.
+/// The boundary in Gmsh's entities: seam segment k is curve k + 1 and begins at point k + 1.
 struct Seam {
     std::vector<SeamSegment> runs;
-    /// Physical group of the curves with one offset, from 1.
+    /// The physical group of all curves with one offset, counted from 1.
     std::map<Offset, int> groups;
 
     int n_runs() const { return static_cast<int>(runs.size()); }
@@ -68,7 +68,7 @@ void append_head(std::string& text, const Tile& tile, const Seam& seam) {
     text += "2 " + std::to_string(seam.surface_group()) + " \"tile\"\n$EndPhysicalNames\n";
 }
 
-/// `min_x min_y 0 max_x max_y 0 `.
+/// Appends `min_x min_y 0 max_x max_y 0 `.
 template <class Vertices>
 void append_bounds(std::string& text, const Tile& tile, const Vertices& vertices) {
     Vec2 low = tile.points[vertices.front()];
@@ -81,21 +81,25 @@ void append_bounds(std::string& text, const Tile& tile, const Vertices& vertices
 }
 
 void append_entities(std::string& text, const Tile& tile, const Seam& seam) {
+    // Numbers of points, curves, surfaces and volumes.
     const int n = seam.n_runs();
     text += "$Entities\n";
     append_line(text, {n, n, 1, 0});
+    // Points without a physical group.
     for (int k = 0; k < n; ++k) {
         const Vec2& p = tile.points[seam.begin(k)];
         append_words(text, {k + 1});
         append_words(text, {p.x(), p.y(), 0.0});
         append_line(text, {0});
     }
+    // Curves with their physical group and their two ends.
     for (int k = 0; k < n; ++k) {
         const SeamSegment& run = seam.runs[k];
         append_words(text, {k + 1});
         append_bounds(text, tile, run.vertices);
         append_line(text, {1, seam.groups.at(run.offset), 2, k + 1, -((k + 1) % n + 1)});
     }
+    // The surface, with all curves as its boundary.
     text += "1 ";
     append_bounds(text, tile, tile.corners);
     append_words(text, {1, seam.surface_group(), n});
@@ -104,7 +108,7 @@ void append_entities(std::string& text, const Tile& tile, const Seam& seam) {
     text += "$EndEntities\n";
 }
 
-/// One block of nodes; nothing for an entity without any of its own.
+/// Appends one block of nodes; nothing for an entity without nodes of its own.
 void append_block(std::string& text, const SolverNodes& nodes, int dimension, int entity,
                   const std::vector<int>& block) {
     if (block.empty()) return;
@@ -115,14 +119,14 @@ void append_block(std::string& text, const SolverNodes& nodes, int dimension, in
     }
 }
 
-/// The nodes of a curve without its ends.
+/// Returns the nodes of a curve without its ends.
 std::vector<int> inner_nodes(const SeamSegment& run) {
     std::vector<int> inner(run.vertices.begin() + 1, run.vertices.end() - 1);
     inner.insert(inner.end(), run.middles.begin(), run.middles.end());
     return inner;
 }
 
-/// The nodes of the surface, on no curve.
+/// Returns the nodes of the surface that lie on no curve.
 std::vector<int> surface_nodes(const SolverNodes& nodes, const Seam& seam) {
     std::vector<bool> inside(nodes.points.size(), true);
     for (const SeamSegment& run : seam.runs) {
@@ -160,6 +164,7 @@ int n_lines(const Seam& seam) {
 
 void append_elements(std::string& text, const Tile& tile, const SolverNodes& nodes,
                      const Seam& seam) {
+    // Lines come first in the file; their numbers follow the numbers of the triangles.
     const int n_elements = tile.n_faces() + n_lines(seam);
     text += "$Elements\n";
     append_line(text, {seam.n_runs() + 1, n_elements, 1, n_elements});
@@ -174,6 +179,7 @@ void append_elements(std::string& text, const Tile& tile, const SolverNodes& nod
             text.back() = '\n';
         }
     }
+    // Triangles.
     append_line(text, {kSurfaces, kSurface, kTriangle[tile.order], tile.n_faces()});
     for (int f = 0; f < tile.n_faces(); ++f) {
         append_words(text, {f + 1});
@@ -183,7 +189,8 @@ void append_elements(std::string& text, const Tile& tile, const SolverNodes& nod
     text += "$EndElements\n";
 }
 
-/// The head of one link: slave = master + translation(offset) as a 4 x 4 matrix, row by row.
+/// Appends the head of one link: slave = master + translation(offset) as a 4 x 4 matrix, row by
+/// row.
 void append_link(std::string& text, const Tile& tile, int dimension, int slave, int master,
                  Offset offset, std::size_t n_nodes) {
     const Vec2 t = tile.lattice.translation(offset);
@@ -228,7 +235,7 @@ void append_periodic(std::string& text, const Tile& tile, const Seam& seam) {
     text += "$EndPeriodic\n";
 }
 
-/// One integer for each of the first items of a list, `kRest` for those that follow.
+/// Appends a section with the values of the first elements or nodes, and kRest for `n_rest` more.
 void append_data(std::string& text, const char* section, const std::vector<int>& values,
                  int n_rest) {
     constexpr int kRest = -1;

@@ -8,18 +8,24 @@
 
 namespace pcvt {
 
-/// Gmsh MSH 4.1, ASCII, double precision: triangles, of six nodes for order 2, with their
-/// periodicity.
+/// Encodes a tile as Gmsh MSH 4.1 in ASCII with double precision: triangles, with six nodes for
+/// order 2, and their periodicity.
 ///
-/// Node v + 1 is vertex v, element f + 1 is face f; line elements follow. Entities: a curve for
-/// each boundary run, a point where two runs meet, one surface; a node stands in the block of the
-/// entity that it lies on. Physical groups: `seam_I_J`, the curves that I a + J b takes to their
-/// partners, and `tile`, the surface. $Periodic holds each curve and point that is not a master:
-/// slave = master + translation. $ElementData "cell_id" is that of element_cells() on triangles,
-/// -1 on lines; $NodeData "cell_id" the site of each node where the tile has one. $Comments hold
-/// the lattice.
-/// @throws InvalidInput   the tile has polygons.
-/// @throws InternalError  a coordinate is not finite.
+/// Node v + 1 is vertex v, element f + 1 is face f; line elements have the numbers after them.
+/// Entities: one curve per seam segment, one point where two segments meet, one surface. The block
+/// of an entity lists the nodes that lie on it. Physical groups: `seam_I_J`, the curves that
+/// I a + J b takes to their partners, and `tile`, the surface. $Periodic lists each curve and point
+/// that is not a master, with slave = master + translation. $ElementData "cell_id" holds
+/// element_cells() for triangles and -1 for lines; $NodeData "cell_id" holds the site of each
+/// vertex of Delaunay triangles. $Comments hold the kind and the lattice.
+///
+/// Example usage:
+///     for (const EncodedFile& file : encode_msh(tile, "tile.msh")) {
+///         output.stage(file.path, file.bytes);
+///     }
+///
+/// @throws InvalidInput   if the tile has polygons.
+/// @throws InternalError  if a coordinate is not finite.
 std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

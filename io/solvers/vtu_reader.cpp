@@ -24,7 +24,7 @@ constexpr int kVtkQuadraticTriangle = 22;
 struct Array {
     int line;
     std::string type;
-    /// 1 where the file names none.
+    /// 1 if the file gives no number.
     int n_components;
     std::vector<double> values;
     /// The line of each value.
@@ -35,7 +35,7 @@ struct Array {
     bool is_real() const { return type == "Float32" || type == "Float64"; }
 };
 
-/// The arrays that mean something, as SECTION/NAME.
+/// The arrays that the reader uses, as SECTION/NAME.
 constexpr std::array<std::string_view, 9> kKnown{"FieldData/PeriodicLattice",
                                                  "PointData/PeriodicPointIds",
                                                  "PointData/PeriodicOffset",
@@ -71,13 +71,14 @@ class VtuArrays {
     int n_points() const { return n_points_; }
     int n_cells() const { return n_cells_; }
 
-    /// nullptr where the file lacks it.
+    /// Returns an array; nullptr if the file lacks it.
     const Array* find(const std::string& key) const {
         const auto found = arrays_.find(key);
         return found == arrays_.end() ? nullptr : &found->second;
     }
 
-    /// An array with `n_tuples` tuples of `n_components`; any number of tuples below 0.
+    /// Returns an array of `n_tuples` tuples with `n_components` values each; `n_tuples` below 0
+    /// permits any number of tuples.
     const Array& get(const std::string& key, int n_tuples, int n_components,
                      bool of_integers) const {
         const Array* array = find(key);
@@ -125,7 +126,7 @@ class VtuArrays {
     }
 
     void read_array(const std::string& section) {
-        // VTK names the points as it likes.
+        // The array of points may have any name.
         const std::string name(scanner_.attribute("Name").value_or(""));
         const std::string key = section + "/" + (section == "Points" ? "Points" : name);
         if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) return;
@@ -137,7 +138,7 @@ class VtuArrays {
             scanner_.line(), std::string(scanner_.attribute("type").value_or("")), 1, {}, {}};
         const auto components = scanner_.attribute("NumberOfComponents");
         if (components) array.n_components = integer(*components, scanner_.line());
-        // VTK itself may add elements that tell of ranges; only the array's own text is numbers.
+        // VTK may nest elements with ranges in an array; its numbers are its own text alone.
         int depth = 1;
         while (depth > 0) {
             const Event event = scanner_.next();
@@ -216,6 +217,7 @@ class VtuTile {
     }
 
     void take_faces() {
+        // The offsets are the ends of the faces in the connectivity.
         const Array& corners = arrays_.get("Cells/connectivity", -1, 1, true);
         const Array& ends = arrays_.get("Cells/offsets", arrays_.n_cells(), 1, true);
         const Array& types = arrays_.get("Cells/types", arrays_.n_cells(), 1, true);
@@ -226,6 +228,7 @@ class VtuTile {
                 throw_bad_file(ends.lines[f],
                                "the offsets do not rise within the connectivity; correct them");
             }
+            // Add the face once its type and its points are known to be valid.
             take_type(types.integer(f), types.lines[f]);
             std::vector<int> face;
             for (std::size_t c = begin; c < end; ++c) face.push_back(corners.integer(c));
@@ -239,7 +242,7 @@ class VtuTile {
         }
     }
 
-    /// One type for all faces.
+    /// Requires one known type for all faces.
     void take_type(int type, int line) {
         const bool known =
             type == kVtkPolygon || type == kVtkTriangle || type == kVtkQuadraticTriangle;
@@ -296,8 +299,8 @@ class VtuTile {
         }
     }
 
-    /// Of triangles the points have sites, or each one lies in a cell: grains. Without a lattice of
-    /// ours the arrays mean something else.
+    /// Triangles with sites at their points are Delaunay triangles; triangles with sites of their
+    /// own are grains. Without PeriodicLattice, an array CellId has another meaning.
     void take_kind_and_sites() {
         const bool of_points = arrays_.find("PointData/CellId") != nullptr;
         const bool of_faces = arrays_.find("CellData/CellId") != nullptr && !of_points;

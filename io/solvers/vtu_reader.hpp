@@ -8,13 +8,17 @@
 
 namespace pcvt {
 
-/// Reads a VTU with one piece and ASCII arrays: points in the plane z = 0, and either polygons or
-/// triangles, of three nodes or of six with straight sides. Points of type Float32 make the tile
-/// one of single precision.
+/// Reads a VTU with one piece and ASCII arrays: points in the plane z = 0, and either polygons, or
+/// triangles with three nodes, or triangles with six nodes and straight sides. Points of type
+/// Float32 give a tile of single precision.
 ///
-/// The lattice, the vertex pairs and the sites come from the arrays that encode_vtu() writes, where
-/// they are there: a file that lacks PeriodicPointIds stores no pairs. Other arrays are passed
-/// over. Edge pairs have no place in a VTU.
+/// The lattice, the vertex pairs and the sites come from the arrays that encode_vtu() writes; each
+/// of them may be absent. Other arrays are skipped. A VTU stores no edge pairs.
+///
+/// Example usage:
+///     const TileFile file = decode_vtu({{"tile.vtu", read_whole_file("tile.vtu")}}, std::nullopt);
+///     const TileProof proof = prove_tile(file.tile, file.precision);
+///
 /// @throws BadFile with the line.
 TileFile decode_vtu(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
 

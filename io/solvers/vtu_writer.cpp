@@ -22,7 +22,7 @@ void append_word(std::string& text, Number number) {
 
 void end_line(std::string& text) { text.back() = '\n'; }
 
-/// Opens an array; `attributes` are the further ones, with a blank before each.
+/// Opens an array; `attributes` holds further attributes, each with a blank before it.
 void open_array(std::string& text, const char* type, const char* name,
                 const std::string& attributes = "") {
     text += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\"" + attributes +
@@ -55,6 +55,7 @@ void append_lattice(std::string& text, const Lattice& lattice) {
 }
 
 void append_point_data(std::string& text, const Tile& tile, const SolverNodes& nodes) {
+    // A node without a pair represents its own orbit.
     std::vector<int> ids(nodes.points.size());
     std::iota(ids.begin(), ids.end(), 0);
     std::vector<int> orbits = ids;
@@ -63,6 +64,7 @@ void append_point_data(std::string& text, const Tile& tile, const SolverNodes& n
         orbits[pair.w] = pair.v;
         offsets[pair.w] = pair.offset;
     }
+    // Ids and offsets.
     text += "<PointData GlobalIds=\"GlobalIds\">\n";
     append_integers(text, "Int64", "GlobalIds", ids);
     append_integers(text, "Int64", "PeriodicPointIds", orbits);
@@ -73,6 +75,7 @@ void append_point_data(std::string& text, const Tile& tile, const SolverNodes& n
         end_line(text);
     }
     close_array(text);
+    // Sites of vertices; midside nodes have none.
     if (!tile.vertex_site.empty()) {
         std::vector<SiteId> sites = tile.vertex_site;
         sites.resize(nodes.points.size(), -1);

@@ -8,19 +8,26 @@
 
 namespace pcvt {
 
-/// VTK's unstructured grid in XML, ASCII: Float64 points with z = 0, faces as VTK_POLYGON (cells)
-/// or VTK_TRIANGLE
-/// (VTK_QUADRATIC_TRIANGLE for order 2).
+/// Encodes a tile as VTK's unstructured grid in XML with ASCII arrays: Float64 points with z = 0;
+/// faces as VTK_POLYGON (cells) or VTK_TRIANGLE (VTK_QUADRATIC_TRIANGLE for order 2).
 ///
-/// PointData: `GlobalIds`, counted from 0; `PeriodicPointIds`, the id of the representative, i.e.
-/// the smallest on the orbit; `PeriodicOffset` (i, j), position = position(representative)
-/// + i a + j b; of Delaunay triangles also `CellId`, the site there, -1 in the middle of an edge.
-/// CellData: `CellId`, the site of each cell, of triangles element_cells(). FieldData:
-/// `PeriodicLattice`, the vectors a and b.
+///   PointData  `GlobalIds`, counted from 0; `PeriodicPointIds`, the id of the representative,
+///   which
+///              is the smallest id on the orbit; `PeriodicOffset` (i, j), with
+///              position = position(representative) + i a + j b; for Delaunay triangles `CellId`,
+///              the site of each vertex, and -1 for a midside node.
+///   CellData   `CellId`, the site of each cell, and element_cells() for triangles.
+///   FieldData  `PeriodicLattice`, the vectors a and b.
 ///
-/// ASCII, because the shortest decimals that round-trip are exact, take no more room than the same
-/// arrays in raw binary (12.7 MB for the triangles of 1e5 sites, against 12.6), and let a reader
-/// name a fault by its line.
+/// The arrays are ASCII, because the shortest decimals that round-trip are exact, take no more room
+/// than raw binary arrays (12.7 MB for the triangles of 1e5 sites, against 12.6 MB), and let a
+/// reader name the line of a fault.
+///
+/// Example usage:
+///     for (const EncodedFile& file : encode_vtu(tile, "tile.vtu")) {
+///         output.stage(file.path, file.bytes);
+///     }
+///
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path);
 

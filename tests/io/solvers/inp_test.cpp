@@ -30,7 +30,7 @@ std::string fault_of(const std::string& text) {
     return testing::fault_in([&] { read(text); });
 }
 
-/// The fault of the two triangles with one piece of their text exchanged.
+/// Returns the fault of the two triangles with `piece` of their text replaced by `other`.
 std::string fault_with(const std::string& piece, const std::string& other) {
     return fault_of(testing::exchanged(two_triangles(), piece, other));
 }
@@ -48,7 +48,7 @@ TEST(Inp, TilesReadBackExactlyWithTheirVertexPairs) {
     }
 }
 
-TEST(Inp, EachTiedNodeHasOneEquationOfEachDirection) {
+TEST(Inp, EachTiedNodeHasOneEquationPerDirection) {
     const std::string text =
         encode_inp(testing::triangle_grid_tile(Lattice({2, 0}, {1, 3}), 2, 1), "t.inp")[0].bytes;
     EXPECT_THAT(text, HasSubstr("*ELEMENT,TYPE=CPE3,ELSET=EALL\n1,1,2,5\n2,1,5,4\n"));
@@ -75,7 +75,7 @@ TEST(Inp, ALineHoldsAtMostEightIdsAndANumberTwentyCharacters) {
     EXPECT_NO_THROW(prove_tile(read(text).tile, Precision::kDouble));
 }
 
-TEST(Inp, NumbersThatTwentyCharactersDoNotHoldAreRefusedOrRoundedInvisibly) {
+TEST(Inp, NumbersBeyondTwentyCharactersAreRefusedOrRoundedWithinTheTolerance) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
         const Tile tile = testing::triangle_grid_tile(lattice, 7, 7);
         if (lattice.a().norm() < 0.1) {
@@ -87,7 +87,7 @@ TEST(Inp, NumbersThatTwentyCharactersDoNotHoldAreRefusedOrRoundedInvisibly) {
     }
 }
 
-TEST(Inp, PolygonsAreRefusedWithWhatToAskFor) {
+TEST(Inp, PolygonsAreRefusedWithARemedy) {
     try {
         encode_inp(testing::grid_tile(kSquare, 2, 2), "t.inp");
         FAIL();

@@ -18,7 +18,7 @@ using ::testing::StartsWith;
 
 const Lattice kSquare({1, 0}, {0, 1});
 
-/// Two triangles on four nodes, every one of them an end of a run.
+/// Two triangles on four nodes, each of which is an end of a seam segment.
 std::string two_triangles() {
     return encode_msh(testing::triangle_grid_tile(kSquare, 1, 1), "t.msh")[0].bytes;
 }
@@ -31,7 +31,7 @@ std::string fault_of(const std::string& text) {
     return testing::fault_in([&] { read(text); });
 }
 
-/// The fault of the two triangles with one piece of their text exchanged.
+/// Returns the fault of the two triangles with `piece` of their text replaced by `other`.
 std::string fault_with(const std::string& piece, const std::string& other) {
     return fault_of(testing::exchanged(two_triangles(), piece, other));
 }
@@ -47,14 +47,14 @@ TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
     }
 }
 
-TEST(Msh, TheSeamIsCurvesPointsAndLinks) {
+TEST(Msh, TheSeamBecomesCurvesPointsAndLinks) {
     const std::string text =
         encode_msh(testing::triangle_grid_tile(Lattice({2, 0}, {1, 3}), 2, 1), "t.msh")[0].bytes;
     EXPECT_THAT(text, HasSubstr("$PhysicalNames\n5\n1 1 \"seam_-1_0\"\n1 2 \"seam_0_-1\"\n"
                                 "1 3 \"seam_0_1\"\n1 4 \"seam_1_0\"\n2 5 \"tile\"\n"));
     EXPECT_THAT(text, HasSubstr("$Entities\n4 4 1 0\n1 0 0 0 0\n"));
     EXPECT_THAT(text, HasSubstr("\n1 0 0 0 2 0 0 1 3 2 1 -2\n"));
-    // Three points lie at the first one + b, + a + b, + a; two curves are slaves.
+    // Three points are images of the first one, at + b, + a + b and + a; two curves are slaves.
     EXPECT_THAT(text,
                 HasSubstr("$Periodic\n5\n0 2 1\n16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n1\n3 1\n"));
     EXPECT_THAT(text, HasSubstr("\n1 3 1\n16 1 0 0 1 0 1 0 3 0 0 1 0 0 0 0 1\n3\n"));
@@ -63,7 +63,7 @@ TEST(Msh, TheSeamIsCurvesPointsAndLinks) {
     EXPECT_THAT(text, HasSubstr("$NodeData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n6\n1 0\n2 1\n"));
 }
 
-TEST(Msh, PolygonsAreRefusedWithWhatToAskFor) {
+TEST(Msh, PolygonsAreRefusedWithARemedy) {
     try {
         encode_msh(testing::grid_tile(kSquare, 2, 2), "t.msh");
         FAIL();
@@ -116,7 +116,7 @@ TEST(Msh, FaultsNameTheirLine) {
 
 TEST(Msh, AWrongLinkIsRefuted) {
     std::string text = two_triangles();
-    // The point of node 4 lies at that of node 1 + a + b.
+    // Node 4 lies at node 1 + a + b.
     const std::string link = "16 1 0 0 1 0 1 0 1 0 0 1 0 0 0 0 1\n1\n4 1\n";
     ASSERT_THAT(text, HasSubstr(link));
     text.replace(text.find(link), link.size(), "16 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1\n1\n4 1\n");
@@ -124,7 +124,7 @@ TEST(Msh, AWrongLinkIsRefuted) {
     EXPECT_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
 }
 
-TEST(Msh, ALineThatIsNoSeamIsRefuted) {
+TEST(Msh, AWrongLineOfTheSeamIsRefuted) {
     const auto refuted = [](const std::string& piece, const std::string& other) {
         std::string text = encode_msh(testing::triangle_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
         text.replace(text.find(piece), piece.size(), other);
@@ -136,7 +136,7 @@ TEST(Msh, ALineThatIsNoSeamIsRefuted) {
     refuted("\n13 9 8\n", "\n13 8 7\n");
 }
 
-TEST(Msh, CoordinatesThatAreNotFiniteAreOurFault) {
+TEST(Msh, NonFiniteCoordinatesAreInternalErrors) {
     Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_msh(tile, "t.msh"), InternalError);

@@ -28,7 +28,7 @@ std::string fault_of(const std::string& text) {
     return testing::fault_in([&] { read(text); });
 }
 
-/// The fault of one cell with one piece of its text exchanged.
+/// Returns the fault of one cell with `piece` of its text replaced by `other`.
 std::string fault_with(const std::string& piece, const std::string& other) {
     return fault_of(testing::exchanged(one_cell(), piece, other));
 }
@@ -132,7 +132,7 @@ TEST(Vtu, AWrongPairIsRefuted) {
     EXPECT_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
 }
 
-TEST(Vtu, CoordinatesThatAreNotFiniteAreOurFault) {
+TEST(Vtu, NonFiniteCoordinatesAreInternalErrors) {
     Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_vtu(tile, "t.vtu"), InternalError);
