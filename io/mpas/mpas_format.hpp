@@ -7,7 +7,7 @@
 
 namespace pcvt {
 
-/// The sizes of an MPAS mesh file; all but kOne are dimensions of it.
+/// The sizes in an MPAS mesh file; all but kOne are dimensions of the file.
 enum class MpasSize {
     kVoronoi,
     kEdges,
@@ -23,12 +23,13 @@ struct MpasDimension {
     const char* name;
     MpasSize size;
 };
-/// In the order in which they are defined; the unlimited `Time` is not among them.
+/// Returns the dimensions in the order of the file, without the unlimited `Time`.
 const std::vector<MpasDimension>& mpas_dimensions();
+/// Returns the value of `size` for `grid`.
 int mpas_size(const MpasGrid& grid, MpasSize size);
 
-/// A variable of the file and the table of MpasGrid that it holds; exactly one of `indices`,
-/// `counts` and `numbers` is set. Indices count from 1 in the file, and 0 fills up.
+/// A variable of the file and the table of MpasGrid that it stores; exactly one of `indices`,
+/// `counts` and `numbers` is set. Indices count from 1 in the file, and 0 fills unused entries.
 struct MpasVariable {
     const char* name;
     MpasSize rows;
@@ -38,6 +39,7 @@ struct MpasVariable {
     std::vector<int> MpasGrid::*counts = nullptr;
     std::vector<double> MpasGrid::*numbers = nullptr;
 };
+/// Returns the variables in the order of the file, without the ids and the third dimension.
 const std::vector<MpasVariable>& mpas_variables();
 
 }  // namespace pcvt

@@ -12,7 +12,7 @@
 namespace pcvt {
 namespace {
 
-/// A netCDF file that lies in memory.
+/// A netCDF file in memory.
 class MpasInput {
    public:
     MpasInput(const std::string& path, const std::string& bytes) : path_(path), bytes_(bytes) {
@@ -20,7 +20,7 @@ class MpasInput {
             throw_bad_file(
                 "not a netCDF file of the classic formats; convert it with nccopy -k nc6");
         }
-        // The library takes a pointer to what it will not write to.
+        // The library takes a pointer to non-const memory, but NC_NOWRITE keeps it from writing.
         void* memory = const_cast<char*>(bytes.data());
         require(nc_open_mem(path.c_str(), NC_NOWRITE, bytes.size(), memory, &id_), "the header");
     }
@@ -37,7 +37,7 @@ class MpasInput {
         std::size_t length = 0;
         require(nc_inq_dimid(id_, name, &number), name);
         require(nc_inq_dimlen(id_, number, &length), name);
-        // No dimension of a whole file is longer than the file.
+        // A dimension of a complete file is at most as long as the file.
         if (length == 0 || length > bytes_.size() ||
             length > std::size_t(std::numeric_limits<int>::max())) {
             throw_bad_file("dimension " + std::string(name) + " has the size " +
@@ -65,7 +65,7 @@ class MpasInput {
         require(nc_get_var_double(id_, number(variable), values.data()), variable.name);
     }
 
-    /// The ids of the file are its indices.
+    /// Requires that the ids count from 1, as the indices do.
     void require_ids(const std::string& name, int n) const {
         int variable = 0;
         int dimension = 0;
@@ -98,9 +98,11 @@ class MpasInput {
         return found;
     }
 
-    /// The number of entries that the variable should have, and has.
+    /// Returns the number of entries of a variable, `size` bytes each, after checking that the file
+    /// stores as many as `grid` requires.
     std::size_t entries(const MpasVariable& variable, const MpasGrid& grid,
                         std::size_t size) const {
+        // The number of entries in the file.
         int n_dimensions = 0;
         int dimensions[NC_MAX_VAR_DIMS] = {};
         require(
@@ -112,6 +114,7 @@ class MpasInput {
             require(nc_inq_dimlen(id_, dimensions[k], &length), variable.name);
             found *= length;
         }
+        // The required number, which must also fit into the file.
         const std::size_t wanted = static_cast<std::size_t>(mpas_size(grid, variable.rows)) *
                                    mpas_size(grid, variable.columns);
         if (n_dimensions > 2 || found != wanted || wanted > bytes_.size() / size) {
@@ -131,6 +134,7 @@ class MpasInput {
 MpasGrid decode_mpas(const std::string& path, const std::string& bytes) {
     const std::lock_guard lock(openmesh_netcdf_mutex());
     const MpasInput file(path, bytes);
+    // Periods and dimensions.
     MpasGrid grid{};
     grid.x_period = file.attribute("x_period");
     grid.y_period = file.attribute("y_period");
@@ -140,6 +144,7 @@ MpasGrid decode_mpas(const std::string& path, const std::string& bytes) {
     grid.max_edges = file.dimension("maxEdges");
     if (grid.max_edges > std::numeric_limits<int>::max() / 2)
         file.throw_bad_file("maxEdges is too large");
+    // Variables, with indices counted from 0 and -1 for unused entries.
     for (const MpasVariable& variable : mpas_variables()) {
         if (variable.indices != nullptr) {
             file.read(variable, grid, grid.*variable.indices);

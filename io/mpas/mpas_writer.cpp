@@ -16,14 +16,14 @@ namespace {
 
 /// The format counts the bytes of a variable in 32 bits.
 constexpr double kMostBytes = 0x1p32 - 4;
-/// What the memory begins with stays in the file, so it begins with nothing and grows.
+/// The initial size of a file in memory. Unused bytes of it would stay in the file, so it is 0.
 constexpr std::size_t kFirstBytes = 0;
 
 void require(int status) {
     if (status != NC_NOERR) throw InternalError(std::string("netCDF: ") + nc_strerror(status));
 }
 
-/// A file that is written into memory.
+/// A netCDF file that is written to memory.
 class MemoryFile {
    public:
     MemoryFile() {
@@ -51,7 +51,8 @@ class MemoryFile {
     bool open_ = true;
 };
 
-/// Dimensions at once, then attributes and variables, then what fills them.
+/// Writes an MPAS mesh file: the constructor defines the dimensions; attributes and variables
+/// follow, and after begin_filling() the values of the variables.
 class MpasFile {
    public:
     explicit MpasFile(const MpasGrid& grid) : grid_(grid) {
@@ -111,7 +112,7 @@ void state_attributes(const MpasGrid& grid, MpasFile& file) {
     file.state("mesh_spec", "1.0");
 }
 
-/// What is the same for every mesh of the same size: the third dimension and the ids.
+/// The variables with equal values in all meshes of one size: the third dimension and the ids.
 struct PlainVariables {
     MpasSize rows;
     std::vector<int> zeros;
@@ -140,6 +141,7 @@ void fill_plain(const PlainVariables& plain, const MpasGrid& grid, MpasFile& fil
 std::string encode_mpas(const MpasGrid& grid) {
     const std::lock_guard lock(openmesh_netcdf_mutex());
     MpasFile file(grid);
+    // Define attributes and variables.
     state_attributes(grid, file);
     std::vector<int> numbers;
     for (const MpasVariable& variable : mpas_variables()) {
@@ -149,6 +151,7 @@ std::string encode_mpas(const MpasGrid& grid) {
     const PlainVariables plain[] = {define_plain("Cell", MpasSize::kVoronoi, file),
                                     define_plain("Edge", MpasSize::kEdges, file),
                                     define_plain("Vertex", MpasSize::kVertices, file)};
+    // Fill the variables.
     file.begin_filling();
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         const MpasVariable& variable = mpas_variables()[k];

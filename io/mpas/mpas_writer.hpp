@@ -6,10 +6,15 @@
 
 namespace pcvt {
 
-/// An MPAS mesh file: netCDF, 64-bit offset format, specification 1.0. Latitudes, longitudes and z
-/// are 0; the ids in indexTo...ID count from 1 like all indices in the file.
-/// @throws LimitExceeded  a table is longer than the format can hold.
-/// @throws InternalError  netCDF does not write.
+/// Encodes an MPAS mesh file: netCDF in the 64-bit offset format, specification 1.0. Latitudes,
+/// longitudes and z are 0; the ids in indexTo...ID count from 1, as all indices in the file do.
+///
+/// Example usage:
+///     const MpasGrid grid = mpas_grid(cells, Vec2(0, 0));
+///     output.stage("mesh.nc", encode_mpas(grid));
+///
+/// @throws LimitExceeded  if a table is longer than the format can hold.
+/// @throws InternalError  if netCDF fails to write.
 std::string encode_mpas(const MpasGrid& grid);
 
 }  // namespace pcvt

@@ -10,7 +10,7 @@ namespace pcvt {
 namespace {
 
 constexpr int kWrites = 5;
-/// Of the mean spacing, crossed by the fastest fluid in one step.
+/// The share of the mean spacing that the fastest fluid crosses in one step.
 constexpr double kCourant = 0.1;
 
 constexpr const char* kControl = R"(application     icoFoam;
@@ -38,7 +38,7 @@ interpolationSchemes { default linear; }
 snGradSchemes        { default corrected; }
 )";
 
-// All patches are cyclic or empty, so p is free up to a constant: pRefCell pins it.
+// All patches are cyclic or empty, so p is determined up to a constant, which pRefCell fixes.
 constexpr const char* kSolution = R"(solvers
 {
     p

@@ -57,7 +57,7 @@ std::vector<int> read_labels(const EncodedFile& file) {
     return labels;
 }
 
-/// (I, J) of the name seam_I_J.
+/// Returns (I, J) of the name seam_I_J; `nullopt` for any other name.
 std::optional<Offset> named_offset(const std::string& name) {
     const std::string head = "seam_";
     const std::size_t cut = name.find('_', head.size());
@@ -79,11 +79,12 @@ Vec2 read_separation(FoamScanner& scanner) {
     return {x, y};
 }
 
-/// A patch as it stands, with the name of its partner: empty where it has none.
+/// Reads a patch and the name of its partner, which is empty if the patch has none.
 std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner) {
     ExtrudedPatch patch{std::string(scanner.next()), -1, -1, -1, Offset{}, Vec2(0, 0)};
     std::string type;
     std::string partner;
+    // Read the entries that matter, skip the others.
     scanner.expect("{");
     for (std::string_view key = scanner.next(); key != "}"; key = scanner.next()) {
         if (key.empty()) scanner.throw_bad_file("a patch does not end; give the whole file");
@@ -94,6 +95,7 @@ std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner) {
         if (key == "separationVector") patch.separation = read_separation(scanner);
         scanner.skip_entry();
     }
+    // A patch is empty, or cyclic with an offset in its name.
     if (type == "empty" && partner.empty()) return {patch, partner};
     const std::optional<Offset> offset = named_offset(patch.name);
     const auto fits = [](int k) { return k >= -kLargestOffset && k <= kLargestOffset; };
@@ -108,6 +110,7 @@ std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner) {
 }
 
 void read_boundary(const EncodedFile& file, ExtrudedMesh& extruded) {
+    // Read the patches.
     FoamScanner scanner(file.path, file.bytes);
     std::vector<std::string> partners;
     for (int left = scanner.begin_list(); left > 0; --left) {
@@ -116,6 +119,7 @@ void read_boundary(const EncodedFile& file, ExtrudedMesh& extruded) {
         partners.push_back(std::move(partner));
     }
     scanner.expect(")");
+    // Find the partners by their names.
     std::map<std::string, int> index;
     for (const ExtrudedPatch& patch : extruded.patches) {
         index.emplace(patch.name, static_cast<int>(index.size()));
@@ -133,7 +137,7 @@ void read_boundary(const EncodedFile& file, ExtrudedMesh& extruded) {
     }
 }
 
-/// Our comments `// pcvt kind ...` and `// pcvt lattice ...`.
+/// Reads the comments `// pcvt kind ...` and `// pcvt lattice ...`.
 RawTile read_comments(const EncodedFile& file) {
     RawTile raw{};
     raw.name = file.path;

@@ -14,7 +14,7 @@ constexpr CharSet kPunctuation("(){};");
 constexpr CharSet kBlanks(" \t\r\n\v\f");
 constexpr CharSet kEndOfWord("(){}; \t\r\n\v\f\"");
 
-/// Of the comment with which `text` begins; 0 where it does not.
+/// Returns the length of the comment at the beginning of `text`; 0 if there is none.
 std::size_t comment_length(std::string_view text) {
     if (text.starts_with("//")) return std::min(text.find('\n'), text.size());
     if (!text.starts_with("/*")) return 0;

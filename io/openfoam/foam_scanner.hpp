@@ -5,8 +5,8 @@
 
 namespace pcvt {
 
-/// Walks over the tokens of an OpenFOAM file: ( ) { } ; and words. Comments are passed over, and
-/// the FoamFile header is read by the constructor.
+/// Walks over the tokens of an OpenFOAM file: ( ) { } ; and words. It skips comments, and its
+/// constructor reads the FoamFile header.
 class FoamScanner {
    public:
     /// @param name  the file's name in messages.
@@ -14,17 +14,19 @@ class FoamScanner {
     /// @throws BadFile unless the file begins with a header and its format is ascii.
     FoamScanner(std::string name, std::string_view text);
 
-    /// The next token; at the end of the text empty.
+    /// Returns the next token; empty at the end of the text.
     std::string_view next();
     /// Takes the next token.
-    /// @throws BadFile unless it is `token`, or a number.
+    /// @throws BadFile unless it is `token`.
     void expect(std::string_view token);
+    /// Return the next token as a number.
+    /// @throws BadFile unless it is such a number.
     int integer();
     double number();
-    /// Passes over the rest of an entry, to its semicolon.
+    /// Skips the rest of an entry, up to its semicolon.
     void skip_entry();
-    /// Begins a list: its length, and its opening parenthesis. The length is checked against what
-    /// is left of the text, so that it can be reserved.
+    /// Takes the length and the opening parenthesis of a list; returns the length. It is at most
+    /// the number of characters left, so that the caller can safely reserve memory for it.
     int begin_list();
 
     /// @throws BadFile `name:line: complaint`.

@@ -19,7 +19,7 @@ std::string count_line(int n) { return std::to_string(n) + "\n(\n"; }
 std::string encode_points(const ExtrudedMesh& extruded) {
     std::string text =
         foam_header("vectorField", kMeshFolder, "points") + count_line(extruded.n_points());
-    // The front repeats the back at another z.
+    // Write x and y once: the front repeats the back at another z.
     std::string place;
     std::vector<std::string::size_type> begin{0};
     for (int v = 0; v < extruded.n_points() / 2; ++v) {
@@ -30,6 +30,7 @@ std::string encode_points(const ExtrudedMesh& extruded) {
         place += ' ';
         begin.push_back(place.size());
     }
+    // Complete them with the z of the back and of the front.
     for (const double z : {extruded.points.front().z(), extruded.points.back().z()}) {
         std::string end;
         append_number(end, z);
@@ -122,6 +123,7 @@ std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder
     require_finite(tile);
     const ExtrudedMesh extruded = extruded_mesh(tile);
     const DecayingFlow flow(tile.lattice);
+    // The contents have the order of foam_paths().
     std::vector<std::string> contents = {
         encode_points(extruded),
         encode_faces(extruded),

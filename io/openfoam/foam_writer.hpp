@@ -8,15 +8,23 @@
 
 namespace pcvt {
 
-/// The files of the case folder `folder`, in the order in which encode_foam fills them.
+/// Returns the paths of the files in the case folder `folder`, in the order of encode_foam().
 std::vector<std::string> foam_paths(const std::string& folder);
 
-/// A case folder for OpenFOAM that runs with icoFoam as it is: the tile as one layer of cells with
-/// a pair of cyclic patches for each translation, empty back and front, and a DecayingFlow to start
-/// from, which at the end of the run has fallen to 1/e.
+/// Encodes a tile as a case folder for OpenFOAM that icoFoam runs without further input: one layer
+/// of cells with a pair of cyclic patches for each translation, empty patches at back and front,
+/// and a DecayingFlow as the initial state, which falls to 1/e by the end of the run.
 ///
-/// Cell i is face i of the tile, so in a tile of cells that was not repeated the cell of site i.
-/// Comments in the boundary file keep the kind of the faces and the period vectors.
+/// Cell i is face i of the tile; in a tile of cells without repetition it is the cell of site i.
+/// Comments in the boundary file hold the kind of the faces and the period vectors.
+///
+/// Example usage:
+///     OutputSet output;
+///     output.stage_folder("tile.foam");
+///     for (const EncodedFile& file : encode_foam(tile, "tile.foam")) {
+///         output.stage(file.path, file.bytes);
+///     }
+///
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder);
 

@@ -8,7 +8,8 @@
 #include "tests/support/hexagons.hpp"
 #include "tests/support/mutation.hpp"
 
-/// The netCDF library asks for as much memory as a damaged header says, and takes no for an answer.
+/// The netCDF library allocates as much memory as a damaged header states, and copes with a
+/// refusal.
 extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
 
 namespace pcvt {
@@ -44,7 +45,7 @@ TEST(Mpas, EveryTableReadsBackExactly) {
     EXPECT_EQ(read.y_period, grid.y_period);
 }
 
-TEST(Mpas, TheFileIsOfThe64BitOffsetFormatAndTheSameEachTime) {
+TEST(Mpas, TheSameGridGivesTheSameBytesInThe64BitOffsetFormat) {
     const std::string bytes = encode_mpas(example());
     EXPECT_THAT(bytes, StartsWith(std::string("CDF\2", 4)));
     EXPECT_EQ(encode_mpas(example()), bytes);

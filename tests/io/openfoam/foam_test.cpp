@@ -35,7 +35,7 @@ std::string fault_of(const std::vector<EncodedFile>& files,
     return "";
 }
 
-/// The fault of the example with one piece of one file exchanged.
+/// Returns the fault of the example with `piece` of the file `name` replaced by `other`.
 std::string fault_with(const std::string& name, const std::string& piece,
                        const std::string& other) {
     auto files = example();
@@ -64,7 +64,7 @@ TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
     }
 }
 
-TEST(Foam, TheCaseHoldsWhatIcoFoamAsksFor) {
+TEST(Foam, TheCaseHasTheEntriesThatIcoFoamNeeds) {
     auto files = example();
     EXPECT_THAT(file_named(files, "system/controlDict").bytes,
                 HasSubstr("application     icoFoam"));
@@ -119,7 +119,7 @@ TEST(Foam, CommentsAndOneLineListsAreRead) {
     EXPECT_EQ(fault_of(files), "");
 }
 
-TEST(Foam, CoordinatesThatAreNotFiniteAreOurFault) {
+TEST(Foam, NonFiniteCoordinatesAreInternalErrors) {
     Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_foam(tile, "t.foam"), InternalError);
