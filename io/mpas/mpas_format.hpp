@@ -39,7 +39,8 @@ struct MpasVariable {
     std::vector<int> MpasGrid::*counts = nullptr;
     std::vector<double> MpasGrid::*numbers = nullptr;
 };
-/// Returns the variables in the order of the file, without the ids and the third dimension.
+/// Returns the variables in the order of the file, without the ids and without the latitudes,
+/// longitudes and z, which are 0.
 const std::vector<MpasVariable>& mpas_variables();
 
 }  // namespace pcvt

@@ -15,9 +15,9 @@ namespace pcvt {
 namespace {
 
 constexpr int kMostClasses = 9;
-/// In octaves.
+/// The width of the finest classes, in octaves.
 constexpr double kFinestClass = 1.0 / 16;
-/// Stands for areas that rounding made zero.
+/// Replaces relative areas that rounding made zero or negative.
 constexpr double kLeastShare = 1e-12;
 
 std::string two_digits(double value) {
@@ -35,7 +35,7 @@ double face_area(const Tile& tile, int face) {
     return polygon_area(polygon);
 }
 
-/// log2(sqrt(area) / h) of each site's cell, all its faces together.
+/// Returns log2(sqrt(area) / h) of each site's cell, over all faces of the cell.
 std::map<SiteId, double> size_octaves(const Tile& tile) {
     std::map<SiteId, double> octaves;
     for (int f = 0; f < tile.n_faces(); ++f) octaves[tile.face_site[f]] += face_area(tile, f);
@@ -58,7 +58,7 @@ CellColours colours_by_sides(const Tile& tile) {
     for (const int n : sides) colours.of_face.push_back(colour_of[n]);
     for (const auto& [n, count] : counts) {
         std::string label = std::to_string(n) + (n == 1 ? " side" : " sides");
-        // Parts of cells are not what is counted.
+        // A number of pieces would mislead.
         if (tile.whole_sides.empty()) label += ": " + std::to_string(count);
         colours.meaning.push_back({LegendEntry::Mark::kPatch, colour_of[n], label});
     }
@@ -66,6 +66,7 @@ CellColours colours_by_sides(const Tile& tile) {
 }
 
 CellColours colours_by_size(const Tile& tile) {
+    // The range of the sizes.
     const std::map<SiteId, double> octaves = size_octaves(tile);
     double least = octaves.begin()->second;
     double most = least;
@@ -73,6 +74,7 @@ CellColours colours_by_size(const Tile& tile) {
         least = std::min(least, octave);
         most = std::max(most, octave);
     }
+    // The finest classes that cover it.
     double width = kFinestClass;
     while (most - least > width * (kMostClasses - 1)) width *= 2;
     const int lowest = static_cast<int>(std::floor(least / width));
@@ -83,6 +85,7 @@ CellColours colours_by_size(const Tile& tile) {
     const auto colour = [&](int k) { return hex(size_colour(last == 0 ? 1 : double(k) / last)); };
     std::vector<int> count(static_cast<std::size_t>(last) + 1, 0);
     for (const auto& [site, octave] : octaves) ++count[index(octave)];
+    // One colour per face, one legend entry per class.
     CellColours colours;
     for (const SiteId site : tile.face_site) {
         colours.of_face.push_back(colour(index(octaves.at(site))));

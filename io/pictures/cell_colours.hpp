@@ -8,17 +8,18 @@
 
 namespace pcvt {
 
-/// A colour for each face of a tile of cells or grains, and what the colours mean.
+/// A colour for each face of a tile of cells or grains, and the meaning of the colours.
 struct CellColours {
     std::vector<std::string> of_face;
     std::vector<LegendEntry> meaning;
 };
 
-/// By the number of sides of the cell that a face belongs to.
+/// Returns colours by the number of sides of each face's cell.
 CellColours colours_by_sides(const Tile& tile);
 
-/// By sqrt(area) / h of the cell that a face belongs to, h = sqrt(area of the tile / n): classes of
-/// equal ratios, 2^(1/16) or a power of it, nine of them at most.
+/// Returns colours by the size sqrt(area) / h of each face's cell, with h = sqrt(area of the tile /
+/// n): at most nine classes of one ratio, the least of 2^(1/16), 2^(1/8), 2^(1/4), ... that
+/// suffices.
 CellColours colours_by_size(const Tile& tile);
 
 }  // namespace pcvt

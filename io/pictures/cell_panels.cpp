@@ -12,16 +12,16 @@ constexpr double kGap = 28;
 constexpr double kHeading = 52;
 constexpr double kLine = 17;
 constexpr double kEntryHeight = 30;
-/// An entry's mark and the gap behind its label.
+/// The width of an entry's mark and of the gap after its label.
 constexpr double kEntryGap = 40;
-/// Pixels a character of 13 pixel sans-serif, on the wide side.
+/// The width of a character of 13 pixel sans-serif, rather too large.
 constexpr double kCharacter = 6.6;
-/// Dots nearer to each other than this would only grey the picture.
+/// Below this spacing in pixels, dots would merge into grey.
 constexpr double kLeastDottedSpacing = 7;
 constexpr const char* kEdgeColour = "#565c68";
 constexpr const char* kInk = "#1c1f26";
 
-/// Where the panels stand.
+/// The positions of the panels, in pixels.
 struct Grid {
     PanelLayout layout;
     int n_panels;
@@ -41,7 +41,7 @@ struct Grid {
     double height() const { return kHeading + rows() * row_height(); }
 };
 
-/// From length units, y upwards, to the pixels of one panel.
+/// Maps length units, y upwards, to the pixels of one panel.
 class PanelFrame {
    public:
     PanelFrame(const Polygon& outline, const Vec2& corner, double size) : corner_(corner) {

@@ -9,30 +9,39 @@
 namespace pcvt {
 
 /// One small picture of a tessellation.
+///
+/// Example usage:
+///     CellPanel panel;
+///     panel.caption = {"One cell"};
+///     panel.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+///     panel.cells = {{panel.outline, "#f0e4c8"}};
+///     panel.sites = {{0.5, 0.5}};
+///     output.stage("cells.svg", encode_cell_panels({"Cells", {}}, {panel}, {}));
 struct CellPanel {
-    /// Lines of text beneath it, the first one bold; none longer than about 50 characters.
+    /// Lines of text beneath the picture, the first one bold, each at most about 50 characters
+    /// long.
     std::vector<std::string> caption;
-    /// Length units; what lies outside of the outline is not cut off.
+    /// A polygon in length units; parts outside of the outline are drawn as well.
     struct Cell {
         Polygon polygon;
         /// "#rrggbb"
         std::string colour;
     };
     std::vector<Cell> cells;
-    /// Drawn as dots.
+    /// The positions of the dots, length units.
     std::vector<Vec2> sites;
-    /// Drawn over the cells.
+    /// A line drawn over the cells; its bounding box determines the scale.
     Polygon outline;
 };
 
 struct PanelLayout {
     int columns = 4;
-    /// Pixels of the longer side of each panel's outline.
+    /// The longer side of each panel's outline, in pixels.
     double size = 220;
 };
 
-/// An SVG picture of the panels, row by row, with the legend's caption above and its entries
-/// beneath. Coordinates are rounded to hundredths of a pixel.
+/// Encodes an SVG picture of the panels, row by row, with the legend's caption above and its
+/// entries beneath. Coordinates are rounded to hundredths of a pixel.
 std::string encode_cell_panels(const Legend& legend, const std::vector<CellPanel>& panels,
                                const PanelLayout& layout);
 

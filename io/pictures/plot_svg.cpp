@@ -17,19 +17,19 @@ constexpr double kLeft = 72;
 constexpr double kRight = 26;
 constexpr double kTop = 96;
 constexpr double kBottom = 56;
-/// Pixels a character of 13 pixel sans-serif, on average.
+/// The average width of a character of 13 pixel sans-serif.
 constexpr double kCharacter = 6.9;
 constexpr const char* kInk = "#1c1f26";
 constexpr const char* kFaint = "#e4e6ea";
-/// Of the range: air between the outermost points and the border.
+/// The margin between the outermost points and the border, as a share of the range.
 constexpr double kAir = 0.04;
-/// About so many marks along a linear axis.
+/// The approximate number of ticks of a linear axis.
 constexpr int kWantedTicks = 6;
 constexpr std::size_t kFewestTicks = 3;
-/// Roundings of this size do not push a mark off its axis.
+/// Relative rounding errors of this size do not remove a tick from its axis.
 constexpr double kRounding = 1e-9;
 
-/// The step of 1, 2 or 5 times a power of ten that comes nearest, by ratio, to the wanted one.
+/// Returns the step of 1, 2 or 5 times a power of ten that is nearest, by ratio, to the wanted one.
 double nice_step(double range) {
     const double rough = range / kWantedTicks;
     const double decade = std::pow(10.0, std::floor(std::log10(rough)));
@@ -73,7 +73,7 @@ std::string superscript(int exponent) {
     return text;
 }
 
-/// With so many digits behind the point.
+/// Returns `value` with `digits` decimals.
 std::string fixed(double value, int digits) {
     std::array<char, 400> text{};
     const auto end =
@@ -85,7 +85,7 @@ int exponent_of(double value) {
     return value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)) + kRounding));
 }
 
-/// What stands at the marks of one axis, and the power of ten that it is to be multiplied by.
+/// The labels of the ticks of one axis, and the power of ten that multiplies them.
 struct TickLabels {
     std::vector<std::string> texts;
     std::string factor;
@@ -120,7 +120,7 @@ TickLabels logarithmic_labels(const std::vector<double>& ticks) {
     return labels;
 }
 
-/// One axis: from values to pixels.
+/// Maps the values along one axis to pixels.
 class Scale {
    public:
     Scale(const PlotAxis& axis, double low, double high, double from, double to)
@@ -170,7 +170,7 @@ struct Bounds {
     }
 };
 
-/// One panel with its place on the canvas.
+/// One plot with its position on the canvas.
 class Panel {
    public:
     Panel(const Plot& plot, double left)

@@ -7,14 +7,14 @@
 
 namespace pcvt {
 
-/// Colours of series that go well together, also for the colour-blind.
+/// Colours of series that colour-blind readers can distinguish as well.
 inline constexpr const char* kPlotBlue = "#255fb0";
 inline constexpr const char* kPlotOrange = "#cb4b1e";
 inline constexpr const char* kPlotGreen = "#0a8f63";
 inline constexpr const char* kPlotGrey = "#6a7180";
 
 struct PlotAxis {
-    /// With the unit, where there is one.
+    /// The label with its unit, if it has one.
     std::string label;
     bool logarithmic = false;
 };
@@ -22,16 +22,22 @@ struct PlotAxis {
 struct PlotSeries {
     enum class Mark { kLine, kDashes, kDots, kLineAndDots };
     Mark mark = Mark::kLine;
-    /// Empty: not in the legend.
+    /// Empty: the series is not in the legend.
     std::string label;
     /// "#rrggbb"
     std::string colour;
-    /// Finite, and above 0 along a logarithmic axis.
+    /// Finite coordinates, above 0 along a logarithmic axis.
     std::vector<Vec2> points;
-    /// Half the heights of the bars through the points; empty: no bars.
+    /// Half the heights of the error bars at the points; empty: no bars.
     std::vector<double> errors = {};
 };
 
+/// One diagram with its series.
+///
+/// Example usage:
+///     Plot plot{.title = "Energy", .x = {"iteration"}, .y = {"F", true}, .series = {}};
+///     plot.series.push_back({PlotSeries::Mark::kLine, "run 1", kPlotBlue, {{0, 1}, {9, 0.5}}});
+///     output.stage("energy.svg", encode_plots("Energy by iteration", {plot}));
 struct Plot {
     std::string title;
     PlotAxis x;
@@ -39,12 +45,13 @@ struct Plot {
     std::vector<PlotSeries> series;
 };
 
-/// The values at which an axis from `low` to `high` is marked, rising, three at least where that is
-/// possible: 1, 2 or 5 times a power of ten apart; along a logarithmic axis whole decades, or their
-/// 1, 2, 5, or all digits, whichever are the first to be three.
+/// Returns the ticks of an axis from `low` to `high`, rising. Ticks of a linear axis have a
+/// distance of 1, 2 or 5 times a power of ten. A logarithmic axis takes the first of these sets
+/// with at least three ticks: powers of ten; their multiples by 1, 2 and 5; by 1 to 9; the ticks of
+/// a linear axis.
 std::vector<double> axis_ticks(double low, double high, bool logarithmic);
 
-/// An SVG picture of the plots side by side, each with its title, legend, axes and grid.
+/// Encodes an SVG picture of the plots side by side, each with its title, legend, axes and grid.
 /// @throws InternalError if a point cannot be drawn, or there is none.
 std::string encode_plots(const std::string& title, const std::vector<Plot>& plots);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMargin = 20;
 constexpr double kTypicalSide = 800;
 constexpr double kLongestSide = 1600;
-/// libxml2, behind librsvg and others, refuses attributes of about 10 MB.
+/// The longest attribute. libxml2, which librsvg and others use, refuses about 10 MB.
 constexpr std::size_t kLongestAttribute = 1 << 20;
 
 std::string escaped(const std::string& text) {
@@ -47,7 +47,7 @@ Vec2 SvgFrame::pixel(const Vec2& point) const {
 void append_pixels(std::string& text, double value) {
     const std::int64_t thousandths = std::llround(1000 * value);
     const std::int64_t size = std::abs(thousandths);
-    // From the last digit to the first; zeros behind the point go.
+    // Write from the last digit to the first, without zeros at the end of the decimals.
     std::array<char, 24> digits{};
     char* begin = digits.end();
     std::int64_t rest = size;

@@ -7,17 +7,17 @@
 
 namespace pcvt {
 
-/// Where a drawing in length units, y upwards, lies on the canvas in pixels, y downwards.
+/// Maps a drawing in length units, y upwards, to the canvas in pixels, y downwards.
 class SvgFrame {
    public:
     /// Fits the points into about 800 x 800 pixels, at most 1600 along the longer side.
-    /// @param points two or more, not all at one place.
+    /// @param points two or more, not all equal.
     explicit SvgFrame(const std::vector<Vec2>& points);
 
     Vec2 pixel(const Vec2& point) const;
-    /// Pixels a length unit.
+    /// Pixels per length unit.
     double scale() const { return scale_; }
-    /// Of the drawing with its margin.
+    /// The size of the drawing with its margin, in pixels.
     double width() const { return size_.x(); }
     double height() const { return size_.y(); }
 
@@ -27,11 +27,11 @@ class SvgFrame {
     Vec2 size_;
 };
 
-/// Appends a number of pixels: three decimals at most, never an exponent, never -0.
+/// Appends a number of pixels with at most three decimals, never with an exponent, never -0.
 /// @pre |value| < 10^12.
 void append_pixels(std::string& text, double value);
 
-/// The `d` of an SVG path; points in length units.
+/// Builds the attribute `d` of an SVG path from points in length units.
 class SvgPath {
    public:
     explicit SvgPath(const SvgFrame& frame) : frame_(frame) {}
@@ -39,11 +39,12 @@ class SvgPath {
     SvgPath& move(const Vec2& point) { return add('M', point); }
     SvgPath& line(const Vec2& point) { return add('L', point); }
     SvgPath& close();
-    /// A path of no length: with round caps, a disc as wide as the stroke.
+    /// Adds a line without length, which round caps draw as a disc as wide as the stroke.
     SvgPath& dot(const Vec2& point);
 
     bool empty() const { return text_.empty(); }
-    /// <path> with these attributes; several where one would be longer than XML parsers take.
+    /// Returns a <path> with these attributes; several if one would exceed the limits of XML
+    /// parsers.
     std::string element(const std::string& attributes) const;
 
    private:
@@ -53,16 +54,16 @@ class SvgPath {
     std::string text_;
 };
 
-/// ` name="value"` with a number of pixels.
+/// Returns ` name="value"` with a number of pixels.
 std::string svg_attribute(const std::string& name, double pixels);
 
-/// The first lines of a picture: its size in pixels, its title and a white ground.
+/// Returns the first lines of a picture: its size in pixels, its title and a white background.
 std::string svg_head(const std::string& title, double width, double height);
 
-/// <text> at a place in pixels; &, < and > in the text are escaped.
+/// Returns a <text> at a position in pixels; &, < and > in the text are escaped.
 std::string svg_text(const Vec2& place, const std::string& text, const std::string& attributes);
 
-/// Of a text in UTF-8.
+/// Returns the number of characters of a text in UTF-8.
 std::size_t n_characters(const std::string& text);
 
 }  // namespace pcvt

@@ -7,17 +7,18 @@
 namespace pcvt {
 namespace {
 
-/// The domain is drawn in the typed basis unless its diagonal is longer than the reduced one times
-/// this.
+/// The domain is drawn in the reduced basis if the typed basis has a diagonal longer by this
+/// factor.
 constexpr double kOblique = 1.5;
-/// Lattice coordinates that should agree differ by less.
+/// Lattice coordinates that should agree differ by less than this.
 constexpr double kRounding = 1e-9;
 
 double longest_diagonal(const Lattice& lattice) {
     return std::max((lattice.a() + lattice.b()).norm(), (lattice.a() - lattice.b()).norm());
 }
 
-/// The corner of the parallelogram, which has no extent above 1, where cells are cut along it.
+/// Returns the lower corner of a box outline, whose extent in lattice coordinates is at most 1;
+/// `nullopt` for a whole outline.
 std::optional<Vec2> box_corner(const Tile& tile) {
     if (tile.whole_sides.empty()) return std::nullopt;
     Vec2 low = tile.lattice.to_lattice(tile.points[0]);

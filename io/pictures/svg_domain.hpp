@@ -7,15 +7,16 @@
 
 namespace pcvt {
 
-/// A fundamental domain as it is drawn over a tile.
+/// The fundamental domain that is drawn over a tile.
 struct SvgDomain {
-    /// Four, in order.
+    /// Four points, in order around the domain.
     std::vector<Vec2> corners;
     std::string label;
 };
 
-/// Where cells are cut along the parallelogram: that itself. Else the parallelogram at the lattice
-/// point where it covers the tile best, of the reduced basis if the typed one is much longer.
+/// Returns the parallelogram along which cells are cut, for a tile with the box outline. For a
+/// whole outline, returns the parallelogram at the lattice point where it covers the tile best, in
+/// the reduced basis if the typed one is much longer.
 SvgDomain drawn_domain(const Tile& tile);
 
 }  // namespace pcvt

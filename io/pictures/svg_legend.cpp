@@ -9,11 +9,11 @@ constexpr double kMargin = 20;
 constexpr double kLine = 22;
 constexpr double kMarkWidth = 22;
 constexpr double kGap = 18;
-/// Pixels a character of 13 pixel sans-serif, on the wide side.
+/// The width of a character of 13 pixel sans-serif, rather too large.
 constexpr double kCharacter = 7;
-/// A row beneath the drawing is no shorter than this.
+/// The least width of a row beneath the drawing.
 constexpr double kShortestRow = 400;
-/// Height over width from which on the legend stands beside the drawing.
+/// The legend lies beside a drawing with a larger ratio of height to width.
 constexpr double kTall = 1.6;
 
 double text_width(const std::string& text) {

@@ -21,17 +21,17 @@ struct Legend {
     std::vector<LegendEntry> entries;
 };
 
-/// One entry at pixels (x, y): its mark, and its label on the base line y.
+/// Returns one entry at pixels (x, y): its mark, and its label on the base line y.
 std::string legend_entry(double x, double y, const LegendEntry& entry);
 
-/// A laid out legend: what to draw, and the size of the whole canvas with it.
+/// A legend with its layout: its SVG text, and the size of the canvas that includes it.
 struct PlacedLegend {
     std::string svg;
     double width;
     double height;
 };
 
-/// Puts the legend beneath the drawing, or beside one that is tall and narrow.
+/// Places the legend beneath the drawing, or beside a drawing that is tall and narrow.
 PlacedLegend place_legend(const Legend& legend, const SvgFrame& frame);
 
 }  // namespace pcvt

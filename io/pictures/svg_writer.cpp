@@ -27,26 +27,26 @@ constexpr const char* kGradedEdgeColour = "#262a33";
 constexpr const char* kTriangleEdgeColour = "#8b919c";
 constexpr const char* kDotColour = "#30343c";
 constexpr const char* kDomainColour = "#1c1f26";
-/// Hues that no cell has; one a translation class, whole outlines have four at most.
+/// Hues that no cell has, one per translation class; a whole outline has at most four classes.
 constexpr std::array kSeamColours{"#0a8f63", "#8a36b5", "#d9187f", "#6f7600", "#0099a8", "#5d4037"};
-/// Below this spacing in pixels dots would only grey the picture.
+/// Below this spacing in pixels, dots would merge into grey.
 constexpr double kLeastDottedSpacing = 9;
 constexpr int kRegular = 6;
 
-/// One drawing: the tile, where it goes, and the spacing h of its sites in pixels.
+/// A tile, its position on the canvas, and the spacing h of its sites in pixels.
 struct Drawing {
     const Tile& tile;
     SvgFrame frame;
     double spacing;
 
-    /// A width of `fraction` of the spacing, kept where it can be seen and does not smother the
-    /// cells.
+    /// Returns a width of `fraction` of the spacing, limited so that lines remain visible and do
+    /// not cover the cells.
     double width(double fraction, double least, double most) const {
         return std::clamp(fraction * spacing, least, most);
     }
 };
 
-/// Sites, or what stands for them: pieces of cells and grains count once for each site.
+/// Returns the number of sites; all pieces of one cell or grain count once.
 int count_sites(const Tile& tile) {
     if (tile.kind == MeshKind::kDelaunay) {
         return tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());
@@ -55,10 +55,11 @@ int count_sites(const Tile& tile) {
     return static_cast<int>(std::set<SiteId>(tile.face_site.begin(), tile.face_site.end()).size());
 }
 
-/// (i, j) and (-i, -j) name the same translation class.
+/// Returns the same offset for (i, j) and (-i, -j), which belong to one translation class.
 Offset translation_class(Offset offset) { return offset < Offset{} ? -offset : offset; }
 
-/// Classes with their colours; (1, 0) and (0, 1) come first and so look the same in every picture.
+/// Returns the translation classes with their colours. (1, 0) and (0, 1) come first, so that they
+/// have the same colours in every picture.
 std::vector<std::pair<Offset, std::string>> seam_colours(const Tile& tile) {
     std::set<std::tuple<int, Offset>> classes;
     for (const EdgePair& pair : tile.edge_pairs) {
@@ -86,7 +87,7 @@ void add_face(const Tile& tile, int face, SvgPath& path) {
     path.close();
 }
 
-/// Of the pieces of a cell some do not hold its site.
+/// Returns whether a face contains its site; some pieces of a cut cell do not.
 bool holds_site(const Tile& tile, int face) {
     if (tile.whole_sides.empty()) return true;
     const Vec2& site = tile.site_points[face];
@@ -100,6 +101,7 @@ bool holds_site(const Tile& tile, int face) {
 }
 
 std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool dotted) {
+    // One path per colour, and one for all dots.
     const Tile& tile = drawing.tile;
     std::map<std::string, SvgPath> by_colour;
     SvgPath dots(drawing.frame);
@@ -109,6 +111,7 @@ std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool 
     for (int f = 0; f < tile.n_faces() && !tile.site_points.empty(); ++f) {
         if (holds_site(tile, f)) dots.dot(tile.site_points[f]);
     }
+    // Dots lie over the cells.
     std::string svg;
     const std::string edge =
         stroke(dotted ? kEdgeColour : kGradedEdgeColour, drawing.width(0.03, 0.06, 1.6));
@@ -121,7 +124,7 @@ std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool 
     return svg;
 }
 
-/// Edges between triangles of two sites.
+/// Returns the edges between triangles of different sites.
 SvgPath grain_boundaries(const Drawing& drawing) {
     const Tile& tile = drawing.tile;
     std::map<std::pair<int, int>, SiteId> site_at;
@@ -171,7 +174,7 @@ std::string draw_faces(const Drawing& drawing, const CellColours& colours, bool 
     return "";
 }
 
-/// Over the seam, so that a mark on the boundary is seen whole.
+/// Draws the marks of valences, which lie over the seam so that none of them is partly hidden.
 std::string draw_valences(const Drawing& drawing) {
     const Tile& tile = drawing.tile;
     const std::vector<int> valences = vertex_valences(tile);
@@ -218,7 +221,7 @@ std::string counted(int n, const std::string& noun) {
     return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
-/// Valences of the representatives only: one a site.
+/// Returns the valences of the representatives, one per site.
 std::vector<int> site_valences(const Tile& tile) {
     std::vector<int> valences = vertex_valences(tile);
     std::vector<bool> is_copy(valences.size());
@@ -269,12 +272,14 @@ Legend make_legend(const Tile& tile, const SvgDomain& domain, std::vector<Legend
 
 std::string encode(const Tile& tile, bool by_size) {
     require_finite(tile);
+    // The frame includes the tile and the fundamental domain.
     const SvgDomain domain = drawn_domain(tile);
     std::vector<Vec2> drawn = tile.points;
     drawn.insert(drawn.end(), domain.corners.begin(), domain.corners.end());
     const SvgFrame frame(drawn);
     const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_sites(tile));
     const Drawing drawing{tile, frame, spacing};
+    // The legend explains the colours and determines the size of the canvas.
     const bool coloured = faces_have_sites(tile.kind);
     CellColours colours;
     if (coloured) colours = by_size ? colours_by_size(tile) : colours_by_sides(tile);
@@ -282,6 +287,7 @@ std::string encode(const Tile& tile, bool by_size) {
     if (coloured && by_size) legend.caption += " by size; h = sqrt(area / n)";
     const PlacedLegend placed = place_legend(legend, frame);
 
+    // Draw from the bottom to the top.
     std::string svg = svg_head(legend.caption, placed.width, placed.height);
     svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
     svg += draw_faces(drawing, colours, !by_size);

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::Pointwise;
 
-/// The numbers of every match's groups.
+/// Returns the numbers in the groups of each match.
 std::vector<Vec2> pairs(const std::string& text, const std::string& pattern) {
     const std::regex regex(pattern);
     std::vector<Vec2> found;
@@ -41,7 +41,7 @@ void expect_ticks(const std::vector<double>& ticks, const std::vector<double>& e
     EXPECT_THAT(ticks, Pointwise(DoubleNear(1e-9), expected));
 }
 
-TEST(Plot, TicksAreNiceAndInsideTheAxis) {
+TEST(Plot, TicksAreRoundNumbersInsideTheAxis) {
     expect_ticks(axis_ticks(0, 10, false), {0, 2, 4, 6, 8, 10});
     expect_ticks(axis_ticks(-1, 1, false), {-1, -0.5, 0, 0.5, 1});
     expect_ticks(axis_ticks(9, 20000, true), {10, 100, 1000, 10000});
@@ -55,7 +55,7 @@ TEST(Plot, TicksAreNiceAndInsideTheAxis) {
     }
 }
 
-TEST(Plot, EqualStepsAreDrawnEqual) {
+TEST(Plot, EqualStepsHaveEqualLengths) {
     const auto linear = drawn_dots(dots(false, false, {{1, 2}, {2, 4}, {3, 6}}));
     ASSERT_EQ(linear.size(), 3u);
     EXPECT_LT((linear[0] + linear[2] - 2 * linear[1]).norm(), 0.01);
@@ -66,7 +66,7 @@ TEST(Plot, EqualStepsAreDrawnEqual) {
     EXPECT_LT((power[0] + power[2] - 2 * power[1]).norm(), 0.01);
 }
 
-TEST(Plot, LabelsSayPowersOfTenOnce) {
+TEST(Plot, LabelsFactorOutPowersOfTen) {
     const std::string small = encode_plots("t", {dots(false, false, {{0, 1e-3}, {1, 2.2e-3}})});
     EXPECT_THAT(small, HasSubstr("y (× 10⁻³)"));
     EXPECT_THAT(small, HasSubstr(">1.4<"));
@@ -75,12 +75,12 @@ TEST(Plot, LabelsSayPowersOfTenOnce) {
     EXPECT_THAT(decades, Not(HasSubstr(">10000<")));
 }
 
-TEST(Plot, OnePointOrAConstantIsDrawnToo) {
+TEST(Plot, ASinglePointAndAConstantAreDrawn) {
     EXPECT_EQ(drawn_dots(dots(false, false, {{5, 7}})).size(), 1u);
     EXPECT_EQ(drawn_dots(dots(true, true, {{5, 7}, {6, 7}})).size(), 2u);
 }
 
-TEST(Plot, WhatHasNoPlaceIsRefused) {
+TEST(Plot, PointsThatCannotBeDrawnAreRefused) {
     EXPECT_THROW(encode_plots("t", {dots(true, false, {{0, 1}})}), InternalError);
     EXPECT_THROW(encode_plots("t", {dots(false, false, {{0, NAN}})}), InternalError);
     EXPECT_THROW(encode_plots("t", {dots(false, false, {})}), InternalError);
@@ -92,7 +92,7 @@ TEST(Plot, TextIsEscaped) {
     EXPECT_THAT(encode_plots("t", {plot}), HasSubstr("a &lt; b &amp; c"));
 }
 
-TEST(CellPanels, EachPanelIsDrawnInItsPlaceUpwards) {
+TEST(CellPanels, EachPanelIsDrawnInItsPlaceWithYUpwards) {
     CellPanel panel;
     panel.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     panel.cells = {{{{0, 0}, {1, 0}, {1, 0.25}, {0, 0.25}}, "#123456"}};
@@ -107,7 +107,7 @@ TEST(CellPanels, EachPanelIsDrawnInItsPlaceUpwards) {
     EXPECT_EQ(cells[1].y(), cells[0].y());
     EXPECT_EQ(cells[2].x(), cells[0].x());
     EXPECT_GE(cells[2].y(), cells[0].y() + 100);
-    // The first corner is the lower left one, the third one stands above it.
+    // The first corner is the lower left one, the third one is the upper right one.
     const auto thirds = pairs(svg, R"re(fill="#123456" d="M[^L]*L[^L]*L([\d.]+) ([\d.]+)L)re");
     EXPECT_EQ(thirds.at(0), cells[0] + Vec2(100, -25));
 }

@@ -47,7 +47,7 @@ Vec2 canvas(const std::string& picture) {
     return {std::stod(match[1]), std::stod(match[2])};
 }
 
-/// Every point that a path goes to.
+/// Returns every point of every path.
 std::vector<Vec2> path_points(const std::string& picture) {
     std::vector<Vec2> points;
     static const std::regex kPoint(R"([ML](-?[\d.]+) (-?[\d.]+))");
@@ -77,7 +77,7 @@ TEST(Svg, FitsTheCanvasAtAnyScaleAndAspect) {
     }
 }
 
-TEST(Svg, UpIsUp) {
+TEST(Svg, TheYAxisPointsUpwards) {
     Tile tile = grid_tile(Lattice::rectangle(1, 1), 1, 1);
     const std::vector<Vec2> points = path_points(svg(tile));
     ASSERT_EQ(tile.points[tile.corners[0]], Vec2(0, 0));
@@ -136,7 +136,7 @@ TEST(Svg, MarksTheSitesThatAreNotRegular) {
     EXPECT_THAT(regular, HasSubstr("valence 6: 6<"));
     EXPECT_THAT(regular, Not(HasSubstr("stroke=\"" + hex(side_colour(6)))));
     Tile tile = triangle_grid_tile(Lattice::rectangle(1, 1), 3, 3);
-    // The other diagonal of the first square.
+    // Flip the diagonal of the first square.
     tile.corners[2] = 4;
     tile.corners[3] = 1;
     const std::string picture = svg(tile);
@@ -180,7 +180,7 @@ Tile graded_tile() {
     return tile;
 }
 
-TEST(Svg, OfAGradedTileShowsSizesFromBlueToYellow) {
+TEST(Svg, GradedPicturesShowSizesFromBlueToYellow) {
     const std::string picture = encode_graded_svg(graded_tile(), "t.svg").at(0).bytes;
     EXPECT_THAT(picture, HasSubstr("64 cells by size; h = sqrt(area / n)"));
     EXPECT_THAT(picture, Not(HasSubstr("sides")));
@@ -195,13 +195,13 @@ TEST(Svg, OfAGradedTileShowsSizesFromBlueToYellow) {
     EXPECT_THAT(classes.size(), Le(9u));
 }
 
-TEST(Svg, OfEqualCellsBySizeHasOneClass) {
+TEST(Svg, GradedPicturesOfEqualCellsHaveOneClass) {
     const std::string picture =
         encode_graded_svg(grid_tile(Lattice::rectangle(1, 1), 4, 4), "t.svg").at(0).bytes;
     EXPECT_THAT(all_matches(picture, R"( h: (\d+)<)").size(), Le(2u));
 }
 
-/// Three decimals by way of the shortest decimals of a rounded double.
+/// Rounds to three decimals by way of the shortest decimals of a rounded double.
 std::string rounded(double value) {
     std::array<char, 40> digits{};
     const auto end = std::to_chars(digits.begin(), digits.end(),
@@ -209,7 +209,7 @@ std::string rounded(double value) {
     return {digits.begin(), end.ptr};
 }
 
-TEST(Svg, PixelsHaveThreeDecimalsAtMost) {
+TEST(Svg, PixelsHaveAtMostThreeDecimals) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> exponent(-5, 11);
     for (int k = 0; k < 20'000; ++k) {
