@@ -13,7 +13,7 @@ namespace {
     throw InvalidInput("character " + std::to_string(character) + ": " + what);
 }
 
-/// muParser's words without its position, which counts from 0.
+/// Returns muParser's message without its position, which counts from 0.
 std::string complaint(const mu::ParserError& error) {
     std::string text = error.GetMsg();
     for (const char* before : {" found at position", " at expression position", " at position"}) {
@@ -23,7 +23,7 @@ std::string complaint(const mu::ParserError& error) {
     return text;
 }
 
-/// A density has no memory: x = 3 would change what is asked. muParser takes it as a formula.
+/// Refuses assignments, which muParser accepts in a formula: x = 3 would change later results.
 void refuse_assignment(const std::string& text) {
     for (std::size_t k = 0; k < text.size(); ++k) {
         if (text[k] != '=') continue;
@@ -35,7 +35,7 @@ void refuse_assignment(const std::string& text) {
     }
 }
 
-/// The formula for one thread.
+/// A formula that one thread evaluates.
 class Formula {
    public:
     explicit Formula(const std::string& text) {
@@ -47,7 +47,7 @@ class Formula {
             parser_.DefineVar("u", &point_.u);
             parser_.DefineVar("v", &point_.v);
             parser_.SetExpr(text);
-            // The first evaluation parses.
+            // The first evaluation parses the formula.
             parser_.Eval();
         } catch (const mu::ParserError& error) {
             const int place = error.GetPos();
@@ -55,6 +55,7 @@ class Formula {
             throw_bad_file(std::min(at, text.size()) + 1,
                            complaint(error) + "; write a formula in x, y, u and v");
         }
+        // A comma outside of a function separates formulas.
         if (parser_.GetNumResults() != 1) {
             throw_bad_file(text.find(',') + 1, "several formulas; write one, with a decimal point");
         }

@@ -9,17 +9,17 @@
 namespace pcvt {
 namespace {
 
-/// More than kMostPixels in 64 bits each, not compressed.
+/// More than the size of kMostPixels with 64 bits each, not compressed.
 constexpr std::uintmax_t kMostBytes = 1U << 28;
 
-/// The two pixels beside a coordinate, and the share of the second one.
+/// The two pixels next to a coordinate, and the weight of the second one.
 struct Between {
     int first;
     int second;
     double share;
 };
 Between between(double coordinate, int n) {
-    // Centres at k + 1/2; the coordinate lies in [0, n].
+    // The centres lie at k + 1/2, the coordinate in [0, n].
     const double from_first = coordinate + 0.5;
     const int above = static_cast<int>(from_first);
     return {above == 0 ? n - 1 : above - 1, above >= n ? 0 : above, from_first - above};

@@ -15,10 +15,10 @@ namespace pcvt {
 namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-/// Length, type and check sum, without the data.
+/// The bytes of a chunk's length, type and checksum, without its data.
 constexpr std::size_t kChunkFrame = 12;
 constexpr std::size_t kHeaderLength = 13;
-/// Four samples of 16 bits.
+/// The bytes of a decoded pixel: four samples of 16 bits.
 constexpr std::size_t kPixelBytes = 8;
 
 [[noreturn]] void throw_bad_file(const std::string& name, const std::string& what) {
@@ -31,12 +31,12 @@ std::uint32_t big_endian(const char* bytes) {
     return value;
 }
 
-/// What the chunks say before anything is decoded.
+/// The properties of an image that its chunks show before any pixel is decoded.
 struct Outline {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     bool wants_palette = false;
-    /// The file without the chunks that do not matter here.
+    /// The file without the chunks that do not affect the pixels.
     std::string bytes;
 };
 
@@ -55,13 +55,14 @@ void read_header(const std::string& name, std::string_view chunk, Outline& outli
     }
 }
 
-/// Looks at every chunk. Of those that a decoder may pass over only tRNS is kept.
+/// Checks every chunk. Keeps the critical chunks and tRNS.
 Outline outline_of(const std::string& name, const std::string& bytes) {
     if (!bytes.starts_with(kSignature)) throw_bad_file(name, "is not a PNG");
     Outline outline;
     outline.bytes = kSignature;
     bool has_palette = false;
     bool has_pixels = false;
+    // Walk over the chunks; the first one is the header.
     for (std::size_t at = kSignature.size();;) {
         const std::size_t left = bytes.size() - at;
         if (left < kChunkFrame) throw_bad_file(name, "is truncated");
@@ -70,11 +71,13 @@ Outline outline_of(const std::string& name, const std::string& bytes) {
         const std::string_view chunk = std::string_view(bytes).substr(at, length + kChunkFrame);
         const std::string_view type = chunk.substr(4, 4);
         if (outline.width == 0) read_header(name, chunk, outline);
+        // The palette comes before the pixels.
         has_palette = has_palette || type == "PLTE";
         has_pixels = has_pixels || type == "IDAT";
         if (has_pixels && outline.wants_palette && !has_palette) {
             throw_bad_file(name, "is a palette picture without its palette");
         }
+        // Drop chunks that decoders may ignore.
         const bool critical = (type[0] & 0x20) == 0;
         if (critical || type == "tRNS") outline.bytes += chunk;
         if (type == "IEND") break;
@@ -84,7 +87,7 @@ Outline outline_of(const std::string& name, const std::string& bytes) {
     return outline;
 }
 
-/// All that outlives libpng's longjmp.
+/// The objects that outlive libpng's longjmp().
 struct Decoder {
     Decoder() = default;
     Decoder(const Decoder&) = delete;
@@ -115,7 +118,7 @@ void read(png_structp png, png_bytep to, png_size_t n) {
     decoder->at += n;
 }
 
-/// Everything that may jump back. It must not hold objects with destructors.
+/// Makes the calls that may jump back. It must not have local objects with destructors.
 bool decode(Decoder& decoder) {
     if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
     png_set_read_fn(decoder.png, &decoder, read);
@@ -146,6 +149,7 @@ float grey(const png_byte* pixel) {
 }  // namespace
 
 GreyImage decode_png(const std::string& name, const std::string& bytes) {
+    // Allocate the pixels, whose number is known to be within the limit.
     const Outline outline = outline_of(name, bytes);
     Decoder decoder;
     decoder.bytes = &outline.bytes;
@@ -153,12 +157,14 @@ GreyImage decode_png(const std::string& name, const std::string& bytes) {
     for (std::size_t row = 0; row < outline.height; ++row) {
         decoder.rows.push_back(decoder.pixels.data() + kPixelBytes * outline.width * row);
     }
+    // Decode them as RGBA with 16 bits.
     decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, fail, warn);
     if (decoder.png != nullptr) decoder.info = png_create_info_struct(decoder.png);
     if (decoder.info == nullptr) throw std::bad_alloc();
     if (!decode(decoder)) {
         throw_bad_file(name, "is damaged: " + std::string(decoder.complaint.data()));
     }
+    // Convert them to grey.
     GreyImage image{static_cast<int>(outline.width), static_cast<int>(outline.height), {}};
     image.grey.reserve(std::size_t{outline.width} * outline.height);
     for (std::size_t at = 0; at < decoder.pixels.size(); at += kPixelBytes) {

@@ -74,6 +74,7 @@ std::string word(const Report::Pattern& pattern) {
 }  // namespace
 
 std::string encode_report(const Report& report) {
+    // The keys of every run.
     std::vector<std::pair<std::string, std::string>> entries{
         {"version", word(report.version)},
         {"sites", std::to_string(report.sites)},
@@ -97,6 +98,7 @@ std::string encode_report(const Report& report) {
         {"seconds", word(report.seconds)},
         {"files", word(report.files)},
     };
+    // The keys that only some runs have.
     if (!report.found.empty()) entries.emplace_back("found", word(report.found));
     if (report.pattern) entries.emplace_back("pattern", word(*report.pattern));
     if (report.box_shortest_edge) {
@@ -116,6 +118,7 @@ std::string encode_report(const Report& report) {
                                        {"quadrature_error", word(density.quadrature_error)},
                                        {"rough_cells", word(density.rough_cells)}});
     }
+    // One key per line.
     std::string text;
     for (const auto& [key, value] : entries) {
         text += (text.empty() ? "{\n  \"" : ",\n  \"") + key + "\": " + value;

@@ -7,7 +7,7 @@
 namespace pcvt {
 namespace {
 
-/// The words of the current line before the first #.
+/// Returns the words of the current line before the first #.
 std::vector<std::string_view> words_before_comment(const LineScanner& scanner) {
     std::vector<std::string_view> words;
     for (const std::string_view word : scanner.words()) {

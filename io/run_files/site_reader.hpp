@@ -9,25 +9,30 @@
 
 namespace pcvt {
 
-/// Sites as a text file gives them; SiteId s is the s-th line that holds a site.
+/// The sites of a text file; SiteId s belongs to the s-th line that holds a site, counted from 0.
+///
+/// Example usage:
+///     const SiteFile file = read_sites("sites.txt");
+///     const Sites sites(lattice, file.points);
 struct SiteFile {
-    /// The file's name for messages.
+    /// The file's name in messages.
     std::string name;
     /// 2 x n, length units, not wrapped.
     Points points;
-    /// The line of each site, from 1.
+    /// The line of each site, counted from 1.
     std::vector<int> lines;
 };
 
-/// Reads "x y" a line. Blank lines, what follows a #, CRLF, a byte order mark, tabs and a last line
-/// without an end are accepted.
-/// @throws BadFile for anything else, with the line, and for a text without a site.
+/// Reads one site "x y" per line. Accepts blank lines, comments after a #, CRLF, a byte order mark,
+/// tabs and a last line without an end.
+/// @throws BadFile with the line for any other text, and for a text without a site.
 SiteFile parse_sites(const std::string& name, std::string_view text);
 
-/// The same from a file, or from standard input where `path` is "-".
+/// Reads the sites of a file, or of standard input if `path` is "-".
 SiteFile read_sites(const std::string& path);
 
-/// `duplicate` told by lines: `file:7: the site is that of line 3 ...; remove one`.
+/// Returns `duplicate` with lines in its message: `file:7: the site coincides with that of line 3
+/// ...; remove one`.
 BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate);
 
 }  // namespace pcvt

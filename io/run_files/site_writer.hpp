@@ -6,8 +6,12 @@
 
 namespace pcvt {
 
-/// The bytes of a .txt file of sites: a comment, then "x y" a line in the order of the input, which
-/// read_sites gives back exactly.
+/// Encodes sites as a .txt file: a comment, then one site "x y" per line in the order of the input.
+/// read_sites() returns exactly the same sites.
+///
+/// Example usage:
+///     output.stage("sites.txt", encode_sites(points));
+///
 /// @throws InternalError if a coordinate is not finite.
 std::string encode_sites(const Points& points);
 

@@ -63,7 +63,7 @@ TEST(DensityExpression, FaultsNameTheirCharacter) {
     EXPECT_THAT(refusal(std::string(100000, '(')), StartsWith("character "));
 }
 
-/// Writes a comma for the decimal point.
+/// A locale facet that writes a comma for the decimal point.
 struct CommaPoint : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
     char do_thousands_sep() const override { return '.'; }

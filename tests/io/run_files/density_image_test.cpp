@@ -19,7 +19,7 @@ using testing::PngHeader;
 
 std::vector<float> greys(const std::string& bytes) { return decode_png("t.png", bytes).grey; }
 
-TEST(PngImage, GreysOfEveryDepthAreSharesOfTheirLargestValue) {
+TEST(PngImage, SamplesOfEveryDepthAreDividedByTheirLargestValue) {
     EXPECT_THAT(greys(png_bytes({3, 1}, {std::string("\x00\x33\xff", 3)})),
                 ElementsAre(0, FloatNear(0.2F, 1e-6F), 1));
     EXPECT_THAT(greys(png_bytes({2, 1, 16}, {std::string("\x33\x33\xff\xff", 4)})),
@@ -28,7 +28,7 @@ TEST(PngImage, GreysOfEveryDepthAreSharesOfTheirLargestValue) {
     EXPECT_THAT(greys(png_bytes({2, 1, 4}, {"\x3f"})), ElementsAre(FloatNear(0.2F, 1e-6F), 1));
 }
 
-TEST(PngImage, ColoursBecomeTheirLuminanceAndTransparencyWhitePaper) {
+TEST(PngImage, ColoursBecomeTheirLuminanceAndTransparencyBecomesWhite) {
     const std::string red_green("\xff\x00\x00\x00\xff\x00", 6);
     EXPECT_THAT(greys(png_bytes({2, 1, 8, 2}, {red_green})),
                 ElementsAre(FloatNear(0.2126F, 1e-6F), FloatNear(0.7152F, 1e-6F)));
@@ -43,7 +43,7 @@ TEST(PngImage, ColoursBecomeTheirLuminanceAndTransparencyWhitePaper) {
                 ElementsAre(1, 1));
 }
 
-TEST(PngImage, GammaIsNotLookedAt) {
+TEST(PngImage, GammaAndColourProfilesAreIgnored) {
     const std::string gamma = png_chunk("gAMA", testing::big_endian(100000)) +
                               png_chunk("iCCP", "nonsense that no decoder needs to see");
     EXPECT_THAT(greys(png_bytes({1, 1}, {"\x33"}, gamma)), ElementsAre(FloatNear(0.2F, 1e-6F)));
@@ -58,7 +58,7 @@ std::string refusal(const std::string& bytes) {
     return "accepted";
 }
 
-TEST(PngImage, EveryPrefixIsTruncated) {
+TEST(PngImage, EveryPrefixIsRefusedAsTruncated) {
     const std::string whole = png_bytes({3, 2}, {"abc", "def"});
     EXPECT_EQ(refusal(whole), "accepted");
     for (std::size_t length = 8; length < whole.size(); ++length) {
@@ -76,7 +76,7 @@ TEST(PngImage, DamageIsRefusedWhereverItLies) {
         damaged[at] = static_cast<char>(damaged[at] ^ 0x41);
         try {
             decode_png("t.png", damaged);
-            // A chunk that became one which may be passed over.
+            // The damage turned a chunk into one that decoders skip.
             ADD_FAILURE() << "byte " << at;
         } catch (const Error&) {
         }
@@ -86,10 +86,10 @@ TEST(PngImage, DamageIsRefusedWhereverItLies) {
     EXPECT_THAT(refusal(png_bytes({3, 2, 7}, {"abc", "def"})), HasSubstr("is damaged"));
 }
 
-TEST(PngImage, APaletteMustStandBeforeThePixels) {
+TEST(PngImage, APaletteMustPrecedeThePixels) {
     const std::vector<std::string> rows{std::string("\x01\x00", 2)};
     EXPECT_THAT(refusal(png_bytes({2, 1, 8, 3}, rows)), HasSubstr("without its palette"));
-    // Told before memory is taken for so many pixels.
+    // The missing palette is found before memory is allocated for the pixels.
     EXPECT_THAT(refusal(png_bytes({4096, 4096, 8, 3}, rows)), HasSubstr("without its palette"));
 }
 
@@ -104,7 +104,7 @@ double at(const Density& density, double u, double v) {
     return testing::value_at(density.make_function(), {0, 0, u, v});
 }
 
-TEST(DensityImage, PixelCentresLieWhereTheyShouldAndRowZeroOnTop) {
+TEST(DensityImage, PixelCentresLieAtHalfPixelsAndRowZeroIsOnTop) {
     const Density density = image_density({2, 2, {0, 0.25F, 0.5F, 1}}, {1, 5});
     EXPECT_DOUBLE_EQ(at(density, 0.25, 0.75), 1);
     EXPECT_DOUBLE_EQ(at(density, 0.75, 0.75), 2);

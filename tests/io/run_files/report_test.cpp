@@ -36,7 +36,7 @@ Report example() {
             {"a \"b\".obj", "\xC3\xBC.txt"}};
 }
 
-TEST(Report, KeysAreThoseOfTheContractInItsOrder) {
+TEST(Report, KeysFollowTheContractInItsOrder) {
     std::vector<std::string> keys;
     const Json json = Json::parse(encode_report(example()));
     for (const auto& [key, value] : json.items()) {
@@ -65,7 +65,7 @@ TEST(Report, ValuesReadBackExactly) {
     EXPECT_EQ(json["files"][1].get<std::string>(), "\xC3\xBC.txt");
 }
 
-TEST(Report, WhatIsNotKnownIsNull) {
+TEST(Report, UnknownValuesAreNull) {
     Report report = example();
     report.energy_bound.reset();
     report.mirrors.reset();
@@ -79,7 +79,7 @@ TEST(Report, WhatIsNotKnownIsNull) {
     EXPECT_EQ(json["valences"], Json::object());
 }
 
-TEST(Report, PatternStandsAtTheEndWhereThereIsOne) {
+TEST(Report, APatternIsTheLastKey) {
     Report report = example();
     report.pattern = Report::Pattern{Lattice({0.5, 0.5}, {-0.5, 0.5}), {2, 1, 1}, 0.25, "no", {}};
     const Json json = Json::parse(encode_report(report));
@@ -88,7 +88,7 @@ TEST(Report, PatternStandsAtTheEndWhereThereIsOne) {
               "\"minimum\":\"no\",\"smallest_eigenvalue\":null}");
 }
 
-TEST(Report, KeysOfADensityAreThereWithOneAlone) {
+TEST(Report, OnlyRunsWithADensityHaveItsKeys) {
     Report report = example();
     EXPECT_FALSE(Json::parse(encode_report(report)).contains("density"));
     report.density = Report::Density{.name = "1 + \"u\"",
@@ -109,7 +109,7 @@ TEST(Report, KeysOfADensityAreThereWithOneAlone) {
     EXPECT_EQ(json.size(), 31u);
 }
 
-TEST(Report, NumbersThatAreNotFiniteAreOurFault) {
+TEST(Report, NonFiniteNumbersAreInternalErrors) {
     Report report = example();
     report.energy = std::nan("");
     EXPECT_THROW(encode_report(report), InternalError);

@@ -62,7 +62,7 @@ TEST(SiteReader, FaultsOfTheWholeFileNameTheFile) {
               "s.txt: looks like a binary file; give a text with \"x y\" a line");
 }
 
-TEST(SiteReader, DuplicatesAreToldByTheirLines) {
+TEST(SiteReader, DuplicatesAreReportedWithTheirLines) {
     const SiteFile file = parse_sites("s.txt", "# head\n0 0\n0.5 0.5\n\n1 0\n");
     EXPECT_STREQ(duplicate_lines(file, DuplicateSites(0, 2)).what(),
                  "s.txt:5: the site coincides with that of line 2 modulo the lattice, "
