@@ -37,7 +37,7 @@ struct Report {
         /// The smallest eigenvalue of the Hessian over the largest one; null for one site.
         std::optional<double> smallest_eigenvalue;
     };
-    /// A corner of a cell that is too sharp for the angles of grains.
+    /// A corner of a cell that is sharper than the angles which grains aim at.
     struct SharpCorner {
         int site;
         Vec2 point;
@@ -51,19 +51,20 @@ struct Report {
     };
     /// The statistics of a run with a density.
     struct Density {
-        /// The formula or the file.
+        /// The formula or the path of the image.
         std::string name;
         /// The extremes over all evaluations.
         double least;
         double greatest;
         /// Evaluations of the density per site during one evaluation of the energy.
         double evaluations_per_site;
-        /// Density x length^2, and its relative difference from the integral without cells.
+        /// The mass over all cells, density x length^2, and its relative difference from the
+        /// integral without cells.
         double mass;
         double mass_deviation;
         /// The asymptotic energy for many sites, density x length^4.
         double expected_energy;
-        /// Median of |h_i / l_i - 1| over the cells, l_i by rho^(-1/4).
+        /// The median of |h_i / l_i - 1| over the cells, with l_i from rho^(-1/4).
         double spacing_deviation;
         /// The error of a centroid, in spacings of its cell.
         double quadrature_error;
