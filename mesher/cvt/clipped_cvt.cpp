@@ -9,11 +9,11 @@
 namespace pcvt {
 namespace {
 
-/// In units of h, as for the periodic energy.
+/// The longest move of a site in one step, in units of h, as for the periodic energy.
 constexpr double kLargestMove = 0.5;
 
-/// A convex polygon round the origin, and for each side (from corner k to k + 1) whether it lies on
-/// the border of the domain.
+/// A convex polygon around the origin. For each side (from corner k to k + 1) it stores whether the
+/// side lies on the border of the domain.
 struct Loop {
     Polygon corners;
     std::vector<char> on_border;
@@ -33,8 +33,8 @@ struct Loop {
     }
 };
 
-/// Keeps what is nearer to the origin than to d (Sutherland and Hodgman's clipping by one
-/// half-plane).
+/// Keeps the part of the polygon that is nearer to the origin than to d (Sutherland and Hodgman's
+/// clipping by one half-plane).
 void clip_by_bisector(const Loop& loop, const Vec2& d, Loop& kept) {
     kept.clear();
     const double level = d.squaredNorm() / 2;
@@ -51,7 +51,7 @@ void clip_by_bisector(const Loop& loop, const Vec2& d, Loop& kept) {
     }
 }
 
-/// Points sorted into square boxes, about one a box.
+/// Points sorted into square boxes, about one point per box.
 class PointGrid {
    public:
     PointGrid(const Points& points, const Polygon& domain) : low_(domain[0]) {
@@ -72,7 +72,7 @@ class PointGrid {
         }
     }
 
-    /// Calls visit(id) for the points in the boxes at box distance `ring` from that of p.
+    /// Calls visit(id) for each point in the boxes that lie `ring` boxes away from the box of p.
     template <class Visit>
     void visit_ring(const Vec2& p, int ring, Visit visit) const {
         const int i0 = column(p);
@@ -86,7 +86,7 @@ class PointGrid {
             }
         }
     }
-    /// No point of this ring or a later one is nearer to p than this.
+    /// A lower bound on the distance from p to the points of this ring and of all later ones.
     double nearest_of_ring(int ring) const { return (ring - 1) * side_; }
     int n_rings() const { return std::max(columns_, rows_); }
 
@@ -113,7 +113,7 @@ Polygon domain_of(const Lattice& lattice, double unit) {
     return domain;
 }
 
-/// Cells of points in a convex domain, one at a time and round their points.
+/// Cuts the cells of points in a convex domain, one at a time. Each cell is relative to its point.
 class CellCutter {
    public:
     CellCutter(const Polygon& domain, const Points& points)
@@ -128,8 +128,8 @@ class CellCutter {
         return true;
     }
 
-    /// The cell of point s, to be read before the next call; an empty one if another point lies at
-    /// the same place, which then is `twin()`.
+    /// Returns the cell of point s, valid until the next call. The cell is empty if another point
+    /// coincides with s; `twin()` is that point.
     const Loop& cut(int s) {
         const Vec2 p = points_.col(s);
         twin_ = -1;
@@ -154,7 +154,7 @@ class CellCutter {
     int twin() const { return twin_; }
 
    private:
-    /// Of the domain's size: a point this far outside stands on the border.
+    /// Relative to the size of the domain: a point outside by no more than this lies on the border.
     static constexpr double kRounding = 1e-14;
 
     const Polygon& domain_;
@@ -165,7 +165,7 @@ class CellCutter {
     int twin_ = -1;
 };
 
-/// Area, and first and second moment, about the origin.
+/// The area of a polygon and its first and second moments about the origin.
 struct Moments {
     double area = 0;
     Vec2 first = Vec2::Zero();
@@ -185,7 +185,7 @@ Moments moments(const Polygon& polygon) {
     return sum;
 }
 
-/// @returns false where a point lies outside of the domain or on another one.
+/// @returns false if a point lies outside the domain or coincides with another.
 bool measure(const Polygon& domain, const Points& points, ClippedEnergy& energy) {
     CellCutter cutter(domain, points);
     energy.value = 0;
@@ -250,7 +250,7 @@ double unit_of(const Lattice& lattice, const Points& points) {
     return std::exp2(std::round(std::log2(lattice.area() / double(points.cols())) / 2));
 }
 
-/// The cells in the unit, with what is wrong with the points told.
+/// Throws the error of the first point that has no cell; lengths are scaled by `unit`.
 void require_cells(const Lattice& lattice, const Points& points, double unit) {
     const Polygon domain = domain_of(lattice, unit);
     const Points scaled = points / unit;

@@ -14,14 +14,21 @@ struct ClippedCell {
     bool meets_border = false;
 };
 
-/// The Voronoi cells of the points in the plane (no images), clipped to the parallelogram of the
-/// period vectors with its corner at the origin; in the order of the points. Laws, tested by
-/// number:
+/// Computes the Voronoi cells of the points in the plane (no images), clipped to the parallelogram
+/// that the period vectors span from the origin. The cells follow the order of the points.
+///
+/// Example usage:
+///   const Lattice unit = Lattice::rectangle(1, 1);
+///   for (const ClippedCell& cell : clipped_cells(unit, uniform_points(unit, 100, 1))) {
+///       if (!cell.meets_border) inner_area += polygon_area(cell.polygon);
+///   }
+///
+/// Laws, tested by number:
 ///   (1) The areas of the cells sum to that of the domain.
-///   (2) No other point is nearer to any corner of a cell than its own.
-/// Cost: about linear in n for points that are spread over the domain.
+///   (2) No other point is nearer to a corner of a cell than the point of that cell.
+/// Cost: about linear in n where the points are spread evenly over the domain.
 /// @param points  2 x n, n >= 1, length units, all in the closed domain.
-/// @throws InvalidInput    no point, or one that lies outside of the domain.
+/// @throws InvalidInput    there is no point, or one lies outside the domain.
 /// @throws DuplicateSites  two points are equal.
 std::vector<ClippedCell> clipped_cells(const Lattice& lattice, const Points& points);
 
@@ -35,19 +42,20 @@ struct ClippedEnergy {
     Eigen::VectorXd mass;
 };
 
-/// Parameters and errors as for clipped_cells.
+/// Evaluates the energy of the clipped cells. Takes the parameters and throws the errors of
+/// clipped_cells.
 ClippedEnergy clipped_energy(const Lattice& lattice, const Points& points);
 
 struct ClippedCvtOptions {
-    /// Largest |x_i - g_i| / h at which the run has converged, h = sqrt(area / n).
+    /// The run has converged once every |x_i - g_i| / h is at most this, h = sqrt(area / n).
     double tolerance = 1e-6;
     /// Negative: no limit.
     int max_iterations = -1;
-    /// Values in length^4.
+    /// Reports values in length^4.
     ProgressCallback progress = {};
 };
 
-/// A standard CVT and how it was reached.
+/// A standard CVT and the figures of the run that computed it.
 struct ClippedCvt {
     /// 2 x n, length units, in the order of the input.
     Points sites;
@@ -60,8 +68,9 @@ struct ClippedCvt {
     double residual;
 };
 
-/// The standard CVT that the paper compares with: L-BFGS on the clipped energy. A step that would
-/// take a site out of the domain is tried shorter. Parameters and errors as for clipped_cells.
+/// Computes the standard CVT that the paper compares with, by L-BFGS on the clipped energy. The
+/// line search shortens a step that would move a site out of the domain. Takes the points and
+/// throws the errors of clipped_cells.
 ClippedCvt compute_clipped_cvt(const Lattice& lattice, const Points& points,
                                const ClippedCvtOptions& options);
 

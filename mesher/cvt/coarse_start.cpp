@@ -8,17 +8,18 @@
 namespace pcvt {
 namespace {
 
-/// From the coarsest problem on the number of sites grows fourfold twice: more steps lead to lower
-/// minima, but to those the last optimisation takes longer.
+/// How often the number of sites is quadrupled. More levels lead to lower minima, but the last
+/// optimisation then takes longer.
 constexpr int kRefinements = 2;
-/// Fewer sites are not refined any further.
+/// Problems with at most this many sites are not coarsened further.
 constexpr int kCoarsest = 16;
-/// How far a site is shaken, in units of h of the finer problem: without, sites stay where they
-/// were set although their neighbourhood is a bad one.
+/// The largest shake of a coordinate, in units of h of the finer problem. Without it, sites stay at
+/// their initial positions even where their neighbourhood is a poor one.
 constexpr double kShake = 0.25;
-/// Of a hexagonal arrangement, h over the distance between neighbours.
+/// The ratio of h to the distance between neighbours in a hexagonal arrangement.
 const double kSpacingPerEdge = std::sqrt(std::sqrt(3.0) / 2);
-/// Where a coarser problem is left for the next, and where its long waves are treated apart.
+/// The RMS residual at which a coarser problem is left for the next one, and the RMS residual below
+/// which its long waves are preconditioned.
 constexpr double kRmsTolerance = 1e-4;
 constexpr double kPreconditionBelow = 1e-3;
 
@@ -30,14 +31,16 @@ struct Refined {
     Eigen::VectorXd spacing;
 };
 
-/// The optimised sites and the midpoints between them; the last ones are left out beyond n.
+/// Returns the optimised sites and the midpoints of their Delaunay edges, truncated to n sites.
 Refined with_midpoints(const PeriodicDelaunay& delaunay, int n) {
     const Sites& sites = delaunay.sites();
     const TorusTriangulation& t = delaunay.triangulation();
+    // Copy the optimised sites.
     Eigen::VectorXd n_edges = Eigen::VectorXd::Zero(sites.n_sites());
     for (const SiteId site : t.corner_sites()) n_edges[site] += 1;
     Refined finer{Points(2, n), Eigen::VectorXd::Zero(n)};
     finer.coordinates.leftCols(sites.n_sites()) = sites.coordinates();
+    // Append the midpoint of each edge; the spacing of an old site is the mean over its edges.
     int next = sites.n_sites();
     for (int h = 0; h < t.n_halfedges(); ++h) {
         if (h > t.opposite(h)) continue;
@@ -56,7 +59,8 @@ Refined with_midpoints(const PeriodicDelaunay& delaunay, int n) {
     return finer;
 }
 
-/// Coordinates in the reduced basis to points, each moved by a random part of the shake.
+/// Converts coordinates in the reduced basis to points and moves each by a random fraction of the
+/// shake.
 Points shaken(const Lattice& reduced, const Refined& sites, std::uint64_t seed) {
     std::mt19937_64 generator(seed);
     const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -52) - 1; };
@@ -73,15 +77,18 @@ Points shaken(const Lattice& reduced, const Refined& sites, std::uint64_t seed) 
 }  // namespace
 
 Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options) {
+    // Compute the number of sites of each level.
     const int n_wanted = n;
     std::vector<int> finer;
     for (; finer.size() < kRefinements && n > kCoarsest; n = (n + 3) / 4) finer.push_back(n);
+    // Draw the sites of the coarsest level.
     Points points = options.density ? graded_points(lattice, *options.density, n, options.seed)
                                     : uniform_points(lattice, n, options.seed);
+    // Optimise each level, refine it and shake the sites of the next.
     for (; !finer.empty(); finer.pop_back()) {
         bool cancelled = false;
         CvtOptions level;
-        // Where the density is not smooth, 1e-4 may be out of reach.
+        // Where the density is not smooth, an RMS residual of 1e-4 may be out of reach.
         level.tolerance = options.density ? kRmsTolerance : 0;
         level.n_threads = options.n_threads;
         level.precondition_below = kPreconditionBelow;

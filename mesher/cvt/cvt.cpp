@@ -17,11 +17,12 @@
 namespace pcvt {
 namespace {
 
-/// In units of h. A site that moves further leaves its neighbourhood, and the model with it.
+/// The longest move of a site in one step, in units of h. Beyond it a site leaves its
+/// neighbourhood, where the optimiser's quadratic model holds.
 constexpr double kLargestMove = 0.5;
 constexpr int kSitesPerTask = 1 << 14;
 
-/// The nearest neighbours of all sites are joined by Delaunay edges, so no pair is overlooked.
+/// Checks Delaunay edges only: each site is joined to its nearest neighbour by one.
 void require_distinct(const MovingDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     std::pair<SiteId, SiteId> found{-1, -1};
@@ -39,8 +40,8 @@ void require_distinct(const MovingDelaunay& delaunay) {
     if (found.first >= 0) throw DuplicateSites(found.first, found.second);
 }
 
-/// The energy as a function of moving sites, in the frame and the unit of the triangulation: so
-/// neither the optimiser's products nor its thresholds depend on the user's unit of length.
+/// The energy as a function of moving sites. It works in the frame and the length unit of the
+/// triangulation, so the optimiser's products and thresholds do not depend on the user's unit.
 class CvtObjective final : public Objective {
    public:
     CvtObjective(MovingDelaunay& delaunay, Workers& workers)
@@ -86,7 +87,7 @@ class CvtObjective final : public Objective {
     }
 
    private:
-    /// Takes the triangulation back from a trial that was not accepted.
+    /// Restores the triangulation after a trial that was not accepted.
     bool undo_step() {
         if (delaunay_.settled()) return true;
         delaunay_.step_back();
@@ -120,7 +121,7 @@ OptimizerResult minimize_by(Solver solver, Objective& objective, const Optimizer
     throw InternalError("no such solver");
 }
 
-/// With a density; fills in `figures`.
+/// Minimises the energy of a density and fills in `figures`.
 OptimizerResult minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
                          const CvtOptions& options, std::optional<DensityFigures>& figures) {
     Workers workers(options.n_threads);
@@ -158,7 +159,7 @@ OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
     return minimize_by(options.solver, objective, optimizer, workers);
 }
 
-/// The triangulation of sites that are distinct; frees the points, which are needed no more.
+/// Triangulates the sites and frees the points, which are not needed afterwards.
 MovingDelaunay triangulate(const Lattice& lattice, Points points) {
     return MovingDelaunay(Sites(lattice, points));
 }
@@ -166,13 +167,16 @@ MovingDelaunay triangulate(const Lattice& lattice, Points points) {
 }  // namespace
 
 CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options) {
+    // Build the triangulation.
     MovingDelaunay delaunay = triangulate(lattice, std::move(points));
     require_distinct(delaunay);
     const double value_unit = std::pow(delaunay.unit(), 4);
+    // Minimise the energy.
     std::optional<DensityFigures> figures;
     const OptimizerResult run =
         options.density ? minimize(delaunay, lattice, *options.density, options, figures)
                         : minimize(delaunay, options);
+    // Convert the result to the caller's order and units.
     const DelaunayCounts counts = delaunay.counts();
     auto [sites, triangulation] = delaunay.release();
     const double bound = hexagonal_bound(lattice.area(), sites.n_sites());

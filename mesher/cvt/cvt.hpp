@@ -7,54 +7,63 @@
 
 namespace pcvt {
 
-/// `kLbfgs` is finished by Newton's method where a minimum is near, `kNewton` is that method from
-/// the start (relay.hpp); `kPlainLbfgs` and `kLloyd` are the paper's, without anything of this.
+/// `kLbfgs` switches to Newton's method near a minimum, and `kNewton` uses Newton's method from the
+/// start (lbfgs_newton.hpp). `kPlainLbfgs` and `kLloyd` are the paper's methods.
 enum class Solver { kLbfgs, kLloyd, kNewton, kPlainLbfgs };
 
 struct CvtOptions {
     Solver solver = Solver::kLbfgs;
-    /// Largest |x_i - g_i| / h at which the run has converged, h = sqrt(area / n).
+    /// The run has converged once every |x_i - g_i| / h is at most this, h = sqrt(area / n).
     double tolerance = 1e-6;
-    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
+    /// Negative: no limit. 0: the result is the periodic Voronoi diagram of the given sites.
     int max_iterations = -1;
-    /// L-BFGS treats long waves apart (long_waves.hpp) once the root mean square residual is below
-    /// this; 0: never. Begun much earlier it leads random sites to higher minima.
+    /// L-BFGS preconditions long waves (long_waves.hpp) once the RMS residual is below this; 0:
+    /// never. With a much larger value random sites end in higher minima.
     double precondition_below = 3e-4;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
-    /// Nothing: rho = 1.
+    /// `nullopt`: rho = 1.
     std::optional<Density> density = {};
     ProgressCallback progress;
 };
 
-/// A periodic tessellation and how it was reached.
+/// A periodic tessellation and the figures of the run that computed it.
 struct CvtResult {
     PeriodicDelaunay delaunay;
     Stop stop;
     int iterations;
     int evaluations;
-    /// Of Newton's method, not counted among the evaluations: Hessians, and products with them.
+    /// Hessians that Newton's method assembled and its products with them; `evaluations` counts
+    /// neither.
     int hessians;
     int cg_products;
-    /// F of Eq. 3, length^4, with a density times its unit.
+    /// F of Eq. 3, length^4; with a density, density x length^4.
     double energy;
     /// 5 A^2 / (18 sqrt(3) n), the hexagonal lower bound for rho = 1, length^4.
     double energy_bound;
-    /// max and root mean square of |x_i - g_i| / h.
+    /// Maximum and root mean square of |x_i - g_i| / h.
     double residual;
     double rms_residual;
     DelaunayCounts counts;
-    /// Of runs with a density.
+    /// Set for runs with a density.
     std::optional<DensityFigures> density = {};
 };
 
-/// Optimises the sites; points are 2 x n, length units, and need not be wrapped.
-/// @throws BadDensity as minimize_density_energy does; InvalidInput, DuplicateSites as Sites does;
-/// DuplicateSites also for two sites nearer to
-///         each other than kSameVertex h (sites.hpp).
+/// Moves the sites to a periodic CVT.
+///
+/// Example usage:
+///   const Lattice unit = Lattice::rectangle(1, 1);
+///   const CvtResult result = compute_cvt(unit, uniform_points(unit, 1000, 1), {});
+///   const PeriodicMesh cells = cell_mesh(result.delaunay);
+///
+/// @param points  2 x n, length units; need not be wrapped.
+/// @throws BadDensity as minimize_density_energy does.
+/// @throws InvalidInput and DuplicateSites as Sites does; DuplicateSites also if two sites are
+///         nearer to each other than kSameVertex h (sites.hpp).
 CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options);
 
-/// 5 area^2 / (18 sqrt(3) n) (paper, Table I, for any area).
+/// Returns 5 area^2 / (18 sqrt(3) n), the energy of n regular hexagons (paper, Table I, for any
+/// area).
 double hexagonal_bound(double area, int n_sites);
 
 }  // namespace pcvt

@@ -17,27 +17,28 @@
 namespace pcvt {
 namespace {
 
-/// Residuals at the ends of the rounds, until the tolerance is reached.
+/// The target residual of the first round, and the factor from one round to the next.
 constexpr double kFirstTarget = 0.1;
 constexpr double kNextTarget = 0.01;
-/// Quadrature errors over the residual that they must not disturb: the difference between the
-/// gradient and that of the quadratured F is about 20 times as large.
+/// The ratio of the admitted quadrature error to the target residual. The gradient by quadrature
+/// differs from the gradient of the quadratured F by about 20 times that error.
 constexpr double kAccuracyPerTarget = 1.0 / 200;
-/// Below this the difference of two rules is rounding.
+/// Below this the difference between two rules is rounding error.
 constexpr double kBestAccuracy = 1e-11;
 constexpr int kMostRepetitions = 5;
 
-/// Where cells are longer than this, in periods, they are cut into parts of that length at most: a
-/// rule of the highest order could not follow the density over the whole of them.
+/// In periods: longer cells are cut into parts of at most this length, because even a rule of the
+/// highest order would not resolve the density over the whole cell.
 constexpr double kLongestPart = 1.0 / 8;
 
-/// The periods that are so short that cells of size h are cut along them: of a, of b.
+/// Whether the period along a, and the period along b, is so short that cells of size h are cut
+/// along it.
 std::array<bool, 2> short_periods(const Lattice& lattice, double h) {
     return {h > kLongestPart * lattice.area() / lattice.b().norm(),
             h > kLongestPart * lattice.area() / lattice.a().norm()};
 }
 
-/// The density with break lines for cells of size h.
+/// Adds the break lines that cut cells of size h.
 Density cut_for(const Lattice& lattice, Density density, double h) {
     const auto [cut_u, cut_v] = short_periods(lattice, h);
     for (double at = kLongestPart; at < 1; at += kLongestPart) {
@@ -71,15 +72,15 @@ class DensityObjective final : public Objective {
     void hessian(BlockMatrix& hessian) const override;
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override;
 
-    /// Chooses rules and scales at the point.
+    /// Chooses the quadrature rules and the scales at the current point.
     void begin_round(double accuracy);
-    /// Raises the order of rules that miss the accuracy at the point.
+    /// Raises the order of the rules that miss the accuracy at the current point.
     RuleCheck check_rules(double accuracy);
-    /// Evaluates at the point and tells how things stand there.
+    /// Evaluates at the current point and returns the statistics there.
     DensityFigures figures();
 
    private:
-    /// Takes the triangulation back from a trial that was not accepted.
+    /// Restores the triangulation after a trial that was not accepted.
     bool undo_step() {
         if (delaunay_.settled()) return true;
         delaunay_.step_back();
@@ -95,10 +96,10 @@ class DensityObjective final : public Objective {
     bool has_hessian_;
     Energy energy_;
     Eigen::VectorXd scale_;
-    /// m_i / scale_i^2 of the usual cell over its area: how much stiffer all is than for rho = 1.
+    /// The mean of m_i / scale_i^2 over h^2: the stiffness relative to rho = 1.
     double stiffness_ = 1;
     std::unique_ptr<LongWaves> long_waves_;
-    /// The last direction, not scaled.
+    /// The last direction, in unscaled variables.
     Eigen::VectorXf direction_;
 };
 
@@ -110,9 +111,9 @@ bool DensityObjective::evaluate(const Eigen::VectorXf& direction, double t,
     return true;
 }
 
-/// In scaled variables the stiffness against long waves is the same everywhere, as for rho = 1: of
-/// an arrangement of cells of size l it goes with rho l^4 times the squared strain of x, so with
-/// rho l^4 / h^2 times that of z.
+/// In scaled variables the stiffness against long waves is uniform, as for rho = 1: for cells of
+/// size l the energy is proportional to rho l^4 times the squared strain of x, hence to rho l^4 /
+/// h^2 times the squared gradient of z, and rho l^4 is constant.
 bool DensityObjective::precondition(Evaluation& evaluation) {
     if (delaunay_.n_sites() < kFewestForLongWaves) return false;
     long_waves_ = std::make_unique<LongWaves>(delaunay_, workers_);
@@ -173,7 +174,7 @@ void DensityObjective::begin_round(double accuracy) {
     pass_.restore();
     pass_.choose_orders(accuracy, true);
     pass_.evaluate(energy_);
-    // The sum of (h / scale_i)^2 is the area where the sites follow the law.
+    // Normalise the scales so that the sum of (h / scale_i)^2 is the area of the domain.
     scale_ = (energy_.mass.array() / pass_.areas().array()).pow(0.25);
     scale_ *= std::sqrt(scale_.array().square().inverse().mean());
     const double h = delaunay_.spacing();
@@ -197,14 +198,14 @@ DensityFigures DensityObjective::figures() {
             .expected_energy = law.energy};
 }
 
-/// Counts over rounds, and passes progress on with the counts of all of them.
+/// Runs the rounds, sums their counts and reports progress with the sums.
 class Rounds {
    public:
     Rounds(DensityObjective& objective, Workers& workers, const DensityCvtOptions& options,
            double value_unit)
         : objective_(objective), workers_(workers), options_(options), value_unit_(value_unit) {}
 
-    /// @returns false where nothing is left to do: cancelled, or out of iterations.
+    /// @returns false if the run was cancelled or has reached its iteration limit.
     bool run(double target) {
         OptimizerOptions round = options_.optimizer;
         round.tolerance = target;
@@ -250,7 +251,7 @@ class Rounds {
     bool first_ = true;
 };
 
-/// The last check of the rules.
+/// Runs all rounds and returns the last check of the rules.
 RuleCheck run_rounds(DensityObjective& objective, Rounds& rounds, const OptimizerOptions& options) {
     const double accuracy = accuracy_for(options.tolerance);
     if (options.max_iterations != 0) {

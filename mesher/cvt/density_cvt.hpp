@@ -9,34 +9,36 @@
 
 namespace pcvt {
 
-/// How a run with a density went, beside what all runs tell.
+/// Statistics specific to a run with a density.
 struct DensityFigures {
-    /// The extremes of rho wherever it was asked.
+    /// The extremes of rho over all places where it was evaluated.
     double least = 0;
     double greatest = 0;
-    /// Density evaluations in one evaluation of F and its gradient, over the number of sites.
+    /// Density evaluations per site in one evaluation of F and its gradient.
     double evaluations_per_site = 0;
-    /// Sum of the cells' masses, density x length^2; and how much it differs from the integral of
-    /// rho over the domain by another quadrature, relatively.
+    /// The sum of the cells' masses, density x length^2, and its relative deviation from the
+    /// integral of rho over the domain by an independent quadrature.
     double mass = 0;
     double mass_deviation = 0;
-    /// See spacing_law.hpp; the energy in density x length^4.
+    /// The comparison with Gersho's law (gersho_scaling.hpp); the energy in density x length^4.
     double spacing_deviation = 0;
     double expected_energy = 0;
-    /// Largest estimated error of a centroid by the quadrature, in units of the square root of its
-    /// cell's area, and the number of cells where no rule reaches the accuracy: the density is not
-    /// smooth there, so centroids are not known better than that.
+    /// The largest estimated quadrature error of a centroid, in units of the square root of its
+    /// cell's area, and the number of cells where no rule reaches the required accuracy. The
+    /// density is not smooth in those cells, so their centroids are no more accurate than this
+    /// error.
     double quadrature_error = 0;
     int n_rough_cells = 0;
 };
 
 struct DensityCvtOptions {
-    /// Whether Lloyd's iteration is to be used in place of all others.
+    /// Uses Lloyd's iteration instead of the other methods.
     bool lloyd = false;
-    /// When Newton's method takes turns with L-BFGS (relay.hpp); nothing: never. An evaluation
-    /// costs so much more than a product with the Hessian that it pays for any number of sites:
-    /// measured up to 10^5, where it halves the evaluations. Only where cells are no longer than an
-    /// eighth of a period: the rules on their edges could not follow the density.
+    /// When Newton's method alternates with L-BFGS (lbfgs_newton.hpp); `nullopt`: never. An
+    /// evaluation costs far more than a product with the Hessian, so Newton's method pays for any
+    /// number of sites (measured up to 10^5, where it halves the number of evaluations). It is used
+    /// only where h is at most an eighth of a period: in longer cells the quadrature rules on the
+    /// edges would not resolve the density.
     std::optional<NewtonStart> newton = NewtonStart::kNearForAnyNumber;
     OptimizerOptions optimizer;
 };
@@ -46,18 +48,26 @@ struct DensityCvtResult {
     DensityFigures figures;
 };
 
-/// Minimises the CVT energy of a density and leaves the triangulation at the end.
+/// Minimises the CVT energy of a density; `delaunay` ends as the triangulation of the minimiser.
 ///
-/// Works in rounds, each to a residual a hundred times smaller than the one before. At the
-/// beginning of a round the order of each cell's rule is chosen anew, with a quadrature error far
-/// below the round's residual, and the variables are scaled by the local spacing: z_i = x_i h /
-/// l_i, where l_i goes with rho^(-1/4). So no site moves further in one step than options.max_move
-/// of its own spacing, and all move alike; and their stiffness against long waves is the same
-/// everywhere, so that these can be treated apart as for rho = 1 (long_waves.hpp). The last round
-/// is repeated until the rules of all cells still reach the accuracy at its end.
-/// @param options  lengths in the unit of the triangulation; values are reported in density x
+/// Example usage:
+///   MovingDelaunay delaunay(Sites(lattice, points));
+///   DensityCvtOptions options;
+///   options.optimizer.max_move = 0.5 * delaunay.spacing();
+///   const auto [run, figures] =
+///       minimize_density_energy(delaunay, workers, lattice, density, options);
+///
+/// The minimisation proceeds in rounds; each round reduces the target residual by a factor of 100.
+/// At the start of a round the quadrature order of each cell is chosen so that the quadrature error
+/// is far below the target residual, and the variables are scaled by the local spacing: z_i = x_i h
+/// / l_i, with l_i proportional to rho^(-1/4). The step limit options.optimizer.max_move is
+/// therefore relative to the local spacing of each site, and the stiffness against long waves is
+/// uniform, so the preconditioner for rho = 1 applies (long_waves.hpp). The last round is repeated
+/// until the rules of all cells still reach the required accuracy at its end.
+/// @param options  lengths in the unit of the triangulation; progress reports values in density x
 ///                 length^4.
-/// @throws BadDensity naming the place, or for the contrast.
+/// @throws BadDensity naming the place where rho is invalid, or if the contrast of rho is too
+///         large.
 DensityCvtResult minimize_density_energy(MovingDelaunay& delaunay, Workers& workers,
                                          const Lattice& lattice, const Density& density,
                                          const DensityCvtOptions& options);

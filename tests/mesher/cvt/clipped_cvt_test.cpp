@@ -17,8 +17,8 @@ double nearest_squared(const Points& points, const Vec2& p) {
     return (points.colwise() - p).colwise().squaredNorm().minCoeff();
 }
 
-/// Law (1) with the domain's area, (2) by brute force.
-TEST(ClippedCvt, CellsFillTheDomainAndHoldWhatIsNearest) {
+/// Checks law (1) against the area of the domain and law (2) by brute force.
+TEST(ClippedCvt, CellsFillTheDomainAndHoldTheirNearestPoints) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 7, 150}) {
             const Points points = uniform_points(lattice, n, 7);
@@ -37,7 +37,7 @@ TEST(ClippedCvt, CellsFillTheDomainAndHoldWhatIsNearest) {
     }
 }
 
-TEST(ClippedCvt, CellsAtTheBorderAreToldFromInnerOnes) {
+TEST(ClippedCvt, OnlyCellsAtTheBorderMeetTheBorder) {
     Points grid(2, 25);
     for (int s = 0; s < 25; ++s) grid.col(s) << (s % 5 + 0.5) / 5, (s / 5 + 0.5) / 5;
     const std::vector<ClippedCell> cells = clipped_cells(Lattice::rectangle(1, 1), grid);
@@ -47,7 +47,7 @@ TEST(ClippedCvt, CellsAtTheBorderAreToldFromInnerOnes) {
     }
 }
 
-/// The energy of one site is that of the whole parallelogram about it: |a|^2 + |b|^2 over 12.
+/// The energy of one site at the centre of the parallelogram is area (|a|^2 + |b|^2) / 12.
 TEST(ClippedCvt, OneSiteHasTheWholeDomain) {
     for (const auto& [name, lattice] : lattices()) {
         const Vec2 middle = lattice.to_plane({0.5, 0.5});
@@ -75,7 +75,7 @@ TEST(ClippedCvt, TheEnergyIsTheIntegralOverTheDomain) {
     EXPECT_NEAR(clipped_energy(lattice, points).value / integral, 1, 1e-5);
 }
 
-TEST(ClippedCvt, TheGradientIsThatOfTheEnergy) {
+TEST(ClippedCvt, TheGradientAgreesWithDifferencesOfTheEnergy) {
     for (const auto& [name, lattice] : lattices()) {
         Points points = uniform_points(lattice, 9, 5);
         const ClippedEnergy at = clipped_energy(lattice, points);
@@ -94,7 +94,7 @@ TEST(ClippedCvt, TheGradientIsThatOfTheEnergy) {
     }
 }
 
-/// Two sites on the unit square halve it: 2 (1/2)(1 + 1/4)/12.
+/// Two sites halve the unit square; their energy is 2 (1/2)(1 + 1/4)/12.
 TEST(ClippedCvt, TwoSitesHalveTheSquare) {
     const Lattice unit = Lattice::rectangle(1, 1);
     const ClippedCvt cvt = compute_clipped_cvt(unit, uniform_points(unit, 2, 1), {1e-10});
@@ -114,7 +114,7 @@ TEST(ClippedCvt, ConvergesToAMinimumAboveTheHexagonalBound) {
     }
 }
 
-TEST(ClippedCvt, ProgressIsToldInTheUsersUnitAndCancels) {
+TEST(ClippedCvt, ProgressIsReportedInTheUsersUnitAndCancels) {
     const Lattice lattice = Lattice::rectangle(1000, 1000);
     const Points start = uniform_points(lattice, 20, 2);
     double first = 0;
@@ -127,7 +127,7 @@ TEST(ClippedCvt, ProgressIsToldInTheUsersUnitAndCancels) {
     EXPECT_NEAR(first / clipped_energy(lattice, start).value, 1, 1e-12);
 }
 
-TEST(ClippedCvt, RefusesWhatHasNoCells) {
+TEST(ClippedCvt, RefusesPointsWithoutCells) {
     const Lattice unit = Lattice::rectangle(1, 1);
     EXPECT_THROW(clipped_cells(unit, Points(2, 0)), InvalidInput);
     Points points = uniform_points(unit, 5, 1);

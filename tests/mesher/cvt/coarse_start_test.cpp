@@ -13,7 +13,7 @@ CoarseStartOptions seeded(std::uint64_t seed, int n_threads = 1) {
     return {.seed = seed, .n_threads = n_threads, .density = {}, .progress = {}};
 }
 
-/// Of the result of an optimisation, the share of cells that have other than six neighbours.
+/// The fraction of the cells of a result whose valence is not six.
 double defects(const CvtResult& result) {
     const TorusTriangulation& t = result.delaunay.triangulation();
     std::vector<int> valence(static_cast<std::size_t>(t.n_sites()));
@@ -21,7 +21,7 @@ double defects(const CvtResult& result) {
     return 1 - double(std::count(valence.begin(), valence.end(), 6)) / t.n_sites();
 }
 
-TEST(CoarseStart, GivesAsManyDistinctSitesAsAskedFor) {
+TEST(CoarseStart, ReturnsTheRequestedNumberOfDistinctSites) {
     const Lattice lattice({2, 0}, {0.5, 1});
     for (const int n : {1, 2, 3, 16, 17, 63, 64, 65, 255, 256, 257, 1000}) {
         const Points points = coarse_start(lattice, n, seeded(1));

@@ -46,7 +46,7 @@ TEST(Cvt, ReachesThePapersEnergies) {
     EXPECT_NEAR(best_of_twenty(30) / 5.348148e-3, 1, 1e-6);
 }
 
-TEST(Cvt, ConvergesFromOneSiteOnOnEveryLattice) {
+TEST(Cvt, ConvergesForOneSiteAndMoreOnEveryLattice) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 7, 8, 30, 150}) {
             const CvtResult result = run(lattice, n, 0, to_tolerance(1e-7));
@@ -67,7 +67,7 @@ void expect_as_told(const CvtResult& result) {
     EXPECT_NEAR(result.rms_residual, std::sqrt(squares.mean()) / h, 1e-12);
 }
 
-TEST(Cvt, TheResultIsWhatItSays) {
+TEST(Cvt, TheReportedFiguresAgreeWithAnIndependentEvaluation) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     CvtOptions options = to_tolerance(1e-9);
     for (const int limit : {0, 1, 7, -1}) {
@@ -90,7 +90,7 @@ TEST(Cvt, ZeroIterationsKeepTheSitesAsGiven) {
     }
 }
 
-// Inside the sites have another order; outside it is the caller's.
+// The optimiser sorts the sites internally; the result must follow the caller's order.
 TEST(Cvt, SitesStayInTheCallersOrder) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n_iterations : {0, 1}) {
@@ -110,7 +110,7 @@ TEST(Cvt, SitesStayInTheCallersOrder) {
     }
 }
 
-/// The points where the sites of a result stand.
+/// The positions of the sites of a result.
 Points positions(const CvtResult& result) {
     const Sites& sites = result.delaunay.sites();
     Points points(2, sites.n_sites());
@@ -128,7 +128,7 @@ double longest_move(const CvtResult& from, const CvtResult& to) {
     return std::sqrt(longest) / sites.spacing();
 }
 
-// Trials that are rejected, too, start from where the sites are.
+// A rejected trial must not change the position from which the next trial starts.
 TEST(Cvt, NoSiteMovesFurtherThanHalfOfH) {
     for (const auto& lattice : {Lattice::rectangle(1, 1), Lattice({1, 0}, {0.37, 0.81})}) {
         for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -161,7 +161,7 @@ TEST(Cvt, ALloydStepEndsAtTheCentroids) {
     }
 }
 
-/// Evaluations to an RMS residual of 1e-6 at n = 1000 in the unit square.
+/// The number of evaluations down to an RMS residual of 1e-6 for n = 1000 in the unit square.
 int evaluations_to_rms(Solver solver, std::uint64_t seed) {
     int evaluations = 0;
     CvtOptions options = to_tolerance(0);
@@ -321,7 +321,7 @@ TEST(Cvt, TheNumberOfThreadsDoesNotMatter) {
 }
 
 // From random sites to an RMS residual of 1e-3 the triangulation is repaired and never rebuilt.
-TEST(Cvt, FewFlipsASiteAndNoRebuild) {
+TEST(Cvt, NeedsFewFlipsPerSiteAndNoRebuild) {
     for (const Lattice& lattice :
          {Lattice::rectangle(1, 1), Lattice({1, 0}, {0.37, 0.81}), Lattice::rectangle(20, 1)}) {
         const int n = 10000;

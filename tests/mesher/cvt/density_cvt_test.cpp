@@ -32,7 +32,7 @@ TEST(DensityCvt, ReachesTheTolerance) {
     }
 }
 
-// Long waves treated apart, and Newton's method at the end.
+// The saving comes from preconditioned long waves and from Newton's method at the end.
 TEST(DensityCvt, NeedsAFractionOfTheEvaluationsOfPlainLbfgs) {
     for (const Density& density : {testing::smooth_density(), testing::ridge_density()}) {
         CvtOptions options;
@@ -60,7 +60,7 @@ TEST(DensityCvt, NewtonsMethodFromTheStartEndsInAMinimumToo) {
     EXPECT_GT(result.hessians, 5);
 }
 
-/// Adds the integrals of rho and of rho p over a triangle: the rule of the middles of the sides on
+/// Adds the integrals of rho and of rho p over a triangle, by the midpoint rule of the sides on
 /// 4^depth parts.
 void add_triangle(const Lattice& lattice, const DensityFunction& rho, const Vec2& p, const Vec2& q,
                   const Vec2& r, int depth, double& mass, Vec2& first) {
@@ -83,7 +83,7 @@ void add_triangle(const Lattice& lattice, const DensityFunction& rho, const Vec2
     }
 }
 
-/// The largest distance of a site to its cell's centroid by that rule, over h.
+/// The largest distance between a site and the centroid of its cell by that rule, in units of h.
 double independent_residual(const CvtResult& result, const Density& density, int depth) {
     const PeriodicMesh cells = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
     const Lattice& lattice = cells.lattice;
@@ -105,22 +105,22 @@ double independent_residual(const CvtResult& result, const Density& density, int
     return largest / std::sqrt(lattice.area() / cells.n_faces());
 }
 
-TEST(DensityCvt, CellsAreThoseOfTheirCentroidsByAnotherQuadrature) {
+TEST(DensityCvt, SitesAreTheCentroidsOfTheirCellsByAnotherQuadrature) {
     const Lattice oblique({1, 0}, {0.37, 0.81});
     for (const Density& density : {testing::smooth_density(), testing::ridge_density()}) {
         const CvtResult result = optimise(oblique, density, 300, 1e-7);
         EXPECT_LT(independent_residual(result, density, 5), 1e-6);
-        // The centroids of rho = 1 are others.
+        // The sites are not the centroids for rho = 1.
         const Density one = shared_density([](const DensityPoint&) { return 1.0; });
         EXPECT_GT(independent_residual(result, one, 0), 1e-3);
     }
 }
 
-TEST(DensityCvt, SpacingFollowsTheLaw) {
+TEST(DensityCvt, SpacingFollowsGershosLaw) {
     const CvtResult result = optimise(kSquare, testing::ridge_density(), 2000, 1e-2);
     EXPECT_LT(result.density->spacing_deviation, 0.03);
     EXPECT_NEAR(result.energy / result.density->expected_energy, 1, 0.02);
-    // Sites that ignore the density are far off.
+    // Uniformly random sites, which ignore the density, deviate far more.
     CvtOptions options;
     options.max_iterations = 0;
     options.density = testing::ridge_density();
@@ -128,7 +128,7 @@ TEST(DensityCvt, SpacingFollowsTheLaw) {
     EXPECT_GT(uniform.density->spacing_deviation, 0.2);
 }
 
-TEST(DensityCvt, SlowSpacingOfManyCellsIsWithinFivePercent) {
+TEST(DensityCvt, SlowSpacingOfManyCellsDeviatesByLessThanFivePercent) {
     const CvtResult result = optimise(kSquare, testing::ridge_density(), 20000, 1e-2);
     EXPECT_LT(result.density->spacing_deviation, 0.05);
 }
@@ -143,7 +143,7 @@ TEST(DensityCvt, JumpsAtTheSeamAndAtBreakLinesConverge) {
     }
 }
 
-TEST(DensityCvt, AJumpThatNothingIsKnownOfStallsAndSaysWhy) {
+TEST(DensityCvt, AJumpWithoutBreakLinesStallsAndCountsRoughCells) {
     const CvtResult result = optimise(kSquare, testing::disc_density(), 300, 1e-9);
     EXPECT_EQ(result.stop, Stop::kStalled);
     EXPECT_LT(result.residual, 0.2);
@@ -151,14 +151,14 @@ TEST(DensityCvt, AJumpThatNothingIsKnownOfStallsAndSaysWhy) {
     EXPECT_GT(result.density->quadrature_error, 1e-6);
 }
 
-TEST(DensityCvt, OfAConstantDensityIsTheUniformOne) {
+TEST(DensityCvt, AConstantDensityGivesTheUniformEnergy) {
     const Points points = uniform_points(kSquare, 50, 4);
     CvtOptions options;
     options.tolerance = 1e-10;
     const CvtResult uniform = compute_cvt(kSquare, points, options);
     options.density = shared_density([](const DensityPoint&) { return 7.0; });
     const CvtResult weighted = compute_cvt(kSquare, points, options);
-    // Perhaps in another minimum: both have the same energy to a few percent.
+    // The two runs may end in different minima, whose energies differ by a few percent.
     EXPECT_NEAR(weighted.energy / uniform.energy, 7, 0.1);
     EXPECT_NEAR(weighted.density->expected_energy, 7 * uniform.energy_bound, 1e-3);
     EXPECT_FALSE(uniform.density.has_value());
@@ -212,7 +212,7 @@ TEST(DensityCvt, ProgressCountsOverAllRoundsAndCancels) {
     EXPECT_EQ(limited.iterations, 30);
 }
 
-TEST(DensityCvt, LloydsIterationEndsWhereItsStepsEnd) {
+TEST(DensityCvt, LloydsIterationEndsAtTheCentroids) {
     CvtOptions options;
     options.solver = Solver::kLloyd;
     options.tolerance = 1e-5;
