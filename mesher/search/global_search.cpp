@@ -16,33 +16,36 @@ namespace pcvt {
 namespace {
 
 constexpr int kRound = 8;
-/// A start needs this many evaluations at least.
+/// The fewest evaluations that a start can use.
 constexpr int kFewestEvaluations = 50;
-/// The default budget: a few seconds at most, and no more for few sites than they have use for.
+/// The default budget is the smaller of a few seconds' work and a number of evaluations per site
+/// beyond which small problems find no further minima.
 constexpr int kBudgetPerSite = 2'000;
 constexpr int kDefaultBudget = 200'000;
-/// Up to this many sites the default budget does not fall.
+/// Beyond this many sites the default budget decreases.
 constexpr int kMiddle = 400;
-/// Minima that are remembered and shaken.
+/// The number of minima that are kept as origins of restarts.
 constexpr std::size_t kMinima = 8;
-/// Minima whose energies differ by less, relatively, are the same one (residual 1e-4).
+/// Minima whose energies differ relatively by less than this count as one minimum (at a residual of
+/// 1e-4).
 constexpr double kSameEnergy = 2e-6;
-/// Residuals to which starts are optimised, and the best of them.
+/// The residual to which every start is optimised, and the residual for the best one.
 constexpr double kLoose = 1e-4;
 constexpr double kTight = 1e-9;
-/// At an RMS residual r, nine starts in ten end at most 6 r below, relatively (measured for n = 30
-/// to 2000, r from 1e-4 to 1e-2; it was 3 to 10 r).
+/// At an RMS residual r, nine starts out of ten lower their energy further by a relative amount of
+/// at most 6 r (measured for n = 30 to 2000 and r from 1e-4 to 1e-2, where the bound was 3 r to 10
+/// r).
 constexpr double kHope = 6;
 
-/// One start and where it led.
+/// One start and its result.
 struct Trial {
     SearchState state;
-    /// Whether an end was reached: no start given up, and no coincident sites.
+    /// Whether the run reached a minimum: the start was not abandoned and no sites coincided.
     bool ended = false;
     int evaluations = 0;
 };
 
-/// A seed of its own for each start (the multiplier is that of Knuth's MMIX generator).
+/// Derives a separate seed for each start (the multiplier is the one of Knuth's MMIX generator).
 std::uint64_t stream(std::uint64_t seed, int start) {
     return (seed + 1) * 6364136223846793005ULL + static_cast<std::uint64_t>(start);
 }
@@ -73,7 +76,7 @@ class Search {
     void remember(SearchState state);
     void run_round();
     double lowest() const { return minima_.front().energy; }
-    /// What a start must come below to be remembered.
+    /// The energy that a start must fall below to be kept.
     double worst_kept() const {
         return minima_.size() < kMinima ? std::numeric_limits<double>::infinity()
                                         : minima_.back().energy;
@@ -85,7 +88,7 @@ class Search {
     Workers workers_;
     StartMaker maker_;
     LatticePattern lattice_;
-    /// From the lowest on.
+    /// Sorted by energy, lowest first.
     std::vector<SearchState> minima_;
     int starts_ = 0;
     int evaluations_ = 0;
@@ -93,7 +96,8 @@ class Search {
     std::thread::id caller_ = std::this_thread::get_id();
 };
 
-/// Shows how far the search is; false once it is cancelled. To be called by the caller's thread.
+/// Reports progress and returns false once the search is cancelled. Must run on the caller's
+/// thread.
 bool Search::report() {
     if (!options_.progress || cancelled_) return !cancelled_;
     Progress progress;
@@ -105,7 +109,8 @@ bool Search::report() {
     return !cancelled_;
 }
 
-/// Options that end a start when it is hopeless, has spent its share, or the search is cancelled.
+/// Returns options that end a start if it is hopeless or has spent its share, or if the search is
+/// cancelled.
 CvtOptions Search::optimiser(int most_evaluations, double tolerance) {
     CvtOptions options;
     options.tolerance = tolerance;
@@ -118,7 +123,7 @@ CvtOptions Search::optimiser(int most_evaluations, double tolerance) {
 }
 
 void Search::optimise(Trial& trial, int most_evaluations, double tolerance) {
-    // Where sites coincide nothing was evaluated, but the search must come to its end.
+    // A start with coincident sites costs no evaluation; it counts as one so that the search ends.
     trial.evaluations = 1;
     trial.ended = false;
     try {
@@ -132,7 +137,7 @@ void Search::optimise(Trial& trial, int most_evaluations, double tolerance) {
     }
 }
 
-/// Minima of one energy are one minimum; of two starts that led there the first is kept.
+/// Inserts a minimum unless one of the same energy is known already.
 void Search::remember(SearchState state) {
     for (const SearchState& known : minima_) {
         if (std::abs(state.energy - known.energy) <= kSameEnergy * known.energy) return;
@@ -144,7 +149,7 @@ void Search::remember(SearchState state) {
     if (minima_.size() > kMinima) minima_.pop_back();
 }
 
-/// Each start may spend an equal share of what is left.
+/// Optimises one round of starts; each may spend an equal share of the remaining budget.
 void Search::run_round() {
     const int share = std::max(1, (options_.budget - evaluations_) / kRound);
     std::vector<Trial> trials(kRound);

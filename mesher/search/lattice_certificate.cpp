@@ -16,7 +16,7 @@ struct Step {
 
 std::int64_t remainder_of(std::int64_t value, std::int64_t n) { return (value % n + n) % n; }
 
-/// The lattice that two steps span, if its index is n.
+/// Returns the lattice that two steps span, if its index is n.
 std::optional<HermiteForm> hermite_form(Step p, Step q, int n) {
     if (p.i * q.j - p.j * q.i != n) return std::nullopt;
     // Euclid's algorithm on the first coordinates leads to (d, -b) and (0, a).
@@ -35,18 +35,18 @@ Step nearest_step(const Vec2& u, int n) {
     return {std::llround(n * u.x()), std::llround(n * u.y())};
 }
 
-/// The sites of a lattice, each of which is taken once.
+/// The points of a lattice; each is assigned to at most one site.
 class Places {
    public:
     explicit Places(const LatticePattern& pattern)
         : pattern_(pattern), taken_(static_cast<std::size_t>(pattern.n_sites()), 0) {}
 
-    /// The vector of the lattice that is nearest to u, both in coordinates of the reduced period
-    /// vectors; nothing if the site there is taken already.
+    /// Returns the lattice vector nearest to u, both in coordinates of the reduced period vectors;
+    /// `nullopt` if that lattice point is taken already.
     std::optional<Vec2> take(const Vec2& u) {
         const double n = pattern_.n_sites();
         const auto [s, t] = pattern_.steps;
-        // The steps span n-ths with determinant n.
+        // In n-ths of the period vectors the determinant of the steps is n.
         const std::int64_t k = std::llround(u.x() * t.j - u.y() * t.i);
         const std::int64_t m = std::llround(u.y() * s.i - u.x() * s.j);
         const std::int64_t i = k * s.i + m * t.i;
@@ -62,7 +62,7 @@ class Places {
     std::vector<char> taken_;
 };
 
-/// A basis from the three corners of a triangle.
+/// Returns the lattice that the edges of the first Delaunay triangle span.
 std::optional<HermiteForm> form_of_triangle(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     const auto place = [&](int h) -> Vec2 {
@@ -75,7 +75,7 @@ std::optional<HermiteForm> form_of_triangle(const PeriodicDelaunay& delaunay) {
                         n);
 }
 
-/// Whether the sites, moved by one translation, lie at the places of the lattice, one at each.
+/// Whether the sites, moved by one common translation, lie on the lattice points, one on each.
 bool lies_on(const Sites& sites, const LatticePattern& pattern) {
     const int n = sites.n_sites();
     Places places(pattern);

@@ -7,13 +7,18 @@
 
 namespace pcvt {
 
-/// A site that lies further from its place, in units of h, is not on the lattice. At a lattice that
-/// is no degenerate critical point a CVT this near can only be that lattice, not yet converged.
+/// The largest distance, in units of h, between a site and its lattice point. Unless the lattice is
+/// a degenerate critical point, a CVT this near to it is that lattice, not fully converged.
 inline constexpr double kOffLattice = 1e-3;
 
-/// The lattice that the sites of a result form, up to one common translation and kOffLattice h; or
-/// nothing where they form none. Whether the cells have six sides does not matter (a rectangular
-/// lattice has four).
+/// Returns the lattice that the sites of a result form, up to one common translation and
+/// kOffLattice h, or `nullopt` if they form none. The number of sides of the cells does not matter
+/// (the cells of a rectangular lattice have four).
+///
+/// Example usage:
+///   if (const auto pattern = as_lattice(compute_cvt(unit, points, {}))) {
+///       std::cout << "lattice " << pattern->form.a << " " << pattern->form.b << "\n";
+///   }
 std::optional<LatticePattern> as_lattice(const CvtResult& result);
 
 }  // namespace pcvt

@@ -10,10 +10,10 @@
 namespace pcvt {
 namespace {
 
-/// Energies that differ by less than this, relatively, count as equal: their rounding is near
-/// 1e-15.
+/// Energies whose relative difference is less than this count as equal; their rounding error is
+/// near 1e-15.
 constexpr double kEqualEnergies = 1e-12;
-/// Two bases that differ by less than this factor are equally short.
+/// Vectors whose squared lengths differ by less than this factor count as equally long.
 constexpr double kTie = 1 + 1e-12;
 
 std::int64_t remainder_of(std::int64_t value, std::int64_t n) { return (value % n + n) % n; }
@@ -24,8 +24,8 @@ struct Step {
     std::int64_t j;
 };
 
-/// Scalar products of steps, in n-ths of the period vectors squared. They are reduced, so squares
-/// do not cancel: a.b is at most half of the shorter one's square.
+/// Scalar products of steps, in units of 1 / n^2. The period vectors are reduced, so squares do not
+/// suffer from cancellation: |a.b| is at most half of the smaller of |a|^2 and |b|^2.
 struct StepMetric {
     explicit StepMetric(const Lattice& reduced)
         : aa(reduced.a().squaredNorm()),
@@ -69,8 +69,9 @@ StepBasis obtuse_basis(const HermiteForm& form, const StepMetric& metric) {
     return basis;
 }
 
-/// n times the energy of one cell: sqrt(D) / 12 (p + q + r + p q r / D), with p, q, r the Selling
-/// parameters of the obtuse superbase s, t, -s - t and sqrt(D) the area of the cell.
+/// Returns n times the energy of one cell, sqrt(D) / 12 (p + q + r + p q r / D), where p, q, r are
+/// the Selling parameters of the obtuse superbase s, t, -s - t, and sqrt(D) is the area of the
+/// cell.
 double energy_of(const StepBasis& basis, const StepMetric& metric, double area, int n) {
     const double steps = 1.0 / (double(n) * double(n));
     const double st = metric.dot(basis.s, basis.t) * steps;
@@ -83,14 +84,15 @@ double energy_of(const StepBasis& basis, const StepMetric& metric, double area, 
 
 void require_form(const HermiteForm& form) {
     if (form.a < 1 || form.d < 1 || form.b < 0 || form.b >= form.a) {
-        throw InvalidInput("no Hermite normal form: it needs a, d >= 1 and 0 <= b < a");
+        throw InvalidInput("a Hermite normal form must have a, d >= 1 and 0 <= b < a");
     }
 }
 
 Offset to_offset(const Step& step) { return {static_cast<int>(step.i), static_cast<int>(step.j)}; }
 
-/// Right-handed, the first one to the right of the y axis, or on its upper half; of two that are
-/// equally long the one nearer to the x axis comes first.
+/// Returns the canonical form of a reduced basis: it is right-handed, and its first vector points
+/// to the right or along +y. If the vectors are equally long, the one nearer to the x axis comes
+/// first.
 std::array<Offset, 2> canonical(const StepBasis& basis, const StepMetric& metric,
                                 const Lattice& reduced) {
     Offset s = to_offset(basis.s);
@@ -110,7 +112,7 @@ struct Candidate {
     HermiteForm form;
 };
 
-/// The `count` lowest energies so far, each with the lattice that came first.
+/// The `count` lowest energies so far, each with the first lattice that has it.
 class Ranking {
    public:
     explicit Ranking(int count) : count_(static_cast<std::size_t>(count)) {}
@@ -180,7 +182,7 @@ Points pattern_points(const LatticePattern& pattern) {
     Points points(2, pattern.n_sites());
     for (int i = 0; i < a; ++i) {
         for (int j = 0; j < d; ++j) {
-            // The second coordinate is wrapped while it is a whole number of n-ths.
+            // The second coordinate is wrapped while it is still an integer number of n-ths.
             const std::int64_t v = remainder_of(std::int64_t{j} * a - std::int64_t{i} * b, n);
             points.col(i * d + j) =
                 reduced.to_plane({double(i) / a, static_cast<double>(v) / static_cast<double>(n)});
@@ -193,7 +195,7 @@ int pattern_site(const HermiteForm& form, std::int64_t i, std::int64_t j) {
     const auto [a, b, d] = form;
     const std::int64_t row = i / d;
     const std::int64_t column = (j + b * row) / a;
-    // a rows lead to a period and back by b columns.
+    // Wrapping by `a` rows shifts the column by b.
     const std::int64_t wrapped = remainder_of(row, a);
     return static_cast<int>(wrapped * d + remainder_of(column - (row - wrapped) / a * b, d));
 }

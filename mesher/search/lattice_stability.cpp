@@ -10,7 +10,8 @@
 namespace pcvt {
 namespace {
 
-/// The bounds of `minimum`, relative to the largest eigenvalue.
+/// The smallest eigenvalue decides `minimum` only if its absolute value, relative to the largest,
+/// exceeds this.
 constexpr double kCertain = 1e-6;
 
 /// A symmetric 2 x 2 matrix.
@@ -24,7 +25,7 @@ struct Symmetric {
         xy += factor * other.xy;
         yy += factor * other.yy;
     }
-    /// The smaller and the larger eigenvalue.
+    /// Returns the smaller and the larger eigenvalue.
     std::pair<double, double> eigenvalues() const {
         const double middle = (xx + yy) / 2;
         const double radius = std::hypot((xx - yy) / 2, xy);
@@ -32,8 +33,8 @@ struct Symmetric {
     }
 };
 
-/// One vector of the superbase: where it leads in n-ths of the reduced period vectors, and
-/// c (v v^T - c^2 / 3  w w^T), lengths in h.
+/// One vector of the superbase in n-ths of the reduced period vectors, and its matrix c (v v^T -
+/// c^2 / 3  w w^T), with lengths in units of h.
 struct Bond {
     std::int64_t i;
     std::int64_t j;
@@ -50,12 +51,12 @@ std::array<Bond, 3> bonds(const LatticePattern& pattern) {
     const double h = std::sqrt(pattern.basis.area());
     const Offset s = pattern.steps[0];
     const Vec2 p = pattern.basis.a() / h;
-    // The basis is reduced: with the second vector turned so, the superbase is obtuse.
+    // The basis is reduced, so this sign of its second vector makes the superbase obtuse.
     const double sign = p.dot(pattern.basis.b()) > 0 ? -1 : 1;
     const Offset t = sign > 0 ? pattern.steps[1] : -pattern.steps[1];
     const Vec2 q = sign * pattern.basis.b() / h;
     const Vec2 r = -p - q;
-    // The cell has area 1, so minus the product of the other two is the cotangent of their angle.
+    // The cell has area 1, so c is minus the scalar product of the other two vectors.
     return {Bond{s.i, s.j, stiffness(p, -q.dot(r))}, Bond{t.i, t.j, stiffness(q, -r.dot(p))},
             Bond{-(s + t).i, -(s + t).j, stiffness(r, -p.dot(q))}};
 }
@@ -74,6 +75,7 @@ LatticeStability lattice_stability(const LatticePattern& pattern) {
     const std::array<Bond, 3> around = bonds(pattern);
     double smallest = std::numeric_limits<double>::infinity();
     double largest = 0;
+    // Compute the extreme eigenvalues over all wave vectors but zero.
     for (int k = 0; k < pattern.form.a; ++k) {
         for (int m = k == 0 ? 1 : 0; m < pattern.form.d; ++m) {
             Symmetric hessian;
@@ -85,6 +87,7 @@ LatticeStability lattice_stability(const LatticePattern& pattern) {
             largest = std::max(largest, high);
         }
     }
+    // Decide by the ratio of the extremes.
     const double ratio = smallest / largest;
     const Minimum minimum = ratio > kCertain    ? Minimum::kYes
                             : ratio < -kCertain ? Minimum::kNo

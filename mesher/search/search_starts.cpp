@@ -8,39 +8,39 @@
 namespace pcvt {
 namespace {
 
-/// Neighbouring lattices that are looked at for each number of sites.
+/// The number of lattices per number of sites from which starts are drawn.
 constexpr int kLattices = 12;
-/// Sites anywhere are removed or added up to this number; a row is up to 0.6 sqrt(n) sites long,
-/// half of the domain: a longer one ends near to where it began.
+/// The largest number of scattered sites that are removed or added, and the longest row in units of
+/// sqrt(n) sites. Such a row spans about half of the domain; a longer one ends near its beginning.
 constexpr int kLooseSites = 4;
 constexpr double kLongestRow = 0.6;
-/// How far a site is moved at most, in units of h: out of the symmetry, not out of its place; and
-/// far enough to change neighbours.
+/// The longest move of a site in units of h: the jitter breaks the symmetry of a lattice without
+/// moving sites out of their places; the shakes are large enough to change neighbours.
 constexpr double kJitter = 0.15;
 constexpr double kWeakestShake = 0.15;
 constexpr double kStrongestShake = 0.6;
-/// Shares of the kinds of starts.
+/// The fractions of starts from neighbouring lattices and of restarts.
 constexpr double kNeighbours = 0.5;
 constexpr double kRestarts = 0.4;
-/// How often a row goes on straight.
+/// The probability that a row continues straight.
 constexpr double kStraight = 0.8;
 
-/// In [0, 1).
+/// Returns a uniform number in [0, 1).
 double uniform(StartMaker::Random& random) {
     return std::ldexp(static_cast<double>(random() >> 11), -53);
 }
 
-/// 0 ... count - 1.
+/// Returns a uniform integer in 0 ... count - 1.
 int pick(StartMaker::Random& random, int count) {
     return static_cast<int>(uniform(random) * count);
 }
 
-/// 0 ... count - 1, the small ones more often.
+/// Returns an integer in 0 ... count - 1, small ones with a higher probability.
 int pick_low(StartMaker::Random& random, int count) {
     return static_cast<int>(uniform(random) * uniform(random) * count);
 }
 
-/// Uniform in the unit disc, without functions that machines round differently.
+/// Returns a uniform point in the unit disc; uses no functions that machines round differently.
 Vec2 in_disc(StartMaker::Random& random) {
     for (;;) {
         const double x = 2 * uniform(random) - 1;
@@ -49,14 +49,14 @@ Vec2 in_disc(StartMaker::Random& random) {
     }
 }
 
-/// The three shortest directions of a lattice, in steps.
+/// Returns the three shortest vectors of a lattice, as steps.
 std::array<Offset, 3> directions(const LatticePattern& pattern) {
     const auto [s, t] = pattern.steps;
     const bool obtuse = pattern.basis.a().dot(pattern.basis.b()) <= 0;
     return {s, t, obtuse ? s + t : t - s};
 }
 
-/// The sites along a row: mostly straight on, now and then in the next direction.
+/// Walks along a row of sites, mostly straight and sometimes in a neighbouring direction.
 class RowWalk {
    public:
     RowWalk(const LatticePattern& pattern, StartMaker::Random& random)
@@ -66,7 +66,7 @@ class RowWalk {
           turned_((main_ + 1 + pick(random, 2)) % 3) {}
 
     Offset here() const { return here_; }
-    /// A direction across the row.
+    /// Returns a direction across the row.
     Offset across() const { return directions_[turned_]; }
     Offset along() const { return directions_[main_]; }
     void advance() {
@@ -118,7 +118,8 @@ void StartMaker::shake(Points& points, double amount, Random& random) const {
     }
 }
 
-/// Takes sites off `kept` along a row until n are left, or until the row has closed often.
+/// Clears sites in `kept` along a row until n are left, or for at most 4 n steps (the row may
+/// close).
 void StartMaker::remove_row(const LatticePattern& pattern, Random& random,
                             std::vector<char>& kept) const {
     int surplus = pattern.n_sites() - n_;
@@ -132,7 +133,7 @@ void StartMaker::remove_row(const LatticePattern& pattern, Random& random,
     }
 }
 
-/// Fills the columns from pattern.n_sites() on: a row between two rows.
+/// Fills the columns from pattern.n_sites() on with a row of sites between two rows.
 void StartMaker::add_row(const LatticePattern& pattern, Random& random, Points& points) const {
     RowWalk walk(pattern, random);
     const Lattice reduced = reduce(period_).reduced;
@@ -144,6 +145,7 @@ void StartMaker::add_row(const LatticePattern& pattern, Random& random, Points& 
 }
 
 SearchState StartMaker::neighbour(Random& random) {
+    // Draw the kind and the number of the changes, and a lattice.
     const bool in_row = pick(random, 2) == 0;
     const int most = in_row ? std::max(kLooseSites, int(kLongestRow * std::sqrt(n_))) : kLooseSites;
     const int change = 1 + pick(random, most);
@@ -151,6 +153,7 @@ SearchState StartMaker::neighbour(Random& random) {
     const int m = fewer ? n_ - change : n_ + change;
     const int rank = pick_low(random, static_cast<int>(lattices(m).size()));
     const LatticePattern& pattern = lattices(m)[static_cast<std::size_t>(rank)];
+    // Remove surplus sites.
     const Points sites = pattern_points(pattern);
     std::vector<char> kept(static_cast<std::size_t>(m), 1);
     if (in_row && !fewer) remove_row(pattern, random, kept);
@@ -160,6 +163,7 @@ SearchState StartMaker::neighbour(Random& random) {
         surplus -= site;
         site = 0;
     }
+    // Copy the remaining sites, add missing ones and break the symmetry.
     SearchState start{Points(2, n_), {m, rank, in_row}};
     Eigen::Index column = 0;
     for (int s = 0; s < m; ++s) {

@@ -10,44 +10,52 @@
 
 namespace pcvt {
 
-/// How a start of the global search was made.
+/// The origin of a start of the global search.
 struct StartOrigin {
-    /// A lattice of `lattice_sites` sites, 0: random sites.
+    /// The start derives from a lattice of `lattice_sites` sites; 0: from random sites.
     int lattice_sites = 0;
-    /// Its place by energy among the lattices of that many sites, from 0.
+    /// The rank of that lattice by energy among all lattices with as many sites, from 0.
     int rank = 0;
-    /// How many of the changed sites followed a row of the lattice; else they lay anywhere.
+    /// Whether the removed or added sites follow a row of the lattice; otherwise they are
+    /// scattered.
     bool in_row = false;
-    /// How often the minimum was shaken and optimised again.
+    /// How many times the minimum was shaken and optimised again.
     int restarts = 0;
 };
 
-/// "lattice of 18, 2 sites removed in a row, then 3 noisy restarts"; n as in StartMaker.
+/// Describes an origin, e.g. "lattice of 18, 2 sites removed in a row, then 3 noisy restarts"; n as
+/// in StartMaker.
 std::string start_words(const StartOrigin& origin, int n);
 
-/// A local minimum, or a start for one.
+/// The sites of a local minimum or of a start.
 struct SearchState {
     /// 2 x n, length units.
     Points points;
     StartOrigin origin;
-    /// length^4; of a minimum.
+    /// Set for minima; length^4.
     double energy = 0;
 };
 
-/// Makes starts from which minima of low energy are often reached.
+/// Generates starts that often lead to minima of low energy.
 ///
-/// A minimum below the best lattice has four cells without six sides: two dislocations, between
-/// which a row of sites ends. So half of the starts are lattices of a neighbouring number of sites
-/// in which a row of sites, or some anywhere, is removed or added. Most others are the lowest
-/// minima found so far, shaken.
+/// Example usage:
+///   StartMaker maker(period, n);
+///   StartMaker::Random random(seed);
+///   const LatticePattern best = best_lattice(period, n);
+///   const SearchState start = maker.make(random, {{pattern_points(best), {n}, best.energy}});
+///
+/// A minimum below the best lattice has four non-hexagonal cells, which form two dislocations; a
+/// row of sites runs from one dislocation to the other. Half of the starts are therefore lattices
+/// with a slightly different number of sites, in which a row of sites or a few scattered sites are
+/// removed or added. Most of the others are the lowest minima found so far, shaken.
 class StartMaker {
    public:
     using Random = std::mt19937_64;
 
     StartMaker(const Lattice& period, int n);
 
-    /// The same for the same state of `random` and the same minima, on every machine.
-    /// @param minima  at least one, from the lowest on.
+    /// Returns the same start for the same state of `random` and the same minima, on every machine.
+    /// @param minima  at least one, sorted by energy.
     SearchState make(Random& random, const std::vector<SearchState>& minima);
 
    private:

@@ -16,7 +16,7 @@ SearchResult search(const Lattice& period, int n, int budget, int n_threads = 1)
     return search_minimum(period, n, {.seed = 0, .budget = budget, .n_threads = n_threads});
 }
 
-/// Law (1); and the sites have the energy that is told.
+/// Law (1), and the reported energy is the energy of the sites.
 TEST(GlobalSearch, IsNeverAboveTheBestLattice) {
     CvtOptions as_given;
     as_given.max_iterations = 0;
@@ -43,7 +43,7 @@ TEST(GlobalSearch, DoesNotDependOnTheNumberOfThreads) {
     }
 }
 
-/// These are known to have states below their best lattices.
+/// For these numbers of sites, states below the best lattice are known.
 TEST(GlobalSearch, FindsStatesBelowTheBestLattice) {
     for (const int n : {7, 10, 13, 17, 19, 21, 22, 26, 27, 29, 31}) {
         const SearchResult result = search(kSquare, n, 1500);
@@ -51,7 +51,7 @@ TEST(GlobalSearch, FindsStatesBelowTheBestLattice) {
     }
 }
 
-TEST(GlobalSearch, StaysAtALatticeThatNothingLiesBelow) {
+TEST(GlobalSearch, ReturnsTheLatticeWhereNoLowerStateExists) {
     for (const int n : {4, 8, 15, 30, 56}) {
         const SearchResult result = search(kSquare, n, 1500);
         EXPECT_EQ(result.points, pattern_points(best_lattice(kSquare, n)));
@@ -67,7 +67,7 @@ TEST(GlobalSearch, SpendsItsBudgetAndLittleMore) {
     }
 }
 
-TEST(GlobalSearch, LooksOnlyAtTheLatticeWhereTheBudgetAllowsNoStart) {
+TEST(GlobalSearch, ReturnsTheLatticeWhereTheBudgetAllowsNoStart) {
     const SearchResult result = search(kSquare, 10, 399);
     EXPECT_EQ(result.starts, 0);
     EXPECT_EQ(result.energy, best_lattice(kSquare, 10).energy);
@@ -105,8 +105,8 @@ TEST(DefaultBudget, RisesAndFallsWithTheNumberOfSites) {
     EXPECT_EQ(default_search_budget(1 << 28), 0);
 }
 
-/// At the default budget, as the command runs it.
-TEST(SlowGlobalSearch, FindsStatesBelowTheBestLatticeOfMiddleNumbers) {
+/// Uses the default budget, as the command line does.
+TEST(SlowGlobalSearch, FindsStatesBelowTheBestLatticeForOverAHundredSites) {
     for (const int n : {119, 197}) {
         const SearchResult result = search(kSquare, n, default_search_budget(n), 2);
         EXPECT_LT(result.energy, result.lattice.energy * (1 - 5e-3)) << n;

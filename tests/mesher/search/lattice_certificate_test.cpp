@@ -17,7 +17,7 @@ CvtResult tessellation(const Lattice& period, Points points) {
     return compute_cvt(period, std::move(points), as_given);
 }
 
-/// The sites in another order, all moved by one vector and each by up to `noise` h.
+/// Returns the sites in random order, moved by a common vector and each by up to `noise` h.
 Points shuffled(const LatticePattern& pattern, double noise, std::mt19937_64& random) {
     std::uniform_real_distribution<double> uniform(-1, 1);
     Points points = pattern_points(pattern);
@@ -47,7 +47,7 @@ TEST(AsLattice, FindsTheLatticeThatTheSitesWereTakenFrom) {
     }
 }
 
-TEST(AsLattice, IsNothingWhereOneSiteIsOff) {
+TEST(AsLattice, FindsNoneWhereOneSiteIsOff) {
     const LatticePattern pattern = best_lattice(kSquare, 56);
     const double h = std::sqrt(pattern.basis.area());
     for (const double off : {0.5, 2.0}) {
@@ -57,13 +57,13 @@ TEST(AsLattice, IsNothingWhereOneSiteIsOff) {
     }
 }
 
-TEST(AsLattice, IsNothingForRandomSites) {
+TEST(AsLattice, FindsNoneForRandomSites) {
     for (int n = 2; n <= 40; ++n) {
         EXPECT_FALSE(as_lattice(tessellation(kSquare, uniform_points(kSquare, n, 3)))) << n;
     }
 }
 
-TEST(AsLattice, IsNothingForALatticeWithASiteTooMany) {
+TEST(AsLattice, FindsNoneForALatticeWithAnExtraSite) {
     Points points(2, 31);
     points << pattern_points(best_lattice(kSquare, 30)), Vec2(0.511, 0.487);
     EXPECT_FALSE(as_lattice(tessellation(kSquare, points)));

@@ -20,8 +20,8 @@ CvtResult tessellation(const LatticePattern& pattern) {
     return compute_cvt(pattern.period, pattern_points(pattern), as_given);
 }
 
-/// Computed independently of this program, to 15 digits: the lowest energy on the unit square, and
-/// a lattice that has it.
+/// The lowest energy on the unit square and a lattice that attains it, computed independently of
+/// this program to 15 digits.
 struct KnownMinimum {
     int n;
     double energy;
@@ -61,7 +61,7 @@ TEST(BestLattice, HasTheEnergiesThatThePaperPrints) {
     }
 }
 
-TEST(BestLattice, IsTheHexagonalOneWhereThePeriodsAreHexagonal) {
+TEST(BestLattice, IsHexagonalWhereThePeriodsAreHexagonal) {
     const Lattice hexagonal({2, 0}, {1, std::sqrt(3)});
     for (const int n : {1, 3, 4, 7, 9, 12, 13, 25, 49}) {
         const LatticePattern pattern = best_lattice(hexagonal, n);
@@ -115,7 +115,7 @@ TEST(LatticePattern, IsACvtOfItsEnergy) {
     }
 }
 
-TEST(LatticePattern, IsACvtOfItsEnergyEvenWhereItIsABadOne) {
+TEST(LatticePattern, IsACvtOfItsEnergyEvenWhereItsCellsAreElongated) {
     for (const HermiteForm& form : {HermiteForm{1, 0, 12}, {12, 0, 1}, {12, 1, 1}, {3, 2, 9}}) {
         expect_energy_of_the_cvt(lattice_pattern(Lattice({1, 0}, {0.37, 0.81}), form), "");
     }
@@ -137,13 +137,13 @@ TEST(BestLattices, RiseInEnergyAndStartFromTheBest) {
     }
 }
 
-TEST(BestLattices, AreAllThereAreWhenMoreAreWanted) {
-    // Index 2: one square turned by 45 degrees, and stripes along x and y of the same energy.
+TEST(BestLattices, AreFewerThanRequestedWhereFewerEnergiesOccur) {
+    // Index 2 has two energies: the square lattice turned by 45 degrees, and stripes along x or y.
     EXPECT_EQ(best_lattices(kSquare, 2, 9).size(), 2);
 }
 
-TEST(BestLattices, BreakTiesByTheSmallestFirstNumbers) {
-    // Mirror images: (3, 1) and (3, 2) have one energy.
+TEST(BestLattices, BreakTiesByTheSmallestAThenB) {
+    // (3, 1) and (3, 2) are mirror images and have equal energies.
     EXPECT_EQ(best_lattice(kSquare, 3).form, (HermiteForm{3, 1, 1}));
     const double energy = best_lattice(kSquare, 100).energy;
     for (int b = 0; b < best_lattice(kSquare, 100).form.b; ++b) {
@@ -152,7 +152,7 @@ TEST(BestLattices, BreakTiesByTheSmallestFirstNumbers) {
     }
 }
 
-TEST(LatticePattern, RefusesWhatNamesNoLattice) {
+TEST(LatticePattern, RefusesFormsThatNameNoLattice) {
     EXPECT_THROW(best_lattice(kSquare, 0), InvalidInput);
     for (const HermiteForm& form : {HermiteForm{0, 0, 1}, {1, 0, 0}, {2, 2, 1}, {2, -1, 1}}) {
         EXPECT_THROW(lattice_pattern(kSquare, form), InvalidInput);

@@ -16,10 +16,10 @@ using testing::energy_at;
 
 const Lattice kSquare = Lattice::rectangle(1, 1);
 
-/// Differences over 1e-5 h are as exact as this; the third derivative jumps at square lattices.
+/// The error of differences over 1e-5 h; the third derivative jumps at square lattices.
 constexpr double kDifferences = 2e-5;
 
-/// The Hessian column by column, from central differences of the gradient.
+/// Computes the Hessian column by column from central differences of the gradient.
 Eigen::MatrixXd hessian_by_differences(const LatticePattern& pattern) {
     const double step = 1e-5 * std::sqrt(pattern.basis.area());
     Points points = pattern_points(pattern);
@@ -36,7 +36,8 @@ Eigen::MatrixXd hessian_by_differences(const LatticePattern& pattern) {
     return (hessian + hessian.transpose()) / 2;
 }
 
-/// The smallest eigenvalue over the largest, the two nearest to zero left out as the translations.
+/// Returns the smallest eigenvalue over the largest, without the two nearest to zero, which are the
+/// translations.
 double smallest_by_differences(const LatticePattern& pattern) {
     Eigen::VectorXd values =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hessian_by_differences(pattern))
@@ -47,7 +48,7 @@ double smallest_by_differences(const LatticePattern& pattern) {
     return values.tail(values.size() - 2).minCoeff() / largest;
 }
 
-/// Law (1), at minima, saddles and lattices of bad shape.
+/// Law (1), at minima, saddles and a lattice with elongated cells.
 TEST(LatticeStability, AgreesWithDifferencesOfTheGradient) {
     for (const auto& [name, period] : testing::lattices()) {
         for (const int n : {3, 10, 13, 18}) {

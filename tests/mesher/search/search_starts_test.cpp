@@ -20,7 +20,7 @@ std::vector<SearchState> only_the_lattice(const Lattice& period, int n) {
     return {{pattern_points(pattern), {n}, pattern.energy}};
 }
 
-/// The distance modulo the lattice from p to the nearest of the points.
+/// Returns the distance modulo the lattice from p to the nearest of the points.
 double distance_to(const Points& points, const Vec2& p, const Lattice& period) {
     const Lattice reduced = reduce(period).reduced;
     double nearest = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ double distance_to(const Points& points, const Vec2& p, const Lattice& period) {
     return nearest;
 }
 
-TEST(StartMaker, GivesTheNumberOfSitesThatWasAskedFor) {
+TEST(StartMaker, GivesTheRequestedNumberOfSites) {
     for (const auto& [name, period] : testing::lattices()) {
         for (const int n : {1, 2, 3, 12, 60}) {
             StartMaker maker(period, n);
@@ -106,7 +106,7 @@ TEST(StartMaker, ShakesTheMinimaForARestart) {
     EXPECT_GT(n_restarts, 5);
 }
 
-TEST(StartWords, TellHowAStartWasMade) {
+TEST(StartWords, DescribeTheOriginOfAStart) {
     EXPECT_EQ(start_words({}, 18), "random sites");
     EXPECT_EQ(start_words({18}, 18), "lattice of 18");
     EXPECT_EQ(
