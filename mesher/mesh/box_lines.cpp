@@ -9,8 +9,9 @@
 namespace pcvt {
 namespace {
 
-/// The ends of the chains along the line take turns: where one ends the polygon goes on along
-/// the line, up to the next one that starts.
+/// Returns the chain that follows the one ending at `end`. Ends and beginnings of chains alternate
+/// along the line: from the end of one chain the polygon follows the line to the beginning of the
+/// next.
 template <class Chain>
 int chain_after(const BoxNode& end, const std::vector<Chain>& chains, const BoxPolygon& on_line) {
     auto node = std::find(on_line.begin(), on_line.end(), end);
@@ -32,7 +33,7 @@ BoxLines::Range BoxLines::lines_between(const BoxNode& p, const BoxNode& q, int 
     return {whole(low.offset, axis) + 1, whole(high.offset, axis) - (ends_on ? 1 : 0)};
 }
 
-/// -1, 0 or 1: before, on or behind line k of a family.
+/// Returns -1, 0 or 1 for a node before, on or behind line k of a family.
 int BoxLines::side(const BoxNode& node, int axis, int k) const {
     const int here = whole(node.offset, axis);
     if (here != k) return here < k ? -1 : 1;
@@ -51,7 +52,8 @@ bool BoxLines::comes_before(const BoxNode& p, const BoxNode& q, const Line& line
     return vertices_[first.vertex][axis] < vertices_[second.vertex][axis];
 }
 
-/// The corners of boxes strictly between two neighbouring nodes on a line, in this order.
+/// Returns the box corners strictly between two neighbouring nodes on a line, in order from the
+/// first node to the second.
 BoxPolygon BoxLines::corners_on_line(const BoxNode& from, const BoxNode& to, const Line& line) {
     const int axis = 1 - line.axis;
     const Range lines = lines_between(from, to, axis);
@@ -96,7 +98,7 @@ std::vector<BoxLines::Chain> BoxLines::chains_of(const BoxPolygon& polygon,
     return chains;
 }
 
-/// Every node of the polygon on the line, and the corners of boxes between them, in order.
+/// Returns all nodes of the polygon on the line and the box corners between them, in order.
 BoxPolygon BoxLines::nodes_on_line(const BoxPolygon& polygon, const Line& line) {
     BoxPolygon on_line;
     for (const BoxNode& node : polygon) {
@@ -115,7 +117,7 @@ BoxPolygon BoxLines::nodes_on_line(const BoxPolygon& polygon, const Line& line) 
     return all;
 }
 
-/// The parts of the polygon on the kept side of a line that it crosses.
+/// Returns the parts of the polygon on the kept side of a line that crosses it.
 std::vector<BoxPolygon> BoxLines::kept_parts(const BoxPolygon& polygon, const Line& line) {
     std::vector<Chain> chains = chains_of(polygon, line);
     const BoxPolygon on_line = nodes_on_line(polygon, line);

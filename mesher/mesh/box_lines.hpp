@@ -14,14 +14,22 @@ struct BoxNode {
     friend bool operator==(const BoxNode&, const BoxNode&) = default;
 };
 
-/// Corners in order, counter-clockwise.
+/// Corners in counter-clockwise order.
 using BoxPolygon = std::vector<BoxNode>;
 
-/// The lines u = k, which run along b (axis 0), and v = l, which run along a (axis 1), in lattice
-/// coordinates with the corner of the box at 0, and vertex orbits between and on them.
+/// The lines u = k, parallel to b (axis 0), and v = l, parallel to a (axis 1), in lattice
+/// coordinates with the corner of the box at 0, together with vertex orbits on and between the
+/// lines.
 ///
-/// A representative lies in the half-open box, and on a line where its coordinate is 0 to the bit.
-/// How an image stands to each line is so told by integers and never by comparing coordinates.
+/// A representative lies in the half-open box; it lies on a line if and only if its coordinate is
+/// exactly 0. Integer offsets therefore decide on which side of a line an image lies, never
+/// comparisons of coordinates.
+///
+/// Example usage:
+///   BoxLines lines(lattice);
+///   BoxPolygon cell;
+///   for (const Vec2& u : representatives) cell.push_back({lines.add_vertex(u), {0, 0}});
+///   for (const BoxPolygon& piece : lines.split(cell)) store(piece);
 class BoxLines {
    public:
     static constexpr std::array kAxes{0, 1};
@@ -31,7 +39,7 @@ class BoxLines {
     explicit BoxLines(const Lattice& lattice) : lattice_(lattice) {}
 
     int n_vertices() const { return static_cast<int>(vertices_.size()); }
-    /// Lattice coordinates of the representative, in [0, 1).
+    /// Returns the lattice coordinates of the representative, in [0, 1).
     const Vec2& vertex(int v) const { return vertices_[v]; }
     bool on_line(int v, int axis) const { return vertices_[v][axis] == 0; }
     bool on_any_line(int v) const { return on_line(v, 0) || on_line(v, 1); }
@@ -40,7 +48,7 @@ class BoxLines {
         if (corner_ < 0 && u == Vec2::Zero()) corner_ = n_vertices() - 1;
         return n_vertices() - 1;
     }
-    /// The vertex at the corner of the box, added where there is none yet.
+    /// Returns the vertex at the corner of the box and adds it if there is none yet.
     int corner_vertex() { return corner_ < 0 ? add_vertex({0, 0}) : corner_; }
 
     double coordinate(const BoxNode& node, int axis) const {
@@ -49,25 +57,26 @@ class BoxLines {
     Vec2 coordinates(const BoxNode& node) const {
         return {coordinate(node, 0), coordinate(node, 1)};
     }
-    /// Lines of a family that lie strictly between two nodes: none if first > last.
+    /// The lines of a family strictly between two nodes; empty if first > last.
     struct Range {
         int first;
         int last;
     };
     Range lines_between(const BoxNode& p, const BoxNode& q, int axis) const;
 
-    /// The parts into which the lines cut a simple polygon, each in one image of the box. Where a
-    /// line crosses a side of the polygon, a node stands there already.
+    /// Returns the parts into which the lines cut a simple polygon; each lies in one image of the
+    /// box.
+    /// @pre The polygon has a node wherever a line crosses one of its sides.
     std::vector<BoxPolygon> split(const BoxPolygon& polygon);
 
    private:
-    /// Line k of a family, run through so that the parts on the side `kept` lie on its left.
+    /// Line k of a family, directed so that the side `kept` lies on its left.
     struct Line {
         int axis;
         int k;
         int kept;
     };
-    /// A part of a polygon's boundary that lies on the kept side, with its ends on the line.
+    /// A part of a polygon's boundary on the kept side whose ends lie on the line.
     struct Chain {
         BoxPolygon nodes;
         bool taken = false;

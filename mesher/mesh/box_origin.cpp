@@ -9,15 +9,18 @@
 namespace pcvt {
 namespace {
 
-/// Positions of each family of lines at first.
+/// The number of initial positions of each family of lines.
 constexpr int kPositions = 256;
-/// Off the multiples of simple fractions, where the cells of exact grids have their edges.
+/// Keeps the initial positions away from simple fractions, where the cells of exact grids have
+/// edges.
 constexpr double kFirstPosition = 0.382;
-/// How many of them are paired with those of the other family: at least so many, and more where
-/// each crosses few edges, because there the two families depend on each other.
+/// At least kPaired positions of each family are paired with positions of the other. If a line
+/// crosses few edges, the families depend more on each other; then about as many are paired as
+/// together have kPairedCrossings crossings.
 constexpr std::size_t kPaired = 12;
 constexpr std::size_t kPairedCrossings = 1500;
-/// Rounds of smaller steps, steps to either side, and how much smaller they get.
+/// The rounds of refinement, the steps to either side in a round, and the factor between their
+/// sizes.
 constexpr int kRounds = 5;
 constexpr int kSteps = 2;
 constexpr double kShrink = 0.4;
@@ -40,7 +43,8 @@ std::vector<Edge> edges_of(const PeriodicMesh& cells) {
     return edges;
 }
 
-/// Where a line crosses an edge: at the part t of the edge, and where along the line, in [0, 1).
+/// The crossing of a line and an edge: the fraction t of the edge, and the coordinate along the
+/// line, in [0, 1).
 struct Crossing {
     int edge;
     double t;
@@ -50,7 +54,8 @@ struct Crossing {
     }
 };
 
-/// The line u = position + k (axis 0) or v = position + k (axis 1) and what it crosses.
+/// The lines u = position + k (axis 0) or v = position + k (axis 1) for all integers k, and their
+/// crossings.
 struct CutLine {
     double position;
     std::vector<Crossing> crossings;
@@ -59,7 +64,7 @@ struct CutLine {
 
 double fraction(double u) { return u - std::floor(u); }
 
-/// Fills in the crossings of the lines of one family, by rising position in [0, 1).
+/// Adds the crossings of the lines of one family. The lines are sorted by position in [0, 1).
 void cross_edges(const std::vector<Edge>& edges, int axis, std::vector<CutLine>& lines) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const Edge& edge = edges[e];
@@ -80,7 +85,7 @@ void cross_edges(const std::vector<Edge>& edges, int axis, std::vector<CutLine>&
     }
 }
 
-/// The shortest part of an edge between crossings.
+/// Returns the length of the shortest part into which the crossings divide an edge.
 double shortest_part(const std::vector<Edge>& edges, std::vector<Crossing> crossings) {
     std::sort(crossings.begin(), crossings.end());
     double shortest = std::numeric_limits<double>::infinity();
@@ -95,8 +100,8 @@ double shortest_part(const std::vector<Edge>& edges, std::vector<Crossing> cross
     return shortest;
 }
 
-/// The shortest part of a line, in periods; `corner` is where the box has its corner on it, if
-/// anywhere.
+/// Returns the shortest part of a line between crossings, in periods. `corner` is the position of
+/// the box corner on the line, or null.
 double shortest_gap(const CutLine& line, const double* corner) {
     std::vector<double> along;
     for (const Crossing& crossing : line.crossings) along.push_back(crossing.along);
@@ -114,7 +119,7 @@ class OriginSearch {
     explicit OriginSearch(const PeriodicMesh& cells)
         : edges_(edges_of(cells)), period_{cells.lattice.b().norm(), cells.lattice.a().norm()} {}
 
-    /// The lattice coordinates of the best origin found.
+    /// Returns the lattice coordinates of the best origin found.
     Vec2 find() {
         std::vector<double> positions;
         for (int k = 0; k < kPositions; ++k) positions.push_back((k + kFirstPosition) / kPositions);
@@ -135,7 +140,8 @@ class OriginSearch {
         return positions;
     }
 
-    /// Those lines of a family that look best by themselves, the best first.
+    /// Returns the lines of a family with the longest shortest edge, each taken alone, the best
+    /// first.
     std::vector<CutLine> best_lines(int axis, const std::vector<double>& positions) const {
         std::vector<CutLine> lines;
         for (const double position : positions) lines.push_back({position, {}});
@@ -153,7 +159,7 @@ class OriginSearch {
         return lines;
     }
 
-    /// Both lines with their corner.
+    /// Returns the shortest edge that both lines and their common corner make.
     double shortest_edge(const CutLine& u_line, const CutLine& v_line) const {
         std::vector<Crossing> crossings = u_line.crossings;
         crossings.insert(crossings.end(), v_line.crossings.begin(), v_line.crossings.end());
@@ -165,7 +171,7 @@ class OriginSearch {
     void try_pairs(const std::vector<CutLine>& u_lines, const std::vector<CutLine>& v_lines) {
         for (const CutLine& u_line : u_lines) {
             for (const CutLine& v_line : v_lines) {
-                // Together they cannot be better than each by itself.
+                // A pair cannot be better than either of its lines alone.
                 if (std::min(u_line.shortest, v_line.shortest) <= shortest_) continue;
                 const double shortest = shortest_edge(u_line, v_line);
                 if (shortest <= shortest_) continue;
@@ -176,7 +182,7 @@ class OriginSearch {
     }
 
     std::vector<Edge> edges_;
-    /// Length of a line of each family.
+    /// The period of the lines of each family, length units.
     std::array<double, 2> period_;
     double shortest_ = -1;
     Vec2 best_ = Vec2::Zero();

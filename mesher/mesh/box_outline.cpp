@@ -13,12 +13,12 @@
 namespace pcvt {
 namespace {
 
-/// A cell keeps this part of its area or more when vertices move onto the cut.
+/// A cell keeps at least this fraction of its area when vertices move onto the cut.
 constexpr double kKeptArea = 0.5;
-/// Where they would tear a cell, they move by this much less.
+/// The factor by which the snapping distance is reduced if it would tear a cell.
 constexpr double kLessSnap = 4;
 
-/// Length units; an edge that near to a corner of the box passes through it.
+/// Returns the distance up to which an edge passes through a corner of the box, length units.
 double least_snap(const PeriodicMesh& cells) {
     return kSameVertex * std::sqrt(cells.lattice.area() / cells.n_faces());
 }
@@ -30,7 +30,7 @@ class BoxCutter {
         for (int v = 0; v < cells.n_vertices(); ++v) add_cell_vertex(v);
     }
 
-    /// Whether no cell was torn or squashed when vertices moved onto the cut.
+    /// Whether all cells are still simple and not squashed after vertices moved onto the cut.
     bool keeps_cells() const {
         if (n_at_corner_ > 1) return false;
         Polygon before;
@@ -66,15 +66,15 @@ class BoxCutter {
 
    private:
     Vec2 position(int v) const {
-        // Away from the cut a vertex stays where it was, but for a translation.
+        // A vertex off the cut keeps its position up to a translation.
         if (!lines_.on_any_line(v)) return cells_.vertices[v] - lattice_.translation(moved_[v]);
-        // Term by term, so that the sides along an axis of the plane are straight to the last bit.
+        // The terms are added one by one so that sides parallel to an axis are exactly straight.
         Vec2 p = origin_;
         if (!lines_.on_line(v, 0)) p += lines_.vertex(v)[0] * lattice_.a();
         if (!lines_.on_line(v, 1)) p += lines_.vertex(v)[1] * lattice_.b();
         return p;
     }
-    /// The distance of two neighbouring lines of a family.
+    /// Returns the distance between neighbouring lines of a family.
     double line_spacing(int axis) const {
         return lattice_.area() / (axis == 0 ? lattice_.b() : lattice_.a()).norm();
     }
@@ -87,7 +87,7 @@ class BoxCutter {
         for (const int axis : BoxLines::kAxes) {
             distance[axis] = std::abs(u[axis] - nearest[axis]) * line_spacing(axis);
         }
-        // Where the lines meet at a small angle, both may be near though the corner is not.
+        // If the lines meet at a small angle, both may be near although the corner is not.
         const int nearer = distance[1] < distance[0] ? 1 : 0;
         for (const int axis : BoxLines::kAxes) {
             const bool snaps = at_corner || (distance[axis] < snap_ && axis == nearer);
@@ -104,13 +104,13 @@ class BoxCutter {
         return {v, cells_.corner_offset[c] + moved_[v]};
     }
 
-    /// A node on an edge, at the part t of its way.
+    /// A node on an edge, at the fraction t of the edge.
     struct Crossing {
         double t;
         BoxNode node;
     };
 
-    /// The corners of boxes through which the edge p q passes.
+    /// Returns the box corners through which the edge p q passes.
     std::vector<Crossing> corners_between(const Vec2& p, const Vec2& q, const BoxNode& from,
                                           const BoxNode& to) {
         std::vector<Crossing> found;
@@ -136,18 +136,21 @@ class BoxCutter {
         return found;
     }
 
-    /// The nodes that the lines make on the edge which corner c leaves, in its order.
+    /// Returns the nodes where the lines cross the edge that corner c leaves, in the order along
+    /// the edge.
     std::vector<BoxNode> cut_edge(int c) {
         const BoxNode from = corner_node(c);
         const BoxNode to = corner_node(cells_.next(c));
         const Vec2 p = lines_.coordinates(from);
         const Vec2 q = lines_.coordinates(to);
+        // Add the box corners on the edge.
         std::vector<Crossing> crossings = corners_between(p, q, from, to);
         const std::size_t n_corners = crossings.size();
+        // Add a new vertex wherever else a line crosses the edge.
         for (const int axis : BoxLines::kAxes) {
             const BoxLines::Range lines = lines_.lines_between(from, to, axis);
             for (int k = lines.first; k <= lines.last; ++k) {
-                // A corner stands for the crossing of either line through it.
+                // A corner replaces the crossings of both lines through it.
                 const bool at_corner = std::any_of(
                     crossings.begin(), crossings.begin() + std::ptrdiff_t(n_corners),
                     [&](const Crossing& x) { return BoxLines::whole(x.node.offset, axis) == k; });
@@ -161,6 +164,7 @@ class BoxCutter {
                 crossings.push_back({t, {lines_.add_vertex(u), offset}});
             }
         }
+        // Sort the nodes along the edge.
         std::sort(crossings.begin(), crossings.end(),
                   [](const Crossing& x, const Crossing& y) { return x.t < y.t; });
         BoxPolygon nodes;
@@ -220,12 +224,12 @@ class BoxCutter {
     const Lattice& lattice_;
     Vec2 origin_;
     double snap_;
-    /// Its vertices are those of the cells, then those that the cut makes.
+    /// Holds the vertices of the cells first, then the vertices that the cut adds.
     BoxLines lines_;
-    /// By which offset a vertex of the cells was moved into the box.
+    /// For each vertex of the cells, the offset of the box that contained it.
     std::vector<Offset> moved_;
     int n_at_corner_ = 0;
-    /// For each corner the nodes on the edge that it leaves.
+    /// For each corner, the nodes on the edge that it leaves.
     std::vector<BoxPolygon> on_edge_;
 };
 

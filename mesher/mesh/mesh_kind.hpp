@@ -2,10 +2,11 @@
 
 namespace pcvt {
 
-/// Voronoi cells or pieces of them; Delaunay triangles; triangles inside of cells, the grains.
+/// `kVoronoi`: Voronoi cells or pieces of them. `kDelaunay`: Delaunay triangles. `kGrains`:
+/// triangles inside the cells, which are then called grains.
 enum class MeshKind { kVoronoi, kDelaunay, kGrains };
 
-/// Whether each face belongs to a site; else each vertex is one.
+/// Whether each face belongs to a site; otherwise each vertex is a site.
 constexpr bool faces_have_sites(MeshKind kind) { return kind != MeshKind::kDelaunay; }
 
 }  // namespace pcvt

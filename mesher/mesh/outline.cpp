@@ -11,7 +11,7 @@
 namespace pcvt {
 namespace {
 
-/// More rounds of trimming were never seen to move a face.
+/// In no experiment did a later round of trimming move a face.
 constexpr int kTrimRounds = 8;
 
 /// Faces placed so far: a disc in the plane, grown and trimmed face by face.
@@ -23,7 +23,7 @@ class Disc {
     bool contains(int f, Offset at) const { return placed_[f] && placement_[f] == at; }
     const std::vector<Offset>& placement() const { return placement_; }
     int face_across(int c) const { return mesh_.corner_face[mesh_.opposite[c]]; }
-    /// Where the face across c stands when the face of c stands at `at`.
+    /// Returns the place of the face across c if the face of c is placed at `at`.
     Offset offset_across(int c, Offset at) const { return at + mesh_.frame_across(c); }
     void place(int f, Offset at) {
         placed_[f] = true;
@@ -56,7 +56,7 @@ class Disc {
         return contains(face_across(c), offset_across(c, at));
     }
 
-    /// The faces round a corner, its own one not counted.
+    /// Counts of the faces around a corner, without the face of the corner itself.
     struct Star {
         int others = 0;
         int in_disc = 0;
@@ -73,7 +73,8 @@ class Disc {
         }
     }
 
-    /// Whether the marked edges of face f are one path, and the marked corners those on it.
+    /// Whether the marked edges of face f form one path and the marked corners are exactly the
+    /// corners on it.
     template <class MarkedEdge, class MarkedCorner>
     bool is_one_path(int f, MarkedEdge marked_edge, MarkedCorner marked_corner) const {
         int edges = 0;
@@ -95,7 +96,7 @@ class Disc {
     std::vector<Offset> placement_;
 };
 
-/// Where each face would like to stand, and how much.
+/// The preferred place of each face, and the distances by which places are compared.
 struct Wishes {
     Lattice lattice;
     Vec2 centre;                 ///< of the domain, length units
@@ -125,7 +126,7 @@ Wishes wishes_of(const PeriodicMesh& mesh, const Vec2& origin) {
     return wishes;
 }
 
-/// A face that could be placed next: natural places first, then the nearest to the centre.
+/// A face that could be placed next. Natural places come first, then places near the centre.
 struct Candidate {
     bool unnatural;
     double distance;
@@ -148,12 +149,13 @@ int innermost_face(const Wishes& wishes) {
     return best;
 }
 
-/// Places every face. A face that would close a ring now is put off until the queue is empty: the
-/// ring encloses other faces still to be placed, the innermost of which always fits.
+/// Places every face. A face that would close a ring is postponed until the queue is empty: the
+/// ring encloses faces that are not placed yet, and the innermost of these always fits.
 void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
     Queue queue;
     std::vector<Candidate> put_off;
     int n_placed = 0;
+    // Places a face and queues its neighbours.
     const auto place = [&](int f, Offset at) {
         disc.place(f, at);
         ++n_placed;
@@ -164,8 +166,10 @@ void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
             queue.push({there != wishes.natural[g], wishes.distance(g, there), g, there});
         }
     };
+    // Start from the face nearest to the centre.
     const int first = innermost_face(wishes);
     place(first, wishes.natural[first]);
+    // Empty the queue, then try the postponed faces again.
     while (n_placed < mesh.n_faces()) {
         const int before = n_placed;
         while (!queue.empty()) {
@@ -184,7 +188,7 @@ void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
     }
 }
 
-/// Moves faces to their natural place where the disc stays whole.
+/// Moves faces to their natural place if the disc remains a disc.
 void trim(const Wishes& wishes, Disc& disc) {
     bool moved = true;
     for (int round = 0; moved && round < kTrimRounds; ++round) {

@@ -4,11 +4,17 @@
 
 namespace pcvt {
 
-/// The `whole` outline: for each face the offset at which it stands in the tile.
+/// Computes the `whole` outline: for each face, the offset at which it is placed in the tile.
 ///
-/// The union of the placed faces is a disc and no face is cut. Faces stand where their centroid
-/// lies in the reduced fundamental domain with its corner at `origin`, unless that would pinch the
-/// disc or tear it apart; such faces go to the nearest place where it stays whole.
+/// Example usage:
+///   const PeriodicMesh cells = cell_mesh(delaunay);
+///   const std::vector<Offset> placement = whole_outline(cells, {0, 0});
+///   const Vec2 corner = cells.point(c) +
+///   cells.lattice.translation(placement[cells.corner_face[c]]);
+///
+/// The union of the placed faces is a disc, and no face is cut. A face is placed so that its
+/// centroid lies in the reduced fundamental domain with its corner at `origin`. A face whose place
+/// there would pinch or disconnect the disc takes the nearest place where it does not.
 std::vector<Offset> whole_outline(const PeriodicMesh& mesh, const Vec2& origin);
 
 }  // namespace pcvt

@@ -7,7 +7,7 @@ namespace {
 
 int floor_divide(int x, int divisor) { return (x - ((x % divisor) + divisor) % divisor) / divisor; }
 
-/// An offset of the small lattice as a copy of its domain in the large one.
+/// A copy of the small domain: its index within the large domain, and the offset of the latter.
 struct Copy {
     int index;      ///< row by row
     Offset offset;  ///< in the large lattice

@@ -7,44 +7,52 @@
 
 namespace pcvt {
 
-/// A mesh of the whole torus by orbits: each face and each vertex stands once, for all its images.
+/// A mesh of the whole torus that stores one face and one vertex per orbit.
 ///
-/// A halfedge is the index of the corner that it leaves. Corner c of face f lies at
-/// vertices[corner_vertex[c]] + translation(corner_offset[c]) when f stands in its own frame.
+/// Example usage:
+///   for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+///       const Vec2 side = mesh.point(mesh.next(c)) - mesh.point(c);
+///       const int neighbour = mesh.corner_face[mesh.opposite[c]];
+///   }
+///
+/// A halfedge has the index of the corner that it leaves. In the frame of its face, corner c lies
+/// at vertices[corner_vertex[c]] + translation(corner_offset[c]).
 struct PeriodicMesh {
     Lattice lattice;
     MeshKind kind;
-    /// Positions of the representatives, length units.
+    /// The positions of the representatives, length units.
     std::vector<Vec2> vertices;
-    /// n_faces + 1 entries; the corners of a face run counter-clockwise.
+    /// n_faces + 1 entries; the corners of a face are in counter-clockwise order.
     std::vector<int> face_begin;
     std::vector<int> corner_vertex;
     std::vector<Offset> corner_offset;
     std::vector<int> corner_face;
-    /// The halfedge across; an involution without fixed points.
+    /// The halfedge on the other side of the edge; an involution without fixed points.
     std::vector<int> opposite;
-    /// Cells and grains: the site of each face. Delaunay triangles: the site of each vertex.
+    /// The site of each face for cells and grains; the site of each vertex for Delaunay triangles.
     std::vector<SiteId> site;
-    /// Cells: where the site of each face stands in the frame of the face. Else: empty.
+    /// The position of the site of each face in the frame of the face, for cells; empty for others.
     std::vector<Vec2> site_points = {};
 
-    /// Pieces of cells and grains: the number of sides of the whole cell that a face is part of.
-    /// Whole cells: that before short edges were removed, or empty. Delaunay triangles: empty.
+    /// The number of sides of the whole cell that a face is part of, for pieces of cells and for
+    /// grains. For whole cells: the number before short edges were removed, or empty. For Delaunay
+    /// triangles: empty.
     std::vector<int> whole_sides = {};
 
     int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }
     int n_vertices() const { return static_cast<int>(vertices.size()); }
     int n_corners() const { return static_cast<int>(corner_vertex.size()); }
-    /// The corner after c on its face.
+    /// Returns the corner after c on its face.
     int next(int c) const {
         const int f = corner_face[c];
         return c + 1 == face_begin[f + 1] ? face_begin[f] : c + 1;
     }
-    /// Where corner c stands in the frame of its face.
+    /// Returns the position of corner c in the frame of its face.
     Vec2 point(int c) const {
         return vertices[corner_vertex[c]] + lattice.translation(corner_offset[c]);
     }
-    /// What to add to an offset in the frame of the face across c to get it in that of c's face.
+    /// Returns the offset to add when an offset is converted from the frame of the face across c to
+    /// the frame of the face of c.
     Offset frame_across(int c) const { return corner_offset[c] - corner_offset[next(opposite[c])]; }
 };
 
@@ -52,9 +60,8 @@ struct PeriodicMesh {
 /// @throws InternalError unless every edge on the torus has exactly two sides.
 void link_faces(PeriodicMesh& mesh);
 
-/// The cover of `mesh` by columns x rows of its domains: a periodic mesh of
-/// mesh.lattice.repeated(). Face f of copy (i, j) is face (j columns + i) n_faces + f, and keeps
-/// its site's id.
+/// Returns the mesh of columns x rows copies of the domain, periodic in mesh.lattice.repeated().
+/// Face f of copy (i, j) becomes face (j columns + i) n_faces + f and keeps the id of its site.
 PeriodicMesh repeated(const PeriodicMesh& mesh, int columns, int rows);
 
 }  // namespace pcvt

@@ -9,7 +9,7 @@
 namespace pcvt {
 namespace {
 
-/// A cell keeps this part of its area or more when an edge goes.
+/// A cell keeps at least this fraction of its area when an edge is removed.
 constexpr double kKeptArea = 0.5;
 
 struct MeshCorner {
@@ -18,8 +18,8 @@ struct MeshCorner {
     friend auto operator<=>(const MeshCorner&, const MeshCorner&) = default;
 };
 
-/// The mesh while vertices are joined: corners of the old faces stand at the roots of their
-/// vertices.
+/// The mesh while vertices are being joined. A corner of an old face lies at the root of its
+/// vertex.
 class Shrinking {
    public:
     explicit Shrinking(const PeriodicMesh& mesh)
@@ -38,7 +38,7 @@ class Shrinking {
     Vec2 point(const MeshCorner& corner) const {
         return position_[corner.vertex] + mesh_.lattice.translation(corner.offset);
     }
-    /// The corners of face f; those that were joined stand once.
+    /// Returns the corners of face f; joined corners occur once.
     std::vector<MeshCorner> corners_of(int f) {
         std::vector<MeshCorner> corners;
         for (int c = mesh_.face_begin[f]; c < mesh_.face_begin[f + 1]; ++c) {
@@ -47,9 +47,10 @@ class Shrinking {
         while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
         return corners;
     }
-    /// 0 where the ends are joined already.
+    /// Returns the length of the edge; 0 if its ends are joined already.
     double length(int c) { return (point(corner(mesh_.next(c))) - point(corner(c))).norm(); }
-    /// An edge between two images of one vertex cannot go.
+    /// Whether the ends of the edge are different orbits: an edge between two images of one vertex
+    /// cannot be removed.
     bool joins_orbits(int c) {
         return joined_.root(mesh_.corner_vertex[c]).orbit !=
                joined_.root(mesh_.corner_vertex[mesh_.next(c)]).orbit;
@@ -92,13 +93,14 @@ class Shrinking {
     }
 
    private:
-    /// Whether face f stays a polygon when `to` joins `from`, and both stand at `middle`, a place
-    /// in the frame in which they are given.
+    /// Whether face f remains a polygon when `to` joins `from` at the position `middle`; all three
+    /// are in the same frame.
     bool survives(int f, const MeshCorner& from, const MeshCorner& to, const Vec2& middle) {
         const std::vector<MeshCorner> before = corners_of(f);
         std::vector<MeshCorner> after;
         Polygon old_polygon;
         Polygon polygon;
+        // Replace the moved corners and drop repeated ones.
         for (const MeshCorner& old : before) {
             old_polygon.push_back(point(old));
             const bool moves = old.vertex == from.vertex || old.vertex == to.vertex;
@@ -112,6 +114,7 @@ class Shrinking {
             after.pop_back();
             polygon.pop_back();
         }
+        // Check that the corners are distinct and the polygon is simple and large enough.
         std::sort(after.begin(), after.end());
         return after.size() >= 3 && std::adjacent_find(after.begin(), after.end()) == after.end() &&
                polygon_area(polygon) >= kKeptArea * polygon_area(old_polygon) &&
@@ -135,14 +138,14 @@ class Shrinking {
 
     const PeriodicMesh& mesh_;
     OffsetDisjointSets joined_;
-    /// Of each root.
+    /// The position of each root.
     std::vector<Vec2> position_;
     std::vector<std::vector<int>> corners_at_;
-    /// How many vertices were joined there.
+    /// The number of vertices joined to each root.
     std::vector<int> weight_;
 };
 
-/// Halfedges of the edges shorter than `shortest`, one an edge, the shortest first.
+/// Returns one halfedge of each edge shorter than `shortest`, the shortest edge first.
 std::vector<int> short_halfedges(const PeriodicMesh& cells, Shrinking& shrinking, double shortest) {
     std::vector<std::tuple<double, int>> found;
     for (int c = 0; c < cells.n_corners(); ++c) {
@@ -163,7 +166,7 @@ PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest) {
     for (bool changed = true; changed;) {
         changed = false;
         for (const int c : short_halfedges(cells, shrinking, shortest)) {
-            // Its neighbours may have changed it since it was found.
+            // The removal of a neighbouring edge may have changed this one.
             if (!shrinking.joins_orbits(c) || !(shrinking.length(c) < shortest)) continue;
             changed = shrinking.shrink(c) || changed;
         }

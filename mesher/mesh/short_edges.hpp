@@ -4,15 +4,20 @@
 
 namespace pcvt {
 
-/// The cells without their short edges: each edge orbit shorter than `shortest` is shrunk to one
-/// vertex in its middle, the shortest first, until none is left that may go.
+/// Removes short edges from cells: shrinks each edge orbit shorter than `shortest` to one vertex in
+/// its middle, the shortest first, until no further edge may be removed.
 ///
-/// An edge may go where every cell round it stays a simple polygon of three corners or more that
-/// keeps half of its area or more. Laws, tested by number:
-///   (1) The result is a mesh of the same torus by the same faces in the same frames:
-///       V - E + F = 0, and the areas sum to that of the domain.
-///   (2) Each edge left that is shorter than `shortest` could not go.
-///   (3) No vertex of an edge that stays moves if it lies on no edge that goes.
+/// Example usage:
+///   const PeriodicMesh cells = cell_mesh(delaunay);
+///   const double h = std::sqrt(cells.lattice.area() / cells.n_faces());
+///   const PeriodicMesh smooth = without_short_edges(cells, 0.1 * h);
+///
+/// An edge may be removed if every cell around it remains a simple polygon with at least three
+/// corners and keeps at least half of its area. Laws, tested by number:
+///   (1) The result is a mesh of the same torus with the same faces in the same frames: V - E + F =
+///       0, and the areas sum to that of the domain.
+///   (2) No remaining edge shorter than `shortest` may be removed.
+///   (3) A vertex moves only if it lies on a removed edge.
 ///
 /// @param cells     whole cells (`kVoronoi`).
 /// @param shortest  length units; 0 leaves the mesh as it is.

@@ -11,10 +11,10 @@
 namespace pcvt {
 namespace {
 
-/// In units of h: sides that cross by less than this cross by rounding.
+/// In units of h: crossings of sides by less than this are rounding errors.
 constexpr double kCrossing = 1e-3 * kSameVertex;
 
-/// The circumcentre in the triangle's frame, length units.
+/// Returns the circumcentre of a triangle in its frame, length units.
 Vec2 dual_vertex(const PeriodicDelaunay& delaunay, int triangle) {
     const Sites& sites = delaunay.sites();
     const Lattice& reduced = sites.reduction().reduced;
@@ -58,7 +58,8 @@ struct MeshCorner {
     friend auto operator<=>(const MeshCorner&, const MeshCorner&) = default;
 };
 
-/// The corners of the cell of the site that h leaves, round the image of the site at offset (0, 0).
+/// Returns the corners of the cell of the site that h leaves, around the image of the site at
+/// offset (0, 0).
 std::vector<MeshCorner> cell_corners(const TorusTriangulation& t, OffsetDisjointSets& merged,
                                      int h) {
     std::vector<MeshCorner> corners;
@@ -84,8 +85,8 @@ void require_polygon(const std::vector<MeshCorner>& corners, SiteId site) {
     }
 }
 
-/// Merged vertices stand where one of them stood; a cell as small as their spread may be torn by
-/// that.
+/// Merged vertices take the position of one of them, which may tear a cell as small as their
+/// spread.
 void require_simple_cells(const PeriodicMesh& mesh) {
     const double h = std::sqrt(mesh.lattice.area() / mesh.n_faces());
     Polygon polygon;
@@ -95,9 +96,10 @@ void require_simple_cells(const PeriodicMesh& mesh) {
             polygon.push_back(mesh.point(c));
         }
         if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, kCrossing * h)) {
-            throw InvalidInput("the corners of the cell of site " + std::to_string(f) +
-                               " are too close to be told apart: too many sites lie on one circle; "
-                               "move some of them");
+            throw InvalidInput(
+                "the corners of the cell of site " + std::to_string(f) +
+                " are too close to be distinguished: too many sites lie on one circle; "
+                "move some of them");
         }
     }
 }
@@ -115,7 +117,7 @@ void wrap_vertices(PeriodicMesh& mesh, const Lattice& reduced) {
     }
 }
 
-/// Offsets into the user's basis, and the halfedges across.
+/// Converts offsets to the user's basis and links the faces.
 void finish(PeriodicMesh& mesh, const Reduction& reduction) {
     for (Offset& offset : mesh.corner_offset) offset = reduction.to_original(offset);
     link_faces(mesh);
@@ -133,12 +135,14 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     DualVertices dual = dual_vertices(delaunay);
     PeriodicMesh mesh{delaunay.sites().lattice(), MeshKind::kVoronoi, {}, {0}, {}, {}, {}, {}, {}};
+    // Number the merged vertices.
     std::vector<int> vertex_of(dual.position.size(), -1);
     for (int k = 0; k < t.n_triangles(); ++k) {
         if (dual.merged.root(k).orbit != k) continue;
         vertex_of[k] = mesh.n_vertices();
         mesh.vertices.push_back(dual.position[k]);
     }
+    // Collect the corners of the cell of each site.
     const auto outgoing = outgoing_halfedges(t);
     for (SiteId s = 0; s < t.n_sites(); ++s) {
         const auto corners = cell_corners(t, dual.merged, outgoing[s]);
@@ -151,6 +155,7 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
         mesh.site.push_back(s);
         mesh.site_points.push_back(delaunay.sites().position(s));
     }
+    // Wrap the vertices, link the faces and check the cells.
     wrap_vertices(mesh, delaunay.sites().reduction().reduced);
     finish(mesh, delaunay.sites().reduction());
     require_simple_cells(mesh);

@@ -5,23 +5,28 @@
 
 namespace pcvt {
 
-/// The cells of the periodic Voronoi diagram, unwrapped round their sites; offsets in the user's
-/// basis.
+/// Builds the cells of the periodic Voronoi diagram, unwrapped around their sites, with offsets in
+/// the user's basis.
 ///
-/// Vertices are circumcentres of Delaunay triangles (the dual), one an orbit, merged along dual
-/// edges shorter than kSameVertex h. Laws, tested by number:
+/// Example usage:
+///   const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 100, 1)));
+///   const PeriodicMesh cells = cell_mesh(delaunay);
+///
+/// Vertices are circumcentres of Delaunay triangles (the dual), one per orbit; circumcentres joined
+/// by a dual edge shorter than kSameVertex h are merged. Laws, tested by number:
 ///   (1) V - E + F = 0, and each edge has two sides.
 ///   (2) The areas of the cells sum to that of the domain.
-///   (3) Each cell holds its site, is convex, and no other image is nearer to any point of it.
+///   (3) Each cell is convex and contains its site, and no other image is nearer to any of its
+///       points.
 /// @throws InvalidInput where a cell is so small that its corners merge to fewer than three, or
 /// that
 ///         merging tears it.
 PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay);
 
-/// The Delaunay triangles; vertices are the sites, in their order.
+/// Builds the Delaunay triangles; the vertices are the sites, in their order.
 PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay);
 
-/// cell_mesh for `kVoronoi`, triangle_mesh for `kDelaunay`.
+/// Calls cell_mesh for `kVoronoi` and triangle_mesh for `kDelaunay`.
 PeriodicMesh periodic_mesh(const PeriodicDelaunay& delaunay, MeshKind kind);
 
 }  // namespace pcvt

@@ -18,7 +18,7 @@ double shortest_at(const PeriodicMesh& cells, const Vec2& origin) {
     return cut_along_box(cells, origin).shortest_edge;
 }
 
-TEST(BoxOrigin, LeavesLongerEdgesThanOriginsAtRandom) {
+TEST(BoxOrigin, LeavesLongerEdgesThanRandomOrigins) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 40}) {
             const PeriodicMesh cells = random_cells(lattice, n, 2);
@@ -39,7 +39,7 @@ TEST(BoxOrigin, AvoidsTheEdgesOfExactGrids) {
     }
 }
 
-// One square cell: the cross in its middle cuts all edges in half.
+// The best cut of one square cell halves all of its edges.
 TEST(BoxOrigin, FindsTheBestCutOfASquare) {
     const Sites sites = testing::grid_sites(Lattice::rectangle(1, 1), 1, 1, 0.3, 0.6);
     const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));

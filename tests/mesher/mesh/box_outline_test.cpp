@@ -32,7 +32,7 @@ Polygon face(const PeriodicMesh& mesh, int f) {
     return polygon;
 }
 
-/// Law 1: by the proof behind `pcvt check`, and each corner within the box.
+/// Checks law 1 by the proof behind `pcvt check`, and that each corner lies within the box.
 void expect_box(const PeriodicMesh& pieces, const Vec2& origin) {
     const Tile flat = box_tile(pieces);
     const TileProof proof = prove_tile(flat, Precision::kDouble);
@@ -49,7 +49,7 @@ void expect_box(const PeriodicMesh& pieces, const Vec2& origin) {
     }
 }
 
-/// Law 3, by areas.
+/// Checks law 3 by areas.
 void expect_whole_cells(const PeriodicMesh& pieces, const PeriodicMesh& cells) {
     std::vector<double> area(static_cast<std::size_t>(cells.n_faces()), 0);
     for (int f = 0; f < pieces.n_faces(); ++f) {
@@ -70,12 +70,12 @@ void expect_cut(const PeriodicMesh& cells, const Vec2& origin) {
 void expect_cuts(const Sites& sites) {
     const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
     expect_cut(cells, {0, 0});
-    // Through a vertex of the diagram, and through a site.
+    // Cut through a vertex of the diagram, and through a site.
     expect_cut(cells, cells.vertices[0]);
     expect_cut(cells, sites.position(0));
 }
 
-TEST(BoxOutline, IsProvedFromOneSiteOnOnEveryLattice) {
+TEST(BoxOutline, IsProvedForOneSiteAndMoreOnEveryLattice) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 5, 8, 40}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
@@ -85,7 +85,8 @@ TEST(BoxOutline, IsProvedFromOneSiteOnOnEveryLattice) {
     }
 }
 
-// Cell edges on the cut, vertices on it, a vertex at its corner, sites on the seam.
+// The special sites have cell edges and vertices on the cut, a vertex at its corner, and sites on
+// the seam.
 TEST(BoxOutline, IsProvedWhereCellEdgesLieOnTheCut) {
     for (const auto& [name, sites] : testing::special_sites()) {
         SCOPED_TRACE(name);
@@ -94,7 +95,7 @@ TEST(BoxOutline, IsProvedWhereCellEdgesLieOnTheCut) {
     }
 }
 
-TEST(BoxOutline, IsProvedWhereTheBestOriginIsSearchedFor) {
+TEST(BoxOutline, IsProvedAtTheOriginThatTheSearchFinds) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 4, 7, 30}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
@@ -119,9 +120,9 @@ TEST(BoxOutline, CutsCellsThatAreNotConvex) {
     }
 }
 
-// One cell with two teeth in its lower side, and so on its upper one: the cut touches the lower
-// tooth from below and from above while it crosses the higher one.
-TEST(BoxOutline, CutsACellAtACornerThatOnlyTouches) {
+// The lower side of the cell has two notches, and its upper side has two matching teeth: the cut
+// touches the lower tooth while it crosses the higher one.
+TEST(BoxOutline, CutsACellWithACornerThatOnlyTouchesTheCut) {
     PeriodicMesh cell{
         Lattice::rectangle(1, 1),
         MeshKind::kVoronoi,
@@ -178,7 +179,7 @@ TEST(BoxOutline, OppositeSidesHaveTheSameVertices) {
     EXPECT_GT(n_left, 8);
 }
 
-TEST(BoxOutline, PiecesKnowTheirSiteAndItsSides) {
+TEST(BoxOutline, PiecesStoreTheirSiteAndTheSidesOfItsCell) {
     const Lattice unit = Lattice::rectangle(1, 1);
     const Sites sites(unit, uniform_points(unit, 30, 4));
     const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
@@ -192,7 +193,7 @@ TEST(BoxOutline, PiecesKnowTheirSiteAndItsSides) {
         EXPECT_EQ(sides[f], cells.face_begin[site + 1] - cells.face_begin[site]);
         const Vec2 u = unit.to_lattice(pieces.site_points[f] - sites.position(site));
         EXPECT_LT((u - u.array().round().matrix()).norm(), 1e-13);
-        // Its own site is as near as any to the middle of a piece.
+        // No other site is nearer to the centroid of a piece than its own.
         const Vec2 middle = polygon_centroid(face(pieces, f));
         for (int g = 0; g < pieces.n_faces(); ++g) {
             EXPECT_LE((pieces.site_points[f] - middle).norm(),

@@ -34,7 +34,7 @@ int count_short(const PeriodicMesh& mesh, double shortest) {
     return count / 2;
 }
 
-// Law 1, by the proof behind `pcvt check`.
+// Checks law 1 by the proof behind `pcvt check`.
 void expect_torus(const PeriodicMesh& mesh, const PeriodicMesh& before) {
     ASSERT_EQ(mesh.n_vertices() - mesh.n_corners() / 2 + mesh.n_faces(), 0);
     ASSERT_EQ(mesh.site, before.site);
@@ -64,15 +64,15 @@ TEST(ShortEdges, LeaveATorusWhereSitesAreCocircular) {
     }
 }
 
-// Law 2, where it is never a cell that is in the way: a large part of all edges is short.
-TEST(ShortEdges, AreGone) {
+// Law 2, where many edges are short and no cell prevents their removal.
+TEST(ShortEdges, AreRemovedWhereNoCellPreventsIt) {
     const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 2000, 5);
     const double shortest = 0.1 * spacing(cells);
     ASSERT_GT(count_short(cells, shortest), 400);
     EXPECT_EQ(count_short(without_short_edges(cells, shortest), shortest), 0);
 }
 
-// Law 2: a cell with a corner at each of its neighbours' sites cannot go.
+// Law 2: the small cell between its four neighbours cannot be removed.
 TEST(ShortEdges, OfACellThatWouldVanishStay) {
     Points points(2, 5);
     points << 0.5, 0.51, 0.5, 0.49, 0.5, 0.5, 0.5, 0.51, 0.5, 0.49;
@@ -102,7 +102,7 @@ TEST(ShortEdges, SquashNoCell) {
 }
 
 // Law 3.
-TEST(ShortEdges, MoveNothingButTheirOwnEnds) {
+TEST(ShortEdges, MoveOnlyTheirOwnEnds) {
     const PeriodicMesh cells = random_cells(Lattice({1, 0}, {0.37, 0.81}), 300, 6);
     const double shortest = 0.05 * spacing(cells);
     std::set<std::pair<double, double>> at_short_edges;
@@ -125,7 +125,7 @@ TEST(ShortEdges, MoveNothingButTheirOwnEnds) {
     EXPECT_GT(n_still, 300);
 }
 
-TEST(ShortEdges, NoneAskedForLeavesTheMeshAsItIs) {
+TEST(ShortEdges, LengthZeroLeavesTheMeshUnchanged) {
     const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 40, 7);
     const PeriodicMesh same = without_short_edges(cells, 0);
     EXPECT_EQ(same.corner_vertex, cells.corner_vertex);

@@ -17,7 +17,7 @@ using ::testing::UnorderedElementsAre;
 
 const Lattice kSkewed({1, 0}, {7, 1});
 
-/// One unit square whose lower side is split at x = `cut`.
+/// Returns a unit square whose lower side is split at x = `cut`.
 Tile split_square(double cut) {
     Tile tile{Lattice::rectangle(1, 1), MeshKind::kVoronoi, {}, {0, 5}, {}, {0}, {}, {}, {}};
     tile.points = {{0, 0}, {cut, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -29,7 +29,7 @@ TEST(CellSides, ParallelogramHasFour) {
     EXPECT_THAT(cell_sides(testing::grid_tile(kSkewed, 3, 2)), Each(4));
 }
 
-TEST(CellSides, EdgeCountsOnlyAboveTheNamedLength) {
+TEST(CellSides, EdgeCountsOnlyIfLongerThanTheShortEdge) {
     EXPECT_THAT(cell_sides(split_square(1.01 * kShortEdge)), Each(5));
     EXPECT_THAT(cell_sides(split_square(0.99 * kShortEdge)), Each(4));
 }
@@ -49,7 +49,7 @@ TEST(VertexValences, EveryCopyOfAGridPointHasSix) {
 
 TEST(VertexValences, FlippedEdgeMovesOneTriangleFromTwoSitesToTwoOthers) {
     Tile tile = testing::triangle_grid_tile(Lattice::rectangle(1, 1), 4, 4);
-    // The two triangles of the parallelogram (1, 1): vertices 6, 7, 12, 11, none of them on the
+    // Flip the diagonal of the parallelogram (1, 1) with the vertices 6, 7, 12, 11, all off the
     // seam.
     const int first = 3 * 2 * 5;
     ASSERT_EQ(tile.corners[first], 6);

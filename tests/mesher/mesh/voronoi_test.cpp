@@ -37,7 +37,7 @@ void expect_torus(const PeriodicMesh& mesh) {
     ASSERT_NEAR(doubled / 2, mesh.lattice.area(), 1e-12 * mesh.lattice.area() * mesh.n_faces());
 }
 
-// Law 3: at each corner of a cell its site is as near as any other image.
+// Checks law 3 at the corners: no other image is nearer to a corner of a cell than its site.
 void expect_nearest(const PeriodicDelaunay& delaunay, const PeriodicMesh& cells) {
     const double h2 = std::pow(delaunay.sites().spacing(), 2);
     for (SiteId s = 0; s < cells.n_faces(); ++s) {
@@ -57,7 +57,7 @@ void expect_laws(const Sites& sites) {
     expect_torus(triangle_mesh(delaunay));
 }
 
-TEST(Voronoi, LawsHoldFromOneSiteOnOnEveryLattice) {
+TEST(Voronoi, LawsHoldForOneSiteAndMoreOnEveryLattice) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 60}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
@@ -82,7 +82,7 @@ TEST(Voronoi, CocircularSitesShareOneVertex) {
     }
 }
 
-// All circumcentres inside the circle are one vertex of the diagram.
+// All triangles inside the circle have the same circumcentre, which is one vertex of the diagram.
 TEST(Voronoi, HundredsOfSitesOnACircleShareOneVertex) {
     const int n = 300;
     Points points(2, n);
