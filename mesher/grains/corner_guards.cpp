@@ -8,10 +8,10 @@
 namespace pcvt {
 namespace {
 
-/// A guard takes this part of an edge at most: two guards leave a third of it.
+/// A guard's side is at most this fraction of its edge, so two guards leave a third of the edge.
 constexpr double kGuardPart = 1.0 / 3;
 
-/// A guard's sides are no longer than this part of any edge at its tip.
+/// A guard's sides are at most this fraction of every edge at its tip.
 constexpr double kOtherPart = 0.7;
 
 int previous(const PeriodicMesh& cells, int c) {
@@ -23,7 +23,7 @@ double length(const PeriodicMesh& cells, int c) {
     return (cells.point(cells.next(c)) - cells.point(c)).norm();
 }
 
-/// A reflex corner counts as more than 180 degrees.
+/// Returns the interior angle at corner c, above 180 degrees for a reflex corner.
 double corner_angle(const PeriodicMesh& cells, int c) {
     const Vec2 here = cells.point(c);
     const double angle =
@@ -77,7 +77,7 @@ class Guards {
         for (const int c : {tip.corner, before}) {
             radius = std::min(radius, std::min(kGuardPart, 1.0 / per_edge_) * length(cells_, c));
         }
-        // The two halfedges that leave the tip along the sides of its face.
+        // Mark the two halfedges that leave the tip along the sides of its face.
         guard_at_start_[tip.corner] = true;
         guard_at_start_[cells_.opposite[before]] = true;
     }
@@ -93,8 +93,8 @@ class Guards {
         return guarded.cells.n_vertices() - 1;
     }
 
-    /// The guard's vertex near corner `end`, an end of the edge that corner c leaves. It is made
-    /// once for both sides of the edge.
+    /// Adds the guard's vertex near corner `end`, an end of the edge that corner c leaves. Both
+    /// sides of the edge share the vertex.
     void add_node(int c, int end, GuardedCells& guarded) {
         const int v = cells_.corner_vertex[end];
         const int key = end == c ? c : cells_.opposite[c];
@@ -116,7 +116,8 @@ class Guards {
         if (at_end) add_node(c, next, guarded);
     }
 
-    /// Cuts what the guards leave of an edge into equal parts, once for both of its sides.
+    /// Divides the part of an edge between its guards into equal parts. Both sides of the edge
+    /// share the new vertices.
     void add_between(int c, bool at_start, bool at_end, GuardedCells& guarded) {
         const int n = per_edge_ - at_start - at_end - 1;
         if (n <= 0) return;
@@ -142,15 +143,15 @@ class Guards {
     const PeriodicMesh& cells_;
     int per_edge_;
     std::vector<SharpCorner> tips_;
-    /// For each vertex the distance of the guards' vertices.
+    /// For each vertex, the distance of the vertices of its guards.
     std::vector<double> radius_;
-    /// For each halfedge whether a guard's vertex lies near its start.
+    /// For each halfedge, whether a guard's vertex lies near its start.
     std::vector<char> guard_at_start_;
-    /// That vertex.
+    /// For each halfedge, that vertex, or -1.
     std::vector<int> node_;
-    /// For the first side of each edge the first vertex between its guards.
+    /// For the first side of each edge, the first vertex between its guards.
     std::vector<int> between_;
-    /// For each corner of the old cells its index in the new ones.
+    /// For each corner of the old cells, its index in the new cells.
     std::vector<int> first_corner_;
 };
 

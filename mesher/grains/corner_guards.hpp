@@ -4,41 +4,47 @@
 
 namespace pcvt {
 
-/// Corners of cells sharper than this, degrees, get a guard.
+/// Corners of cells with a smaller angle, degrees, get a guard.
 inline constexpr double kSharpCorner = 60;
 
-/// A corner of a face, sharper than kSharpCorner.
+/// A corner of a face with an angle below kSharpCorner.
 struct SharpCorner {
-    /// Its index in the cells that were given.
+    /// The index of the corner in the given cells.
     int corner;
-    /// Degrees, between the two edges of the face.
+    /// The angle between the two edges of the face, degrees.
     double angle;
 };
 
-/// Cells whose sharp corners are guarded: both edges at such a corner have a vertex at one distance
-/// from it, so that corner and vertices make a triangle with two equal sides which no refinement
-/// needs to split. Edges at one vertex share the distance, so that guards side by side fit.
+/// Cells with guarded sharp corners. Both edges at a sharp corner have a vertex at the same
+/// distance from it. The corner and these vertices form the guard, an isosceles triangle that
+/// refinement need not split. All edges at a vertex use the same distance, so adjacent guards fit
+/// together.
 struct GuardedCells {
     /// The cells with the new vertices on their edges.
     PeriodicMesh cells;
-    /// The corners in the tips of the guards, and their indices in `cells`.
+    /// The corners at the tips of the guards, and their indices in `cells`.
     std::vector<SharpCorner> sharp;
     std::vector<int> tip;
-    /// For each vertex of a guard, or between guards, the vertex in the guard's tip, else -1; the
-    /// old vertices, which come first, are left out.
+    /// For each new vertex of `cells`, the vertex at the tip of its guard, or -1 if it belongs to
+    /// no guard. Entry 0 belongs to the first vertex after the old ones.
     std::vector<int> tip_of_new;
 };
 
 struct GuardOptions {
-    /// Length units; no side of a guard is longer.
+    /// The upper bound on the length of a guard's sides, length units.
     double longest;
-    /// Each edge is cut into so many parts, or more where guards take some; 1: not at all.
+    /// The number of parts of each edge; guards may increase it. 1: edges are not divided.
     int per_edge = 1;
-    /// For each vertex of the cells the part of their usual length that its guards' sides have;
-    /// empty: 1.
+    /// For each vertex of the cells, the factor by which the sides of its guards are scaled; empty:
+    /// 1.
     std::vector<double> part = {};
 };
 
+/// Adds the vertices of the guards to the edges of the cells.
+///
+/// Example usage:
+///   const GuardedCells guarded = guard_corners(cells, {.longest = 0.05});
+///   GrainTriangulation grains(guarded.cells);
 GuardedCells guard_corners(const PeriodicMesh& cells, const GuardOptions& options);
 
 }  // namespace pcvt

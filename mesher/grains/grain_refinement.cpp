@@ -15,21 +15,21 @@ namespace {
 
 using Edge = GrainTriangulation::Edge;
 
-/// A triangle is too large where its circumradius exceeds this many sizes; edges then are one size
-/// long on average.
+/// A triangle is too large if its circumradius exceeds this many target sizes; the average edge
+/// length is then about one size.
 constexpr double kLargestRadius = 0.8;
-/// Edges of cells are cut into round(length / size) parts; one that is shorter than this many sizes
-/// stays.
+/// Cell edges at least this many sizes long are cut into round(length / size) parts.
 constexpr double kLongEdge = 1.5;
-/// Heights over an edge, in lengths of the edge: lower over a firm edge no vertex is put, and lower
-/// over a free edge it is put onto it.
+/// Heights above an edge, relative to its length. No vertex is inserted lower than kNeedle above a
+/// firm edge or a cell edge, and a vertex lower than kOnEdge above a free edge is put onto the
+/// edge.
 constexpr double kNeedle = 0.1;
 constexpr double kOnEdge = 1e-6;
-/// So many vertices a vertex of the cells, and so many a square of `size`, are never needed unless
-/// a cell is thousands of times longer than wide.
+/// The limits on the number of vertices: per vertex of the cells, and per square of the target
+/// size. Only a cell that is thousands of times longer than wide exceeds them.
 constexpr double kMostAVertex = 1000;
 constexpr double kMostASquare = 20;
-/// A walk or a search that meets more triangles than this has lost its way.
+/// The largest number of triangles that a walk or a search visits before it stops.
 constexpr int kLongestWalk = 10000;
 
 class Refiner {
@@ -48,7 +48,7 @@ class Refiner {
             if (grains_.n_vertices() > most_vertices_) {
                 throw LimitExceeded(
                     "a piece of a cell is too thin to be meshed by grains; give "
-                    "another origin, or none, or take the whole outline");
+                    "another origin or none, or use the whole outline");
             }
             if (!encroached_.empty()) {
                 split_encroached();
@@ -61,7 +61,7 @@ class Refiner {
     }
 
    private:
-    /// What the triangles cover, in squares of the size of their cell.
+    /// Returns the area of the triangles, each in units of the squared target size of its cell.
     double squares() const {
         double sum = 0;
         for (int t = 0; t < grains_.n_triangles(); ++t) {
@@ -91,7 +91,7 @@ class Refiner {
         }
     }
 
-    /// Whether p sees the edge under more than 90 degrees.
+    /// Whether the edge subtends more than 90 degrees at p.
     bool encroaches(const Vec2& p, int h) const {
         const Vec2 from = grains_.point(h) - p;
         const Vec2 to = grains_.point(GrainTriangulation::next(h)) - p;
@@ -107,7 +107,7 @@ class Refiner {
     }
     bool is_too_thin(int t) const { return smallest_sine(grains_.triangle(t)) < wanted_sine_; }
 
-    /// Notes what is to be done about triangle t as it is now.
+    /// Queues triangle t and its encroached edges for improvement.
     void inspect(int t) {
         stamps_.resize(static_cast<std::size_t>(grains_.n_triangles()), 0);
         ++stamps_[t];
@@ -143,7 +143,7 @@ class Refiner {
         if (!mend(t, radius)) ++left_.n_given_up;
     }
 
-    /// Where a new vertex would mend the triangle.
+    /// Returns the position at which a new vertex would improve the triangle.
     Vec2 new_vertex(int t) const {
         const std::array<Vec2, 3> triangle = grains_.triangle(t);
         Vec2 centre = circumcentre(triangle);
@@ -160,11 +160,11 @@ class Refiner {
 
     struct Place {
         int triangle;
-        /// The edge of a cell or of a guard in the way; -1: none.
+        /// The cell edge or firm edge that blocks the walk; -1: none.
         int barrier;
     };
 
-    /// Walks straight from the middle of triangle t to p.
+    /// Walks in a straight line from the centroid of triangle t to p.
     Place locate(int t, const Vec2& p) const {
         const std::array<Vec2, 3> first = grains_.triangle(t);
         const Vec2 start = (first[0] + first[1] + first[2]) / 3;
@@ -197,7 +197,7 @@ class Refiner {
         return cross(pa, pb) * da.dot(db) + pa.dot(pb) * cross(db, da) < 0;
     }
 
-    /// Edges of cells that p would encroach if it were put into triangle t.
+    /// Returns the cell edges that p would encroach upon if it were inserted into triangle t.
     std::vector<int> encroached_by(int t, const Vec2& p) const {
         std::vector<int> found;
         std::vector<int> stack{3 * t, 3 * t + 1, 3 * t + 2};
@@ -213,13 +213,13 @@ class Refiner {
         return found;
     }
 
-    /// How high p lies over an edge of its triangle, in lengths of the edge.
+    /// Returns the height of p above an edge of its triangle, relative to the length of the edge.
     double height_over(int h, const Vec2& p) const {
         const Vec2 along = grains_.point(GrainTriangulation::next(h)) - grains_.point(h);
         return cross(along, p - grains_.point(h)) / along.squaredNorm();
     }
 
-    /// Notes the firm edge h that keeps triangle t from being mended.
+    /// Records the firm edge h that prevents the improvement of triangle t.
     void blame(int h, int t) {
         if (smallest_sine(grains_.triangle(t)) > smallest_sine_) return;
         for (const int end : {h, GrainTriangulation::next(h)}) {
@@ -227,8 +227,8 @@ class Refiner {
         }
     }
 
-    /// Puts a vertex at p, in triangle t or on one of its free edges, to mend triangle `bad`.
-    /// @returns false where p lies so near to a firm edge that it would make a needle of it.
+    /// Inserts a vertex at p, in triangle t or on one of its free edges, to improve triangle `bad`.
+    /// @returns false if p lies so near to a firm edge or a cell edge that a needle would result.
     bool insert(int t, const Vec2& p, int bad) {
         int lowest = 3 * t;
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
@@ -252,7 +252,8 @@ class Refiner {
         return true;
     }
 
-    /// @returns false where the triangle is given up.
+    /// Improves triangle t.
+    /// @returns false if that is impossible.
     bool mend(int t, double radius) {
         const Vec2 p = new_vertex(t);
         const Place place = locate(t, p);
@@ -267,14 +268,15 @@ class Refiner {
         }
         const std::vector<int> in_the_way = encroached_by(place.triangle, p);
         if (!in_the_way.empty()) {
-            // Splitting one may rename the others; those still in the way are found again.
+            // Splitting one edge may renumber the others; a later attempt finds the ones that still
+            // block.
             split(in_the_way.front());
             again(t, radius);
             return true;
         }
         return insert(place.triangle, p, t);
     }
-    /// Where the split did not touch it, it is still bad.
+    /// Queues triangle t again if the split did not change it.
     void again(int t, double radius) {
         const std::vector<int>& touched = grains_.touched();
         if (std::find(touched.begin(), touched.end(), t) == touched.end()) {
@@ -282,14 +284,14 @@ class Refiner {
         }
     }
 
-    /// Circumradius, minus the triangle, and its stamp when it was noted.
+    /// The circumradius of a triangle, its negated index, and its stamp when it was queued.
     using Bad = std::tuple<double, int, int>;
 
     GrainTriangulation& grains_;
     const RefinementSizes& sizes_;
     double wanted_sine_;
     double smallest_sine_ = std::sin(kSmallestAngle * M_PI / 180);
-    /// How far from the shortest edge its off-centre lies, in lengths of that edge.
+    /// The distance of the off-centre from the shortest edge, relative to the length of that edge.
     double off_centre_;
     double most_vertices_;
     std::vector<int> encroached_;

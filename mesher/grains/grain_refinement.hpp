@@ -6,33 +6,39 @@
 
 namespace pcvt {
 
-/// Refinement aims at angles above this, degrees: a little more than is promised.
+/// Refinement aims at angles above this, degrees; it exceeds the guaranteed kSmallestAngle
+/// slightly.
 inline constexpr double kWantedAngle = 22;
 
 struct RefinementSizes {
-    /// For each face of the cells how long edges inside of it are, length units.
+    /// For each face of the cells, the target length of the edges inside it, length units.
     std::vector<double> of_cell;
-    /// The same for the edges of cells; infinite: they are cut already.
+    /// The target length for the edges of the cells; infinite: they are divided already.
     double of_edges;
 };
 
-/// What refinement could not do.
+/// The defects that refinement could not remove.
 struct RefinementLeft {
-    /// Triangles given up as they are.
+    /// The number of triangles that were not improved.
     int n_given_up = 0;
-    /// Vertices at the ends of firm edges that stood in the way of a triangle with an angle that is
-    /// not above kSmallestAngle.
+    /// The end vertices of firm edges that prevented the improvement of a triangle with an angle of
+    /// at most kSmallestAngle.
     std::vector<int> in_the_way;
 };
 
-/// Refines until edges are as long as `sizes` tells and no angle is smaller than kWantedAngle, but
-/// for triangles whose three edges are firm.
+/// Refines until edges have about the lengths in `sizes` and no angle is smaller than kWantedAngle,
+/// except in triangles with three firm edges.
 ///
-/// J. Ruppert's Delaunay refinement (J. Algorithms 18, 1995) on the torus: a cell edge is split
-/// where a vertex lies in the circle over it, else a triangle that is too large or too thin gets a
-/// vertex in its circumcentre, or nearer to its shortest edge where that is enough (A. Ungor's
-/// off-centre). A split acts on both sides of an edge, so cells stay conforming. Largest
-/// circumradius first.
+/// Example usage:
+///   GrainTriangulation grains(guarded.cells);
+///   const std::vector<double> of_cell(cells.site.size(), 0.05);
+///   const RefinementLeft left = refine(grains, {.of_cell = of_cell, .of_edges = 0.05});
+///
+/// Implements J. Ruppert's Delaunay refinement (J. Algorithms 18, 1995) on the torus. A cell edge
+/// is split if a vertex lies in its diametral circle. Otherwise a triangle that is too large or too
+/// thin gets a vertex at its circumcentre, or nearer to its shortest edge if that suffices (A.
+/// Ungor's off-centre). A split acts on both sides of an edge, so neighbouring cells remain
+/// conforming. Triangles are processed by decreasing circumradius.
 RefinementLeft refine(GrainTriangulation& grains, const RefinementSizes& sizes);
 
 }  // namespace pcvt

@@ -10,9 +10,10 @@ namespace {
 
 using Edge = GrainTriangulation::Edge;
 
-/// Rounds over all thin triangles.
+/// The largest number of rounds over all thin triangles.
 constexpr int kRounds = 12;
-/// A vertex is tried in this many directions, first at this part of its shortest edge, then nearer.
+/// A move is tried in this many directions. Its length starts at kFirstStep of the shortest edge at
+/// the vertex and is halved down to kLastStep.
 constexpr int kDirections = 8;
 constexpr double kFirstStep = 0.4;
 constexpr double kLastStep = 0.02;
@@ -36,7 +37,8 @@ class Smoother {
     }
 
    private:
-    /// The halfedges that leave the vertex of h; empty where it does not lie inside of a cell.
+    /// Returns the halfedges that leave the vertex of h; empty if the vertex does not lie inside a
+    /// cell.
     std::vector<int> star_of(int h) const {
         std::vector<int> star;
         int turning = h;
@@ -61,12 +63,14 @@ class Smoother {
     bool improve(int h) {
         const std::vector<int> star = star_of(h);
         if (star.empty()) return false;
+        // Find the shortest edge at the vertex.
         const Vec2 from = grains_.point(h);
         double shortest = INFINITY;
         for (const int g : star) {
             shortest =
                 std::min(shortest, (grains_.point(GrainTriangulation::next(g)) - from).norm());
         }
+        // Search for the position with the widest smallest angle.
         Vec2 best = from;
         const double before = worst_round(star, from);
         double worst = before;
@@ -81,6 +85,7 @@ class Smoother {
                 best = p;
             }
         }
+        // Accept a clear improvement only.
         if (!(worst > kBetter * before)) return false;
         grains_.move(star, best);
         return true;

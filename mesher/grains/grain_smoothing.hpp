@@ -4,8 +4,12 @@
 
 namespace pcvt {
 
-/// Moves vertices inside of cells where that widens the smallest angle round them, first at the
-/// triangles with an angle below `wanted`, degrees, until no move helps.
+/// Moves the vertices inside the cells of triangles with an angle below `wanted`, degrees, as long
+/// as a move increases the smallest angle around a vertex.
+///
+/// Example usage:
+///   refine(grains, sizes);
+///   widen_angles(grains, kWantedAngle);
 void widen_angles(GrainTriangulation& grains, double wanted);
 
 }  // namespace pcvt

@@ -10,26 +10,27 @@
 namespace pcvt {
 namespace {
 
-/// An edge is flipped where its angles sum to more than 180 degrees by more than this sine:
-/// rounding must not flip it back and forth.
+/// An edge is flipped only if the sine of the sum of its opposite angles is below -kClearFlip, so
+/// that rounding cannot flip it back and forth.
 constexpr double kClearFlip = 1e-12;
 
-/// A corner whose direction differs from that of a line by less than this sine lies on the line.
+/// A corner lies on a line if the sine of the angle between its direction and the line is below
+/// this.
 constexpr double kOnLine = 1e-10;
 
-/// The rest of a polygon while its ears are cut off. Entry i leads from its corner to the next one.
+/// The rest of a polygon while ears are cut off. Entry i is the edge from its corner to the next.
 struct EarEntry {
     int corner;  ///< of the cells
     Vec2 point;
     int halfedge;  ///< of the triangle cut off there, or -1 along the polygon's own edge
 };
 
-/// Left of the line p q, or on it but for rounding.
+/// Whether r lies to the left of the line p q or, up to rounding, on it.
 bool is_left(const Vec2& p, const Vec2& q, const Vec2& r) {
     return cross(q - p, r - p) >= -kOnLine * (q - p).norm() * (r - p).norm();
 }
 
-/// The smallest sine of an angle of the ear at i; -1 where it is none.
+/// Returns the smallest sine of an angle of the ear at i; -1 if the corner is not an ear.
 double ear_quality(const std::vector<EarEntry>& ring, std::size_t i) {
     const std::size_t n = ring.size();
     const Vec2& p = ring[(i + n - 1) % n].point;
@@ -69,7 +70,7 @@ GrainTriangulation::GrainTriangulation(const PeriodicMesh& cells)
     std::vector<int> all;
     for (int h = 0; h < n_halfedges(); ++h) all.push_back(h);
     restore_delaunay(std::move(all));
-    // Flips have moved some of them.
+    // Flips have changed the halfedges of some corners.
     for (int h = 0; h < n_halfedges(); ++h) {
         if (edge_[h] == Edge::kFree) continue;
         int c = cells.face_begin[cell(h / 3)];
@@ -79,16 +80,18 @@ GrainTriangulation::GrainTriangulation(const PeriodicMesh& cells)
     }
 }
 
-/// Cuts off ears, the best shaped first.
+/// Triangulates a cell by cutting off ears, the best shaped first.
 void GrainTriangulation::triangulate(const PeriodicMesh& cells, int f) {
     std::vector<EarEntry> ring;
     for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
         ring.push_back({c, cells.point(c), -1});
     }
+    // Returns the corner of the triangulation for an entry.
     const auto corner = [&](const EarEntry& entry) {
         return Corner{cells.corner_vertex[entry.corner], cells.corner_offset[entry.corner],
                       entry.point};
     };
+    // Links halfedge h to the triangle across the entry, or notes it as part of the cell's edge.
     const auto close = [&](const EarEntry& entry, int h) {
         if (entry.halfedge >= 0) {
             link(h, entry.halfedge, Edge::kFree);
@@ -96,6 +99,7 @@ void GrainTriangulation::triangulate(const PeriodicMesh& cells, int f) {
             halfedge_of_corner_[entry.corner] = h;
         }
     };
+    // Cut off ears until a triangle is left.
     while (ring.size() > 3) {
         const std::size_t n = ring.size();
         const std::size_t i = best_ear(ring);
@@ -110,7 +114,7 @@ void GrainTriangulation::triangulate(const PeriodicMesh& cells, int f) {
     for (int k = 0; k < 3; ++k) close(ring[static_cast<std::size_t>(k)], h + k);
 }
 
-/// @returns its first halfedge.
+/// @returns the first halfedge of the new triangle.
 int GrainTriangulation::add_triangle(const Corner& a, const Corner& b, const Corner& c, int cell) {
     const int first = n_halfedges();
     corners_.insert(corners_.end(), {a, b, c});
@@ -158,8 +162,8 @@ bool GrainTriangulation::must_flip(int h) const {
     return sine < -kClearFlip * scale && cross(a - d, c - d) < 0 && cross(b - d, c - d) > 0;
 }
 
-/// Turns the edge inside of its two triangles (a, b, c) and (b, a, d): they become (d, b, c) and
-/// (c, a, d).
+/// Flips the edge between the triangles (a, b, c) and (b, a, d), which become (d, b, c) and (c, a,
+/// d).
 void GrainTriangulation::flip(int h) {
     const int o = opposite_[h];
     const int t = h / 3;
@@ -168,20 +172,21 @@ void GrainTriangulation::flip(int h) {
     const Corner b = corners_[o];
     const Corner c = corners_[previous(h)];
     const Corner d = corners_[previous(o)];
+    // Remember the four edges around the two triangles.
     const std::array around{next(h), previous(h), next(o), previous(o)};
     std::array<int, 4> across;
     std::array<Edge, 4> edges;
     for (std::size_t k = 0; k < 4; ++k) {
         across[k] = opposite_[around[k]];
         edges[k] = edge_[around[k]];
-        // Where two of the four edges are one, its sides find each other by their new names.
+        // If two of the four are sides of the same edge, they are linked by their new indices.
         for (std::size_t l = 0; l < 4; ++l) {
             if (across[k] == around[l]) across[k] = -1 - static_cast<int>(l);
         }
     }
+    // Replace the triangles and link the edges b c, c a, a d, d b.
     set_triangle(t, d, b, c);
     set_triangle(s, c, a, d);
-    // b c, c a, a d, d b.
     const std::array now{3 * t + 1, 3 * s, 3 * s + 1, 3 * t};
     for (std::size_t k = 0; k < 4; ++k) {
         const int there = across[k] < 0 ? now[static_cast<std::size_t>(-1 - across[k])] : across[k];
@@ -214,7 +219,7 @@ int GrainTriangulation::split_edge(int h, double part) {
     const Corner a_across = corners_[next(o)];
     const Corner d = corners_[previous(o)];
     const int v = n_vertices();
-    // The representative stands on that side of a seam that has the smaller offset.
+    // The representative of m lies on the side of the edge with the smaller offset.
     const Offset frame = a_across.offset - a.offset;
     const Vec2 here = a.point + part * (b.point - a.point);
     const Vec2 there = a_across.point + part * (b_across.point - a_across.point);
@@ -225,7 +230,7 @@ int GrainTriangulation::split_edge(int h, double part) {
                           is_here ? Vec2(here + lattice_.translation(frame)) : there};
     vertices_.push_back(is_here ? here : there);
 
-    // (a, b, c) -> (a, m, c) and (m, b, c); (b, a, d) -> (b, m, d) and (m, a, d).
+    // Replace (a, b, c) by (a, m, c) and (m, b, c), and (b, a, d) by (b, m, d) and (m, a, d).
     const Edge edge = edge_[h];
     const int t = add_triangle(m, b, c, cell_[h / 3]);
     const int s = add_triangle(m_across, a_across, d, cell_[o / 3]);
@@ -237,6 +242,7 @@ int GrainTriangulation::split_edge(int h, double part) {
     link(s + 2, next(o), Edge::kFree);
     link(h, s, edge);
     link(t, o, edge);
+    // Restore the Delaunay property around m.
     touched_.insert(touched_.end(), {h / 3, o / 3, t / 3, s / 3});
     restore_delaunay({previous(h), previous(o), t + 1, s + 1});
     return v;

@@ -18,15 +18,15 @@ namespace {
 
 using Edge = GrainTriangulation::Edge;
 
-/// Vertices that have moved may let in a vertex that found no room before; more passes were not
-/// seen to help.
+/// Passes of refinement and smoothing: smoothing may make room for a vertex that did not fit
+/// before. Further passes gave no improvement in experiments.
 constexpr int kPasses = 3;
 
-/// A corner sharper than this, degrees, cuts the edges at its vertex so finely that chords which
-/// stay whole leave no room for good triangles there.
+/// A corner with a smaller angle, degrees, cuts the edges at its vertex so finely that firm chords
+/// leave no room for good triangles there.
 constexpr double kVerySharp = 7;
 
-/// For each vertex the sharpest corner at it, degrees; 180 where none is sharp.
+/// Returns for each vertex the angle of its sharpest corner, degrees; 180 if none is sharp.
 std::vector<double> sharpest_corners(const PeriodicMesh& cells, const GuardedCells& guarded) {
     std::vector<double> sharpest(cells.vertices.size(), 180);
     for (const SharpCorner& corner : guarded.sharp) {
@@ -36,8 +36,9 @@ std::vector<double> sharpest_corners(const PeriodicMesh& cells, const GuardedCel
     return sharpest;
 }
 
-/// Makes the triangles of the guards, where the triangulation has them. A chord may be split, which
-/// makes several angles of the one in the tip, where that is small anyway or must become so.
+/// Marks the guards that the triangulation contains. The chord of a guard may be split, which
+/// divides the angle at the tip, if that angle is small in any case or another corner at the vertex
+/// is very sharp.
 void make_guards(const PeriodicMesh& cells, const GuardedCells& guarded,
                  GrainTriangulation& grains) {
     const std::vector<double> sharpest = sharpest_corners(cells, guarded);
@@ -53,7 +54,7 @@ void make_guards(const PeriodicMesh& cells, const GuardedCells& guarded,
     }
 }
 
-/// The only small angle of a guard is in its tip.
+/// Returns the smallest angle outside the guards; the only small angle of a guard is at its tip.
 double smallest_angle(const GrainTriangulation& grains) {
     double smallest = 180;
     for (int t = 0; t < grains.n_triangles(); ++t) {
@@ -65,10 +66,10 @@ double smallest_angle(const GrainTriangulation& grains) {
     return smallest;
 }
 
-/// Guards whose sides stand in the way of good triangles are halved so many times.
+/// The largest number of attempts; each halves the guards that blocked good triangles before.
 constexpr int kAttempts = 12;
 
-/// How large triangles are, as each step is told.
+/// The target sizes for the two steps that use them.
 struct Sizes {
     RefinementSizes refinement;
     GuardOptions guards;
@@ -78,7 +79,7 @@ struct Attempt {
     GuardedCells guarded;
     GrainTriangulation grains;
     double smallest_angle = 0;
-    /// Vertices whose guards stood in the way.
+    /// The vertices whose guards blocked good triangles.
     std::set<int> in_the_way = {};
 };
 
@@ -102,8 +103,8 @@ Attempt attempt(const PeriodicMesh& cells, const Sizes& sizes) {
     return result;
 }
 
-/// Where a neighbour of a guard has no room for good triangles beside its long sides, the guard
-/// shrinks and all is meshed anew.
+/// Repeats the meshing with smaller guards while guards leave no room for good triangles beside
+/// their long sides, and returns the best attempt.
 Attempt best_attempt(const PeriodicMesh& cells, Sizes sizes) {
     sizes.guards.part.assign(cells.vertices.size(), 1);
     Attempt best = attempt(cells, sizes);
@@ -118,7 +119,7 @@ Attempt best_attempt(const PeriodicMesh& cells, Sizes sizes) {
     return best;
 }
 
-/// Corners with small angles in the triangles of their guards.
+/// Returns the corners with small angles in the triangles of their guards.
 std::vector<NamedCorner> named_corners(const PeriodicMesh& cells, const Attempt& attempt) {
     std::set<std::tuple<int, double, double>> tips;
     const GrainTriangulation& grains = attempt.grains;

@@ -5,53 +5,59 @@
 
 namespace pcvt {
 
-/// Edges shorter than this, in units of h = sqrt(area / number of cells), are removed before cells
-/// are meshed (short_edges.hpp).
+/// Edges shorter than this, in units of h = sqrt(area / number of cells), must be removed before
+/// cells are meshed (short_edges.hpp).
 inline constexpr double kShortGrainEdge = 0.02;
-/// Vertices nearer to the box than this, in units of h, are moved onto it before the pieces are
+/// Vertices nearer to the box than this, in units of h, must be moved onto it before the pieces are
 /// meshed (box_outline.hpp), so that fewer pieces are slivers.
 inline constexpr double kGrainSnap = 0.01;
 
-/// A corner of a cell, or of a piece of one, where an angle of kSmallestAngle or less cannot be
-/// helped: one that is as sharp itself, or one of up to 60 degrees at the vertex of a corner under
-/// 7 degrees.
+/// A corner of a cell, or of a piece of one, where an angle of at most kSmallestAngle is
+/// unavoidable: either the angle of the corner itself is that small, or it is at most 60 degrees
+/// and another corner at the same vertex has less than 7 degrees.
 struct NamedCorner {
-    /// Index of the corner in the cells.
+    /// The index of the corner in the cells.
     int corner;
-    /// Degrees.
+    /// The angle of the corner, degrees.
     double angle;
 };
 
-/// Cells meshed by triangles.
+/// The cells, meshed by triangles.
 struct Grains {
-    /// One face a triangle (`kGrains`), with the site of its cell.
+    /// One face per triangle (`kGrains`), with the site of its cell.
     PeriodicMesh triangles;
-    /// For each triangle the face of the cells in whose frame it stands.
+    /// For each triangle, its face of the cells, whose frame it shares.
     std::vector<int> cell;
     std::vector<NamedCorner> named_corners;
-    /// Of all angles but those in the named corners, degrees.
+    /// The smallest angle outside the named corners, degrees.
     double smallest_angle;
 };
 
 /// Meshes each cell, or each piece of one, by triangles with edges about `size` long.
 ///
-/// Sharp corners get a guard (corner_guards.hpp), Ruppert's refinement does the rest
-/// (grain_refinement.hpp), and vertices inside of cells move where that helps. Laws, tested by
-/// number:
-///   (1) The triangles are a mesh of the same torus: V - E + F = 0, and those of a cell cover it.
-///   (2) Neighbouring cells share the vertices on their edge; on a seam they are one orbit.
-///   (3) All angles but those in the named corners are above kSmallestAngle. (No proof is known;
-///       thousands of hard random cells were tried, and smallest_angle tells.)
+/// Example usage:
+///   const double h = std::sqrt(lattice.area() / n);
+///   const PeriodicMesh cells = without_short_edges(cell_mesh(delaunay), kShortGrainEdge * h);
+///   const Grains grains = mesh_grains(cells, h / 3);
+///
+/// Sharp corners get a guard (corner_guards.hpp), Ruppert's algorithm refines the rest
+/// (grain_refinement.hpp), and smoothing widens the remaining thin triangles (grain_smoothing.hpp).
+/// Laws, tested by number:
+///   (1) The triangles are a mesh of the same torus: V - E + F = 0, and the triangles of a cell
+///       cover it.
+///   (2) Neighbouring cells share the vertices on their common edge, also across a seam.
+///   (3) All angles outside the named corners are above kSmallestAngle. (No proof is known;
+///       thousands of hard random cells were tested, and smallest_angle reports the result.)
 /// Cost: O(n log n) in the number of triangles.
 ///
-/// @param cells  simple polygons. The placement of a triangle in a tile is that of its cell.
+/// @param cells  simple polygons. In a tile, a triangle takes the placement of its cell.
 /// @param size   length units, above 0.
 /// @throws LimitExceeded if a cell is thousands of times longer than wide.
 Grains mesh_grains(const PeriodicMesh& cells, double size);
 
-/// The same with each edge of the cells cut into `parts` parts, and into more where good angles or
-/// the guards of sharp corners need that; triangles inside of a cell are as large as the parts of
-/// its edges on average.
+/// Meshes cells with each of their edges cut into `parts` parts, or into more where good angles or
+/// guards require it. The target size inside a cell is the average length of the parts of its
+/// edges.
 /// @param parts  above 0.
 Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts);
 

@@ -27,8 +27,7 @@ struct BoxCut {
 ///       domain, and each piece lies within the box.
 ///   (2) A vertex on the left or lower side, corners included, is the representative of its orbit;
 ///       the vertex on the opposite side is its translate.
-///   (3) The pieces of a cell, each moved back by a lattice vector, make up the cell but for
-///   `snap`.
+///   (3) The pieces of a cell, each moved back by a lattice vector, make up the cell up to `snap`.
 ///
 /// @param cells   whole cells (`kVoronoi`); they need not be convex.
 /// @param origin  corner of the box, length units.

@@ -18,9 +18,8 @@ namespace pcvt {
 ///   (2) The areas of the cells sum to that of the domain.
 ///   (3) Each cell is convex and contains its site, and no other image is nearer to any of its
 ///       points.
-/// @throws InvalidInput where a cell is so small that its corners merge to fewer than three, or
-/// that
-///         merging tears it.
+/// @throws InvalidInput if a cell is so small that fewer than three of its corners remain distinct
+///         or that merging tears it.
 PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay);
 
 /// Builds the Delaunay triangles; the vertices are the sites, in their order.

@@ -18,7 +18,7 @@ PeriodicMesh random_cells(const Lattice& lattice, int n, std::uint64_t seed) {
     return cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, seed))));
 }
 
-/// Topology, orientation, and that both sides of an edge are one edge up to a translation.
+/// Checks topology and orientation, and that both sides of an edge agree up to a translation.
 void expect_triangulation(const GrainTriangulation& grains) {
     ASSERT_EQ(grains.n_vertices() - grains.n_halfedges() / 2 + grains.n_triangles(), 0);
     for (int h = 0; h < grains.n_halfedges(); ++h) {
@@ -36,7 +36,7 @@ void expect_triangulation(const GrainTriangulation& grains) {
     }
 }
 
-/// No free edge has opposite angles of more than 180 degrees.
+/// Checks that the opposite angles of each free edge sum to at most 180 degrees.
 void expect_delaunay(const GrainTriangulation& grains) {
     for (int h = 0; h < grains.n_halfedges(); ++h) {
         if (grains.edge(h) != Edge::kFree) continue;
@@ -47,7 +47,7 @@ void expect_delaunay(const GrainTriangulation& grains) {
     }
 }
 
-TEST(GrainTriangulation, CoversEveryLatticeFromOneSiteOn) {
+TEST(GrainTriangulation, CoversEveryLatticeForOneSiteAndMore) {
     for (const auto& [name, lattice] : testing::lattices()) {
         if (name == "huge") continue;
         for (const int n : {1, 2, 3, 20}) {
@@ -77,7 +77,7 @@ TEST(GrainTriangulation, SplitsBothSidesOfAnEdge) {
     }
 }
 
-TEST(GrainTriangulation, StaysDelaunayWhileVerticesComeAndMove) {
+TEST(GrainTriangulation, StaysDelaunayWhileVerticesAreInsertedAndMoved) {
     GrainTriangulation grains(random_cells(Lattice::rectangle(1, 1), 5, 5));
     for (int k = 0; k < 60; ++k) {
         const int t = (11 * k) % grains.n_triangles();
@@ -101,8 +101,8 @@ TEST(GrainTriangulation, StaysDelaunayWhileVerticesComeAndMove) {
     EXPECT_GT(narrowest(), before);
 }
 
-// A guard has two equal sides, and both sides of an edge share its vertex.
-TEST(CornerGuards, HaveEqualSidesAndNoSharpCornerIsLeftOut) {
+// A guard has two equal sides, and both faces at an edge share its vertices.
+TEST(CornerGuards, HaveEqualSidesAtEverySharpCorner) {
     const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 200, 6);
     const GuardedCells guarded = guard_corners(cells, {0.05});
     ASSERT_GT(guarded.tip.size(), 20U);

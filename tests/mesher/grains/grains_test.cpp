@@ -51,12 +51,12 @@ PeriodicMesh box_of(const PeriodicMesh& cells) {
     return cut_along_box(cells, find_box_origin(cells), kGrainSnap * spacing(cells)).pieces;
 }
 
-/// Where pieces of a box stand.
+/// The placement of the pieces of a box: offset zero for each.
 std::vector<Offset> in_place(const PeriodicMesh& box) {
     return std::vector<Offset>(static_cast<std::size_t>(box.n_faces()));
 }
 
-/// Laws 1 and 2, by the proof behind `pcvt check`, and cell by cell.
+/// Checks laws 1 and 2 by the proof behind `pcvt check`, and law 1 also cell by cell.
 void expect_torus(const PeriodicMesh& cells, const std::vector<Offset>& placement,
                   const Grains& grains) {
     std::vector<Offset> at;
@@ -88,7 +88,7 @@ void expect_toruses(const PeriodicMesh& cells, double part) {
     expect_torus(box, in_place(box), mesh_grains(box, size));
 }
 
-TEST(Grains, AreProvedFromOneSiteOnOnEveryLattice) {
+TEST(Grains, AreProvedForOneSiteAndMoreOnEveryLattice) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 3, 8, 25}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
@@ -106,7 +106,7 @@ TEST(Grains, AreProvedWhereSitesAreCocircularOrOnTheSeam) {
     }
 }
 
-/// Law 3, measured on the mesh itself.
+/// Checks law 3, measured on the mesh itself.
 void expect_angles(const PeriodicMesh& cells, const Grains& grains) {
     std::set<std::tuple<int, double, double>> named;
     for (const NamedCorner& corner : grains.named_corners) {
@@ -151,8 +151,8 @@ TEST(Grains, AnglesAreAboveTwentyDegreesOnRandomCells) {
     }
 }
 
-/// Cells that nothing has made regular, on lattices down to 1 : 1000, whole or cut by a box that
-/// stands anywhere; of every third seed 1 to 8 of them.
+/// Returns irregular random cells on lattices with aspect ratios up to 1 : 1000, whole or cut by a
+/// box with a random origin. Every third seed gives 1 to 8 sites, the others give up to 120.
 PeriodicMesh hard_cells(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     const auto uniform = [&] { return double(random() >> 11) * 0x1p-53; };
@@ -166,7 +166,7 @@ PeriodicMesh hard_cells(std::uint64_t seed) {
 }
 
 TEST(Grains, SmallAnglesOfHardRandomCellsAreInNamedCorners) {
-    // The hardest of 20,000: guards that must shrink, and chords that must be split.
+    // The hardest of 20,000 seeds, with guards that must shrink and chords that must be split.
     std::vector<std::uint64_t> seeds{4310, 4596, 5090, 5492, 9744, 2390, 3950, 3998, 7243, 12703};
     for (std::uint64_t seed = 0; seed < 150; ++seed) seeds.push_back(seed);
     for (const std::uint64_t seed : seeds) {
@@ -176,7 +176,7 @@ TEST(Grains, SmallAnglesOfHardRandomCellsAreInNamedCorners) {
     }
 }
 
-TEST(Grains, EachEdgeIsCutIntoTheParts) {
+TEST(Grains, EachEdgeIsCutIntoTheGivenNumberOfParts) {
     const PeriodicMesh cells = optimised_cells(Lattice({1, 0}, {0.3, 0.9}), 60, 5);
     const int n_edges = cells.n_corners() / 2;
     for (const int parts : {1, 2, 5}) {
@@ -186,7 +186,7 @@ TEST(Grains, EachEdgeIsCutIntoTheParts) {
             n_boundary += grains.cell[h / 3] < grains.cell[grains.triangles.opposite[h] / 3];
         }
         EXPECT_GE(n_boundary, parts * n_edges);
-        // More only where an angle asks for it.
+        // Only good angles may require more parts.
         EXPECT_LE(n_boundary, 1.1 * parts * n_edges);
         EXPECT_NEAR(grains.triangles.n_faces(), 60 * 6.5 * parts * parts, 60 * 3 * parts * parts);
         expect_torus(cells, whole_outline(cells, {0, 0}), grains);
@@ -204,7 +204,7 @@ TEST(Grains, PartsOfEdgesFollowTheSizesOfCellsAndKeepTheAngles) {
     }
 }
 
-TEST(Grains, EdgesAreAboutAsLongAsAskedFor) {
+TEST(Grains, EdgesHaveAboutTheRequestedLength) {
     const PeriodicMesh cells = optimised_cells(Lattice::rectangle(1, 1), 100, 5);
     for (const double part : {0.3, 0.1}) {
         const double size = part * spacing(cells);
@@ -248,15 +248,15 @@ TEST(Grains, SameCellsGiveTheSameMesh) {
     EXPECT_EQ(once.vertices, again.vertices);
 }
 
-// A strip as thin as that would take a hundred million triangles.
-TEST(Grains, RefuseASliver) {
+// A strip this thin would need a hundred million triangles.
+TEST(Grains, AreRefusedForASliver) {
     const Sites sites = testing::grid_sites(Lattice::rectangle(1, 1), 1, 1, 0.5, 0.5);
     const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
     const PeriodicMesh pieces = cut_along_box(cells, {1e-8, 0.3}).pieces;
     EXPECT_THROW(mesh_grains(pieces, 0.3), LimitExceeded);
 }
 
-TEST(Grains, OfAThinStripSnapOntoTheBox) {
+TEST(Grains, OfAThinStripAreGoodOnceItSnapsOntoTheBox) {
     const Sites sites = testing::grid_sites(Lattice::rectangle(1, 1), 1, 1, 0.5, 0.5);
     const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(sites));
     const PeriodicMesh pieces = cut_along_box(cells, {1e-8, 0.3}, kGrainSnap).pieces;
