@@ -6,8 +6,8 @@
 namespace pcvt {
 namespace {
 
-/// The largest cosine between period vectors that are still called rectangular: rounding of the
-/// reduction, which at worst multiplies a typed digit by 10^6.
+/// The largest cosine between period vectors that count as rectangular. It admits the rounding
+/// error of the reduction, which may magnify the error of a decimal input by 10^6.
 constexpr double kRightAngle = 1e-9;
 
 }  // namespace

@@ -4,27 +4,32 @@
 
 namespace pcvt {
 
-/// A divergence-free periodic flow of known decay: a start for solvers of the Navier-Stokes
-/// equations, and the answer to compare with.
+/// A divergence-free periodic flow with a known decay: an initial state for solvers of the
+/// Navier-Stokes equations, and the exact solution to compare with.
+///
+/// Example usage:
+///   const DecayingFlow flow(lattice);
+///   const Vec2 u = flow.velocity(p) * std::exp(-nu * flow.rate() * t);
 ///
 ///   psi = cos(g_1 . x) cos(g_2 . x) / |g_1|   rectangular period vectors (Taylor and Green)
 ///   psi = cos(g_2 . x) / |g_2|                oblique ones: a shear flow
 ///   u   = (d psi / dy, -d psi / dx)
 ///
-/// g_1 and g_2 are the reciprocal vectors of the reduced basis, |g_1| >= |g_2|. Both flows solve
-/// the equations for any viscosity nu as u(x, t) = exp(-nu rate t) u(x, 0). Laws, tested by number:
+/// where g_1 and g_2 are the reciprocal vectors of the reduced basis, |g_1| >= |g_2|. For any
+/// viscosity nu both flows solve the equations as u(x, t) = exp(-nu rate t) u(x, 0). Laws, tested
+/// by number:
 ///   (1) u has the period of the lattice and its divergence is 0.
 ///   (2) The curl w of u is an eigenfunction: laplace(w) = -rate w, and u . grad(w) = 0.
-///   (3) The largest speed is 1, in length units a second.
+///   (3) The largest speed is 1 length unit per second.
 class DecayingFlow {
    public:
     /// @throws InvalidInput as reduce().
     explicit DecayingFlow(const Lattice& lattice);
 
     Vec2 velocity(const Vec2& p) const;
-    /// sum of |g|^2 over the waves, 1 / length^2.
+    /// Returns the sum of |g|^2 over the waves, 1 / length^2.
     double rate() const { return rate_; }
-    /// The seconds in which the fastest fluid crosses a quarter of the shortest wave.
+    /// Returns the time in which the fastest fluid crosses a quarter of the shortest wave, seconds.
     double turn_time() const;
 
    private:

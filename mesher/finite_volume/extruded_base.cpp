@@ -18,15 +18,17 @@ const char* const kPlanes = "(1) of extruded meshes, planes";
 const char* const kOrder = "(2) of extruded meshes, faces";
 const char* const kSeams = "(3) of extruded meshes, seam";
 
-/// A stored translation is that of the lattice up to this many ulps.
+/// A stored translation must agree with the lattice up to this many ulps.
 constexpr double kUlps = 4;
 
 void require_indices(const ExtrudedMesh& extruded) {
+    // Check the points of the faces.
     for (const int p : extruded.corners) {
         if (p >= 0 && p < extruded.n_points()) continue;
         throw_violation(kOrder, "a face names point " + to_string(p) + "; there are " +
                                     to_string(extruded.n_points()));
     }
+    // Check the lengths of the lists.
     const int last_cell = extruded.owner.empty()
                               ? -1
                               : *std::max_element(extruded.owner.begin(), extruded.owner.end());
@@ -40,12 +42,13 @@ void require_indices(const ExtrudedMesh& extruded) {
                                     " faces and " + to_string(extruded.n_faces()) + " owners");
     }
     if (extruded.n_inner_faces() > extruded.n_faces())
-        throw_violation(kOrder, "more neighbours than faces");
+        throw_violation(kOrder, "there are more neighbours than faces");
+    // Check the cells at each face.
     for (int f = 0; f < extruded.n_faces(); ++f) {
         const int behind = extruded.owner[f];
         const int before = f < extruded.n_inner_faces() ? extruded.neighbour[f] : n_cells - 1;
         if (behind >= 0 && before >= 0 && before < n_cells) continue;
-        throw_violation(kOrder, "face " + to_string(f) + " lies at a cell that does not exist");
+        throw_violation(kOrder, "face " + to_string(f) + " refers to a cell that does not exist");
     }
 }
 
@@ -90,8 +93,8 @@ void require_planes(const ExtrudedMesh& extruded) {
         const Eigen::Vector3d& low = extruded.points[v];
         const Eigen::Vector3d& high = extruded.points[v + above];
         if (low.z() == 0 && high.z() == thickness && low.head<2>() == high.head<2>()) continue;
-        throw_violation(kPlanes, "point " + to_string(v + above) + " does not stand above point " +
-                                     to_string(v));
+        throw_violation(
+            kPlanes, "point " + to_string(v + above) + " does not lie above point " + to_string(v));
     }
 }
 
@@ -108,7 +111,7 @@ std::span<const int> points_of(const ExtrudedMesh& extruded, int f) {
                  static_cast<std::size_t>(extruded.face_size(f)));
 }
 
-/// Whether `lid` has the points above those of `face` in the same order, from whichever on.
+/// Whether `lid` has the points above the points of `face`, in the same cyclic order.
 bool stands_above(std::span<const int> lid, const std::vector<int>& face, int above) {
     const auto first = std::find(lid.begin(), lid.end(), face.front() + above);
     const auto above_it = [&](int q, int p) { return q == p + above; };
@@ -117,13 +120,14 @@ bool stands_above(std::span<const int> lid, const std::vector<int>& face, int ab
            std::equal(lid.begin(), first, face.end() - (first - lid.begin()), above_it);
 }
 
-/// For each cell its one face in the patch: the lids of the prisms.
+/// Returns for each cell its one face in the patch, a lid of its prism.
 std::vector<int> lids(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
     std::vector<int> lid(static_cast<std::size_t>(patch.n_faces), -1);
     for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
         const int cell = extruded.owner[f];
         if (cell >= patch.n_faces || lid[cell] >= 0) {
-            throw_violation(kOrder, "patch " + patch.name + " has not exactly one face a cell");
+            throw_violation(kOrder,
+                            "patch " + patch.name + " does not have exactly one face per cell");
         }
         lid[cell] = f;
     }
@@ -132,6 +136,7 @@ std::vector<int> lids(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) 
 
 void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
     const int above = extruded.n_points() / 2;
+    // Find the two lids of each cell.
     const std::vector<int> back = lids(extruded, patch_named(extruded, "back"));
     const std::vector<int> front = lids(extruded, patch_named(extruded, "front"));
     const int n_cells = *std::max_element(extruded.owner.begin(), extruded.owner.end()) + 1;
@@ -140,6 +145,7 @@ void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
                                     to_string(front.size()) + " faces for " + to_string(n_cells) +
                                     " cells");
     }
+    // Read each face from the back lid and compare the front lid with it.
     std::vector<int> face;
     for (std::size_t cell = 0; cell < back.size(); ++cell) {
         const std::span<const int> points = points_of(extruded, back[cell]);
@@ -157,8 +163,8 @@ void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
     }
 }
 
-/// The side of the tile under a wall: from v to w, the wall's owner on its left; `from_v` where the
-/// wall's first point is v, and not w.
+/// The side of the tile under a wall. It runs from v to w with the wall's owner on its left.
+/// `from_v` states whether the wall's first point is v rather than w.
 struct WallFoot {
     int v;
     int w;
@@ -181,12 +187,12 @@ WallFoot wall_foot(const ExtrudedMesh& extruded, int f) {
                     "face " + to_string(f) + " is not an upright wall that begins at the back");
 }
 
-/// Which sides of the tile have a wall over them.
+/// Records which sides of the tile have a wall above them.
 class Walls {
    public:
     explicit Walls(const Tile& tile) : tile_(tile), built_(tile.corners.size(), false) {}
 
-    /// @param f  the wall, for the message.
+    /// @param f  the face of the wall, for the message.
     void build(int cell, int v, int w, int f) {
         int from = tile_.corners[tile_.face_begin[cell + 1] - 1];
         for (int c = tile_.face_begin[cell]; c < tile_.face_begin[cell + 1]; ++c) {
@@ -196,14 +202,14 @@ class Walls {
             }
             from = tile_.corners[c];
         }
-        throw_violation(kOrder, "face " + to_string(f) + " does not stand on a free side of cell " +
+        throw_violation(kOrder, "face " + to_string(f) + " does not lie on a free side of cell " +
                                     to_string(cell) + ", or its normal points inwards");
     }
 
     void require_all() const {
         const auto missing = std::find(built_.begin(), built_.end(), false);
         if (missing == built_.end()) return;
-        throw_violation(kOrder, "a cell is open: no face stands on the side that ends in point " +
+        throw_violation(kOrder, "a cell is open: no face lies on the side that ends at point " +
                                     to_string(tile_.corners[missing - built_.begin()]));
     }
 
@@ -218,18 +224,19 @@ void require_translation(const ExtrudedMesh& extruded, const ExtrudedPatch& patc
         kUlps * std::numeric_limits<double>::epsilon() * translation.cwiseAbs().maxCoeff();
     if (patch.name != seam_name(patch.offset) || patch.offset == Offset{} ||
         !((patch.separation - translation).cwiseAbs().maxCoeff() <= allowed)) {
-        throw_violation(kSeams, "patch " + patch.name + " states another separation than " +
+        throw_violation(kSeams, "patch " + patch.name + " states a separation other than " +
                                     in_words(patch.offset));
     }
 }
 
-/// The pairs of edges under a patch and its partner; told from the side with the positive offset.
+/// Appends the edge pairs under a patch and its partner, seen from the patch with the positive
+/// offset.
 void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& tile) {
     const ExtrudedPatch& partner = extruded.patches[patch.partner];
     if (partner.partner != &patch - extruded.patches.data() || partner.offset != -patch.offset ||
         partner.n_faces != patch.n_faces) {
         throw_violation(
-            kSeams, "patches " + patch.name + " and " + partner.name + " do not answer each other");
+            kSeams, "patches " + patch.name + " and " + partner.name + " do not match each other");
     }
     require_translation(extruded, patch);
     if (patch.offset < Offset{}) return;
@@ -239,7 +246,7 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
         if (here.from_v == there.from_v) {
             throw_violation(kSeams, "faces " + to_string(patch.first_face + k) + " and " +
                                         to_string(partner.first_face + k) +
-                                        " do not begin at points that answer each other");
+                                        " do not begin at matching points");
         }
         tile.edge_pairs.push_back({here.v, here.w, there.w, there.v, patch.offset});
     }
@@ -248,14 +255,17 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
 }  // namespace
 
 Tile extruded_base(const ExtrudedMesh& extruded) {
+    // Check indices, patches, order and planes.
     require_indices(extruded);
     require_runs(extruded);
     require_inner_order(extruded);
     require_planes(extruded);
+    // Read the faces of the tile.
     Tile tile{extruded.lattice, extruded.kind, {}, {0}, {}, {}, {}, {}, {}};
     for (int v = 0; v < extruded.n_points() / 2; ++v)
         tile.points.emplace_back(extruded.points[v].head<2>());
     read_faces(extruded, tile);
+    // Match each wall with a side of a face, and read the seam.
     Walls walls(tile);
     for (int f = 0; f < extruded.n_inner_faces(); ++f) {
         const WallFoot foot = wall_foot(extruded, f);

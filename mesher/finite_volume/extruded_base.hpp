@@ -4,13 +4,17 @@
 
 namespace pcvt {
 
-/// The tile that a extruded stands on, as its back plane and its patches tell it: faces from the
-/// patch "back", each pair of edges from the patches of the seam. The inverse of extruded_mesh but
-/// for the pairs of vertices, which are left empty.
+/// Reconstructs the tile below an extruded mesh: the faces from the patch "back", the edge pairs
+/// from the patches of the seam. It inverts extruded_mesh, except that the vertex pairs are left
+/// empty.
 ///
-/// Nothing in `extruded` is believed: indices, runs of faces, the order of the inner faces, and the
-/// laws of ExtrudedMesh by their numbers are proved here; that the faces are a tile and the pairs
-/// its seam is left to prove_tile and compare_edge_pairs.
+/// Example usage:
+///   const Tile tile = extruded_base(extruded);
+///   compare_edge_pairs(tile, prove_tile(tile, Precision::kDouble));
+///
+/// The function trusts nothing in `extruded`. It proves that indices are valid and that the laws of
+/// ExtrudedMesh hold, under their numbers. prove_tile and compare_edge_pairs then prove that the
+/// faces are a tile and the edge pairs its seam.
 /// @throws NotATile naming the law and the face, point or patch (from 0).
 Tile extruded_base(const ExtrudedMesh& extruded);
 

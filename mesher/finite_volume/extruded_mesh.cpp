@@ -17,7 +17,7 @@ struct Side {
     int face;
 };
 
-/// By the edge, so that the two sides of an inner edge stand together.
+/// Compares sides by their edge, so that the two sides of an inner edge are adjacent after sorting.
 bool edge_less(const Side& s, const Side& t) {
     return std::tuple(std::minmax(s.v, s.w), s.face) < std::tuple(std::minmax(t.v, t.w), t.face);
 }
@@ -60,7 +60,7 @@ std::vector<InnerEdge> inner_edges(const std::vector<Side>& sides, int n_faces) 
     return edges;
 }
 
-/// The face whose halfedge runs from v to w.
+/// Returns the face whose halfedge runs from v to w.
 int face_beside(const std::vector<Side>& sides, int v, int w) {
     auto found = std::lower_bound(sides.begin(), sides.end(), Side{v, w, -1}, edge_less);
     while (found != sides.end() && std::minmax(found->v, found->w) == std::minmax(v, w)) {
@@ -70,15 +70,16 @@ int face_beside(const std::vector<Side>& sides, int v, int w) {
     throw InternalError("an edge of the seam belongs to no face");
 }
 
-/// Appends faces to a extruded whose points are there already.
+/// Appends faces to an extruded mesh that has its points already.
 class ExtrudedFaces {
    public:
     explicit ExtrudedFaces(ExtrudedMesh& extruded)
         : mesh_(extruded), above_(extruded.n_points() / 2) {}
 
-    /// The wall over v -> w: its normal points to the right of it.
+    /// Adds the wall over v -> w; its normal points to the right of v -> w.
     void add_wall(int v, int w, int owner) { add({v, w, w + above_, v + above_}, owner); }
-    /// The same wall, told from the top of w's end: it starts at w and answers a wall w' -> v'.
+    /// Adds the same wall with its points listed from w, so that it matches the wall w' -> v' of
+    /// the partner.
     void add_answering_wall(int v, int w, int owner) { add({w, w + above_, v + above_, v}, owner); }
 
     void add_lids(const Tile& tile, bool front) {
@@ -112,7 +113,7 @@ void add_points(const Tile& tile, ExtrudedMesh& extruded) {
     }
 }
 
-/// The two patches of the pairs from `begin` to `end`, which have one offset.
+/// Adds the two patches of the pairs from `begin` to `end`, which share one offset.
 void add_seam(const std::vector<EdgePair>& pairs, std::size_t begin, std::size_t end,
               const std::vector<Side>& sides, ExtrudedMesh& extruded) {
     const Offset offset = pairs[begin].offset;

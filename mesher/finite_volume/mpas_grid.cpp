@@ -14,10 +14,10 @@ namespace {
 
 using std::to_string;
 
-/// Cosines of right angles come out this large by rounding.
+/// Rounding may make the cosine of a right angle this large.
 constexpr double kRightAngle = 1e-9;
 
-/// The parallelogram's cells as halfedges in the frames of their faces.
+/// The cells of the domain as halfedges in the frames of their faces.
 class Halfedges {
    public:
     explicit Halfedges(const PeriodicMesh& cells)
@@ -28,7 +28,7 @@ class Halfedges {
     }
     int n_edges() const { return n_edges_; }
     int edge(int h) const { return edge_[h]; }
-    /// Whether its face is cell 1 of the edge.
+    /// Whether the face of h is cell 1 of its edge.
     bool first(int h) const { return h < cells_.opposite[h]; }
     int cell(int h) const { return cells_.corner_face[h]; }
     int next(int h) const { return cells_.next(h); }
@@ -40,12 +40,12 @@ class Halfedges {
     int vertex(int h) const { return cells_.corner_vertex[h]; }
 
     Vec2 site(int h) const { return cells_.site_points[cell(h)]; }
-    /// From the site of its cell to that of the cell across.
+    /// Returns the vector from the site of the cell of h to the site of the cell across.
     Vec2 to_neighbour(int h) const {
         return cells_.site_points[cell(opposite(h))] +
                cells_.lattice.translation(cells_.frame_across(h)) - site(h);
     }
-    /// From the site of its cell to the vertex that it leaves.
+    /// Returns the vector from the site of the cell of h to the vertex that h leaves.
     Vec2 to_vertex(int h) const { return cells_.point(h) - site(h); }
     Vec2 along(int h) const { return to_vertex(next(h)) - to_vertex(h); }
 
@@ -60,7 +60,8 @@ std::string degrees(double cosine) {
     return to_string(tenths / 10) + "." + to_string(tenths % 10);
 }
 
-/// The angle at the site of h's cell in the triangle dual to the vertex that h leaves.
+/// Returns the cosine of the angle at the site of h's cell in the triangle dual to the vertex that
+/// h leaves.
 double triangle_cosine(const Halfedges& edges, int h) {
     return edges.to_neighbour(h).normalized().dot(
         edges.to_neighbour(edges.previous(h)).normalized());
@@ -81,7 +82,7 @@ void require_acute(const PeriodicMesh& cells, const Halfedges& edges) {
                        site(edges.opposite(worst)) + " and " +
                        site(edges.opposite(edges.previous(worst))) + " has an angle of " +
                        degrees(smallest) +
-                       " degrees at the first; MPAS needs acute triangles: take another seed or "
+                       " degrees at the first; MPAS needs acute triangles: use another seed or "
                        "number of sites");
 }
 
@@ -92,8 +93,8 @@ void require_near_neighbours(const PeriodicMesh& cells, const Halfedges& edges,
         if (part.maxCoeff() < 0.5) continue;
         throw InvalidInput("the cells of sites " + to_string(cells.site[edges.cell(h)]) + " and " +
                            to_string(cells.site[edges.cell(edges.opposite(h))]) +
-                           " lie half a period apart; MPAS looks for neighbours at the nearest "
-                           "image: take more sites or repeat the tile");
+                           " lie half a period apart; MPAS expects each neighbour at its nearest "
+                           "image: use more sites or repeat the tile");
     }
 }
 
@@ -109,7 +110,7 @@ class Wrapping {
    private:
     static double wrapped(double x, double origin, double period) {
         const double moved = x - std::floor((x - origin) / period) * period;
-        // Rounding may leave it on or across the far side.
+        // Rounding may leave the coordinate on or beyond the far side.
         return moved >= origin + period ? moved - period : std::max(moved, origin);
     }
     Vec2 origin_;
@@ -156,7 +157,8 @@ void fill_edges(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& gri
     }
 }
 
-/// For each halfedge the kite between its vertex, its cell's site, and the edges beside them.
+/// Returns for each halfedge the area of the kite between its vertex, the site of its cell and the
+/// midpoints of the two dual edges at the vertex.
 std::vector<double> kite_areas(const PeriodicMesh& cells, const Halfedges& edges) {
     std::vector<double> kites;
     kites.reserve(cells.corner_vertex.size());
@@ -190,7 +192,7 @@ void fill_vertices(const PeriodicMesh& cells, const Halfedges& edges,
     }
 }
 
-/// The weights of the edges of h's cell for v on h's edge (Thuburn et al., Eq. 33).
+/// Appends the weights of the edges of h's cell for v on h's edge (Thuburn et al., Eq. 33).
 void append_weights(const Halfedges& edges, int h, const std::vector<double>& kites,
                     std::size_t& entry, MpasGrid& grid) {
     const double side = edges.first(h) ? 1 : -1;
@@ -230,14 +232,17 @@ Vec2 rectangular_periods(const Lattice& lattice) {
     if (a.y() <= kRightAngle * a.x() && b.x() <= kRightAngle * b.y()) return {a.x(), b.y()};
     if (a.x() <= kRightAngle * a.y() && b.y() <= kRightAngle * b.x()) return {b.x(), a.y()};
     throw InvalidInput(
-        "MPAS knows only periods along x and y; take a rectangle, or a repetition that is one");
+        "MPAS supports only periods along x and y; use a rectangular period, or repeat the tile to "
+        "one");
 }
 
 MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin) {
+    // Check that MPAS supports the mesh.
     const Vec2 periods = rectangular_periods(cells.lattice);
     const Halfedges edges(cells);
     require_acute(cells, edges);
     require_near_neighbours(cells, edges, periods);
+    // Set periods and counts.
     MpasGrid grid{};
     grid.x_period = periods.x();
     grid.y_period = periods.y();
@@ -247,6 +252,7 @@ MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin) {
     for (int f = 0; f < cells.n_faces(); ++f) {
         grid.max_edges = std::max(grid.max_edges, cells.face_begin[f + 1] - cells.face_begin[f]);
     }
+    // Fill the tables.
     const std::vector<double> kites = kite_areas(cells, edges);
     place_points(cells, edges, Wrapping(origin, periods), grid);
     fill_cells(cells, edges, grid);

@@ -7,24 +7,26 @@ namespace pcvt {
 /// The staggered mesh of an ocean or atmosphere model (MPAS): cells, their edges and the vertices
 /// of the dual triangles on a rectangular torus, with the weights of the TRiSK scheme.
 ///
-/// Tables are stored row by row: max_edges entries a cell, 2 max_edges an edge (edges_on_edge and
-/// weights_on_edge), 2 an edge, 3 a vertex. Indices count from 0; -1 and the weight 0 fill rows up.
-/// Points lie in [origin, origin + period); neighbours are meant at their nearest images.
+/// Tables are stored row by row. A row has max_edges entries for a cell and 3 for a vertex. For an
+/// edge it has 2 max_edges entries in edges_on_edge and weights_on_edge, and 2 in the other tables.
+/// Indices count from 0; unused entries are -1, or 0 for weights. Points lie in [origin, origin +
+/// period); every neighbour is the nearest image.
 ///
-/// Symbols: e an edge, n its normal from cell 1 to cell 2 of cells_on_edge, t = k x n the direction
-/// from vertex 1 to vertex 2 of vertices_on_edge; d_e = dc_edge between the cells, l_e = dv_edge
-/// between the vertices. Laws, proved by prove_mpas_grid under their numbers:
+/// Symbols: e is an edge, n its normal from cell 1 to cell 2 of cells_on_edge, and t = k x n the
+/// direction from vertex 1 to vertex 2 of vertices_on_edge. d_e = dc_edge is the distance of the
+/// cells, l_e = dv_edge the distance of the vertices. Laws, proved by prove_mpas_grid under their
+/// numbers:
 ///   (1) n_edges = 3 n_cells, n_vertices = 2 n_cells, and the tables agree with each other:
 ///       edges_on_cell runs counter-clockwise, cells_on_cell lies across it, vertices_on_cell(j)
 ///       between edges j and j + 1; cells_on_vertex(j) between edges_on_vertex(j) and (j + 1);
-///       edges_on_edge runs counter-clockwise round cell 1, then round cell 2, from e on.
+///       edges_on_edge runs counter-clockwise around cell 1, then around cell 2, starting after e.
 ///   (2) Lengths, angles and edge points follow from the points; n and t are orthogonal.
-///   (3) Kites are positive and sum to the areas of their cell and triangle, and all to the area of
-///       the domain.
-///   (4) For any normal velocities u_e, with v_e = sum of weights times u (along t), the outflow of
-///       v from each triangle is the divergence of u in the cells, weighted with the kites:
-///       sum_e +-d_e v_e = sum_i kite_i / A_i sum_e +-l_e u_e
-///       (J. Thuburn et al., J. Comput. Phys. 228, 2009, section 3).
+///   (3) The kites are positive. The kites of a cell or of a triangle sum to its area, and all
+///       kites to the area of the domain.
+///   (4) For any normal velocities u_e, let v_e be the sum of weights times u (along t). The
+///       outflow of v from each triangle is the divergence of u in the cells, weighted with the
+///       kites: sum_e +-d_e v_e = sum_i kite_i / A_i sum_e +-l_e u_e (J. Thuburn et al., J. Comput.
+///       Phys. 228, 2009, section 3).
 struct MpasGrid {
     double x_period;
     double y_period;
@@ -40,23 +42,30 @@ struct MpasGrid {
     std::vector<int> cells_on_vertex, edges_on_vertex;
     std::vector<double> weights_on_edge, kite_areas_on_vertex;
     std::vector<double> area_cell, area_triangle, dc_edge, dv_edge, angle_edge;
-    /// The density at the sites over its largest value there; 1 where it is uniform.
+    /// The density at the sites relative to its largest value there; 1 if it is uniform.
     std::vector<double> mesh_density;
 };
 
-/// The periods along x and y of a rectangular lattice, whatever basis it is given by.
-/// @throws InvalidInput for any other one.
+/// Returns the periods along x and y of a rectangular lattice, given in any basis.
+/// @throws InvalidInput for any other lattice.
 Vec2 rectangular_periods(const Lattice& lattice);
 
+/// Builds the staggered mesh of Voronoi cells.
+///
+/// Example usage:
+///   const MpasGrid grid = mpas_grid(cell_mesh(delaunay), {0, 0});
+///   const MpasGridProof proof = prove_mpas_grid(grid);
+///
 /// @param cells   Voronoi cells with their sites; the cell of face f has index f.
-/// @param origin  corner of the domain in which the points are told.
-/// @throws InvalidInput where the lattice is not rectangular, a Delaunay triangle is not acute (its
-///         circumcentre would leave it, and its kites turn over; the worst is named), or neighbours
-///         lie half a period apart, so that the nearest image is not the right one.
+/// @param origin  corner of the domain that contains the points.
+/// @throws InvalidInput if the lattice is not rectangular; if a Delaunay triangle is not acute
+///         (its circumcentre would lie outside it, and a kite would be negative; the message names
+///         the worst triangle); or if neighbours lie half a period apart, so that the nearest image
+///         is ambiguous.
 MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin);
 
-/// Tells the grid the density of each site, of which its cells are one copy or more: cell
-/// k n_sites + i is one of site i.
+/// Sets mesh_density from the density of each site. The grid may contain several copies of the
+/// sites: cell k n_sites + i belongs to site i.
 void fill_mesh_density(const std::vector<double>& site_densities, MpasGrid& grid);
 
 }  // namespace pcvt

@@ -23,10 +23,10 @@ const char* const kTrisk = "(4) of C-grids, TRiSK";
 
 constexpr double kTolerance = 1e-12;
 constexpr double kGeometryTolerance = 1e-10;
-/// Roundings of a coordinate on its way: wrapped, halved, subtracted.
+/// Bounds the rounding errors of a coordinate that is wrapped, halved and subtracted, in ulps.
 constexpr double kUlps = 16;
 
-/// The rows of the tables, and the nearest images of the points.
+/// Access to the rows of the tables and to the nearest images of the points.
 class Rows {
    public:
     explicit Rows(const MpasGrid& grid) : g_(grid) {}
@@ -36,7 +36,7 @@ class Rows {
     }
     int cell_of_edge(int e, int k) const { return g_.cells_on_edge[2 * std::size_t(e) + k]; }
     int vertex_of_edge(int e, int k) const { return g_.vertices_on_edge[2 * std::size_t(e) + k]; }
-    /// Edge j of cell i, counted round the cell.
+    /// Returns edge j of cell i; j counts cyclically around the cell.
     int edge_of_cell(int i, int j) const {
         return entry(g_.edges_on_cell, i, g_.max_edges, j % g_.n_edges_on_cell[i]);
     }
@@ -48,7 +48,7 @@ class Rows {
     Vec2 cell(int i) const { return {g_.x_cell[i], g_.y_cell[i]}; }
     Vec2 edge(int e) const { return {g_.x_edge[e], g_.y_edge[e]}; }
     Vec2 vertex(int v) const { return {g_.x_vertex[v], g_.y_vertex[v]}; }
-    /// to - from, by the nearest image.
+    /// Returns to - from for the nearest image of `to`.
     Vec2 between(const Vec2& from, const Vec2& to) const {
         const Vec2 d = to - from;
         return {d.x() - std::round(d.x() / g_.x_period) * g_.x_period,
@@ -103,12 +103,15 @@ void require_counts(const MpasGrid& g) {
     }
 }
 
-/// Cell i lies at its edge j, its neighbour across it, and its vertex j at the end of it.
+/// Checks that cell i is one cell of its edge j, that its neighbour j is the other, and that its
+/// vertex j is the end of the edge.
 void require_cells(const MpasGrid& g, const Rows& rows) {
     for (int i = 0; i < g.n_cells; ++i) {
+        // Check the number of edges.
         const int n = g.n_edges_on_cell[i];
         if (n < 3 || n > g.max_edges)
             throw_violation(kTables, "cell " + to_string(i) + " lacks edges");
+        // Check each entry of the row; unused entries are negative.
         for (int j = 0; j < g.max_edges; ++j) {
             const int e = rows.entry(g.edges_on_cell, i, g.max_edges, j);
             const int across = rows.entry(g.cells_on_cell, i, g.max_edges, j);
@@ -130,12 +133,12 @@ void require_cells(const MpasGrid& g, const Rows& rows) {
     }
 }
 
-/// Each edge occurs once at each of its two cells.
+/// Checks that each edge occurs once in each of its two cells.
 void require_edges(const MpasGrid& g, const Rows& rows) {
     std::int64_t sum = 0;
     for (const int n : g.n_edges_on_cell) sum += n;
     if (sum != 2 * std::int64_t{g.n_edges}) {
-        throw_violation(kTables, "the cells have " + to_string(sum) + " sides, not two an edge");
+        throw_violation(kTables, "the cells have " + to_string(sum) + " sides, not two per edge");
     }
     for (int e = 0; e < g.n_edges; ++e) {
         for (const int k : {0, 1}) {
@@ -184,7 +187,7 @@ void require_edges_on_edges(const MpasGrid& g, const Rows& rows) {
         }
         if (agree && column == g.n_edges_on_edge[e]) continue;
         throw_violation(kTables,
-                        "the edges on edge " + to_string(e) + " do not run round its two cells");
+                        "the edges on edge " + to_string(e) + " do not run around its two cells");
     }
 }
 
@@ -192,7 +195,8 @@ double angle_between(double a, double b) {
     return std::abs(std::remainder(a - b, 2 * std::numbers::pi));
 }
 
-/// How far the lengths and the points of edge e are from what its cells and vertices say.
+/// Returns the largest deviation of the stored geometry of edge e from its cells and vertices, a
+/// length.
 double edge_deviation(const MpasGrid& g, const Rows& rows, int e) {
     const Vec2 here = rows.cell(rows.cell_of_edge(e, 0));
     const Vec2 normal = rows.between(here, rows.cell(rows.cell_of_edge(e, 1)));
@@ -220,8 +224,7 @@ double require_geometry(const MpasGrid& g, const Rows& rows, double h) {
         const double deviation = edge_deviation(g, rows, e) / h;
         if (!(deviation <= allowed)) {
             throw_violation(kGeometry, "edge " + to_string(e) + " is off by " +
-                                           in_words(deviation) +
-                                           " h from what its cells and vertices say");
+                                           in_words(deviation) + " h from its cells and vertices");
         }
         worst = std::max(worst, deviation);
     }
@@ -235,11 +238,12 @@ double require_areas(const MpasGrid& g, const Rows& rows, double h) {
     const auto compare = [&](double found, double stated, double unit, const std::string& what) {
         const double deviation = std::abs(found - stated) / unit;
         if (!(deviation <= kTolerance)) {
-            throw_violation(kAreas,
-                            "the kites of " + what + " miss its area by " + in_words(deviation));
+            throw_violation(
+                kAreas, "the kites of " + what + " differ from its area by " + in_words(deviation));
         }
         worst = std::max(worst, deviation);
     };
+    // Compare the kites of each vertex with its triangle, and sum them over the cells.
     for (int v = 0; v < g.n_vertices; ++v) {
         double sum = 0;
         for (int k = 0; k < 3; ++k) {
@@ -251,6 +255,7 @@ double require_areas(const MpasGrid& g, const Rows& rows, double h) {
         }
         compare(sum, g.area_triangle[v], h * h, "vertex " + to_string(v));
     }
+    // Compare the sums with the areas of the cells and of the domain.
     for (int i = 0; i < g.n_cells; ++i) {
         compare(cells[i], g.area_cell[i], h * h, "cell " + to_string(i));
         total += cells[i];
@@ -259,7 +264,7 @@ double require_areas(const MpasGrid& g, const Rows& rows, double h) {
     return worst;
 }
 
-/// Normal velocities between -1 and 1, the same on every machine.
+/// Returns random normal velocities between -1 and 1, equal on every machine.
 std::vector<double> random_velocities(int n) {
     std::mt19937 random(1);
     std::vector<double> u(static_cast<std::size_t>(n));
@@ -268,6 +273,7 @@ std::vector<double> random_velocities(int n) {
 }
 
 double require_trisk(const MpasGrid& g, const Rows& rows, double h) {
+    // Sum the divergence of u in the cells and the outflow of v from the triangles.
     const std::vector<double> u = random_velocities(g.n_edges);
     std::vector<double> divergence(static_cast<std::size_t>(g.n_cells), 0);
     std::vector<double> outflow(static_cast<std::size_t>(g.n_vertices), 0);
@@ -282,6 +288,7 @@ double require_trisk(const MpasGrid& g, const Rows& rows, double h) {
         outflow[rows.vertex_of_edge(e, 0)] += g.dc_edge[e] * v;
         outflow[rows.vertex_of_edge(e, 1)] -= g.dc_edge[e] * v;
     }
+    // Compare both sides of the identity at each vertex.
     double worst = 0;
     for (int v = 0; v < g.n_vertices; ++v) {
         double wanted = 0;

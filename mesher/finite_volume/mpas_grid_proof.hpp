@@ -5,20 +5,26 @@
 
 namespace pcvt {
 
-/// What prove_mpas_grid measured; relative amounts.
+/// The deviations that prove_mpas_grid measured, all relative.
 struct MpasGridProof {
-    /// Largest deviation of lengths, angles and edge points, in units of h = sqrt(area / n_cells).
+    /// The largest deviation of lengths, angles and edge points, in units of h = sqrt(area /
+    /// n_cells).
     double geometry;
-    /// Of the areas, in units of the mean area of a cell.
+    /// The largest deviation of the areas, in units of the mean area of a cell.
     double areas;
-    /// Of the TRiSK identity for random velocities between -1 and 1, in units of h.
+    /// The largest deviation from the TRiSK identity for random velocities between -1 and 1, in
+    /// units of h.
     double trisk;
 };
 
-/// Proves the laws of MpasGrid from the tables alone; sizes of tables must be right.
+/// Proves the laws of MpasGrid from the tables alone.
 ///
-/// Tolerances: 1e-12 for areas and for the identity; for the geometry, 1e-10 and the rounding of
-/// the largest coordinate.
+/// Example usage:
+///   std::cout << "TRiSK deviation " << prove_mpas_grid(grid).trisk << "\n";
+///
+/// Tolerances: 1e-12 for areas and for the identity; for the geometry, 1e-10 plus the rounding
+/// error of the largest coordinate.
+/// @pre The tables have the sizes that MpasGrid states.
 /// @throws NotATile naming the law, the cell, edge or vertex (from 0), and the amount.
 MpasGridProof prove_mpas_grid(const MpasGrid& grid);
 

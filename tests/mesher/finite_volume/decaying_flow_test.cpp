@@ -75,7 +75,7 @@ TEST(DecayingFlow, TheLargestSpeedIsOne) {
     }
 }
 
-TEST(DecayingFlow, OnTheUnitSquareItIsTaylorsAndGreens) {
+TEST(DecayingFlow, OnTheUnitSquareItIsTheTaylorGreenFlow) {
     const DecayingFlow flow(Lattice::rectangle(1, 1));
     const double k = 2 * std::numbers::pi;
     EXPECT_DOUBLE_EQ(flow.rate(), 2 * k * k);

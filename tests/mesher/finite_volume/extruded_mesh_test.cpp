@@ -34,7 +34,7 @@ std::vector<Eigen::Vector3d> face_points(const ExtrudedMesh& extruded, int f) {
     return points;
 }
 
-/// The corners of each face, each face beginning with its smallest.
+/// Returns the corners of each face, starting with the smallest index.
 std::vector<std::vector<int>> turned_faces(const Tile& tile) {
     std::vector<std::vector<int>> faces;
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -46,7 +46,7 @@ std::vector<std::vector<int>> turned_faces(const Tile& tile) {
     return faces;
 }
 
-TEST(ExtrudedMesh, ATileComesBackFromItsBackPlaneAndItsPatches) {
+TEST(ExtrudedMesh, ItsBaseIsTheTile) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 7, 40}) {
             for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
@@ -62,7 +62,7 @@ TEST(ExtrudedMesh, ATileComesBackFromItsBackPlaneAndItsPatches) {
     }
 }
 
-TEST(ExtrudedMesh, NormalsLeaveTheOwner) {
+TEST(ExtrudedMesh, NormalsPointOutOfTheOwner) {
     const Tile tile = random_tile(Lattice({1, 0}, {0.37, 0.81}), 40, MeshKind::kVoronoi);
     const ExtrudedMesh extruded = extruded_mesh(tile);
     for (int f = 0; f < extruded.n_faces(); ++f) {
@@ -80,7 +80,7 @@ TEST(ExtrudedMesh, NormalsLeaveTheOwner) {
     }
 }
 
-TEST(ExtrudedMesh, FacesOfASeamAnswerEachOtherPointByPoint) {
+TEST(ExtrudedMesh, FacesOfASeamMatchPointByPoint) {
     const ExtrudedMesh extruded =
         extruded_mesh(random_tile(Lattice({1, 0}, {0.37, 0.81}), 40, MeshKind::kVoronoi));
     int n_answers = 0;
@@ -102,7 +102,7 @@ TEST(ExtrudedMesh, FacesOfASeamAnswerEachOtherPointByPoint) {
     EXPECT_GT(n_answers, 100);
 }
 
-/// What extruded_base says about a sound extruded after `damage`.
+/// Returns the message of extruded_base for a sound extruded mesh after `damage`.
 template <class Damage>
 std::string fault_after(Damage damage) {
     ExtrudedMesh extruded = extruded_mesh(testing::grid_tile(Lattice({1, 0}, {0.37, 0.81}), 4, 3));
@@ -156,17 +156,17 @@ TEST(ExtrudedMesh, FacesOutOfOrderAreRefused) {
 
 TEST(ExtrudedMesh, FalseSeamsAreRefused) {
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.patches[0].separation.x() += 1e-12; }),
-                HasSubstr("states another separation"));
+                HasSubstr("states a separation other than"));
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.patches[0].partner = 2; }),
-                HasSubstr("do not answer each other"));
+                HasSubstr("do not match each other"));
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) {
                     const auto first = s.corners.begin() + s.face_begin[s.patches[0].first_face];
                     std::rotate(first, first + 1, first + 4);
                 }),
-                HasSubstr("do not begin at points that answer each other"));
+                HasSubstr("do not begin at matching points"));
 }
 
-TEST(ExtrudedMesh, FacesOfASeamInAnotherOrderAreNotItsPairs) {
+TEST(ExtrudedMesh, SwappedFacesOfASeamAreRefused) {
     ExtrudedMesh extruded = extruded_mesh(testing::grid_tile(Lattice::rectangle(1, 1), 4, 3));
     const auto first =
         extruded.corners.begin() + extruded.face_begin[extruded.patches[0].first_face];

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 MpasGrid hexagons() { return mpas_grid(testing::hexagonal_cells(6, 4), Vec2(0, 0)); }
 
-/// The cells of an optimised run from random sites.
+/// Returns the cells of a CVT that starts from random sites.
 PeriodicMesh optimized_cells(const Lattice& lattice, int n, std::uint64_t seed) {
     return periodic_mesh(compute_cvt(lattice, uniform_points(lattice, n, seed), {}).delaunay,
                          MeshKind::kVoronoi);
@@ -61,7 +61,7 @@ TEST(MpasGrid, PointsLieInTheDomainAtTheOrigin) {
     EXPECT_NO_THROW(prove_mpas_grid(grid));
 }
 
-// J. Thuburn et al., section 4: the weights of regular hexagons.
+// The weights of regular hexagons, from J. Thuburn et al., section 4.
 TEST(MpasGrid, RegularHexagonsHaveTheKnownWeights) {
     const MpasGrid grid = hexagons();
     ASSERT_EQ(grid.max_edges, 6);
@@ -91,7 +91,7 @@ TEST(MpasGrid, OnRegularHexagonsAConstantFlowHasItsTangentialPart) {
     }
 }
 
-/// The weight with which edge `on` enters the velocity on edge e.
+/// Returns the weight of edge `on` in the velocity on edge e.
 double weight(const MpasGrid& grid, int e, int on) {
     double sum = 0;
     for (int k = 0; k < grid.n_edges_on_edge[e]; ++k) {
@@ -101,7 +101,7 @@ double weight(const MpasGrid& grid, int e, int on) {
     return sum;
 }
 
-// So the Coriolis force does no work: d l w is antisymmetric.
+// The Coriolis force does no work if d l w is antisymmetric.
 TEST(MpasGrid, WeightsConserveEnergy) {
     const MpasGrid grid = mpas_grid(optimized_cells(Lattice::rectangle(1, 1), 48, 0), Vec2(0, 0));
     for (int e = 0; e < grid.n_edges; ++e) {
@@ -158,7 +158,7 @@ TEST(MpasGrid, AWrongNumberBreaksItsLaw) {
     EXPECT_THAT(proof_after([](MpasGrid& g) { g.x_period *= 1.001; }), HasSubstr("law ("));
 }
 
-TEST(MpasGrid, OnlyRectanglesAreTakenInWhateverBasis) {
+TEST(MpasGrid, OnlyRectanglesAreAcceptedInAnyBasis) {
     EXPECT_EQ(rectangular_periods(Lattice({0, 3}, {2, 0})), Vec2(2, 3));
     EXPECT_EQ(rectangular_periods(Lattice({2, 0}, {10, 3})), Vec2(2, 3));
     EXPECT_EQ(rectangular_periods(Lattice({1, 0}, {0.5, 0.75}).repeated(1, 2)), Vec2(1, 1.5));
@@ -175,7 +175,7 @@ TEST(MpasGrid, ObtuseAndRightTrianglesAreNamed) {
     const Lattice square = Lattice::rectangle(1, 1);
     const PeriodicMesh random =
         cell_mesh(PeriodicDelaunay(Sites(square, uniform_points(square, 50, 2))));
-    EXPECT_THAT(fault_of(random), HasSubstr("MPAS needs acute triangles: take another seed"));
+    EXPECT_THAT(fault_of(random), HasSubstr("MPAS needs acute triangles: use another seed"));
 }
 
 TEST(MpasGrid, TooFewCellsForTheNearestImageAreRefused) {

@@ -99,7 +99,7 @@ class CGrid(CliTest):
         run = ("mesh", "--sites", 60, "-o", "t.nc")
         self.refuse(2, "-o t.nc: MPAS knows only periods along x and y; take a rectangle", *run,
                     "--lattice", "1,0,0.3,0.9")
-        self.refuse(2, "Delaunay triangle of sites .* MPAS needs acute triangles: take another seed", *run,
+        self.refuse(2, "Delaunay triangle of sites .* MPAS needs acute triangles: use another seed", *run,
                     "--max-iterations", 0)
         self.refuse(2, "half a period apart.*repeat", "mesh", "--sites", 2, "-o", "t.nc", "--period", "1,1.3")
         self.refuse(2, "leave --short-edges out", *run, "--short-edges", "0.1")
