@@ -7,17 +7,18 @@ namespace pcvt {
 /// A divergence-free periodic flow with a known decay: an initial state for solvers of the
 /// Navier-Stokes equations, and the exact solution to compare with.
 ///
-/// Example usage:
-///   const DecayingFlow flow(lattice);
-///   const Vec2 u = flow.velocity(p) * std::exp(-nu * flow.rate() * t);
-///
 ///   psi = cos(g_1 . x) cos(g_2 . x) / |g_1|   rectangular period vectors (Taylor and Green)
 ///   psi = cos(g_2 . x) / |g_2|                oblique ones: a shear flow
 ///   u   = (d psi / dy, -d psi / dx)
 ///
 /// where g_1 and g_2 are the reciprocal vectors of the reduced basis, |g_1| >= |g_2|. For any
-/// viscosity nu both flows solve the equations as u(x, t) = exp(-nu rate t) u(x, 0). Laws, tested
-/// by number:
+/// viscosity nu both flows solve the equations as u(x, t) = exp(-nu rate t) u(x, 0).
+///
+/// Example usage:
+///   const DecayingFlow flow(lattice);
+///   const Vec2 u = flow.velocity(p) * std::exp(-nu * flow.rate() * t);
+///
+/// Laws, tested by number:
 ///   (1) u has the period of the lattice and its divergence is 0.
 ///   (2) The curl w of u is an eigenfunction: laplace(w) = -rate w, and u . grad(w) = 0.
 ///   (3) The largest speed is 1 length unit per second.

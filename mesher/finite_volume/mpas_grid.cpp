@@ -232,8 +232,9 @@ Vec2 rectangular_periods(const Lattice& lattice) {
     if (a.y() <= kRightAngle * a.x() && b.x() <= kRightAngle * b.y()) return {a.x(), b.y()};
     if (a.x() <= kRightAngle * a.y() && b.y() <= kRightAngle * b.x()) return {b.x(), a.y()};
     throw InvalidInput(
-        "MPAS supports only periods along x and y; use a rectangular period, or repeat the tile to "
-        "one");
+        "MPAS supports only periods along x and y; use a rectangular lattice or a repetition that "
+        "is "
+        "rectangular");
 }
 
 MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin) {

@@ -25,8 +25,9 @@ namespace pcvt {
 ///       kites to the area of the domain.
 ///   (4) For any normal velocities u_e, let v_e be the sum of weights times u (along t). The
 ///       outflow of v from each triangle is the divergence of u in the cells, weighted with the
-///       kites: sum_e +-d_e v_e = sum_i kite_i / A_i sum_e +-l_e u_e (J. Thuburn et al., J. Comput.
-///       Phys. 228, 2009, section 3).
+///       kites:
+///       sum_e +-d_e v_e = sum_i kite_i / A_i sum_e +-l_e u_e
+///       (J. Thuburn et al., J. Comput. Phys. 228, 2009, section 3).
 struct MpasGrid {
     double x_period;
     double y_period;

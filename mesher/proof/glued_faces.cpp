@@ -17,7 +17,7 @@ using std::to_string;
 const char* const kFaceLaw = "(1), faces";
 const char* const kSeamLaw = "(2), seam";
 
-/// A halfedge under the name that all images of its edge share.
+/// A halfedge with the key that all images of its edge share.
 struct Side {
     int low;
     int high;
@@ -102,7 +102,7 @@ class Gluing {
         for (std::size_t k = 0; k < sides.size();) {
             std::size_t end = k + 1;
             while (end < sides.size() && sides[end].same_edge(sides[k])) ++end;
-            // Of one edge the sides that run forward come first.
+            // The forward sides of an edge come first.
             for (std::size_t l = k + 1; l < end; ++l) {
                 if (sides[l].reversed == sides[l - 1].reversed) {
                     refuse_overlap(sides[l - 1].halfedge, sides[l].halfedge);
@@ -153,7 +153,8 @@ class Gluing {
         throw_violation(kSeamLaw, what);
     }
 
-    /// Of the other halfedges without a partner the one that comes nearest to running back along h.
+    /// Returns the halfedge without a partner that comes nearest to the reverse of h, and its
+    /// deviation.
     std::pair<int, double> nearest_lonely(int h) const {
         const Lattice reduced = reduce(tile_.lattice).reduced;
         const Vec2 from = tile_.points[faces_.corners[h]];

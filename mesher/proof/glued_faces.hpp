@@ -5,19 +5,25 @@
 
 namespace pcvt {
 
-/// The faces of a tile on proven vertices, each side with the one that runs the other way along it.
+/// The faces of a tile on proven vertices; each side is linked to the opposite side of its edge.
 ///
-/// A halfedge is the index of the corner that it leaves.
+/// Example usage:
+///   const GluedFaces faces = glue_faces(tile, proven_orbits(proof), Precision::kDouble);
+///   const int neighbour = faces.face_of[faces.opposite[h]];
+///
+/// A halfedge has the index of the corner that it leaves.
 struct GluedFaces {
-    /// The number of each face in the file: faces that shrank to less than a triangle are left out.
+    /// The index of each face in the file. Faces with fewer than three distinct corners are left
+    /// out.
     std::vector<int> file_face;
     std::vector<int> face_begin;
-    /// Vertex indices; of vertices that coincide the first one.
+    /// Vertex indices; coincident vertices are replaced by the first of them.
     std::vector<int> corners;
     std::vector<int> face_of;
-    /// The halfedge across: inside of the tile or over the seam; an involution.
+    /// The halfedge on the other side of the edge, inside the tile or across the seam; an
+    /// involution.
     std::vector<int> opposite;
-    /// The opposite halfedge lies on this one + translation: (0, 0) inside of the tile.
+    /// The opposite halfedge is this one plus the translation; (0, 0) inside the tile.
     std::vector<Offset> across;
 
     int n_faces() const { return static_cast<int>(file_face.size()); }
@@ -28,10 +34,10 @@ struct GluedFaces {
     bool on_seam(int h) const { return across[h] != Offset{}; }
 };
 
-/// Drops corners that coincide with the one before and faces that have fewer than three left, then
-/// matches the sides of the faces by orbits and offsets. In double precision nothing may be
-/// dropped.
-/// @throws NotATile where a face meets a vertex twice, or a side has not exactly one partner.
+/// Drops corners that coincide with the preceding corner and faces with fewer than three remaining
+/// corners, then matches the sides of the faces by orbits and offsets. In double precision nothing
+/// may be dropped.
+/// @throws NotATile if a face meets a vertex twice or a side does not have exactly one partner.
 GluedFaces glue_faces(const Tile& tile, const VertexOrbits& orbits, Precision precision);
 
 }  // namespace pcvt

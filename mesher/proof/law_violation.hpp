@@ -7,9 +7,12 @@
 namespace pcvt {
 
 /// Throws NotATile with the message "law <law>: <what>".
+///
+/// Example usage:
+///   throw_violation("(2), seam", "edge " + edge_in_words(3, 4) + " has no partner");
 [[noreturn]] void throw_violation(const std::string& law, const std::string& what);
 
-/// Words for the messages: "1.23e-09", "(2, -1)", "3 -> 4".
+/// Format a value for a message: "1.23e-09", "(2, -1)", "3 -> 4".
 std::string in_words(double amount);
 std::string in_words(Offset offset);
 std::string edge_in_words(int from, int to);

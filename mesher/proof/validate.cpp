@@ -20,7 +20,7 @@ const char* const kDiscLaw = "(3), disc";
 const char* const kTorusLaw = "(4), torus";
 const char* const kAreaLaw = "(5), areas";
 
-/// A representative plus a translation is rounded, and so are the representative and the period.
+/// Bounds the rounding errors of the representative, of the period and of their sum, in ulps.
 constexpr double kUlps = 4;
 
 /// 4 ulps of the largest coordinate.
@@ -75,7 +75,7 @@ void require_true_copies(const Tile& tile) {
     }
 }
 
-/// A vertex that has been merged may leave the faces to its other copies.
+/// Checks that each vertex, or another copy of it, belongs to a face.
 void require_vertices_in_use(const Tile& tile, const VertexOrbits& orbits) {
     std::vector<bool> used(tile.points.size(), false);
     for (const int v : tile.corners) used[orbits.first_copy[v]] = true;
@@ -102,7 +102,7 @@ void take_face(const Tile& tile, const GluedFaces& faces, int f, Polygon& polygo
     }
 }
 
-/// Returns the sum of the areas, with W. Kahan's compensation.
+/// Returns the sum of the areas, computed by W. Kahan's compensated summation.
 double require_simple_faces(const Tile& tile, const GluedFaces& faces, Precision precision,
                             double tolerance) {
     double sum = 0;
@@ -158,7 +158,8 @@ void require_single_fans(const Tile& tile, const GluedFaces& faces) {
     }
 }
 
-/// With one fan round each vertex, each boundary vertex has one boundary edge that leaves it.
+/// Checks that the boundary is one loop. Each vertex has one fan by now, so exactly one boundary
+/// edge leaves each boundary vertex.
 void require_one_loop(const Tile& tile, const GluedFaces& faces) {
     DisjointSets loops(tile.n_vertices());
     int first = -1;
@@ -186,8 +187,9 @@ void require_euler(const std::string& law, int n_vertices, int n_edges, int n_fa
                              to_string(wanted));
 }
 
-/// Moving each boundary vertex by the tolerance in each coordinate changes the area by no more than
-/// sqrt(2) times tolerance times perimeter; the second term bounds the rounding of the sum.
+/// Checks the total area. Moving each boundary vertex by the tolerance in each coordinate changes
+/// the area by at most sqrt(2) times tolerance times perimeter; the second term bounds the rounding
+/// error of the sum.
 void require_area(const Tile& tile, const GluedFaces& faces, const TileProof& proof) {
     double perimeter = 0;
     for (int h = 0; h < faces.n_halfedges(); ++h) {
@@ -228,7 +230,7 @@ void collect_edges(const GluedFaces& faces, TileProof& proof) {
     for (int h = 0; h < faces.n_halfedges(); ++h) {
         if (!faces.on_seam(h)) continue;
         ++proof.n_boundary_edges;
-        // Of a pair the side whose translation is positive: the other one has the negative.
+        // Store each pair once, from the side with the positive translation.
         if (faces.across[h] < Offset{}) continue;
         const int g = faces.opposite[h];
         proof.edge_pairs.push_back({faces.corners[h], faces.corners[faces.next(h)],
@@ -241,9 +243,11 @@ void collect_edges(const GluedFaces& faces, TileProof& proof) {
 }  // namespace
 
 TileProof prove_tile(const Tile& tile, Precision precision) {
+    // Check the arrays.
     require_arrays(tile);
     require_known_vertices(tile);
     require_true_copies(tile);
+    // Find the orbits and glue the faces (laws 1 and 2).
     TileProof proof{};
     proof.tolerance = position_tolerance(tile, precision);
     const VertexOrbits orbits =
@@ -255,6 +259,7 @@ TileProof prove_tile(const Tile& tile, Precision precision) {
     collect_vertices(orbits, faces, proof);
     collect_edges(faces, proof);
     proof.area = require_simple_faces(tile, faces, precision, proof.tolerance);
+    // Prove the disc, the torus and the area (laws 3 to 5).
     require_single_fans(tile, faces);
     require_connected(faces);
     require_one_loop(tile, faces);

@@ -17,7 +17,7 @@ using std::to_string;
 const char* const kVoronoiLaw = "of Voronoi";
 const char* const kDelaunayLaw = "of Delaunay";
 
-/// Whether triangle f goes on with the fan that triangle f - 1 belongs to.
+/// Whether triangle f continues the fan of triangle f - 1.
 bool continues_fan(const Tile& tile, const std::vector<int>& first_copy, int f) {
     if (f == 0 || tile.face_site.size() != static_cast<std::size_t>(tile.n_faces())) return false;
     if (tile.face_site[f] != tile.face_site[f - 1]) return false;
@@ -28,8 +28,8 @@ bool continues_fan(const Tile& tile, const std::vector<int>& first_copy, int f) 
     return corner(f, 0) == corner(f - 1, 0) && corner(f, 1) == corner(f - 1, 2);
 }
 
-/// The tile with each fan of triangles joined to the polygon that it was cut from, and in
-/// `file_face` the first face of each.
+/// Returns the tile with each fan of triangles joined to the polygon that it divides; `file_face`
+/// receives the first face of each polygon.
 Tile join_fans(const Tile& tile, const TileProof& proof, std::vector<int>& file_face) {
     Tile cells{tile.lattice, MeshKind::kVoronoi, tile.points, {}, {}, {}, {}, {}, {}};
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -46,7 +46,7 @@ Tile join_fans(const Tile& tile, const TileProof& proof, std::vector<int>& file_
     return cells;
 }
 
-/// The faces of a proven tile on its vertices, with their numbers in the file for the messages.
+/// The faces of a proven tile on its vertices, with their indices in the file for the messages.
 class ProvenFaces {
    public:
     ProvenFaces(const Tile& tile, const TileProof& proof)
@@ -56,7 +56,7 @@ class ProvenFaces {
     const GluedFaces& glued() const { return faces_; }
     const Vec2& from(int h) const { return tile_.points[faces_.corners[h]]; }
     const Vec2& to(int h) const { return from(faces_.next(h)); }
-    /// The translation that brings the face across h beside its face.
+    /// Returns the translation that moves the face across h next to the face of h.
     Vec2 back_across(int h) const { return tile_.lattice.translation(-faces_.across[h]); }
 
     Polygon polygon(int f) const {
@@ -103,7 +103,8 @@ std::vector<Vec2> require_convex_cells(const ProvenFaces& faces, double h, doubl
     return centroids;
 }
 
-/// How far the ends of a side lie from the bisector of the centroids on its left and right.
+/// Returns the larger distance of the ends of a side from the bisector of the centroids on its left
+/// and right.
 double bisector_distance(const ProvenFaces& faces, int side, const Vec2& left, const Vec2& right) {
     const Vec2 direction = (right - left).normalized();
     const Vec2 middle = (left + right) / 2;
@@ -111,7 +112,8 @@ double bisector_distance(const ProvenFaces& faces, int side, const Vec2& left, c
                     std::abs(direction.dot(faces.to(side) - middle)));
 }
 
-/// A convex cell holds its centroid, so the two centroids lie on the right sides of their edge.
+/// Checks bisectors only: a convex cell contains its centroid, so the centroids lie on the correct
+/// sides of their edge.
 double require_voronoi_cells(const ProvenFaces& faces, double tolerance, double h,
                              const CentroidFunction& centroid) {
     const std::vector<Vec2> centroids = require_convex_cells(faces, h, tolerance, centroid);
@@ -131,7 +133,7 @@ double require_voronoi_cells(const ProvenFaces& faces, double tolerance, double 
     return largest;
 }
 
-/// How deep the point lies inside the circle through a counter-clockwise triangle; negative
+/// Returns the depth of the point inside the circumcircle of a counter-clockwise triangle; negative
 /// outside.
 double depth_in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& point) {
     const Vec2 p = b - a;
@@ -140,7 +142,7 @@ double depth_in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& 
     const double twice_area = cross(p, q);
     const Vec2 weighted = p.squaredNorm() * q - q.squaredNorm() * p;
     const Vec2 centre = Vec2(weighted.y(), -weighted.x()) / (2 * twice_area);
-    // Radius minus distance, without the cancellation of two nearly equal roots.
+    // Radius minus distance, without cancellation between two nearly equal roots.
     return s.dot(2 * centre - s) / (centre.norm() + (s - centre).norm());
 }
 

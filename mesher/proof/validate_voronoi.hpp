@@ -9,8 +9,11 @@ namespace pcvt {
 
 using CentroidFunction = std::function<Vec2(const Polygon&)>;
 
-/// The same as prove_voronoi of cells for any kind of centroid: that of a density, for instance.
-/// Triangles have none.
+/// Works like prove_voronoi (validate.hpp), with any kind of centroid for cells, e.g. of a density.
+/// Triangles do not use it.
+///
+/// Example usage:
+///   const double distance = prove_voronoi(tile, proof, 1e-6, polygon_centroid);
 double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance,
                      const CentroidFunction& centroid);
 

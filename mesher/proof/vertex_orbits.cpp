@@ -14,10 +14,10 @@
 namespace pcvt {
 namespace {
 
-/// Chains of vertices that agree pairwise may drift; their ends must agree within so many
+/// A chain of vertices that agree pairwise may drift; its ends must agree within this many
 /// tolerances.
 constexpr double kLongestChain = 4;
-/// A tolerance above this share of the shortest period would make neighbouring images one.
+/// A tolerance above this fraction of the shortest period would identify neighbouring images.
 constexpr double kLargestTolerance = 1e-3;
 
 /// A bin of the domain that a vertex touches. Vertices that agree share a bin.
@@ -28,19 +28,20 @@ struct BinEntry {
     friend auto operator<=>(const BinEntry&, const BinEntry&) = default;
 };
 
-/// One coordinate of the domain, [0, 1), cut into equal bins.
+/// One coordinate of the domain, [0, 1), divided into equal bins.
 class BinAxis {
    public:
-    /// @param margin  how far, in lattice coordinates, two coordinates that agree may lie apart.
+    /// @param margin  the largest distance between two coordinates that agree, in lattice
+    ///                coordinates.
     explicit BinAxis(double margin)
         : margin_(margin), n_bins_(std::clamp(std::floor(1 / (8 * margin)), 1.0, 0x1p50)) {}
 
-    /// Of `n` shares of the axis the one that a bin lies in.
+    /// Returns which of `n` equal parts of the axis contains a bin.
     int share(std::int64_t bin, int n) const {
         return std::min(n - 1, static_cast<int>(static_cast<double>(bin) / n_bins_ * n));
     }
 
-    /// The one or two bins within the margin of a coordinate; both entries are the same for one.
+    /// Returns the bins within the margin of a coordinate; both entries are equal if it is one bin.
     std::array<std::int64_t, 2> touched(double coordinate) const {
         const double fraction = coordinate - std::floor(coordinate);
         return {bin(fraction - margin_), bin(fraction + margin_)};
@@ -57,7 +58,7 @@ class BinAxis {
     double n_bins_;
 };
 
-/// For each vertex the smallest index among those with its representative and offset.
+/// Returns for each vertex the smallest vertex with the same representative and offset.
 std::vector<int> first_copies(const std::vector<int>& representative,
                               const std::vector<Offset>& offset) {
     std::vector<int> order(representative.size());
@@ -86,7 +87,8 @@ class OrbitFinder {
         require_small_tolerance();
         coordinates_.reserve(points.size());
         for (const Vec2& p : points) {
-            // Relative to vertex 0, so that a tile far from the origin loses no digits.
+            // Coordinates are relative to vertex 0, so that a tile far from the origin loses no
+            // digits.
             coordinates_.push_back(reduction_.reduced.to_lattice(p - points.front()));
         }
         require_countable_periods();
@@ -132,15 +134,16 @@ class OrbitFinder {
         }
     }
 
-    /// position(w) - position(v) as a multiple of the periods, rounded.
+    /// Returns position(w) - position(v) in periods, rounded to integers.
     Offset offset_between(int v, int w) const {
         const Vec2 u = coordinates_[w] - coordinates_[v];
         return reduction_.to_original(
             {static_cast<int>(std::lround(u.x())), static_cast<int>(std::lround(u.y()))});
     }
 
-    /// The larger coordinate of position(w) - position(v) - translation(offset). In long double:
-    /// the rounding of the sum must not eat up a tolerance of four ulps.
+    /// Returns the larger coordinate of |position(w) - position(v) - translation(offset)|. It is
+    /// computed in long double, because the rounding error of the sum would be of the order of the
+    /// tolerance.
     double mismatch(int v, int w, Offset offset) const {
         const auto along = [&](int k) {
             const long double translation = offset.i * static_cast<long double>(lattice_.a()[k]) +
@@ -162,7 +165,7 @@ class OrbitFinder {
 
     std::vector<BinEntry> bin_entries() const {
         const Lattice& reduced = reduction_.reduced;
-        // Bounds a change of u by a change of p, with room for the rounding of both.
+        // Bounds the change of u caused by a change of p, including the rounding errors of both.
         const double scale = 32 * tolerance_ / reduced.area();
         const BinAxis columns(scale * reduced.b().lpNorm<1>());
         const BinAxis rows(scale * reduced.a().lpNorm<1>());

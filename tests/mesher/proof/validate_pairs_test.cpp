@@ -14,7 +14,7 @@ using testing::triangle_grid_tile;
 
 const Lattice kUnit = Lattice::rectangle(1, 1);
 
-/// The reason why the stored pairs are refused; empty if they are right.
+/// Returns the message that refuses the stored pairs; empty if they are correct.
 std::string refusal(const Tile& tile) {
     const TileProof proof = prove_tile(tile, Precision::kDouble);
     try {
@@ -55,8 +55,8 @@ TEST(StoredPairs, EachOneIsNeeded) {
     }
 }
 
-TEST(StoredPairs, AnyGeneratingSetWillDo) {
-    // The four corners of a tile of one cell, as a chain instead of a star.
+TEST(StoredPairs, AnyGeneratingSetIsAccepted) {
+    // The pairs of the four corners of a one-cell tile form a chain instead of a star.
     Tile tile = grid_tile(Lattice({1, 0}, {7, 1}), 1, 1);
     tile.vertex_pairs = {{3, 2, {-1, 0}}, {1, 3, {0, 1}}, {2, 0, {0, -1}}, {0, 3, {1, 1}}};
     EXPECT_THAT(refusal(tile), IsEmpty());

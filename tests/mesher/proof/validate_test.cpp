@@ -23,7 +23,7 @@ using testing::triangle_grid_tile;
 
 const Lattice kUnit = Lattice::rectangle(1, 1);
 
-/// The reason why the tile is refused; empty if it is proved, with all that it stores.
+/// Returns the message that refuses the tile; empty if the tile and its stored pairs are proved.
 std::string refusal(const Tile& tile, Precision precision = Precision::kDouble) {
     try {
         const TileProof proof = prove_tile(tile, precision);
@@ -79,7 +79,7 @@ TEST(ProveTile, ToleranceIsFourUlpsOfTheLargestCoordinate) {
     EXPECT_EQ(prove_tile(tile, Precision::kSingle).tolerance, 4 * 0x1p-22);
 }
 
-TEST(ProveTile, OrderAndNamesDoNotMatter) {
+TEST(ProveTile, OrderAndNumberingDoNotMatter) {
     std::mt19937 random(1);
     for (int round = 0; round < 200; ++round) {
         for (const Lattice& lattice : many_lattices()) {
@@ -115,8 +115,8 @@ TEST(ProveTileFaces, NeedThreeDistinctCornersThatExist) {
     EXPECT_THAT(refusal(tile), HasSubstr("face 0 has 2 corners"));
 }
 
-TEST(ProveTileFaces, MeetNoVertexTwice) {
-    // Face 1 of a pair of squares goes to a corner of face 0 and back.
+TEST(ProveTileFaces, DoNotMeetAVertexTwice) {
+    // Face 1 of a pair of squares has a spike to a corner of face 0 and back.
     Tile tile = testing::polygon_tile(
         Lattice::rectangle(2, 1),
         {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 0}, {1, 1}}});
@@ -124,13 +124,13 @@ TEST(ProveTileFaces, MeetNoVertexTwice) {
 }
 
 TEST(ProveTileFaces, NeedPositiveArea) {
-    // The vertex in the middle goes outside of face 3, but its edges stay matched.
+    // The vertex in the middle leaves face 3, but its edges remain matched.
     Tile tile = grid_tile(Lattice::rectangle(2, 2), 2, 2);
     tile.points[4] = {2.7, 2.7};
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (1)"), HasSubstr("face 3"), HasSubstr("-0.7")));
 }
 
-TEST(ProveTileFaces, CrossNotThemselves) {
+TEST(ProveTileFaces, DoNotCrossThemselves) {
     Tile tile = grid_tile(Lattice::rectangle(3, 3), 3, 3);
     tile.points[5] = {-0.5, 0.9};
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (1)"), HasSubstr("face 0 crosses itself")));
@@ -142,7 +142,7 @@ TEST(ProveTileFaces, VerticesOfOneTileMustNotCoincide) {
     EXPECT_THAT(refusal(tile), HasSubstr("vertices 0 and 4 coincide: they lie 1e-16 apart"));
 }
 
-TEST(ProveTileFaces, CoordinatesMustNotSwallowThePeriod) {
+TEST(ProveTileFaces, CoordinatesMustNotExceedThePeriodByFar) {
     Tile tile = grid_tile(kUnit, 2, 2);
     for (Vec2& p : tile.points) p.x() += 1e14;
     EXPECT_THAT(refusal(tile), HasSubstr("nearer to the origin"));
@@ -198,7 +198,7 @@ TEST(ProveTileSeam, DoubledFaceIsRefused) {
 }
 
 TEST(ProveTileSeam, FaceOnItsImageIsRefused) {
-    // The fifth column stands on the image of the first one.
+    // The fifth column coincides with an image of the first one.
     Tile tile = grid_tile(Lattice::rectangle(5, 4), 5, 4);
     tile.lattice = Lattice::rectangle(4, 4);
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("images by (1, 0)")));
@@ -222,7 +222,7 @@ TEST(ProveTileSeam, EdgeSplitOnOneSideOnlyIsRefused) {
         const auto corner = std::find_if(tile.corners.begin(), tile.corners.end(),
                                          [&](int v) { return tile.points[v] == Vec2(0, height); });
         tile.points.push_back({0.5, height});
-        // The face that ends on the edge (height 1) or starts on it gets one corner more.
+        // Add a corner to the face whose last edge (height 1) or first edge is split.
         const auto face = (corner - tile.corners.begin()) / 4;
         const int place = height == 1.0 ? 3 : 1;
         tile.corners.insert(tile.corners.begin() + 4 * face + place, tile.n_vertices() - 1);
@@ -237,7 +237,7 @@ TEST(ProveTileSeam, HoleWithoutPartnersIsRefused) {
     EXPECT_THAT(refusal(tile), HasSubstr("law (2)"));
 }
 
-// Laws (3) to (5): surfaces of bulging squares obey the laws before.
+// Laws (3) to (5): surfaces made of bulging squares satisfy laws (1) and (2).
 
 TEST(ProveTileDisc, OneBulgingSquareIsProved) {
     EXPECT_THAT(refusal(square_tiled({{{0, 0}}, {0}, {0}})), IsEmpty());
@@ -248,13 +248,13 @@ TEST(ProveTileDisc, FacesThatMeetInAVertexOnlyArePinched) {
                 AllOf(HasSubstr("law (3)"), HasSubstr("pinched")));
 }
 
-TEST(ProveTileDisc, FacesApartAreNotConnected) {
+TEST(ProveTileDisc, SeparateFacesAreRefused) {
     EXPECT_THAT(refusal(square_tiled({{{0, 0}, {3, 1}}, {1, 0}, {0, 1}})),
                 AllOf(HasSubstr("law (3)"), HasSubstr("face 1 is not connected to face 0")));
 }
 
 TEST(ProveTileDisc, AnnulusIsRefused) {
-    // Eight squares round a hole, whose left side is glued to its right one and so on.
+    // Eight squares around a hole; opposite sides of the hole are glued.
     const testing::SquareTiled ring{
         {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {2, 1}, {0, 2}, {1, 2}, {2, 2}},
         {1, 2, 0, 4, 3, 6, 7, 5},
@@ -268,7 +268,7 @@ TEST(ProveTileTorus, SurfaceOfGenusTwoIsRefused) {
 }
 
 TEST(ProveTileAreas, DoubleCoverIsRefused) {
-    // Two cells 0.9 and 1.1 wide: no edge of one sheet lies on an edge of the other.
+    // With cells 0.9 and 1.1 wide, no edge of one sheet lies on an edge of the other.
     const Tile tile = testing::polygon_tile(
         kUnit, {{{0, 0}, {0.9, 0}, {0.9, 1}, {0, 1}}, {{0.9, 0}, {2, 0}, {2, 1}, {0.9, 1}}});
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (5)"), HasSubstr("cover 2 of")));
@@ -276,7 +276,7 @@ TEST(ProveTileAreas, DoubleCoverIsRefused) {
 
 // Single precision
 
-TEST(ProveTileInSinglePrecision, FansWithVerticesOfTheirOwnAreProved) {
+TEST(ProveTileInSinglePrecision, FansWithSeparateVerticesAreProved) {
     for (const Lattice& lattice : many_lattices()) {
         if (lattice.area() < 1e-30 || lattice.area() < 1e-3 * lattice.b().squaredNorm()) continue;
         const Tile fans = testing::float_fans(grid_tile(lattice, 5, 3));
@@ -292,7 +292,7 @@ TEST(ProveTileInSinglePrecision, FansWithVerticesOfTheirOwnAreProved) {
 }
 
 TEST(ProveTileInSinglePrecision, EdgeThatShrinksToAPointIsDropped) {
-    // A square with two corners cut off along the period vectors' sum, 1e-8 deep.
+    // A square with two opposite corners cut off, 1e-8 deep.
     const double e = 1e-8;
     Tile tile =
         testing::polygon_tile(Lattice({1 + e, e}, {e, 1 + e}),
@@ -305,7 +305,7 @@ TEST(ProveTileInSinglePrecision, EdgeThatShrinksToAPointIsDropped) {
     EXPECT_EQ(proof.n_boundary_edges, 4);
 }
 
-TEST(ProveTileInSinglePrecision, StatedCopiesAreNotBelieved) {
+TEST(ProveTileInSinglePrecision, StatedCopiesAreChecked) {
     Tile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
     fans.points.push_back(fans.points[5]);
     fans.copies = {5};
@@ -337,7 +337,7 @@ TEST(ProveTileInSinglePrecision, VertexTenTolerancesOffIsRefused) {
     }
 }
 
-// Random faults: whatever breaks the topology of a tile is refused.
+// Random faults that break the topology of a tile are refused.
 
 void break_at_random(Tile& tile, std::mt19937& random) {
     const int f = static_cast<int>(random() % tile.n_faces());

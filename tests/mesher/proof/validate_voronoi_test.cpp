@@ -24,7 +24,7 @@ double largest_distance(const Tile& tile, double tolerance,
     return prove_voronoi(tile, prove_tile(tile, precision), tolerance);
 }
 
-/// Moves each orbit of vertices by up to `amount`, as one.
+/// Moves each orbit of vertices by a common vector of up to `amount` per coordinate.
 Tile jittered(Tile tile, double amount, std::mt19937& random) {
     std::uniform_real_distribution<double> jitter(-amount, amount);
     const TileProof proof = prove_tile(tile, Precision::kDouble);
@@ -43,7 +43,7 @@ TEST(ProveVoronoi, HoneycombsAndRectanglesAreCentroidal) {
     }
 }
 
-TEST(ProveVoronoi, ObliqueParallelogramsAreNoCells) {
+TEST(ProveVoronoi, ObliqueParallelogramsAreNotVoronoiCells) {
     const Tile tile = grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
     EXPECT_THAT([&] { largest_distance(tile, 1e-6); },
                 ThrowsMessage<NotATile>(AllOf(HasSubstr("law of Voronoi"), HasSubstr("face 0"),
@@ -91,7 +91,8 @@ std::vector<Centroid> images_of_centroids(const Tile& tile, int reach) {
     return images;
 }
 
-/// How much nearer a corner of a cell is to some image of a centroid than to its own, at most.
+/// Returns the largest amount by which a corner of a cell is nearer to some image of a centroid
+/// than to its own centroid.
 double brute_force_excess(const Tile& tile) {
     const std::vector<Centroid> images = images_of_centroids(tile, 3);
     const std::vector<Centroid> own = images_of_centroids(tile, 0);
@@ -116,7 +117,8 @@ TEST(ProveVoronoi, AgreesWithAllImagesOfAllCentroids) {
         const double h = std::sqrt(tile.lattice.area() / tile.n_faces());
         const double excess = brute_force_excess(tile) / h;
         const double distance = largest_distance(tile, 1);
-        // Nearer by e means off the bisector by e times half the angle's cosine: between 1 and 2.
+        // An excess e corresponds to a distance between e / 2 and e from the bisector, by the
+        // angle.
         EXPECT_LE(excess, 2 * distance);
         EXPECT_GE(excess, 0.1 * distance);
         EXPECT_THROW(largest_distance(tile, excess / 3), NotATile);
@@ -131,8 +133,8 @@ TEST(ProveVoronoi, FansOfTrianglesAreJoinedToCells) {
     EXPECT_THROW(largest_distance(strangers, 1e-5, Precision::kSingle), NotATile);
 }
 
-TEST(ProveVoronoi, CopiesOfOneSiteSideBySideStayApart) {
-    // As in a repeated tile of one site.
+TEST(ProveVoronoi, AdjacentCopiesOfOneSiteAreNotJoined) {
+    // All cells have one site, as in a repeated tile of one site.
     Tile tile = honeycomb_tile(3, 2);
     for (SiteId& site : tile.face_site) site = 0;
     EXPECT_LT(largest_distance(tile, 1e-12), 1e-14);
@@ -159,8 +161,9 @@ TEST(ProveDelaunay, WrongDiagonalIsRefusedWithItsDepth) {
                                               HasSubstr("inside the circumcircle"))));
 }
 
-TEST(ProveDelaunay, DepthIsThatOfTheCornerInTheCircle) {
-    // Sides 1 and (s, 1): the power of the corner is 2 s, radius and distance are sqrt(1/2) + O(s).
+TEST(ProveDelaunay, DepthIsTheDepthOfTheCornerInTheCircle) {
+    // For sides (1, 0) and (s, 1) the power of the corner is 2 s; radius and distance are sqrt(1/2)
+    // + O(s).
     for (const double shear : {1e-3, 1e-6}) {
         const Tile tile = triangle_grid_tile(Lattice({1, 0}, {shear, 1}), 2, 2);
         EXPECT_NEAR(largest_distance(tile, 1), std::sqrt(2) * shear, 2 * shear * shear);
@@ -175,7 +178,7 @@ TEST(ProveDelaunay, CellsOfMoreThanThreeCornersAreRefused) {
                 ThrowsMessage<NotATile>(HasSubstr("face 0 has 4 corners, not 3")));
 }
 
-TEST(Voronoi, GrainsAreNotAskedFor) {
+TEST(Voronoi, GrainsAreRefused) {
     const Tile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 2, 2);
     const TileProof proof = prove_tile(tile, Precision::kDouble);
     EXPECT_THROW(prove_voronoi(tile, proof, 1), InvalidInput);

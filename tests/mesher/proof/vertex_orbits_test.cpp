@@ -18,7 +18,7 @@ std::vector<Lattice> lattices() {
             Lattice::rectangle(50, 1), Lattice({1, 0}, {-0.5, 0.86})};
 }
 
-/// The images of a few points, each off by up to 0.4 tolerances; points may lie on the seam.
+/// Images of a few points, each displaced by up to 0.4 tolerances. Points may lie on the seam.
 struct Cloud {
     std::vector<Vec2> points;
     std::vector<int> orbit;
@@ -31,7 +31,8 @@ Cloud random_cloud(const Lattice& lattice, std::mt19937& random) {
     for (int k = 0; k < 60; ++k) {
         const int orbit = static_cast<int>(random() % 20);
         const Offset offset{static_cast<int>(random() % 9) - 4, static_cast<int>(random() % 9) - 4};
-        // Multiples of 1/5 and 1/4: all 20 differ, some lie on the border of the domain.
+        // The coordinates are multiples of 1/5 and 1/4, so all 20 points differ and some lie on the
+        // border of the domain.
         const Vec2 u(orbit % 5 / 5.0 + offset.i, orbit / 5 / 4.0 + offset.j);
         cloud.points.push_back(lattice.to_plane(u) + Vec2(noise(random), noise(random)));
         cloud.orbit.push_back(orbit);
@@ -40,7 +41,7 @@ Cloud random_cloud(const Lattice& lattice, std::mt19937& random) {
     return cloud;
 }
 
-TEST(VertexOrbits, AreThoseThatThePointsWereMadeFrom) {
+TEST(VertexOrbits, AreTheOrbitsOfTheGeneratingPoints) {
     std::mt19937 random(1);
     for (int round = 0; round < 200; ++round) {
         for (const Lattice& lattice : lattices()) {
@@ -61,7 +62,7 @@ TEST(VertexOrbits, AreThoseThatThePointsWereMadeFrom) {
 }
 
 TEST(VertexOrbits, PairsAreFoundWhereverTheyLie) {
-    // So many that some lie across each kind of border between the bins of the search.
+    // With this many pairs, some lie across every kind of border between bins.
     std::mt19937 random(2);
     std::uniform_real_distribution<double> uniform(0, 1);
     for (const Lattice& lattice : lattices()) {
@@ -104,7 +105,7 @@ TEST(VertexOrbits, ChainsJoinButMustNotGrowLong) {
                 ThrowsMessage<NotATile>(HasSubstr("vertices 0 and 5 are joined by a chain")));
 }
 
-TEST(VertexOrbits, OfNoVertexAreNone) {
+TEST(VertexOrbits, OfNoVerticesAreEmpty) {
     EXPECT_TRUE(find_vertex_orbits(Lattice::rectangle(1, 1), std::span<const Vec2>(), kTolerance)
                     .offset.empty());
 }

@@ -97,7 +97,7 @@ class CGrid(CliTest):
 
     def test_wrong_requests_are_told_what_to_ask_for(self):
         run = ("mesh", "--sites", 60, "-o", "t.nc")
-        self.refuse(2, "-o t.nc: MPAS knows only periods along x and y; take a rectangle", *run,
+        self.refuse(2, "-o t.nc: MPAS supports only periods along x and y; use a rectangular lattice", *run,
                     "--lattice", "1,0,0.3,0.9")
         self.refuse(2, "Delaunay triangle of sites .* MPAS needs acute triangles: use another seed", *run,
                     "--max-iterations", 0)
