@@ -117,8 +117,7 @@ TEST(ProveVoronoi, AgreesWithAllImagesOfAllCentroids) {
         const double h = std::sqrt(tile.lattice.area() / tile.n_faces());
         const double excess = brute_force_excess(tile) / h;
         const double distance = largest_distance(tile, 1);
-        // An excess e corresponds to a distance between e / 2 and e from the bisector, by the
-        // angle.
+        // A corner with the excess e lies between e / 2 and e off the bisector.
         EXPECT_LE(excess, 2 * distance);
         EXPECT_GE(excess, 0.1 * distance);
         EXPECT_THROW(largest_distance(tile, excess / 3), NotATile);
