@@ -1,14 +1,14 @@
-/* pcvt from C99: optimise sites on an oblique torus, walk along the seam of the tile of their
- * cells, and write the tile and the sites.
+/* Uses pcvt from C99: optimises sites on an oblique torus, prints the seam of the tile of their
+ * cells, and writes the tile and the sites.
  *
- *     c_client N SEED TILE SITES.txt        cc -std=c99 c_client.c $(pkg-config --cflags --libs
- * pcvt)
+ *     cc -std=c99 c_client.c $(pkg-config --cflags --libs pcvt) -o c_client
+ *     c_client N SEED TILE SITES.txt
  */
 #include <pcvt.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Shows the first iterations; anything but 0 would cancel. */
+/* Prints the first iterations. A nonzero return value would cancel the run. */
 static int show(const pcvt_progress* progress, void* data) {
     (void)data;
     if (progress->iteration < 3) {
@@ -23,7 +23,7 @@ static void stop_on_error(pcvt_status status) {
     exit(1);
 }
 
-/* Each identified pair of boundary edges: w0 -> w1 is v0 -> v1 moved by i a + j b. */
+/* Prints each identified pair of boundary edges: w0 -> w1 is v0 -> v1 moved by i a + j b. */
 static void walk_seam(const pcvt_tile* tile) {
     int32_t p;
     for (p = 0; p < tile->n_edge_pairs; ++p) {

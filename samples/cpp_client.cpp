@@ -1,5 +1,6 @@
-// pcvt from C++ by its C interface: the dual of 60 sites of one's own, its edge lengths, and what
-// happens to sites that coincide. Needs libpcvt.so and pcvt.h, neither Eigen nor OpenMesh.
+// Uses the C interface of pcvt from C++: computes the Delaunay triangles of 60 given sites, prints
+// their edge lengths, and shows that coincident sites are refused. Needs libpcvt.so and pcvt.h, but
+// neither Eigen nor OpenMesh.
 #include <pcvt.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ Result generate(const std::vector<double>& sites) {
     return Result(result);
 }
 
-/// Points that fill the unit square evenly: multiples of the plastic number's powers.
+/// Returns points that fill the unit square evenly: multiples of powers of the plastic number.
 std::vector<double> even_sites(int n) {
     std::vector<double> sites;
     for (int k = 1; k <= n; ++k) {

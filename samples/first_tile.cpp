@@ -1,5 +1,5 @@
-// The library in one page: optimise 30 sites on an oblique torus, make the tile of their cells, and
-// walk along its seam. Prints each identified pair of boundary edges once.
+// The library on one page: optimises 30 sites on an oblique torus, builds the tile of their cells
+// and walks along its seam. Prints each identified pair of boundary edges once.
 #include <cstdio>
 
 #include "mesher/cvt/cvt.hpp"

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Draws the picture that the samples take for a density: a half-lit moon with craters.
+"""Draws the picture that the samples use as a density: a half-lit moon with craters.
 
     samples/moon.py moon.png
 
-256 x 256 grey pixels, the same bytes on every run.
+The picture has 256 x 256 grey pixels and the same bytes on every run.
 """
 
 import math
@@ -19,7 +19,7 @@ LIGHT = (-0.62, 0.50, 0.60)
 
 
 def make_craters():
-    """Position, radius; few large ones and many small ones, all on the disc."""
+    """Returns positions and radii of craters on the disc, few of them large and many small."""
     source = random.Random(11)
     craters = []
     while len(craters) < CRATERS:
@@ -30,7 +30,7 @@ def make_craters():
 
 
 def height(craters, x, y):
-    """Bowls, each with a raised rim; the globe itself is in the shading."""
+    """Returns the height at a point: craters are bowls with raised rims; `shade` adds the globe."""
     level = 0.004 * math.sin(23 * x + 11 * y) * math.cos(17 * y - 9 * x)
     for cx, cy, radius in craters:
         r = math.hypot(x - cx, y - cy) / radius
@@ -41,7 +41,7 @@ def height(craters, x, y):
 
 
 def shade(craters, x, y):
-    """Lambert's cosine of the light's angle, 0 to 1; the sky is black."""
+    """Returns the brightness by Lambert's law, 0 to 1; the sky is black."""
     rest = RADIUS**2 - x * x - y * y
     if rest <= 0:
         return 0.0
@@ -51,7 +51,7 @@ def shade(craters, x, y):
     normal = (x / RADIUS - across, y / RADIUS - up, math.sqrt(rest) / RADIUS)
     length = math.sqrt(sum(part * part for part in normal))
     light = sum(part * ray for part, ray in zip(normal, LIGHT)) / length
-    # A rim that fades over two pixels.
+    # The rim fades over two pixels.
     fade = min(1.0, (RADIUS - math.hypot(x, y)) * SIZE / 2)
     return fade * min(1.0, max(0.015, 1.15 * light))
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A tour of pcvt from Python, cell by cell (`# %%`, as notebooks and editors know them).
+"""A tour of pcvt from Python in notebook cells (`# %%`).
 
     PYTHONPATH=plugin/python PCVT_LIBRARY=build/release/libpcvt.so samples/python_tour.py tour.png
 """
 
-# %% A periodic tile of 150 cells on an oblique torus.
+# %% Make a periodic tile of 150 cells on an oblique torus.
 import sys
 
 import matplotlib
@@ -17,18 +17,18 @@ figures = result.statistics
 print(f"{figures.n_hexagons} of {figures.n_sites} cells are hexagons; "
       f"energy {figures.energy / figures.energy_bound:.6f} of the hexagonal bound")
 
-# %% Its seam: the boundary edge w0 -> w1 is v0 -> v1 moved by i a + j b.
+# %% Check its seam: the boundary edge w0 -> w1 is v0 -> v1 moved by i a + j b.
 tile = result.tile()
 seam = tile.seam
 move = np.column_stack([seam["i"], seam["j"]]) @ tile.lattice
 misfit = np.abs(tile.points[seam["w0"]] - tile.points[seam["v0"]] - move).max()
 print(f"{len(seam)} pairs on the seam; largest misfit {misfit:.1e}")
 
-# %% Smaller cells along a wave. A function of numpy arrays x, y would do as well, more slowly.
+# %% Make smaller cells along a wave. A function of numpy arrays x, y works too, but more slowly.
 wave = "1 + 12*exp(-8*(1 - cos(2*_pi*(y - 0.15*sin(2*_pi*x)))))"
 graded = pcvt.mesh(sites=150, density=wave)
 
-# %% The three side by side: cells, triangles, graded cells.
+# %% Draw cells, triangles and graded cells side by side.
 matplotlib.use("Agg")
 from matplotlib import pyplot
 

@@ -1,8 +1,8 @@
 """blender ... --python blender_scene.py -- ADD-ON.zip PICTURE.png
 
-Inside of Blender: installs the add-on, says what is missing where something is, adds tiles by its
-operator and compares each with what pcvt's Python module gives for the same arguments: vertices and
-faces, area, sites, seam, materials. Then renders a tile into the picture and looks at its colours.
+Runs inside Blender: installs the add-on, checks the messages about missing parts, adds tiles by the
+operator and compares each with the result of pcvt's Python module for the same arguments: vertices
+and faces, area, sites, seam, materials. Then renders a tile to the picture and checks its colours.
 """
 
 import contextlib
@@ -15,7 +15,7 @@ import numpy as np
 
 ADD = bpy.ops.mesh.periodic_cvt_tile_add
 OPERATOR = "MESH_OT_periodic_cvt_tile_add"
-# What Blender's properties keep of a number, so that both sides get the same.
+# Blender's properties store 32-bit numbers; both sides must get the same ones.
 OBLIQUE = np.float32([[2, 0], [0.75, 1.5]]).tolist()
 SQUARE = [[2, 0], [0, 2]]
 TOLERANCE = float(np.float32(1e-6))
@@ -38,7 +38,7 @@ def attribute(mesh, name):
 
 
 def install(archive):
-    """The add-on, installed and enabled as a user does; returns its preferences."""
+    """Installs and enables the add-on as a user does; returns its preferences."""
     bpy.ops.preferences.addon_install(filepath=archive)
     bpy.ops.preferences.addon_enable(module="pcvt_tile")
     return bpy.context.preferences.addons["pcvt_tile"].preferences
@@ -52,7 +52,7 @@ def require_refusal(words, **arguments):
         require(all(word in str(error) for word in words), f"the message is {error}")
     else:
         raise AssertionError(f"not refused: {words}")
-    require((len(bpy.data.objects), len(bpy.data.meshes)) == (n_objects, n_meshes), "a rest stays")
+    require((len(bpy.data.objects), len(bpy.data.meshes)) == (n_objects, n_meshes), "objects remain")
 
 
 @contextlib.contextmanager
@@ -64,7 +64,7 @@ def without(module):
 
 
 def require_plain_words(own, empty_folder):
-    """Before pcvt is loaded: what it lacks is named."""
+    """Before pcvt is loaded, the message names the missing part."""
     own.library = "/nowhere/libpcvt.so"
     require_refusal(["cannot load /nowhere/libpcvt.so", "preferences of this add-on"])
     own.library = ""
@@ -104,13 +104,13 @@ def require_sites(mesh, tile):
 
 
 def require_seam(mesh, tile):
-    """The seam is the boundary, and each of its pairs is glued by the pair's translation."""
+    """The seam is the boundary, and the two edges of each pair differ by its translation."""
     ends = read(mesh.edges, "vertices", np.int32, 2)
     uses = Counter(edge for polygon in mesh.polygons for edge in polygon.edge_keys)
     boundary = [uses[min(v, w), max(v, w)] == 1 for v, w in ends.tolist()]
-    require(read(mesh.edges, "use_seam", bool).tolist() == boundary, "the seam is no boundary")
+    require(read(mesh.edges, "use_seam", bool).tolist() == boundary, "the seam is not the boundary")
     pair = attribute(mesh, "seam_pair")
-    require(((pair >= 0) == boundary).all(), "a pair off the boundary")
+    require(((pair >= 0) == boundary).all(), "a pair does not lie on the boundary")
     for k, (v0, v1, w0, w1, i, j) in enumerate(tile.seam.tolist()):
         edges = {frozenset(edge) for edge in ends[pair == k].tolist()}
         require(edges == {frozenset((v0, v1)), frozenset((w0, w1))}, f"pair {k} differs")
@@ -124,7 +124,7 @@ def require_uv(mesh, tile):
 
 
 def require_sides(mesh, result):
-    """As many faces of each material as cells with so many sides."""
+    """The faces of each material are as many as the cells with its number of sides."""
     wanted = Counter()
     for sides, n in enumerate(result.statistics.valences.tolist()):
         wanted[np.clip(sides, 3, 9)] += n
@@ -134,7 +134,7 @@ def require_sides(mesh, result):
 
 
 def require_neighbours_differ(mesh, result):
-    """Also across the seam; faces of one cell agree."""
+    """Neighbouring cells differ, also across the seam; faces of one cell agree."""
     material = dict(zip(attribute(mesh, "site").tolist(),
                         read(mesh.polygons, "material_index", np.int32).tolist()))
     require(material == dict(zip(reversed(attribute(mesh, "site").tolist()), reversed(
@@ -147,7 +147,7 @@ def require_neighbours_differ(mesh, result):
 
 
 def add(sites, lattice, kind, outline, scheme, **more):
-    """A tile by the operator, compared with the module's; the mesh."""
+    """Adds a tile by the operator, compares it with the module's and returns the mesh."""
     ADD(sites=sites, period_a=lattice[0], period_b=lattice[1], kind=kind, outline=outline,
         colours=scheme, **more)
     made = bpy.context.active_object
@@ -180,7 +180,7 @@ def require_tiles():
 
 
 def require_progress():
-    """What the counter at the mouse shows: from 0 to 1, never back."""
+    """The counter at the mouse rises from 0 to 1."""
     shown = []
     manager = SimpleNamespace(progress_begin=lambda *range_: shown.append(range_),
                               progress_update=shown.append, progress_end=lambda: shown.append("end"))
@@ -193,7 +193,7 @@ def require_progress():
 
 
 def look_from_above(centre, width):
-    """An even light, and a camera that sees `width` across and a square."""
+    """Sets up an even light and a camera that sees a square of side `width`."""
     scene = bpy.context.scene
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     camera.data.type, camera.data.ortho_scale = "ORTHO", width
@@ -210,7 +210,7 @@ def look_from_above(centre, width):
 
 
 def render(picture):
-    """The colours of the pixels, linear, (n, 3)."""
+    """Renders the scene and returns the linear colours of the pixels, (n, 3)."""
     bpy.context.scene.render.filepath = picture
     bpy.ops.render.render(write_still=True)
     image = bpy.data.images.load(picture)
@@ -222,7 +222,7 @@ def render(picture):
 
 
 def require_picture(picture):
-    """A straight tile fills the picture: each material has the share of its faces."""
+    """A rectangular tile fills the picture: each material covers the fraction of its faces."""
     for made in list(bpy.data.objects):
         bpy.data.objects.remove(made)
     mesh, _ = add(40, SQUARE, "voronoi", "box", "cells", seed=3)
@@ -247,7 +247,7 @@ def main(archive, picture):
     require_picture(picture)
     require(hasattr(bpy.types, OPERATOR), "there is no operator")
     bpy.ops.preferences.addon_disable(module="pcvt_tile")
-    require(not hasattr(bpy.types, OPERATOR), "the operator stays")
+    require(not hasattr(bpy.types, OPERATOR), "the operator remains")
 
 
 main(*sys.argv[sys.argv.index("--") + 1:])

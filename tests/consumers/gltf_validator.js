@@ -1,4 +1,4 @@
-// Validates each file named; exit 1 on any error or warning. Run by the script gltf_validator.
+// Validates each file and exits with 1 on any error or warning. The script gltf_validator runs it.
 const fs = require('fs');
 const validator = require('gltf-validator');
 

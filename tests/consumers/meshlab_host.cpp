@@ -1,5 +1,5 @@
-// A host of MeshLab's plugins that cancels, which MeshLab 2020.09 itself never does.
-//   meshlab_host PLUGIN.so    exit 0: the filter keeps its promises; 1: the broken one is named
+// A host of MeshLab's plugins that cancels filters, which MeshLab 2020.09 itself never does.
+//   meshlab_host PLUGIN.so    exit 0: all claims hold; 1: the message names the one that fails
 #include <common/interfaces.h>
 
 #include <QPluginLoader>
@@ -47,22 +47,23 @@ void check_cancel(MeshFilterInterface& filter) {
 
 void check_progress(MeshFilterInterface& filter) {
     MeshDocument document;
-    require(apply(filter, document, "1, 0.5", note_progress), "a filter left alone succeeds");
+    require(apply(filter, document, "1, 0.5", note_progress),
+            "a filter that is not cancelled succeeds");
     require(std::is_sorted(g_percents.begin(), g_percents.end()), "progress never goes back");
     require(g_percents.front() >= 0 && g_percents.back() > 60 && g_percents.back() <= 100,
-            "progress is in per cent and gets near the end");
+            "progress is a percentage and comes near 100");
     require(document.size() == 1 && document.mm() == document.meshList[0],
-            "one layer, the current");
+            "one layer is added and becomes current");
 }
 
 void check_without_callback(MeshFilterInterface& filter) {
     MeshDocument document;
     require(apply(filter, document, "1 1", nullptr), "no callback is needed");
-    require(!apply(filter, document, "1, 0, 1", nullptr), "three numbers are no lattice");
+    require(!apply(filter, document, "1, 0, 1", nullptr), "three numbers are not a lattice");
     require(filter.errorMsg().contains("'1, 0, 1'"), "the message names the text");
-    require(!apply(filter, document, "1, 1x", nullptr), "1x is no number");
+    require(!apply(filter, document, "1, 1x", nullptr), "1x is not a number");
     require(filter.errorMsg().contains("'1x'"), "the message names the word");
-    require(document.size() == 1, "what fails adds no layer");
+    require(document.size() == 1, "a failing filter adds no layer");
 }
 
 }  // namespace

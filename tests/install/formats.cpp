@@ -1,4 +1,4 @@
-// Each format of the installed pcvt::io writes a tile and reads it back.
+// Writes a tile in each format of the installed pcvt::io and reads it back.
 #include <cstdio>
 #include <optional>
 
@@ -10,7 +10,7 @@
 int main() {
     const pcvt::Lattice lattice = pcvt::Lattice::rectangle(1, 1);
     const auto result = pcvt::compute_cvt(lattice, pcvt::uniform_points(lattice, 20, 1), {});
-    // Triangles, which all formats hold.
+    // All formats support triangles.
     const auto mesh = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kDelaunay);
     const auto tile = pcvt::make_tile(mesh, pcvt::whole_outline(mesh, {0, 0}));
     for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
