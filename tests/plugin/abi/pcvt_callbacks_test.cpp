@@ -24,7 +24,7 @@ pcvt_options options_for(int n_sites) {
     return options;
 }
 
-/// Generates with a progress callback; a result is freed.
+/// Generates with a progress callback and frees the result.
 pcvt_status generate(pcvt_progress_callback progress, void* data = nullptr) {
     pcvt_options options = options_for(100);
     options.progress = progress;
@@ -36,7 +36,7 @@ pcvt_status generate(pcvt_progress_callback progress, void* data = nullptr) {
     return status;
 }
 
-TEST(Callbacks, WhatTheyThrowBecomesAStatus) {
+TEST(Callbacks, AThrownExceptionBecomesAStatus) {
     EXPECT_EQ(
         generate([](const pcvt_progress*, void*) -> int { throw std::runtime_error("ouch"); }),
         PCVT_ERROR_DOMAIN);
@@ -58,7 +58,7 @@ TEST(Callbacks, ADensityMayThrowToo) {
     EXPECT_THAT(pcvt_last_error(), StrEq("the density callback threw: ouch"));
 }
 
-TEST(Callbacks, ADensityIsAskedOnTheCallingThreadAlone) {
+TEST(Callbacks, ADensityIsEvaluatedOnTheCallingThreadOnly) {
     std::thread::id caller = std::this_thread::get_id();
     pcvt_options options = options_for(3000);
     options.n_threads = 4;
@@ -73,7 +73,7 @@ TEST(Callbacks, ADensityIsAskedOnTheCallingThreadAlone) {
     pcvt_free(result);
 }
 
-TEST(Callbacks, RunOnTheCallingThreadAlone) {
+TEST(Callbacks, RunOnTheCallingThreadOnly) {
     std::thread::id caller;
     const auto note = [](const pcvt_progress*, void* data) {
         return static_cast<int>(*static_cast<std::thread::id*>(data) != std::this_thread::get_id());
@@ -91,7 +91,7 @@ TEST(Callbacks, MayCallTheLibrary) {
     EXPECT_EQ(generate(nested), PCVT_OK);
 }
 
-TEST(LastError, IsTheThreadsOwn) {
+TEST(LastError, BelongsToTheThread) {
     EXPECT_EQ(pcvt_generate(nullptr, nullptr), PCVT_ERROR_ARGUMENT);
     const std::string here = pcvt_last_error();
     std::thread([] {
@@ -101,7 +101,7 @@ TEST(LastError, IsTheThreadsOwn) {
     EXPECT_EQ(pcvt_last_error(), here);
 }
 
-TEST(LastError, IsCutWhereItIsVeryLong) {
+TEST(LastError, IsTruncatedIfItIsVeryLong) {
     set_last_error((std::string(5000, 'x') + "\n").c_str());
     EXPECT_EQ(last_error(), std::string(1023, 'x'));
     set_last_error("two\nlines");
@@ -113,7 +113,7 @@ pcvt_status status_of(const Thrown& thrown) {
     return note_failure(std::make_exception_ptr(thrown));
 }
 
-TEST(Status, IsDecidedByWhatIsThrown) {
+TEST(Status, IsDecidedByTheThrownType) {
     EXPECT_EQ(status_of(AbiMismatch("x")), PCVT_ERROR_ABI);             // law 1
     EXPECT_EQ(status_of(CallbackFault("x")), PCVT_ERROR_DOMAIN);        // law 2
     EXPECT_EQ(status_of(BadGeometry("x")), PCVT_ERROR_GEOMETRY);        // law 3
@@ -130,7 +130,7 @@ TEST(Status, IsDecidedByWhatIsThrown) {
 }
 
 TEST(Sites, WhoseCellsAreTooSmallAreBadGeometry) {
-    // A cell whose corners all lie within the distance at which corners are merged.
+    // All corners of the cell of site 0 lie within the distance at which corners are merged.
     std::vector<double> sites{0.5, 0.5};
     for (const double d : {-2e-10, 2e-10}) {
         sites.insert(sites.end(), {0.5 + d, 0.5, 0.5, 0.5 + d});

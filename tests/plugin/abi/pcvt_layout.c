@@ -1,4 +1,5 @@
-/* Prints what a host of the C interface relies on: sizes, places of fields, numbers of names. */
+/* Prints the layout that a host of the C interface relies on: sizes of structs, offsets of fields
+ * and values of constants. */
 #include <pcvt.h>
 #include <stdio.h>
 

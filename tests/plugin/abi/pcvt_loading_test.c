@@ -1,4 +1,4 @@
-/* Loads, uses and unloads the library, again and again: it leaves the process, and nothing stays.
+/* Loads, uses and unloads the library repeatedly: it must leave the process without leaks.
  *
  *     pcvt_loading_test LIBRARY CYCLES
  */
@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The address sanitizer keeps freed memory for a while, and looks for leaks itself. */
+/* The address sanitizer delays the release of freed memory, and detects leaks itself. */
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define KEEPS_FREED_MEMORY 1
@@ -31,7 +31,8 @@ static void fail(const char* what) {
     exit(1);
 }
 
-/* The function's address, by way of memory: C99 knows no cast from an object to a function. */
+/* Copies the function's address through memory: C99 has no cast from object to function pointers.
+ */
 static void find(void* library, const char* name, void* function) {
     void* symbol = dlsym(library, name);
     if (symbol == NULL) fail(dlerror());
@@ -65,7 +66,7 @@ static void cycle(const char* path) {
     if (dlclose(library) != 0) fail(dlerror());
 }
 
-/* Pages of this process in memory. */
+/* Returns the number of resident pages of this process. */
 static long resident_pages(void) {
     long size = 0, resident = 0;
     FILE* file = fopen("/proc/self/statm", "r");
@@ -96,6 +97,6 @@ int main(int argc, char** argv) {
     printf("%ld pages after a tenth of the cycles, %ld at the end\n", early, late);
     if (is_mapped("libpcvt")) fail("the library stays loaded");
     if (KEEPS_FREED_MEMORY) return 0;
-    /* A leak of 100 bytes a cycle would show in 1000 cycles. */
+    /* A leak of 100 bytes per cycle would exceed the limit in 1000 cycles. */
     return (late - early) * sysconf(_SC_PAGESIZE) > 90 * n_cycles ? 1 : 0;
 }

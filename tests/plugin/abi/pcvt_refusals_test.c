@@ -1,4 +1,4 @@
-/* What the C interface refuses from a C99 host, each with its documented status. */
+/* Calls of a C99 host that the C interface refuses, each with its documented status. */
 #include <math.h>
 
 #include "tests/support/claims.h"
@@ -27,7 +27,7 @@ static void the_interface_has_the_version_of_the_library(void) {
     CHECK(strncmp(pcvt_version(), version, strlen(version)) == 0);
 }
 
-static void a_longer_struct_is_taken_where_its_tail_is_zero(void) {
+static void a_longer_struct_is_accepted_if_its_tail_is_zero(void) {
     struct newer_options {
         pcvt_options known;
         double unknown;
@@ -41,7 +41,7 @@ static void a_longer_struct_is_taken_where_its_tail_is_zero(void) {
     REFUSED(&newer.known, PCVT_ERROR_ABI, "does not know");
 }
 
-static void views_come_in_the_size_of_the_host(void) {
+static void views_have_the_size_that_the_host_states(void) {
     struct newer_view {
         pcvt_sites known;
         double unknown;
@@ -130,7 +130,7 @@ static void coincident_sites_are_named(void) {
     REFUSED(&options, PCVT_ERROR_GEOMETRY, "sites 0 and 2");
 }
 
-static void every_status_has_a_text_of_its_own(void) {
+static void every_status_has_a_distinct_text(void) {
     for (pcvt_status s = PCVT_ERROR_INTERNAL - 1; s <= PCVT_NOT_CONVERGED; ++s) {
         CHECK(strlen(pcvt_status_text(s)) > 3);
         for (pcvt_status t = s + 1; t <= PCVT_NOT_CONVERGED; ++t) {
@@ -142,13 +142,13 @@ static void every_status_has_a_text_of_its_own(void) {
 int main(void) {
     sizes_and_versions_that_do_not_fit_are_refused();
     the_interface_has_the_version_of_the_library();
-    a_longer_struct_is_taken_where_its_tail_is_zero();
-    views_come_in_the_size_of_the_host();
+    a_longer_struct_is_accepted_if_its_tail_is_zero();
+    views_have_the_size_that_the_host_states();
     null_pointers_are_refused();
     numbers_that_are_not_finite_are_refused();
     values_out_of_range_are_refused();
     unknown_tiles_are_refused();
     coincident_sites_are_named();
-    every_status_has_a_text_of_its_own();
+    every_status_has_a_distinct_text();
     return end_of_claims();
 }

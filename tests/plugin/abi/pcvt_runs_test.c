@@ -1,4 +1,4 @@
-/* Runs as a C99 host sees them: how they end, and what they do with its callbacks. */
+/* Runs seen by a C99 host: how they end and how they call its callbacks. */
 #include <fenv.h>
 #include <math.h>
 
@@ -35,7 +35,7 @@ static void the_iteration_limit_gives_a_result_that_is_not_converged(void) {
     pcvt_free(result);
 }
 
-static void the_floating_point_environment_of_the_host_stays_and_does_not_matter(void) {
+static void the_floating_point_environment_of_the_host_is_kept_and_does_not_matter(void) {
     pcvt_options options = options_for(50);
     pcvt_sites nearest, upward;
     watch seen = {0, 0};
@@ -76,7 +76,7 @@ static int ridge(const double* points, size_t n_points, double* values, void* da
     return 0;
 }
 
-static void a_density_that_misbehaves_is_outside_of_the_domain(void) {
+static void an_invalid_density_is_a_domain_error(void) {
     pcvt_options options = options_for(20);
     options.density = always_nan;
     REFUSED(&options, PCVT_ERROR_DOMAIN, "density");
@@ -107,15 +107,15 @@ static void a_density_grades_the_cells(void) {
     for (int k = 0; k < 100; ++k) {
         n_inside += sites.points[2 * k] > 0.25 && sites.points[2 * k] < 0.75;
     }
-    CHECK(n_inside > 60 && n_inside < 73); /* two thirds: as the square root of the density */
+    CHECK(n_inside > 60 && n_inside < 73); /* two thirds: density^(1/2) */
     pcvt_free(result);
 }
 
 int main(void) {
     cancelling_at_iteration_7_gives_the_cancelled_status();
     the_iteration_limit_gives_a_result_that_is_not_converged();
-    the_floating_point_environment_of_the_host_stays_and_does_not_matter();
-    a_density_that_misbehaves_is_outside_of_the_domain();
+    the_floating_point_environment_of_the_host_is_kept_and_does_not_matter();
+    an_invalid_density_is_a_domain_error();
     a_density_grades_the_cells();
     return end_of_claims();
 }

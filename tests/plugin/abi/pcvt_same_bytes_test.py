@@ -19,7 +19,7 @@ class SameBytes(CliTest):
                          f"command.{extension}", "-o", "command.txt", "--force")
             files = self.contents()
             self.assertEqual(files[f"{extension}.txt"], files["command.txt"])
-            if extension != "obj":  # which names its material file
+            if extension != "obj":  # an OBJ file names its material file
                 self.assertEqual(files[tile], files[f"command.{extension}"])
 
     def test_few_sites(self):

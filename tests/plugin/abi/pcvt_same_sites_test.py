@@ -20,7 +20,7 @@ RIDGE = "1 + 9 * exp(-((v - 0.5) / 0.1)^2)"
 
 class SameSites(CliTest):
     def of_command(self, n_sites, seed, lattice, density):
-        """The numbers of the file: the decimals tell every bit."""
+        """Returns the numbers of the file; its decimals determine every bit."""
         more = ["--density", density] if density else []
         self.succeed("mesh", "--sites", n_sites, "--seed", seed, "--lattice",
                      ",".join(map(str, lattice)), "-o", "sites.txt", "--force", *more)

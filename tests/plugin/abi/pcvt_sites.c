@@ -1,4 +1,4 @@
-/* The optimised sites as a C host gets them: 2 n doubles on standard output, as they lie in memory.
+/* Writes the optimised sites that a C host gets to standard output: 2 n doubles in memory layout.
  *
  *     pcvt_sites N SEED AX AY BX BY [DENSITY]
  */

@@ -1,10 +1,10 @@
-/* The C interface as a C99 host sees it: results, their seams, their files. */
+/* The C interface seen by a C99 host: results, their seams and their files. */
 #include <float.h>
 #include <math.h>
 
 #include "tests/support/claims.h"
 
-/* How far position(w) is from position(v) + i a + j b, in units of the last place. */
+/* Returns the distance of position(w) from position(v) + i a + j b, in units of the last place. */
 static double misfit(const pcvt_tile* tile, int32_t v, int32_t w, int32_t i, int32_t j) {
     double largest = 0, worst = 0;
     for (int32_t k = 0; k < 2 * tile->n_vertices; ++k) {
@@ -29,7 +29,7 @@ static int has_edge(const pcvt_tile* tile, int32_t from, int32_t to) {
     return 0;
 }
 
-/* Edges of faces that have no face on their other side. */
+/* Returns the number of edges that have no face on their other side. */
 static int32_t n_boundary_edges(const pcvt_tile* tile) {
     int32_t n = 0;
     for (int32_t f = 0; f < tile->n_faces; ++f) {
@@ -108,7 +108,7 @@ static void meshes_on_the_torus_are_closed(void) {
     pcvt_free(result);
 }
 
-static void statistics_tell_the_run(void) {
+static void statistics_describe_the_run(void) {
     pcvt_options options = options_for(100);
     pcvt_statistics figures;
     pcvt_result* result = generated(&options);
@@ -123,7 +123,7 @@ static void statistics_tell_the_run(void) {
     pcvt_free(result);
 }
 
-static void results_do_not_depend_on_threads_or_on_where_sites_come_from(void) {
+static void results_do_not_depend_on_threads_or_on_the_source_of_the_sites(void) {
     pcvt_options options = options_for(1000);
     pcvt_sites drawn, given;
     options.max_iterations = 0;
@@ -139,7 +139,7 @@ static void results_do_not_depend_on_threads_or_on_where_sites_come_from(void) {
     pcvt_free(second);
 }
 
-static void files_are_written_once_unless_replaced(void) {
+static void existing_files_are_kept_unless_replaced(void) {
     pcvt_options options = options_for(20);
     pcvt_write_options how = {0};
     pcvt_result* result = generated(&options);
@@ -162,8 +162,8 @@ static void files_are_written_once_unless_replaced(void) {
 int main(void) {
     every_identified_edge_pair_is_a_translation();
     meshes_on_the_torus_are_closed();
-    statistics_tell_the_run();
-    results_do_not_depend_on_threads_or_on_where_sites_come_from();
-    files_are_written_once_unless_replaced();
+    statistics_describe_the_run();
+    results_do_not_depend_on_threads_or_on_the_source_of_the_sites();
+    existing_files_are_kept_unless_replaced();
     return end_of_claims();
 }

@@ -1,4 +1,4 @@
-// Eight hosts at once: each generates on its own, and all ask one common result for its views.
+// Eight concurrent hosts: each generates a result, and all request views of one common result.
 #include <gmock/gmock.h>
 #include <pcvt.h>
 
@@ -34,8 +34,8 @@ void on_all_hosts(const Task& task) {
     for (std::thread& host : hosts) host.join();
 }
 
-TEST(Threads, GenerateAtOnceWhatEachWouldGenerateAlone) {
-    // Enough sites for the library to start threads of its own.
+TEST(Threads, GenerateConcurrentlyTheResultsOfSingleRuns) {
+    // With this many sites the library starts its own threads.
     constexpr int n_sites = 17000;
     std::vector<std::vector<double>> together(kHosts);
     on_all_hosts([&](int k) {

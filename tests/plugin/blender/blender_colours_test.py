@@ -1,4 +1,4 @@
-"""Which material the Blender add-on gives to each cell: the part of it that needs no Blender."""
+"""The materials that the Blender add-on assigns to cells, tested without Blender."""
 
 import sys
 import unittest
@@ -16,7 +16,7 @@ HEXAGONAL = np.array([[1, 0], [0.5, np.sqrt(0.75)]])
 
 class Colours(unittest.TestCase):
     def colours_of(self, *arguments, **more):
-        """Neighbours on the torus differ, or it fails."""
+        """Returns the colours of a run; fails if neighbours on the torus have equal colours."""
         cells = pcvt.mesh(*arguments, tolerance=1e-3, **more).mesh()
         found = colours.colours_of_sites(cells)
         cell = np.repeat(cells.site, np.diff(cells.face_begin))
@@ -34,17 +34,17 @@ class Colours(unittest.TestCase):
         found = self.colours_of(7, HEXAGONAL, start="lattice")
         self.assertEqual(set(found), set(range(7)))
 
-    def test_all_seven_are_used_alike(self):
+    def test_all_seven_are_used_equally(self):
         used = np.bincount(self.colours_of(1000), minlength=7)
         self.assertGreater(used.min(), 100)
 
-    def test_sides_are_those_of_the_statistics(self):
+    def test_sides_agree_with_the_statistics(self):
         for n_sites in (1, 2, 5, 1000):
             result = pcvt.mesh(n_sites, seed=3, max_iterations=0)
             sides = np.bincount(colours.sides_of_sites(result.mesh()))
             np.testing.assert_array_equal(sides, result.statistics.valences)
 
-    def test_an_edge_too_short_to_see_is_no_side(self):
+    def test_an_edge_too_short_to_see_is_not_a_side(self):
         square = [[0.25, 0.25], [0.75, 0.25], [0.25, 0.75], [0.75, 0.75]]
         nearly = pcvt.mesh(np.array(square) + [[1e-7, 0], [0, 0], [0, 0], [0, 0]], max_iterations=0)
         self.assertGreater(np.diff(nearly.mesh().face_begin).max(), 4)

@@ -1,4 +1,4 @@
-"""Bad input: one clear line, the right exit code, nothing left behind, existing files untouched."""
+"""Bad input gives one clear line and the right exit code, and leaves all files unchanged."""
 
 import os
 import resource
@@ -84,7 +84,7 @@ class BadOption(CliTest):
             ],
         )
 
-    def test_polygons_for_a_format_of_triangles_say_what_to_ask_for(self):
+    def test_polygons_for_a_format_of_triangles_name_the_remedy(self):
         rows = [(e, "mesh", "--sites", 3, "-o", "t." + e) for e in ("msh", "inp")]
         rows += [(e, "mesh", "--sites", 3, "--mesh", "delaunay", "--mesh", "voronoi", "-o", "t." + e)
                  for e in ("msh", "inp")]
@@ -163,7 +163,7 @@ class BadOutput(CliTest):
         os.symlink(self.path("s.txt"), self.path("link.txt"))
         self.refuse(2, "an input", *mesh, "-o", "link.txt")
 
-    def test_a_place_that_cannot_be_written_is_refused(self):
+    def test_an_unwritable_place_is_refused(self):
         self.path("t.obj").mkdir()
         for name in ("t.obj", "missing/t.obj", "/proc/t.obj"):
             with self.subTest(name):
@@ -174,7 +174,7 @@ class BadOutput(CliTest):
         self.path("closed").mkdir(mode=0o500)
         self.refuse(3, "closed/t.obj", "mesh", "--sites", 3, "-o", "closed/t.obj")
 
-    def test_a_size_limit_leaves_nothing_and_keeps_what_was_there(self):
+    def test_a_size_limit_leaves_nothing_new_and_keeps_existing_files(self):
         self.write("t.ply", "precious")
         for name in ("t.obj", "t.ply", "t.glb", "t.om", "t.svg"):
             with self.subTest(name):
@@ -182,7 +182,7 @@ class BadOutput(CliTest):
                             preexec_fn=limit(resource.RLIMIT_FSIZE, 4096))
 
     def test_a_full_disk_leaves_nothing(self):
-        # A disk of 16 KiB that only the child sees; what is left on it goes to standard output.
+        # Only the child sees the disk of 16 KiB; files left on it are listed on standard output.
         own_disk = ["unshare", "-rm", "sh", "-c",
                     'mount -t tmpfs -o size=16k pcvt disk && { "$0" "$@"; code=$?; ls -A disk; '
                     "exit $code; }"]
@@ -203,7 +203,7 @@ class BadOutput(CliTest):
         self.assertEqual(done.returncode, 3)
         return done.stderr.decode()
 
-    def test_a_full_or_closed_standard_output_is_told_with_what_was_written(self):
+    def test_a_full_or_closed_standard_output_is_reported_with_the_files_written(self):
         for redirection in (">/dev/full", ">&-"):
             with self.subTest(redirection):
                 line = self.run_without_output(redirection, "-o", "t.ply", "--force")

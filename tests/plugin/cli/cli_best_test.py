@@ -1,4 +1,4 @@
-"""--start best, and samples/best_energies, the table that is made with it."""
+"""--start best, and samples/best_energies, which uses it to compute a table."""
 
 import csv
 import json
@@ -21,7 +21,7 @@ class Best(CliTest):
                      "--quiet")
         return json.loads(self.path("run.json").read_text())
 
-    def test_it_goes_below_the_lattice_and_tells_how(self):
+    def test_it_finds_energies_below_the_lattice_and_reports_their_origin(self):
         report = self.best("--sites", 31, "--budget", 3000, "-o", "t.ply")
         self.assertLess(report["energy"], report["pattern"]["energy"] * 0.98)
         self.assertEqual((report["start"], report["stop"]), ("best", "converged"))
@@ -30,7 +30,7 @@ class Best(CliTest):
         self.succeed("check", "t.ply", "--cvt")
         self.assertRegex(self.succeed("mesh", "--sites", 7, "--start", "best"), r"\nfound +\w")
 
-    def test_it_stays_at_a_lattice_that_nothing_lies_below(self):
+    def test_it_returns_the_lattice_where_no_lower_state_exists(self):
         report = self.best("--sites", 15)
         self.assertEqual(report["found"], "lattice of 15")
         self.assertEqual(report["hexagons"], 15)

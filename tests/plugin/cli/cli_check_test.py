@@ -1,4 +1,4 @@
-"""pcvt check: proves what pcvt mesh wrote, refuses what was damaged."""
+"""pcvt check proves the files of pcvt mesh and refuses damaged ones."""
 
 import json
 import re
@@ -112,14 +112,14 @@ class Check(CliTest):
             with self.subTest(name):
                 self.refuse(2, f"^{re.escape(name)}: .*; give", "check", name)
 
-    def test_it_goes_on_after_a_refused_file(self):
+    def test_it_continues_after_a_refused_file(self):
         self.mesh("--sites", 3, "-o", "t.obj")
         done = self.run_pcvt("check", "missing.obj", "t.obj")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr.decode(), r"^missing\.obj: [^\n]*\n$")
         self.assertRegex(done.stdout.decode(), r"^t\.obj: a periodic tile: [^\n]*\n$")
 
-    def test_the_voronoi_property_of_the_centroids_is_asked_on_request_only(self):
+    def test_the_voronoi_property_of_the_centroids_is_checked_on_request_only(self):
         self.mesh("--sites", 30, "--max-iterations", 0, "-o", "raw.obj")
         self.succeed("check", "raw.obj")
         self.refuse(2, r"^raw\.obj: not a periodic tile: ", "check", "--cvt", "raw.obj")

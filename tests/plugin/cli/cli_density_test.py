@@ -1,4 +1,4 @@
-"""Densities on the command line: formulas and pictures, what is refused, what is reported."""
+"""Densities on the command line: formulas and pictures, refusals and reports."""
 
 import json
 import math
@@ -25,7 +25,7 @@ def png(width, height, rows, colour=0, before=b""):
 
 
 def blob(size):
-    """A bright spot in the middle of a dark picture."""
+    """Returns a dark picture with a bright spot in the middle."""
     def value(c, r):
         d = math.hypot(c - (size - 1) / 2, r - (size - 1) / 2) / size
         return round(255 * math.exp(-((d / 0.2) ** 2)))
@@ -96,7 +96,7 @@ class GradedMesh(CliTest):
         report = self.report("--sites", 200, "--density", board)
         self.assertEqual((report["stop"], report["rough_cells"]), ("converged", 0))
 
-    def test_a_jump_along_a_curve_ends_and_says_why(self):
+    def test_a_jump_along_a_curve_ends_and_is_explained(self):
         disc = "(u-0.5)^2 + (v-0.5)^2 < 0.09 ? 100 : 1"
         text = self.succeed("mesh", "--sites", 100, "--density", disc)
         self.assertRegex(text, r"stop +stalled")
@@ -137,7 +137,7 @@ class BadDensity(CliTest):
                            ("folder", "cannot read"), ("missing", "cannot read")):
             self.refuse_density(2, rf"^{name}\.png: .*{what}.*; ", name + ".png")
 
-    def test_pictures_are_refused_before_memory_is_taken(self):
+    def test_pictures_are_refused_before_memory_is_allocated(self):
         little = limit(resource.RLIMIT_AS, 400 << 20)
         if self.run_pcvt("--version", preexec_fn=little).returncode != 0:
             self.skipTest("this build does not start in so little memory")
@@ -159,7 +159,7 @@ class BadDensity(CliTest):
         self.refuse_density(2, r"--density-range is for .*png", "1+u", "--density-range", "1,2")
         self.refuse(2, "--density-range is for", "mesh", "--sites", 3, "--density-range", "1,2")
 
-    def test_the_picture_is_no_output(self):
+    def test_the_picture_must_not_be_an_output(self):
         self.write("p.png", blob(4))
         os.symlink(self.path("p.png"), self.path("link.svg"))
         self.refuse(2, "an input", "mesh", "--sites", 9, "--density", "p.png", "-o", "link.svg",

@@ -1,4 +1,4 @@
-"""A large tile: what a small machine must be able to do."""
+"""A large tile must fit into the memory of a small machine."""
 
 import resource
 import unittest

@@ -1,4 +1,4 @@
-"""Every lattice is the same case: from one site to a thousand, converged and proved."""
+"""Runs from one to a thousand sites converge and are proved on every lattice."""
 
 import json
 import unittest

@@ -1,4 +1,4 @@
-"""pcvt mesh: what it writes, what it says, what it accepts, how it is cancelled."""
+"""pcvt mesh: its files, its messages, the input that it accepts, and cancelling."""
 
 import fcntl
 import json
@@ -31,7 +31,7 @@ class Files(CliTest):
         companions = {"t.mtl", "t.seam.json", "t.txt", "run.json"}
         self.assertEqual(set(self.contents()), {f"t.{e}" for e in EVERY_FORMAT} | companions)
 
-    def test_several_meshes_are_told_apart_by_their_names(self):
+    def test_several_meshes_are_distinguished_by_their_names(self):
         self.succeed("mesh", "--sites", 30, "--mesh", "voronoi", "--mesh", "delaunay", "-o",
                      "a.b.ply", "-o", "s.txt")
         self.assertEqual(set(self.contents()), {"a.b-voronoi.ply", "a.b-delaunay.ply", "s.txt"})
@@ -75,7 +75,7 @@ class Files(CliTest):
         self.assertEqual(seen[0], seen[1])
         self.assertEqual(seen[0], seen[2])
 
-    def test_files_written_by_several_threads_are_those_of_one_and_the_first_fault_counts(self):
+    def test_several_threads_write_the_files_of_one_and_report_the_first_fault(self):
         run = ("mesh", "--sites", 40, "--period", "1,1.1547005383792515", "--start", "lattice", "--force", "--quiet",
                *outputs(formats=("obj", "ply", "glb", "gltf", "om", "svg", "vtu", "foam", "nc", "txt")),
                "-o", "u.om", "-o", "u.nc")
@@ -89,7 +89,7 @@ class Files(CliTest):
         self.assertEqual(first, self.contents())
 
     def german(self):
-        """An environment in which numbers are written with a decimal comma."""
+        """Returns an environment in which numbers have a decimal comma."""
         self.path("locales").mkdir()
         made = self.path("locales/de_DE.UTF-8")
         if subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", made], capture_output=True,
@@ -113,7 +113,7 @@ class Files(CliTest):
         self.assertEqual(written[0].keys(), written[1].keys())
         self.assertEqual([name for name in written[0] if written[0][name] != written[1][name]], [])
 
-    def test_force_replaces_what_was_there(self):
+    def test_force_replaces_existing_files(self):
         self.write("t.obj", "old")
         self.succeed("mesh", "--sites", 3, "-o", "t.obj", "--force")
         self.assertIn(b"\nv ", self.path("t.obj").read_bytes())
@@ -128,7 +128,7 @@ class Files(CliTest):
             self.assertGreaterEqual(report["cg_products"], report["hessians"])
             self.assertGreater(report["hessians"], 0)
 
-    def test_a_saddle_is_told_and_a_run_that_did_not_converge_is_not_asked(self):
+    def test_a_saddle_is_reported_but_not_for_an_unconverged_run(self):
         grid = [((i + 0.5) / 4, (j + 0.5) / 4) for i in range(4) for j in range(4)]
         self.write("grid.txt", "".join(f"{x} {y}\n" for x, y in grid))
         for options, minimum in (((), "no"), (("--max-iterations", 0, "--tolerance", 1e-30), None)):
@@ -163,7 +163,7 @@ class Files(CliTest):
 
 
 class Words(CliTest):
-    def test_the_summary_tells_the_result(self):
+    def test_the_summary_describes_the_result(self):
         text = self.succeed("mesh", "--sites", 30, "-o", "t.obj")
         for word in ("sites", "lattice", "converged", "evaluations", "energy", "bound", "residual",
                      "hexagons", "boundary edges in", "t.obj", "t.mtl", "t.seam.json", "seconds"):
@@ -189,7 +189,7 @@ class Words(CliTest):
         self.assertGreaterEqual(report["energy"], report["energy_bound"])
         self.assertLessEqual(report["residual"], 1e-6)
 
-    def test_a_file_is_a_start_too(self):
+    def test_a_file_may_be_the_start(self):
         self.write("s.txt", "0.1 0.2\n0.6 0.6\n")
         self.succeed("mesh", "--input", "s.txt", "--max-iterations", 0, "--report", "run.json")
         report = json.loads(self.path("run.json").read_text())
@@ -219,7 +219,7 @@ class AcceptedSites(CliTest):
         self.succeed("mesh", "--input", "s.txt", "-o", "t.ply", "--force", **options)
         return self.path("t.ply").read_bytes()
 
-    def test_odd_but_plain_texts_are_the_same_sites(self):
+    def test_unusual_but_valid_texts_give_the_same_sites(self):
         plain = self.tile_of("0 0\n0.5 0.25\n0.25 0.75\n")
         odd = {
             "CRLF": "0 0\r\n0.5 0.25\r\n0.25 0.75\r\n",
@@ -238,7 +238,7 @@ class AcceptedSites(CliTest):
         self.tile_of("3 -7\n-0.5 0.25\n1000.25 -99.25\n")
         self.succeed("check", "t.ply", "--cvt")
 
-    def test_standard_input_is_a_file(self):
+    def test_standard_input_serves_as_a_file(self):
         plain = self.tile_of("0 0\n0.5 0.25\n")
         self.succeed("mesh", "--input", "-", "-o", "piped.ply", input=b"0 0\n0.5 0.25\n")
         self.assertEqual(self.path("piped.ply").read_bytes(), plain)
@@ -246,7 +246,7 @@ class AcceptedSites(CliTest):
 
 class Cancelling(CliTest):
     def cancel(self, number):
-        # Lloyd's method below the rounding of a residual: no machine ends this within seconds.
+        # The tolerance is below the rounding error of the residual, so the run takes much longer.
         run = subprocess.Popen(
             [self.binary(), "mesh", "--sites", "20000", "--solver", "lloyd", "--tolerance", "1e-20",
              "--max-iterations", "1000000000", "-o", "t.obj"],
@@ -270,7 +270,7 @@ class ProgressDisplay(CliTest):
            "--max-iterations", "1500", "--threads", "1")
 
     def on_a_terminal(self, *more, run=RUN):
-        """What the run shows on a terminal that is its standard error."""
+        """Returns the output of a run whose standard error is a terminal."""
         master, slave = pty.openpty()
         fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
         started = subprocess.Popen([self.binary(), *run, *more], cwd=self.folder,

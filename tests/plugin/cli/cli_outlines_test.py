@@ -1,4 +1,4 @@
-"""pcvt mesh --outline box, --mesh grains: what is written, proved, reported and refused."""
+"""pcvt mesh --outline box and --mesh grains: files, proofs, reports and refusals."""
 
 import json
 import re
@@ -40,7 +40,7 @@ class Outlines(CliTest):
         self.succeed(*BOX, "--repeat", "2x3", "--mesh", "grains", "--quiet", "-o", "t.ply")
         self.assertIn(" area 6 ", self.prove("t.ply")[0])
 
-    def test_the_box_stands_where_it_is_told_to(self):
+    def test_the_box_has_its_corner_at_the_given_origin(self):
         self.succeed(*BOX, "--origin", "0.25,-0.5", "--quiet", "-o", "t.obj")
         points = [tuple(map(float, line.split()[1:3]))
                   for line in self.path("t.obj").read_text().splitlines() if line.startswith("v ")]
@@ -50,7 +50,7 @@ class Outlines(CliTest):
         self.assertEqual({x for x, y in points if y == -0.5}, {x for x, y in points if y == 0.5})
         self.assertGreater(len(left), 5)
 
-    def test_the_report_tells_the_cut_and_the_grains(self):
+    def test_the_report_describes_the_cut_and_the_grains(self):
         self.succeed(*BOX, "--mesh", "grains", "--report", "run.json", "--quiet")
         report = json.loads(self.path("run.json").read_text())
         self.assertGreater(report["box_shortest_edge"], 0.02)
@@ -82,7 +82,7 @@ class Outlines(CliTest):
         self.succeed(*run, "--threads", 3)
         self.assertEqual(first, self.contents())
 
-    def test_grains_know_their_site_in_every_format(self):
+    def test_grains_store_their_site_in_every_format(self):
         self.succeed(*GRAINS, "--quiet", *outputs("ply", "obj"))
         faces = self.path("t.ply").read_text().split("end_header\n")[1].splitlines()
         sites = [int(line.split()[-1]) for line in faces if line.startswith("3 ")]
@@ -98,7 +98,7 @@ class Outlines(CliTest):
         self.write("moved.ply", text.replace("\n0 0.", "\n1e-9 0.", 1))
         self.refuse(2, "moved.ply: not a periodic tile: law", "check", "moved.ply")
 
-    def test_wrong_requests_say_what_to_ask_for_instead(self):
+    def test_wrong_requests_name_the_remedy(self):
         mesh = ("mesh", "--sites", 9)
         for pattern, *arguments in (
             ("Delaunay triangles.*take the mesh grains", *mesh, "--outline", "box", "--mesh",
@@ -116,7 +116,7 @@ class Outlines(CliTest):
             self.refuse(4 if "too large" in pattern else 2, pattern, *arguments)
         self.refuse(4, "grains of that size.*take larger", *mesh, "--mesh", "grains", "--size", 1e-6)
 
-    def test_grains_are_not_asked_to_be_voronoi(self):
+    def test_grains_are_refused_for_the_voronoi_property(self):
         self.succeed(*GRAINS, "--quiet", *outputs("obj", "glb"))
         for name in ("t.obj", "t.glb"):
             self.refuse(2, "grains are neither", "check", name, "--cvt")

@@ -1,4 +1,4 @@
-"""pcvt pattern and --start lattice: exact lattices as tiles, in every format, of every shape."""
+"""pcvt pattern and --start lattice: exact lattices as tiles, in all formats and on all lattices."""
 
 import json
 import time
@@ -23,7 +23,7 @@ class Pattern(CliTest):
         self.succeed(*arguments, "--report", "run.json", "--force", "--quiet")
         return json.loads(self.path("run.json").read_text())
 
-    def test_the_summary_tells_basis_energy_ratio_and_stability(self):
+    def test_the_summary_shows_basis_energy_ratio_and_stability(self):
         text = self.succeed("pattern", "--sites", 10)
         self.assertRegex(text, r"pattern +\(0\.3, 0\.1\) \(-0\.1, 0\.3\), energy 0\.0166667, 1\.03923 of")
         self.assertRegex(text, r"stability +the pattern is a saddle; smallest eigenvalue -0\.155")
@@ -46,7 +46,7 @@ class Pattern(CliTest):
                              for e in ("obj", "ply")]
                     self.assertEqual(len(self.succeed("check", *names, "--cvt").splitlines()), 4)
 
-    def test_it_takes_the_outputs_of_mesh(self):
+    def test_it_accepts_the_outputs_of_mesh(self):
         formats = ("obj", "ply", "glb", "gltf", "om", "svg", "txt")
         self.succeed("pattern", "--sites", 12, "--repeat", "2x1", "--origin", "0.3,0.2",
                      *(word for e in formats for word in ("-o", f"t.{e}")))

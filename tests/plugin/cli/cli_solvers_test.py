@@ -20,7 +20,7 @@ class CaseFolder(CliTest):
         self.assertRegex(said, r"(?m)^file +t\.foam$")
         self.assertEqual(os.listdir(self.folder), ["t.foam"])
 
-    def test_each_mesh_has_a_folder_of_its_own(self):
+    def test_each_mesh_has_a_separate_folder(self):
         self.succeed("mesh", "--sites", 30, "--mesh", "voronoi", "--mesh", "delaunay", "-o", "t.foam",
                      "--lattice", "1,0,0.3,0.9", "--repeat", "2x1")
         lines = self.succeed("check", "t-voronoi.foam", "t-delaunay.foam", "--cvt").splitlines()
@@ -37,7 +37,7 @@ class CaseFolder(CliTest):
         self.succeed("mesh", "--sites", 30, "-o", "t.foam/", "--quiet", "--force")
         self.assertEqual(self.contents(), {**before, "t.foam/0.05/U": b"a result"})
 
-    def test_what_stands_in_the_way_is_refused_with_or_without_force(self):
+    def test_a_foreign_entry_at_the_path_is_refused_with_or_without_force(self):
         self.write("t.foam", "a file")
         for force in ((), ("--force", )):
             self.refuse(3, r"t\.foam: .*not a folder", "mesh", "--sites", 3, "-o", "t.foam", *force)
@@ -46,7 +46,7 @@ class CaseFolder(CliTest):
         self.refuse(3, "folder none: No such file", "mesh", "--sites", 3, "-o", "none/t.foam")
         self.refuse(2, "another output", "mesh", "--sites", 3, "-o", "t.foam", "-o", "./t.foam")
 
-    def test_grains_are_taken_and_cut_cells_are_not(self):
+    def test_grains_are_accepted_and_cut_cells_are_not(self):
         box = ("mesh", "--sites", 30, "--outline", "box", "-o", "t.foam")
         self.refuse(2, "-o t.foam: cells that the box cuts .*; take the whole outline", *box)
         self.succeed(*box, "--mesh", "grains", "--quiet")
@@ -87,7 +87,7 @@ class CaseFolder(CliTest):
 
 
 class CGrid(CliTest):
-    def test_it_is_proved_and_one_for_all_meshes(self):
+    def test_it_is_proved_and_shared_by_all_meshes(self):
         self.succeed("mesh", "--sites", 60, "--period", "1,0.7", "--mesh", "voronoi", "--mesh",
                      "delaunay", "--repeat", "2x1", "-o", "t.nc", "--quiet")
         self.assertEqual(list(self.contents()), ["t.nc"])
@@ -95,7 +95,7 @@ class CGrid(CliTest):
         self.assertRegex(line, r"^t\.nc: an MPAS mesh: 120 cells, 360 edges, 240 vertices, period 2 x 0\.7, "
                          r".*TRiSK identity within \S+e-1[3-9]\n$")
 
-    def test_wrong_requests_are_told_what_to_ask_for(self):
+    def test_wrong_requests_name_the_remedy(self):
         run = ("mesh", "--sites", 60, "-o", "t.nc")
         self.refuse(2, "-o t.nc: MPAS supports only periods along x and y; use a rectangular lattice", *run,
                     "--lattice", "1,0,0.3,0.9")
@@ -120,7 +120,7 @@ class CGrid(CliTest):
 
 
 class ShortEdges(CliTest):
-    def test_they_are_gone_and_the_seam_still_matches(self):
+    def test_they_are_removed_and_the_seam_still_matches(self):
         run = ("mesh", "--sites", 400, "--seed", 3, "--max-iterations", 0, "--quiet")
         self.succeed(*run, "-o", "all.foam", "-o", "all.ply")
         self.succeed(*run, "-o", "t.foam", "-o", "t.ply", "--short-edges", "0.2")

@@ -1,4 +1,4 @@
-"""pcvt study: its tables and pictures, shards and merging, refusals, cancelling."""
+"""pcvt study: tables and pictures, shards and merging, refusals and cancelling."""
 
 import csv
 import io
@@ -33,7 +33,7 @@ class Files(CliTest):
         self.assertEqual((shares["4"], shares["5"]), ("100", "0"))
         self.assertIn("--sites 4,5,11 --runs 9 --seed 2", self.path("r/fig11.csv").read_text())
 
-    def test_a_run_of_the_table_is_that_of_pcvt_mesh(self):
+    def test_a_run_of_the_table_agrees_with_pcvt_mesh(self):
         self.succeed("study", "fig11", "--sites", 11, "--runs", 3, "--seed", 40, "-o", "t.csv")
         last = self.table("t-runs.csv")[-1]
         self.assertEqual((last["run"], last["seed"]), ("2", "42"))
@@ -61,7 +61,7 @@ class Files(CliTest):
 
 
 class Shards(CliTest):
-    def test_merged_shards_are_the_unsplit_bytes(self):
+    def test_merged_shards_give_the_unsplit_bytes(self):
         for folder in ("whole", "merged"):
             self.path(folder).mkdir()
         said = self.succeed("study", *SMALL, "--threads", 2, "-o", "whole")
@@ -101,7 +101,7 @@ class Shards(CliTest):
 
 
 class BadInput(CliTest):
-    def test_what_cannot_be_run_is_refused(self):
+    def test_impossible_studies_are_refused(self):
         for code, pattern, arguments in (
             (2, "no study", ()),
             (2, "fig12.*unknown; take one of table1 fig7", ("fig12", )),

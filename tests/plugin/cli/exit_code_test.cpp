@@ -45,7 +45,7 @@ TEST(ExitCode, EverythingElseIsLaw4) {
     }
 }
 
-TEST(ExitCode, NumbersAreThoseOfThePromise) {
+TEST(ExitCode, NumbersAreAsDocumented) {
     EXPECT_EQ(static_cast<int>(ExitCode::kDone), 0);
     EXPECT_EQ(static_cast<int>(ExitCode::kFault), 1);
     EXPECT_EQ(static_cast<int>(ExitCode::kBadInput), 2);

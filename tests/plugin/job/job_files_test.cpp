@@ -23,7 +23,7 @@ TEST(JobFiles, CompanionsFollowTheirFile) {
     EXPECT_EQ(files[1].format, nullptr);
 }
 
-TEST(JobFiles, EachMeshHasAFileOfItsOwnAndTheSitesOne) {
+TEST(JobFiles, EachMeshHasASeparateFileAndTheSitesHaveOne) {
     Job job;
     job.meshes = {MeshKind::kDelaunay, MeshKind::kVoronoi};
     job.outputs = {"t.ply", "s.txt"};
@@ -58,7 +58,7 @@ TEST(JobFiles, ACGridNeedsARectangleAndEveryEdge) {
     EXPECT_THROW(plan_files(job), InvalidInput);
 }
 
-TEST(JobFiles, OneNameForTwoFilesIsRefusedHoweverItIsSpelt) {
+TEST(JobFiles, OneNameForTwoFilesIsRefusedInAnySpelling) {
     Job job;
     job.outputs = {"t.ply", "./x/../t.ply"};
     EXPECT_THROW(plan_files(job), InvalidInput);
@@ -91,7 +91,7 @@ std::string refusal(const std::string& path) {
     return "";
 }
 
-TEST(JobFiles, ARefusalTellsUnknownAndMissingExtensionsApart) {
+TEST(JobFiles, ARefusalDistinguishesUnknownFromMissingExtensions) {
     EXPECT_EQ(refusal("t.n"), "-o t.n: unknown extension .n; take one of " + output_extensions());
     EXPECT_EQ(refusal("t"), "-o t: no extension; take one of " + output_extensions());
 }

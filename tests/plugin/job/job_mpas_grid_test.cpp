@@ -10,7 +10,7 @@
 namespace pcvt {
 namespace {
 
-/// The C-grid that a job writes whose sites stay at an exact lattice of acute triangles.
+/// Returns the grid that a job writes for the sites of an exact lattice with acute triangles.
 MpasGrid written_grid(const std::optional<Density>& density, int columns) {
     const Lattice period = Lattice::rectangle(1, 2 / std::sqrt(3));
     const testing::TemporaryFolder folder;
@@ -27,7 +27,7 @@ MpasGrid written_grid(const std::optional<Density>& density, int columns) {
     return decode_mpas(job.outputs[0], testing::bytes_of(job.outputs[0]));
 }
 
-TEST(JobMpasGrid, TheMeshDensityIsThatOfTheSitesOverItsLargestValue) {
+TEST(JobMpasGrid, TheMeshDensityIsRelativeToItsLargestValueAtTheSites) {
     const auto rho = [](double u) { return 2 + std::cos(2 * M_PI * u); };
     const Density density = shared_density([&](const DensityPoint& p) { return 7 * rho(p.u); });
     for (const int columns : {1, 2}) {

@@ -56,7 +56,7 @@ void prove(const std::string& path, const Tile& written, const Tile& proved) {
     prove_files(format, format.encode(no_mesh, written, path), proved, Vec2::Zero());
 }
 
-TEST(JobProof, AFileIsComparedInEveryNumberBeforeItsProofIsSpared) {
+TEST(JobProof, AFileIsComparedInEveryNumberBeforeItsProofIsSkipped) {
     const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
     Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-12;

@@ -13,7 +13,7 @@ namespace {
 using pcvt::testing::TemporaryFolder;
 using ::testing::HasSubstr;
 
-/// A honeycomb that is periodic on a rectangle: the one kind of job that every format holds.
+/// Returns a job for a honeycomb that is periodic on a rectangle, which every format supports.
 Job job_for_every_format(const TemporaryFolder& folder, int n_threads) {
     Job job;
     job.lattice = Lattice::rectangle(1, 2 / std::sqrt(3.0));
@@ -28,7 +28,7 @@ Job job_for_every_format(const TemporaryFolder& folder, int n_threads) {
     return job;
 }
 
-/// Every file below a folder: its path there and its bytes.
+/// Returns the bytes of every file below a folder, by relative path.
 std::map<std::string, std::string> files_in(const TemporaryFolder& folder) {
     const std::string top = folder / "";
     std::map<std::string, std::string> files;
@@ -53,8 +53,8 @@ TEST(JobStaging, SeveralThreadsWriteTheBytesOfOne) {
     EXPECT_EQ(files_written(6), by_one);
 }
 
-// Sites at random have obtuse triangles, which an MPAS mesh must not have.
-TEST(JobStaging, TellsTheFaultOfTheFirstFileInTheList) {
+// Random sites give obtuse triangles, which an MPAS mesh must not have.
+TEST(JobStaging, ReportsTheFaultOfTheFirstFileInTheList) {
     const TemporaryFolder folder;
     Job job;
     job.n_sites = 20;

@@ -1,4 +1,4 @@
-"""The arrays that the Python package shows, and the seam between them."""
+"""The arrays of the Python package, and the seam that they describe."""
 
 import gc
 import unittest
@@ -11,7 +11,7 @@ from pcvt import _library
 
 
 def edges_of(tile):
-    """Rows v0, v1: each side of each face, counter-clockwise."""
+    """Returns rows v0, v1 for each side of each face, counter-clockwise."""
     faces = np.split(tile.corners, tile.face_begin[1:-1])
     return np.concatenate([np.column_stack([face, np.roll(face, -1)]) for face in faces])
 
@@ -85,7 +85,7 @@ class Arrays(unittest.TestCase):
         self.assertEqual(len(freed), 1)
         free(freed[0])
 
-    def test_statistics_tell_the_run(self):
+    def test_statistics_describe_the_run(self):
         figures = pcvt.mesh(100, max_iterations=3).statistics
         self.assertEqual((figures.stop, figures.n_sites, figures.iterations),
                          ("iteration-limit", 100, 3))

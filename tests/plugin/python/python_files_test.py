@@ -14,7 +14,7 @@ import numpy as np
 
 
 def python(*arguments, **environment):
-    """Runs another interpreter, which finds the package."""
+    """Runs another interpreter in which the package can be imported."""
     return subprocess.run([sys.executable, "-B", *map(str, arguments)], capture_output=True,
                           check=False, text=True,
                           env={**os.environ, "PYTHONPATH": str(PACKAGE), **environment})
@@ -43,7 +43,7 @@ class Files(CliTest):
         self.assertEqual(files["python.ply"], files["command.ply"])
         np.testing.assert_array_equal(np.loadtxt(self.path("command.txt")), result.sites)
 
-    def test_files_are_replaced_only_where_asked_for(self):
+    def test_files_are_replaced_on_request_only(self):
         result = pcvt.mesh(10)
         result.write(self.path("tile.ply"), report=self.path("tile.json"))
         before = self.contents()

@@ -12,7 +12,7 @@ import numpy as np
 
 
 class Density(unittest.TestCase):
-    def test_a_function_is_what_its_expression_is(self):
+    def test_a_function_gives_the_result_of_its_expression(self):
         seen = set()
 
         def density(x, y):

@@ -1,4 +1,4 @@
-"""What the Python package refuses, and that its structs are those of pcvt.h."""
+"""Arguments that the Python package refuses, and the layout of its structs."""
 
 import unittest
 from ctypes import byref, sizeof
@@ -16,7 +16,7 @@ class Refusals(unittest.TestCase):
             pcvt.mesh(sites, **arguments)
         self.assertNotIn("\n", str(refusal.exception))
 
-    def test_what_the_library_refuses(self):
+    def test_arguments_that_the_library_refuses(self):
         self.refuse(pcvt.ArgumentError, "n_sites is not between", 0)
         self.refuse(ValueError, "parallel", lattice=((1, 0), (2, 0)))
         self.refuse(pcvt.ArgumentError, "lattice is not finite", lattice=((1, 0), (0, np.inf)))
@@ -25,7 +25,7 @@ class Refusals(unittest.TestCase):
         self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
         self.refuse(pcvt.ArgumentError, "character 4", density="x +")
 
-    def test_what_does_not_fit_into_the_struct(self):
+    def test_values_that_do_not_fit_into_the_struct(self):
         self.refuse(pcvt.ArgumentError, "n_sites 8589934602 is out of range", 2**33 + 10)
         self.refuse(pcvt.ArgumentError, "seed -1 is out of range", seed=-1)
         self.refuse(TypeError, "integer", max_iterations=1.5)
@@ -45,7 +45,7 @@ class Layout(unittest.TestCase):
                "pcvt_tile": _library.Tile, "pcvt_statistics": _library.Statistics,
                "pcvt_write_options": _library.WriteOptions}
 
-    def test_structs_lie_as_recorded(self):
+    def test_structs_have_the_recorded_layout(self):
         found = [f"number PCVT_ABI_VERSION {_library.ABI_VERSION}"]
         for name, struct in self.STRUCTS.items():
             found.append(f"struct {name} {sizeof(struct)}")
@@ -58,7 +58,7 @@ class Layout(unittest.TestCase):
         self.assertEqual(found[1:], recorded)
         self.assertEqual(pcvt.mesh(1).tile().seam.dtype.itemsize, 24)
 
-    def test_the_library_refuses_a_byte_less(self):
+    def test_the_library_refuses_a_struct_one_byte_too_short(self):
         library, own = _library.library, pcvt.mesh(10)
         result = own._handle.pointer
         for get, struct, choices in ((library.pcvt_get_sites, _library.Sites, ()),

@@ -29,7 +29,7 @@ std::string bytes(const StudyResult& result) {
     return all;
 }
 
-/// The shards of a study as they come back from their files.
+/// Returns the shards of a study, encoded to CSV and decoded again.
 std::vector<NamedRuns> shards(const Study& study, int count) {
     std::vector<NamedRuns> parts;
     for (int k = 1; k <= count; ++k) {
@@ -78,7 +78,7 @@ TEST(Study, EveryRecipeConcludesFromASmallStudy) {
     }
 }
 
-TEST(Study, SharesOfSixAreAllLattices) {
+TEST(Study, AllRunsOfSixSitesAreLattices) {
     const StudyResult result =
         conclude_study({"fig11", {6, 5}, 20, 0}, all_runs({"fig11", {6, 5}, 20, 0}));
     const StudyTable& shares = result.tables[0];
@@ -106,7 +106,7 @@ TEST(Study, TableOneHasThePapersNumbers) {
     }
 }
 
-TEST(Study, WhatNoRandomStartReachesComesFromTheLattice) {
+TEST(Study, EnergiesThatNoRandomStartReachesComeFromTheLattice) {
     const Study study{"table1", {100}, 1, 0};
     const StudyTable table = conclude_study(study, all_runs(study)).tables[0];
     EXPECT_EQ(table.rows[0][table.column("reached_from")], "lattice start");
@@ -124,7 +124,7 @@ TEST(Study, CancellingGivesNothing) {
     EXPECT_EQ(last, 1);
 }
 
-TEST(Study, MergingNamesWhatIsWrong) {
+TEST(Study, MergingNamesTheFault) {
     std::vector<NamedRuns> parts = shards(kSmall, 3);
     EXPECT_EQ(complaint(parts), "none");
     EXPECT_THAT(complaint({parts[0], parts[2]}), HasSubstr("run 1 of 4 sites stands in no file"));
@@ -151,7 +151,7 @@ TEST(Study, BadStudiesAreRefused) {
     EXPECT_THROW(run({"fig11", {1'000'000}, 1, 0}, {}), LimitExceeded);
 }
 
-TEST(StudyPictures, CellsFillTheDomainAndSitesStandInIt) {
+TEST(StudyPictures, CellsFillTheDomainAndSitesLieInIt) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 30}) {
             const Points points = uniform_points(lattice, n, 4);
@@ -176,7 +176,7 @@ TEST(StudyPictures, ASiteOnTheBorderIsDrawnOnBothSides) {
     EXPECT_EQ(periodic_panel(side).sites.size(), 2u);
 }
 
-TEST(StudyFiles, OneNameStandsForAllTablesOrPictures) {
+TEST(StudyFiles, OneNameYieldsAllTablesOrPictures) {
     const auto paths = [](const std::vector<std::string>& outputs, StudyShard shard) {
         std::vector<std::string> found;
         for (const StudyFile& file : plan_study_files(outputs, "fig11", shard, {})) {
