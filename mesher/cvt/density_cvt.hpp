@@ -59,8 +59,8 @@ struct DensityCvtResult {
 ///
 /// The minimisation proceeds in rounds; each round reduces the target residual by a factor of 100.
 /// At the start of a round the quadrature order of each cell is chosen so that the quadrature error
-/// is far below the target residual, and the variables are scaled by the local spacing: z_i = x_i h
-/// / l_i, with l_i proportional to rho^(-1/4). The step limit options.optimizer.max_move is
+/// is far below the target residual, and the variables are scaled by the local spacing l_i, which
+/// is proportional to rho^(-1/4): z_i = (h / l_i) x_i. The step limit options.optimizer.max_move is
 /// therefore relative to the local spacing of each site, and the stiffness against long waves is
 /// uniform, so the preconditioner for rho = 1 applies (long_waves.hpp). The last round is repeated
 /// until the rules of all cells still reach the required accuracy at its end.

@@ -9,8 +9,8 @@ namespace pcvt {
 /// Example usage:
 ///   const PeriodicMesh cells = cell_mesh(delaunay);
 ///   const std::vector<Offset> placement = whole_outline(cells, {0, 0});
-///   const Vec2 corner = cells.point(c) +
-///   cells.lattice.translation(placement[cells.corner_face[c]]);
+///   const Offset at = placement[cells.corner_face[c]];
+///   const Vec2 corner = cells.point(c) + cells.lattice.translation(at);
 ///
 /// The union of the placed faces is a disc, and no face is cut. A face is placed so that its
 /// centroid lies in the reduced fundamental domain with its corner at `origin`. A face whose place

@@ -14,8 +14,8 @@ namespace pcvt {
 ///
 /// An edge may be removed if every cell around it remains a simple polygon with at least three
 /// corners and keeps at least half of its area. Laws, tested by number:
-///   (1) The result is a mesh of the same torus with the same faces in the same frames: V - E + F =
-///       0, and the areas sum to that of the domain.
+///   (1) The result is a mesh of the same torus with the same faces in the same frames:
+///       V - E + F = 0, and the areas sum to that of the domain.
 ///   (2) No remaining edge shorter than `shortest` may be removed.
 ///   (3) A vertex moves only if it lies on a removed edge.
 ///
