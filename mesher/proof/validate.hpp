@@ -29,8 +29,8 @@ struct TileProof {
     std::vector<int> first_copy;
     /// As in Tile, between first copies.
     std::vector<VertexPair> vertex_pairs;
-    /// Sorted; each pair is stored from the side with the positive offset: i > 0, or i = 0 and j >
-    /// 0.
+    /// Sorted; each pair is stored from the side with the positive offset (i, j):
+    /// i > 0, or i = 0 and j > 0.
     std::vector<EdgePair> edge_pairs;
 };
 
