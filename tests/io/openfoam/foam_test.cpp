@@ -90,7 +90,8 @@ TEST(Foam, ABoundaryOfAnotherProgramNeedsTheLattice) {
     text.replace(text.find("// pcvt lattice"), 7, "// also");
     EXPECT_THAT(fault_of(files), HasSubstr("names no lattice; pass --lattice"));
     EXPECT_EQ(fault_of(files, Lattice({1, 0}, {0.37, 0.81})), "");
-    EXPECT_THAT(fault_of(files, Lattice({1, 0}, {0.37, 0.8})), HasSubstr("a separation other than"));
+    EXPECT_THAT(fault_of(files, Lattice({1, 0}, {0.37, 0.8})),
+                HasSubstr("a separation other than"));
 }
 
 TEST(Foam, FaultsNameTheirFileAndLine) {
