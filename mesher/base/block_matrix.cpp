@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kRowsPerTask = 1 << 13;
 
-/// Rows begin ... end - 1 of y = A x; returns their part of x.y.
+/// Computes rows begin ... end - 1 of y = A x; returns their contribution to x.y.
 PCVT_TARGET_CLONES double multiply_rows(const BlockMatrix& a, const double* x, double* y, int begin,
                                         int end) {
     double dot = 0;

@@ -8,15 +8,23 @@
 
 namespace pcvt {
 
-/// A symmetric matrix of 2 x 2 blocks, sparse: row i belongs to the pair of variables (x_2i,
-/// x_2i+1).
+/// A symmetric sparse matrix of 2 x 2 blocks; row i belongs to the variables (x_2i, x_2i+1).
 ///
-/// Of a row the diagonal block is stored apart, the others one after the other, in any order; a
-/// column may occur more than once in it, and its blocks add up. Both triangles are stored, so that
-/// each row of a product is computed on its own.
+/// Each row stores its diagonal block separately. Its other blocks follow each other in any order;
+/// a column may occur more than once in a row, and the blocks of equal columns add up. Both
+/// triangles of the matrix are stored, so that each row of a product is computed independently.
+///
+/// Example usage (the Laplacian of two coupled rows):
+///
+///     BlockMatrix a;
+///     a.resize({1, 1});  // one block beside the diagonal in each row
+///     a.diagonal = {{1, 0, 0, 1}, {1, 0, 0, 1}};
+///     a.column = {1, 0};
+///     a.block = {{-1, 0, 0, -1}, {-1, 0, 0, -1}};
+///     const double xy = a.multiply(x, y, workers);
 struct BlockMatrix {
-    /// (0, 0), (1, 0), (0, 1), (1, 1). Beside the diagonal in single precision: of large matrices a
-    /// product waits for memory.
+    /// Entries (0, 0), (1, 0), (0, 1), (1, 1). Off-diagonal blocks are in single precision, because
+    /// the product with a large matrix is limited by memory bandwidth.
     using DiagonalBlock = std::array<double, 4>;
     using Block = std::array<float, 4>;
 
@@ -29,10 +37,9 @@ struct BlockMatrix {
     bool annihilates_translations = false;
 
     int n_rows() const { return static_cast<int>(diagonal.size()); }
-    /// Makes room for rows of these lengths; n_entries[i] blocks in row i beside the diagonal.
+    /// Allocates n_entries[i] off-diagonal blocks in row i.
     void resize(const std::vector<int>& n_entries);
-    /// y = A x for the same bits with any number of workers; y has the size of x.
-    /// @returns x.y
+    /// Computes y = A x, bit for bit the same for any number of workers; y must have the size of x.
     double multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y, Workers& workers) const;
 };
 

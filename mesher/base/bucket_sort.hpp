@@ -8,14 +8,22 @@
 
 namespace pcvt {
 
-/// Sorts `items` like std::sort by `less`, first into buckets by counting, then each bucket.
+/// Sorts `items` by `less`, as std::sort does: a counting sort into buckets, then std::sort within
+/// each bucket.
 ///
-/// Linear where few items share a bucket; otherwise no slower than a sort of the whole by a
-/// constant factor.
-/// @param key  the bucket of an item, 0 ... n_keys - 1, which never falls where items rise.
+/// The cost is linear where few items share a bucket, and otherwise at most a constant factor above
+/// one sort of all items.
+///
+/// Example usage (edges by their lower vertex):
+///
+///     bucket_sort(edges, n_vertices, [](const Edge& e) { return e.low; });
+///
+/// @param key  the bucket of an item, 0 ... n_keys - 1; must not decrease from an item to a greater
+///             one.
 template <class Item, class Key, class Less = std::less<>>
 void bucket_sort(std::vector<Item>& items, int n_keys, Key key, Less less = {}) {
-    // Two places ahead, so that placing the items leaves the beginnings of the buckets.
+    // The counts are shifted by two entries: after the scatter begin[k] is the beginning of bucket
+    // k.
     std::vector<std::size_t> begin(static_cast<std::size_t>(n_keys) + 2, 0);
     for (const Item& item : items) ++begin[static_cast<std::size_t>(key(item)) + 2];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());

@@ -6,11 +6,19 @@
 
 namespace pcvt {
 
-/// A partition of 0 ... n - 1 that only gets coarser; each set is named by its smallest member.
+/// A partition of 0 ... n - 1 that only becomes coarser (union-find); the smallest member of a set
+/// represents it.
+///
+/// Example usage:
+///
+///     DisjointSets components(n_vertices);
+///     for (const auto& [v, w] : edges) components.unite(v, w);
+///     const bool connected = components.find(0) == components.find(1);
 class DisjointSets {
    public:
     explicit DisjointSets(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
 
+    /// Returns the representative of the set that contains x.
     int find(int x) {
         while (parent_[x] != x) {
             parent_[x] = parent_[parent_[x]];
@@ -18,7 +26,7 @@ class DisjointSets {
         }
         return x;
     }
-    /// Returns false where x and y were in one set already.
+    /// Merges the sets of x and y; returns false if they were the same set already.
     bool unite(int x, int y) {
         int low = find(x);
         int high = find(y);

@@ -6,18 +6,27 @@
 namespace pcvt {
 
 /// Base of every exception that pcvt throws on purpose.
+///
+/// Example usage:
+///
+///     try {
+///         const Sites sites(lattice, points);
+///     } catch (const InvalidInput& error) {
+///         std::cerr << error.what() << '\n';  // the caller can correct the input
+///     }
 class Error : public std::runtime_error {
    public:
     using std::runtime_error::runtime_error;
 };
 
-/// The caller can mend it: an argument, a file or a lattice outside of what is stated.
+/// The caller can correct the cause: an argument, a file or a lattice violates a documented
+/// condition.
 class InvalidInput : public Error {
    public:
     using Error::Error;
 };
 
-/// Two sites lie on one orbit of the lattice. Ids are the order of the input, from 0.
+/// Two sites coincide modulo the lattice. Ids number the sites of the input from 0.
 class DuplicateSites : public InvalidInput {
    public:
     DuplicateSites(int first, int second)
@@ -33,13 +42,13 @@ class DuplicateSites : public InvalidInput {
     int second_;
 };
 
-/// The task is larger than pcvt, or its integers, can hold.
+/// The problem is too large for pcvt or for its integer types.
 class LimitExceeded : public Error {
    public:
     using Error::Error;
 };
 
-/// A law of the library does not hold: a fault of pcvt, never of its user.
+/// An invariant of the library does not hold: a bug in pcvt, not an error of its user.
 class InternalError : public Error {
    public:
     using Error::Error;

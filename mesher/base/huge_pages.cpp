@@ -12,8 +12,8 @@ namespace {
 
 #if defined(__linux__) && defined(MADV_HUGEPAGE) && defined(MADV_COLLAPSE)
 void advise(void* begin, std::size_t n_bytes) {
-    // The first is for what is not written yet, the second for what is (since Linux 6.1). Both may
-    // be refused.
+    // MADV_HUGEPAGE affects pages that are written later, MADV_COLLAPSE (Linux 6.1) the pages that
+    // exist already. The kernel may refuse both.
     madvise(begin, n_bytes, MADV_HUGEPAGE);
     madvise(begin, n_bytes, MADV_COLLAPSE);
 }
@@ -26,7 +26,7 @@ constexpr std::size_t kHugePage = std::size_t{1} << 21;
 }  // namespace
 
 void prefer_huge_pages(const void* begin, std::size_t n_bytes) {
-    // Advice leaves the memory as it is, and yet madvise(2) takes a pointer to what may change.
+    // madvise(2) takes a pointer to mutable memory, although advice does not change the contents.
     void* first = const_cast<void*>(begin);
     if (std::align(kHugePage, kHugePage, first, n_bytes) == nullptr) return;
     advise(first, n_bytes / kHugePage * kHugePage);

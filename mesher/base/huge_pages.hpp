@@ -4,14 +4,19 @@
 
 namespace pcvt {
 
-/// Asks the kernel to hold an array in its large pages (Linux: 2 MiB), as far as it fills such
-/// pages. Who walks through arrays of tens of megabytes again and again, in no strict order, waits
-/// for the addresses of small pages as well as for the numbers: at 10^6 sites a twelfth of an
-/// iteration. What is written there already is moved at once, for the price of some copies, so this
-/// is for arrays that stay. Changes no number, and does nothing where the kernel refuses.
+/// Advises the kernel to back an array with huge pages (Linux: 2 MiB) as far as the array covers
+/// whole pages. Repeated, irregular access to arrays of tens of megabytes otherwise suffers from
+/// TLB misses: at 10^6 sites they take a twelfth of an iteration. Pages that have been written are
+/// copied at once, so this pays only for long-lived arrays. Contents never change, and the call has
+/// no effect where the kernel refuses.
+///
+/// Example usage:
+///
+///     std::vector<double> values(n);
+///     prefer_huge_pages(values);
 void prefer_huge_pages(const void* begin, std::size_t n_bytes);
 
-/// The same for all numbers of an array.
+/// The same for all elements of an array.
 template <class Array>
 void prefer_huge_pages(const Array& array) {
     prefer_huge_pages(array.data(), static_cast<std::size_t>(array.size()) * sizeof(*array.data()));

@@ -2,9 +2,16 @@
 
 namespace pcvt {
 
-/// Asks for the line of memory at an address to come near, into the cache of the second level. More
-/// lines can be on their way there at a time than to the first level: at 10^6 sites an iteration
-/// takes 7 % less time for it. The address need not be valid.
+/// Requests the cache line at an address, into the second-level cache: more lines can be in flight
+/// to that level than to the first, which shortens an iteration at 10^6 sites by 7 %. The address
+/// need not be valid.
+///
+/// Example usage:
+///
+///     for (std::size_t k = 0; k < n; ++k) {
+///         prefetch(&values[index[std::min(k + 8, n - 1)]]);
+///         sum += values[index[k]];
+///     }
 inline void prefetch(const void* address) { __builtin_prefetch(address, 0, 2); }
 
 }  // namespace pcvt

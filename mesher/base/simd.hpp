@@ -2,11 +2,18 @@
 
 namespace pcvt {
 
-/// Numbers side by side (vector extension of GCC and Clang), for loops in which the compiler does
-/// not find them itself: there a sum over points is the inner loop, and many sums are the outer
-/// one. An operation is the same on each number, so no result depends on how wide the machine's
-/// vectors are; with PCVT_TARGET_CLONES they are as wide as they can be. Loaded and stored by
-/// std::memcpy, since they may stand anywhere.
+/// Doubles that are processed side by side (vector extension of GCC and Clang), for loops that the
+/// compiler does not vectorise itself because the inner loop is a sum over points and the outer
+/// loop runs over many such sums. Each operation is elementwise, so results do not depend on the
+/// vector width of the machine; PCVT_TARGET_CLONES makes full use of that width. Values are loaded
+/// and stored by std::memcpy, because arrays need not be aligned to a vector.
+///
+/// Example usage:
+///
+///     Lanes x;
+///     std::memcpy(&x, values, sizeof x);
+///     x = 2 * x + 1;
+///     std::memcpy(values, &x, sizeof x);
 inline constexpr int kLanes = 8;
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 /// A point in the plane.

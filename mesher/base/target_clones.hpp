@@ -1,8 +1,14 @@
 #pragma once
 
-/// Marks a function to be compiled a second time for wider vector units, and the fitting one to be
-/// chosen when the program starts. Both do the same operations in the same order, without
-/// contraction (-ffp-contract=off), so that both give the same bits.
+/// Compiles a function once more for each wider vector unit; the program selects the version for
+/// its machine at start-up. All versions perform the same operations in the same order, without
+/// contraction (-ffp-contract=off), so they return the same bits.
+///
+/// Example usage:
+///
+///     PCVT_TARGET_CLONES void scale(double c, double* x, int n) {
+///         for (int i = 0; i < n; ++i) x[i] *= c;
+///     }
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define PCVT_TARGET_CLONES \
     __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))

@@ -10,7 +10,7 @@ Workers::Workers(int n_threads) {
     try {
         for (int k = 1; k < n_threads; ++k) team_.emplace_back([this] { serve(); });
     } catch (const std::system_error&) {
-        // The team does the same work, only slower.
+        // Fewer threads do the same work, only slower.
     }
 }
 

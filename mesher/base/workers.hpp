@@ -11,13 +11,20 @@ namespace pcvt {
 
 /// A fixed team of threads for loops over independent tasks.
 ///
-/// How the tasks fall to the threads changes from run to run. So that results do not, a task must
-/// depend on its index alone, never on the thread or on the number of threads, and sums over tasks
-/// are added up afterwards in the order of the tasks.
+/// The assignment of tasks to threads changes from run to run. Results stay reproducible if a task
+/// depends on its index alone, never on the thread or on the number of threads, and if sums over
+/// tasks are added up afterwards in the order of the tasks.
+///
+/// Example usage:
+///
+///     Workers workers(8);
+///     std::vector<double> sums(n_tasks);
+///     workers.for_each(n_tasks, [&](int k) { sums[k] = sum_of_block(k); });
+///     const double total = std::accumulate(sums.begin(), sums.end(), 0.0);
 class Workers {
    public:
-    /// @param n_threads  at least 1; the calling thread is one of them. Where the system gives no
-    ///                   more threads there are fewer.
+    /// @param n_threads  at least 1, the calling thread included. The team is smaller where the
+    ///                   system cannot create that many threads.
     explicit Workers(int n_threads);
     ~Workers();
     Workers(const Workers&) = delete;
@@ -25,8 +32,9 @@ class Workers {
 
     int n_threads() const { return static_cast<int>(team_.size()) + 1; }
 
-    /// Calls task(0) ... task(n_tasks - 1), each once, and returns when all are done. Of several
-    /// exceptions that the tasks throw one is thrown on. Not to be called from within a task.
+    /// Calls each of task(0) ... task(n_tasks - 1) once and returns when all have finished. If
+    /// tasks throw, one of their exceptions is rethrown. A task must not call for_each of its own
+    /// team.
     void for_each(int n_tasks, const std::function<void(int)>& task);
 
    private:

@@ -8,7 +8,7 @@
 namespace pcvt {
 namespace {
 
-TEST(BucketSort, SortsLikeStdSortHoweverFullTheBuckets) {
+TEST(BucketSort, SortsLikeStdSortForAnyBucketSize) {
     std::mt19937_64 random(1);
     for (const int n_keys : {1, 2, 50, 5000}) {
         std::vector<std::array<int, 2>> items(1000);
@@ -20,7 +20,7 @@ TEST(BucketSort, SortsLikeStdSortHoweverFullTheBuckets) {
     }
 }
 
-TEST(BucketSort, LeavesNothingOfNothing) {
+TEST(BucketSort, LeavesAnEmptyRangeEmpty) {
     std::vector<int> none;
     bucket_sort(none, 0, [](int item) { return item; });
     EXPECT_TRUE(none.empty());

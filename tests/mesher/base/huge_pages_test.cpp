@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMillion = 1 << 20;
 
-TEST(HugePages, LeaveEveryNumberAsItIs) {
+TEST(HugePages, LeaveTheContentsUnchanged) {
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, kMillion, 3 * kMillion + 5}) {
         std::vector<int> numbers(n);
         std::iota(numbers.begin(), numbers.end(), 7);
@@ -24,7 +24,8 @@ TEST(HugePages, LeaveEveryNumberAsItIs) {
     }
 }
 
-/// The kernel's flags of the mapping at an address (proc(5), smaps); nothing where it tells none.
+/// The kernel's flags of the mapping at an address (proc(5), smaps); empty where the kernel does
+/// not report them.
 std::string flags_at(const void* address) {
     std::ifstream maps("/proc/self/smaps");
     bool inside = false;
@@ -42,20 +43,20 @@ std::string flags_at(const void* address) {
     return "";
 }
 
-TEST(HugePages, AreAskedForInTheMiddleOfALargeArray) {
+TEST(HugePages, AreAdvisedInTheMiddleOfALargeArray) {
     if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) {
-        GTEST_SKIP() << "this kernel has no large pages";
+        GTEST_SKIP() << "this kernel has no huge pages";
     }
-    const std::vector<int> asked(4 * kMillion, 1);
+    const std::vector<int> advised(4 * kMillion, 1);
     const std::vector<int> other(4 * kMillion, 1);
-    prefer_huge_pages(asked);
-    EXPECT_NE(flags_at(&asked[2 * kMillion]).find(" hg "), std::string::npos);
+    prefer_huge_pages(advised);
+    EXPECT_NE(flags_at(&advised[2 * kMillion]).find(" hg "), std::string::npos);
     EXPECT_EQ(flags_at(&other[2 * kMillion]).find(" hg "), std::string::npos);
     EXPECT_NE(flags_at(&other[2 * kMillion]), "");
 }
 
-// Less than a page would reach into memory that is somebody else's.
-TEST(HugePages, AreNotAskedForWhereNoneFits) {
+// Advice for less than a page would affect memory that belongs to others.
+TEST(HugePages, AreNotAdvisedWhereNoneFits) {
     const std::vector<char> small(kMillion, 1);
     const std::string before = flags_at(&small[kMillion / 2]);
     prefer_huge_pages(small);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kManyThreads = 9;
 
-TEST(Workers, DoEachTaskOnce) {
+TEST(Workers, RunEachTaskOnce) {
     for (int n_threads = 1; n_threads <= kManyThreads; ++n_threads) {
         Workers workers(n_threads);
         EXPECT_EQ(workers.n_threads(), n_threads);
@@ -26,8 +26,8 @@ TEST(Workers, DoEachTaskOnce) {
     }
 }
 
-// Each task waits for all the others to begin, so no thread can do two.
-TEST(Workers, WorkAtTheSameTime) {
+// Each task waits until all the others have begun, so no thread can run two.
+TEST(Workers, RunTasksConcurrently) {
     const int n = 4;
     Workers workers(n);
     std::atomic<int> n_begun = 0;
@@ -43,7 +43,7 @@ TEST(Workers, WorkAtTheSameTime) {
     EXPECT_TRUE(in_time);
 }
 
-TEST(Workers, AreNoMoreThreadsThanWereAskedFor) {
+TEST(Workers, UseNoMoreThreadsThanRequested) {
     Workers workers(3);
     std::mutex mutex;
     std::set<std::thread::id> threads;
@@ -57,7 +57,7 @@ TEST(Workers, AreNoMoreThreadsThanWereAskedFor) {
     EXPECT_TRUE(threads.contains(std::this_thread::get_id()));
 }
 
-TEST(Workers, ServeManyLoopsOneAfterAnother) {
+TEST(Workers, RunManyLoopsInSequence) {
     for (const int n_threads : {1, 2, 5}) {
         Workers workers(n_threads);
         std::vector<int> sums(7, 0);
@@ -73,7 +73,7 @@ TEST(Workers, ServeManyLoopsOneAfterAnother) {
     }
 }
 
-TEST(Workers, ThrowOnWhatATaskThrows) {
+TEST(Workers, RethrowTheExceptionOfATask) {
     for (const int n_threads : {1, 2, 6}) {
         Workers workers(n_threads);
         for (int loop = 0; loop < 100; ++loop) {
@@ -98,7 +98,7 @@ TEST(Workers, ThrowOnWhatATaskThrows) {
     }
 }
 
-TEST(Workers, ForgetAnExceptionThatWasThrownOn) {
+TEST(Workers, RunAgainAfterAnException) {
     Workers workers(3);
     EXPECT_THROW(workers.for_each(8, [](int) { throw 7; }), int);
     std::vector<int> done(8, 0);
@@ -106,7 +106,7 @@ TEST(Workers, ForgetAnExceptionThatWasThrownOn) {
     EXPECT_EQ(std::accumulate(done.begin(), done.end(), 0), 8);
 }
 
-TEST(Workers, ATeamMayWorkInsideATaskOfAnother) {
+TEST(Workers, MayRunInsideATaskOfAnotherTeam) {
     Workers outer(3);
     std::vector<std::vector<int>> results(5);
     outer.for_each(5, [&](int k) {
@@ -119,7 +119,7 @@ TEST(Workers, ATeamMayWorkInsideATaskOfAnother) {
     }
 }
 
-TEST(Workers, ComeAndGoWithoutWork) {
+TEST(Workers, AreCreatedAndDestroyedWithoutWork) {
     for (int k = 0; k < 100; ++k) const Workers workers(1 + k % 5);
 }
 
