@@ -8,13 +8,14 @@ namespace pcvt {
 namespace {
 
 constexpr int kRowsPerTask = 1 << 13;
-/// A diagonal block whose determinant is below this part of its squared trace is taken for a
+/// A diagonal block whose determinant is below this fraction of its squared trace is replaced by a
 /// multiple of the identity: the preconditioner must be safely positive definite.
 constexpr double kLeastDeterminant = 1e-3;
 
 using Pair = Eigen::Vector2d;
 
-/// The inverse of `block`, or of what stands in for it; `usual_trace` for a trace not positive.
+/// The inverse of `block` or of its replacement, which uses `usual_trace` where the trace of the
+/// block is not positive.
 BlockMatrix::Block safe_inverse(const BlockMatrix::DiagonalBlock& block, double usual_trace) {
     const auto [xx, yx, xy, yy] = block;
     const double trace = xx + yy;
@@ -37,7 +38,7 @@ double mean_size(const std::vector<BlockMatrix::DiagonalBlock>& blocks) {
 
 }  // namespace
 
-/// What is summed over the rows, and a largest and a smallest value over them.
+/// A sum, a maximum, a minimum and a sum of pairs over the rows.
 struct ConjugateGradients::Sums {
     double sum = 0;
     double largest = 0;
@@ -77,7 +78,7 @@ ConjugateGradients::Sums ConjugateGradients::sweep(const Task& task) {
     return total;
 }
 
-/// Of the residual, at the row of variable i.
+/// Returns the preconditioned residual in the row of variable i.
 Pair ConjugateGradients::preconditioned(Eigen::Index i) const {
     const BlockMatrix::Block& m = preconditioner_[i / 2];
     const double x = residual_[i];
@@ -85,7 +86,7 @@ Pair ConjugateGradients::preconditioned(Eigen::Index i) const {
     return {m[0] * x + m[2] * y, m[1] * x + m[3] * y};
 }
 
-/// Returns the squared norm of the residual.
+/// Starts at zero; returns the squared norm of the residual in the preconditioner's norm.
 double ConjugateGradients::start(const BlockMatrix& h, const Eigen::VectorXd& gradient) {
     const double trace = mean_size(h.diagonal);
     return sweep([&](Eigen::Index i, Sums& part) {
@@ -99,8 +100,8 @@ double ConjugateGradients::start(const BlockMatrix& h, const Eigen::VectorXd& gr
         .sum;
 }
 
-/// Goes alpha along the direction; returns the squared norm of the residual, and that of the
-/// longest pair of the solution.
+/// Moves the solution by alpha along the direction; returns the squared norm of the residual in the
+/// preconditioner's norm, and the largest squared length of a pair of the solution.
 ConjugateGradients::Sums ConjugateGradients::advance(double alpha) {
     return sweep([&](Eigen::Index i, Sums& part) {
         solution_.segment<2>(i) += alpha * direction_.segment<2>(i);
@@ -116,22 +117,22 @@ void ConjugateGradients::turn(double beta) {
     });
 }
 
-/// How far along the direction the first pair reaches the radius.
+/// The step along the direction at which the first pair reaches the radius.
 double ConjugateGradients::longest_step(double radius) {
     const double smallest = sweep([&](Eigen::Index i, Sums& part) {
                                 const Pair x = solution_.segment<2>(i);
                                 const Pair p = direction_.segment<2>(i);
-                                const double room =
+                                const double remaining =
                                     std::max(0.0, radius * radius - x.squaredNorm());
                                 const double xp = x.dot(p);
                                 const double pp = p.squaredNorm();
-                                const double step = (std::sqrt(xp * xp + pp * room) - xp) / pp;
+                                const double step = (std::sqrt(xp * xp + pp * remaining) - xp) / pp;
                                 if (pp > 0) part.smallest = std::min(part.smallest, step);
                             }).smallest;
     return std::isfinite(smallest) ? smallest : 0;
 }
 
-/// Returns whether the boundary was reached.
+/// Runs conjugate gradients; returns whether they ended at the boundary of the trust region.
 bool ConjugateGradients::truncated_run(const BlockMatrix& h, const Limits& limits, double rz,
                                        int& products) {
     const double converged_below = limits.relative_residual * limits.relative_residual * rz;

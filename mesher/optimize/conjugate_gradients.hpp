@@ -4,26 +4,30 @@
 
 namespace pcvt {
 
-/// Minimises the model m(d) = g.d + d.H d / 2 by conjugate gradients, cut short (T. Steihaug 1983):
-/// at a relative residual of H d = -g, at the boundary of a trust region in which no pair (d_2i,
-/// d_2i+1) is longer than a radius, or, where a direction of negative curvature shows that H is not
-/// positive definite, at the boundary along that direction. Preconditioned by the diagonal blocks.
+/// Minimises the quadratic model m(d) = g.d + d.H d / 2 by truncated conjugate gradients (T.
+/// Steihaug 1983), preconditioned by the diagonal blocks of H. The iteration ends at a given
+/// relative residual of H d = -g, or at the boundary of the trust region, in which no pair (d_2i,
+/// d_2i+1) is longer than the radius. A direction of negative curvature, which proves that H is not
+/// positive definite, is followed to that boundary.
 ///
-/// d.g < 0 and m(d) < 0 unless g = 0. The same bits for any number of workers.
+/// The solution satisfies d.g < 0 and m(d) < 0 unless g = 0. It is bit for bit the same for any
+/// number of workers.
 class ConjugateGradients {
    public:
     ConjugateGradients(Eigen::Index n_variables, Workers& workers);
 
     struct Limits {
-        /// Of the residual, in the norm of the preconditioner, over that of g.
+        /// The residual over that of d = 0, both in the norm of the preconditioner.
         double relative_residual;
+        /// Of the trust region, in the units of d.
         double radius;
+        /// Largest number of products with H.
         int products;
     };
     struct Outcome {
-        /// Products with H.
+        /// Number of products with H.
         int products;
-        /// Whether the trust region cut it short.
+        /// Whether the solution lies on the boundary of the trust region.
         bool truncated;
         /// m(d)
         double model;

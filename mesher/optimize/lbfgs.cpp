@@ -11,14 +11,14 @@
 namespace pcvt {
 namespace {
 
-/// Weak Wolfe: F(t) <= F(0) + c1 t F'(0) and F'(t) >= c2 F'(0).
+/// The weak Wolfe conditions: F(t) <= F(0) + c1 t F'(0) and F'(t) >= c2 F'(0).
 constexpr double kDecrease = 1e-4;
 constexpr double kCurvature = 0.9;
-/// Values that differ by less than this, relatively, count as equal (approximate Wolfe).
+/// Values with a smaller relative difference count as equal (approximate Wolfe conditions).
 constexpr double kEqualValues = 1e-12;
 constexpr int kTrials = 25;
 
-/// The values along a line: F(t) and F'(t).
+/// A trial step t along a line, with F(t) and F'(t).
 struct LinePoint {
     double t;
     double value;
@@ -37,8 +37,8 @@ Verdict judge(const LinePoint& start, const LinePoint& trial) {
     return Verdict::kTooLong;
 }
 
-/// The minimiser of the parabola through the values at both ends and the slope at `low`, kept away
-/// from the ends.
+/// The minimiser of the parabola through the values at both ends with the given slope at `low`,
+/// bounded away from the ends.
 double interpolate(const LinePoint& low, const LinePoint& high) {
     const double width = high.t - low.t;
     const double curvature = (high.value - low.value) / width - low.slope;
@@ -47,8 +47,8 @@ double interpolate(const LinePoint& low, const LinePoint& high) {
     return low.t + std::clamp(fraction, 0.1, 0.9) * width;
 }
 
-/// Looks along t d for 0 < t <= longest, d the history's direction; returns t of an acceptable
-/// step, and the evaluation at its end.
+/// The line search: tries steps t with 0 < t <= longest along the history's direction. Returns an
+/// acceptable t, with the evaluation at that point, or nullopt if no trial step is acceptable.
 std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, double slope,
                                   double longest, Evaluation& evaluation) {
     const LinePoint start{0, evaluation.value, slope};
@@ -71,7 +71,8 @@ std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, doub
     return std::nullopt;
 }
 
-/// The first direction: as far as the preconditioner knows to the minimum, or the Lloyd step.
+/// The first direction: the preconditioner's approximation of the Newton step, or without a
+/// preconditioner the Lloyd step.
 void begin_direction(const Objective& objective, const Evaluation& here,
                      Eigen::VectorXf& direction) {
     if (here.preconditioned.size() > 0) {
@@ -81,8 +82,8 @@ void begin_direction(const Objective& objective, const Evaluation& here,
     }
 }
 
-/// Takes one step, from a fresh start with the Lloyd step if need be; the evaluation is that of the
-/// point before and after.
+/// Takes one step; where the line search fails, resets the history and tries the first direction.
+/// The evaluation belongs to the current point, before and after.
 bool advance(OptimizerRun& run, Objective& objective, const OptimizerOptions& options,
              LbfgsHistory& history, Evaluation& evaluation) {
     for (;;) {
@@ -97,7 +98,8 @@ bool advance(OptimizerRun& run, Objective& objective, const OptimizerOptions& op
                 return true;
             }
         }
-        // Back to the point; the Lloyd step, too, wants it to be what was looked at last.
+        // Restores the current point, because `lloyd_step` also requires that it was evaluated
+        // last.
         if (!run.evaluate(history.direction(), 0, evaluation) || fresh) return false;
         history.begin(evaluation);
     }

@@ -10,21 +10,22 @@
 namespace pcvt {
 namespace {
 
-/// A step along which the slope changes by less than this part of itself tells nothing reliable of
-/// the curvature.
+/// If the slope along a step changes by less than this fraction of itself, the pair gives no
+/// reliable estimate of the curvature.
 constexpr double kWeakCurvature = 1e-3;
 constexpr Eigen::Index kBlock = PackedVectors::kBlock;
 constexpr Eigen::Index kBlocksPerTask = 16;
-/// So many doubles are a line of the cache.
+/// Doubles per cache line.
 constexpr Eigen::Index kDoublesPerLine = 8;
-/// Partial maxima: enough that they do not wait for each other.
+/// Partial maxima, enough of them to hide the latency of a comparison.
 constexpr Eigen::Index kLanes = 32;
 
 PCVT_TARGET_CLONES void scale(float c, const float* x, float* y, Eigen::Index n) {
     for (Eigen::Index i = 0; i < n; ++i) y[i] = c * x[i];
 }
 
-/// Fetches the next n numbers, wanted soon, meanwhile.
+/// Rounds n numbers to single precision and meanwhile prefetches the n numbers after them, which
+/// are read next.
 PCVT_TARGET_CLONES void narrow_to(const double* x, float* y, Eigen::Index n) {
     Eigen::Index i = 0;
     for (; i + kDoublesPerLine <= n; i += kDoublesPerLine) {
@@ -53,7 +54,7 @@ PCVT_TARGET_CLONES double largest_pair_square(const float* x, Eigen::Index n) {
     return *std::max_element(std::begin(largest), std::end(largest));
 }
 
-/// A range of the variables that is stored under one scale.
+/// A range of variables that shares one scale.
 struct Block {
     Eigen::Index number;
     Eigen::Index first;
@@ -64,7 +65,7 @@ void narrow(const Eigen::VectorXd& x, const Block& block, float* y) {
     narrow_to(x.data() + block.first, y, block.n);
 }
 
-/// Runs work(block, sums of its task) over all variables; returns the added sums.
+/// Runs work(block, sums of its task) over all variables; returns the totals.
 template <class Sums, class Work>
 Sums sweep(Workers& workers, Eigen::Index n_variables, const Work& work) {
     const Eigen::Index n_blocks = (n_variables + kBlock - 1) / kBlock;
@@ -84,7 +85,7 @@ struct NoSums {
     void add(const NoSums&) {}
 };
 
-/// What is summed over a direction.
+/// Sums over a new direction.
 struct DirectionSums {
     double slope = 0;
     double largest_square = 0;
@@ -95,14 +96,14 @@ struct DirectionSums {
     }
 };
 
-/// What is summed at a trial point.
-struct LookSums {
+/// Sums over a trial point: s.g and z.g for each pair, d.y and y.z for the trial step.
+struct TrialSums {
     std::array<double, LbfgsHistory::kPairs> sg{};
     std::array<double, LbfgsHistory::kPairs> zg{};
     double dy = 0;
     double yz = 0;
 
-    void add(const LookSums& other) {
+    void add(const TrialSums& other) {
         for (int k = 0; k < LbfgsHistory::kPairs; ++k) {
             sg[k] += other.sg[k];
             zg[k] += other.zg[k];
@@ -114,7 +115,7 @@ struct LookSums {
 
 }  // namespace
 
-/// Of a direction: of the gradient, of each s and of each y.
+/// The coefficients of a direction: of the gradient, of each s and of each y.
 struct LbfgsHistory::Coefficients {
     double gradient;
     PerSlot<double> step;
@@ -138,6 +139,7 @@ void LbfgsHistory::make_room_for_trial() {
 }
 
 LbfgsHistory::Coefficients LbfgsHistory::two_loops() const {
+    // First loop: from the newest pair to the oldest.
     PerSlot<double> alpha{};
     PerSlot<double> beta{};
     for (std::size_t k = slots_.size(); k-- > 0;) {
@@ -148,8 +150,10 @@ LbfgsHistory::Coefficients LbfgsHistory::two_loops() const {
         }
         alpha[i] = sq / sy_[i][i];
     }
+    // Scale the initial Hessian by the newest pair.
     const int newest = slots_.back();
     const double gamma = sy_[newest][newest] / yz_[newest][newest];
+    // Second loop: from the oldest pair to the newest.
     for (std::size_t k = 0; k < slots_.size(); ++k) {
         const int i = slots_[k];
         double yr = zg_[i];
@@ -161,6 +165,7 @@ LbfgsHistory::Coefficients LbfgsHistory::two_loops() const {
         }
         beta[i] = yr / sy_[i][i];
     }
+    // Convert to coefficients of the stored directions and changes.
     Coefficients c{-gamma, {}, {}};
     for (const int i : slots_) {
         c.step[i] = (beta[i] - alpha[i]) * scale_[i];
@@ -184,12 +189,14 @@ void LbfgsHistory::begin(const Evaluation& here) {
 }
 
 LbfgsHistory::Direction LbfgsHistory::compute_direction() {
+    // Compute the coefficients; the oldest pair makes room for the trial step.
     const std::vector<int> pairs = slots_;
     Coefficients c{};
     if (!pairs.empty()) {
         c = two_loops();
         make_room_for_trial();
     }
+    // Combine the direction block by block and round it to the stored values.
     const auto work = [&](const Block& block, DirectionSums& sums) {
         std::array<float, kBlock> g;
         float* const d = direction_.data() + block.first;
@@ -216,10 +223,12 @@ LbfgsHistory::Direction LbfgsHistory::compute_direction() {
 }
 
 double LbfgsHistory::directional_derivative(const Evaluation& there) {
+    // Select the pairs whose products with the trial gradient are needed.
     const int next = 1 - here_;
-    std::vector<int> looked_at = slots_;
-    looked_at.push_back(trial_);
-    const auto work = [&](const Block& block, LookSums& sums) {
+    std::vector<int> measured = slots_;
+    measured.push_back(trial_);
+    // Store the gradient and its change block by block, and take the dot products.
+    const auto work = [&](const Block& block, TrialSums& sums) {
         std::array<float, kBlock> g;
         std::array<float, kBlock> y;
         narrow(there.gradient, block, g.data());
@@ -238,15 +247,16 @@ double LbfgsHistory::directional_derivative(const Evaluation& there) {
         }
         sums.dy += packed_.dot(step(trial_), block.number, y.data());
         sums.yz += packed_.dot(change(trial_), block.number, y.data());
-        for (const int k : looked_at) {
+        for (const int k : measured) {
             sums.sg[k] += packed_.dot(step(k), block.number, g.data());
             sums.zg[k] += packed_.dot(change(k), block.number, g.data());
         }
         gradients_.pack(next, block.number, g.data());
     };
-    const auto sums = sweep<LookSums>(workers_, n_variables_, work);
+    // Sweep over all variables and scale the products to s = scale * direction.
+    const auto sums = sweep<TrialSums>(workers_, n_variables_, work);
     scale_[trial_] = 1;
-    for (const int k : looked_at) {
+    for (const int k : measured) {
         sg_there_[k] = scale_[k] * sums.sg[k];
         zg_there_[k] = sums.zg[k];
     }

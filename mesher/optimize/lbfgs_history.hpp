@@ -11,50 +11,61 @@
 
 namespace pcvt {
 
-/// The memory of L-BFGS: the last 5 pairs of step s and change of gradient y, and the product with
-/// the inverse Hessian that they stand for.
+/// The memory of L-BFGS: the last 5 pairs of step s and change of gradient y, and the product of a
+/// gradient with the inverse Hessian that these pairs approximate.
 ///
-/// Made for large n, where time is memory traffic: the vectors are stored at 16 bits a number, and
-/// an iteration sweeps over them twice. The first sweep, after an evaluation, takes the dot
-/// products of the new gradient with all of them; from these follow the products of all pairs with
-/// each other, and from those alone the two-loop recursion (J. Nocedal 1980), as coefficients (W.
-/// Chen, Z. Wang, J. Zhou 2014). The second sweep combines the next direction, rounded to what is
-/// stored: so a step is known exactly, a change of gradient to a 65,534th of the largest near it.
-/// With a preconditioner M the Hessian is taken for M at first, and z = M^-1 y, which is the change
-/// of the preconditioned gradient, is stored in place of y. Of a pair t, with s = t * direction, is
-/// stored beside the direction. Sums over blocks are double, and the same bits for any number of
-/// workers.
+/// The class is made for large n, where memory traffic determines the time: vectors are stored at
+/// 16 bits a number, and an iteration sweeps over them twice. The first sweep, after an evaluation,
+/// computes the dot products of the new gradient with all of them. From these follow the products
+/// between all pairs, and from the products alone the coefficients of the two-loop recursion (J.
+/// Nocedal 1980; W. Chen, Z. Wang, J. Zhou 2014). The second sweep combines the next direction and
+/// rounds it to its stored value. A step is therefore known exactly, and a change of gradient to 1
+/// / 65,534 of the largest number of its block. With a preconditioner M the initial Hessian is M,
+/// and z = M^-1 y, the change of the preconditioned gradient, is stored in place of y. Each pair
+/// stores its direction and the scale t with s = t * direction. Sums over blocks are in double
+/// precision and bit for bit the same for any number of workers.
+///
+/// Use within a line search:
+///
+///     history.begin(here);
+///     history.direction() = first_direction;
+///     const auto [slope, largest_move] = history.compute_direction();
+///     // ... evaluate the objective at t * direction() into `there` ...
+///     const double slope_there = history.directional_derivative(there);
+///     history.append_pair(t);
 class LbfgsHistory {
    public:
     static constexpr int kPairs = 5;
 
     LbfgsHistory(Eigen::Index n_variables, Workers& workers);
 
-    /// Forgets all pairs; the next search begins at the point `here`.
+    /// Clears all pairs; the next line search begins at the point `here`.
     void begin(const Evaluation& here);
-    /// Whether there is no pair.
+    /// Whether the history holds no pair.
     bool empty() const { return slots_.empty(); }
 
-    /// The direction of the search. While the history is empty, the caller fills it in, and aim
-    /// rounds it.
+    /// The direction of the line search. While the history is empty the caller fills it in, and
+    /// compute_direction rounds it.
     Eigen::VectorXf& direction() { return direction_; }
 
     /// A direction d at the gradient g.
     struct Direction {
-        /// g.d, with g as it is stored: to some 1e-5 of |g| |d|.
+        /// g.d with the stored gradient, accurate to about 1e-5 |g| |d|.
         double slope;
         /// The largest |(d_2i, d_2i+1)|.
         double largest_move;
     };
-    /// Makes direction() the product of minus the approximate inverse Hessian with the gradient
-    /// where the search begins; of an empty history, only measures what the caller filled in.
+    /// Sets direction() to minus the approximate inverse Hessian times the gradient at the
+    /// beginning of the search. With an empty history it only measures the direction that the
+    /// caller filled in.
     Direction compute_direction();
 
-    /// The slope along direction() at a trial point.
+    /// Returns the slope along direction() at a trial point and stores the trial's products.
     double directional_derivative(const Evaluation& there);
 
-    /// The next search begins at the point that was looked at last, t * direction() from here. Adds
-    /// the pair of this step, or where the curvature along it is weak forgets all pairs.
+    /// Accepts the trial point that was measured last, t * direction() away; the next line search
+    /// begins there. Appends the pair of this step, or clears all pairs if the curvature along the
+    /// step is weak.
     void append_pair(double t);
 
    private:
@@ -72,17 +83,19 @@ class LbfgsHistory {
     Eigen::Index n_variables_;
     Eigen::VectorXf direction_;
     PackedVectors packed_;
-    /// Where the search begins, vector here_, and at the point looked at last, the other one.
+    /// Vector here_ is the gradient where the search begins, the other vector that at the last
+    /// trial point.
     PackedVectors gradients_;
-    /// The same, once an evaluation has them.
+    /// The preconditioned gradients likewise, once evaluations carry them.
     std::optional<PackedVectors> preconditioned_;
     int here_ = 0;
-    /// Slots of the pairs, the oldest first, and the slot of the direction.
+    /// Slots of the pairs, the oldest first, and the slot of the current direction.
     std::vector<int> slots_;
     int trial_ = 0;
 
-    /// Of the pairs: s = scale * the direction stored; s.y, y.z for pairs of pairs; s.g and z.g at
-    /// the gradient where the last pair ended, and at the point looked at last.
+    /// Scales and dot products of the pairs: s = scale * stored direction; s.y and y.z between
+    /// pairs; s.g and z.g with the gradient at the end of the last pair, and (`_there`) with that
+    /// of the last trial point.
     PerSlot<double> scale_{};
     PerSlot<PerSlot<double>> sy_{};
     PerSlot<PerSlot<double>> yz_{};
@@ -90,7 +103,7 @@ class LbfgsHistory {
     PerSlot<double> zg_{};
     PerSlot<double> sg_there_{};
     PerSlot<double> zg_there_{};
-    /// Along the direction, where the search begins.
+    /// The slope along the direction where the search begins.
     double slope_ = 0;
 };
 

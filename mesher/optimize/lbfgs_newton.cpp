@@ -10,17 +10,19 @@
 namespace pcvt {
 namespace {
 
-/// The RMS residual at which Newton's method begins after L-BFGS, where the sites are not so many
-/// that L-BFGS with long waves treated apart is much faster to the end: at n = 10^4 Newton's method
-/// still takes half as many evaluations, but 1.4 times as long.
+/// The RMS residual at which Newton's method takes over from L-BFGS, and the largest number of
+/// sites for which it does. With more sites L-BFGS with the long-wave preconditioner reaches the
+/// minimum much faster: already at n = 10^4 Newton's method needs half as many evaluations but 1.4
+/// times the time.
 constexpr double kNear = 1e-4;
 constexpr Eigen::Index kMostAfterLbfgs = 15'000;
-/// At the first point: sites of a lattice with noise 0.1 h start at 0.074, uniform random ones at
-/// 0.3.
+/// The same threshold at the first point: sites of a lattice with noise 0.1 h start at 0.074,
+/// uniform random sites at 0.3.
 constexpr double kNearAtFirst = 0.1;
-/// What L-BFGS has to gain before Newton's method, once stuck, begins again.
+/// The factor by which L-BFGS must reduce the RMS residual before Newton's method, once stuck,
+/// begins again.
 constexpr double kGain = 1.0 / 3;
-/// Truncated steps in a row after which L-BFGS reaches the minimum in less time.
+/// After this number of truncated steps in a row L-BFGS reaches the minimum in less time.
 constexpr int kMostTruncated = 4;
 
 class LbfgsNewton {
@@ -28,7 +30,7 @@ class LbfgsNewton {
     LbfgsNewton(Objective& objective, const OptimizerOptions& options, Workers& workers)
         : objective_(objective), options_(options), workers_(workers) {}
 
-    /// One leg. Each returns whether the whole run has ended, but for stalls.
+    /// Runs one leg; returns whether the whole run has ended other than by a stall.
     bool lbfgs(const ProgressTest& stop_when);
     bool newton(int most_truncated);
 
@@ -46,7 +48,8 @@ class LbfgsNewton {
     OptimizerResult result_;
 };
 
-/// Counts go on where the last leg ended; its last iteration is not reported again.
+/// Options for the next leg: counts continue from the previous legs, and the iteration that ended
+/// the last leg is not reported twice.
 OptimizerOptions LbfgsNewton::leg_options() const {
     OptimizerOptions leg = options_;
     const int iterations = result_.iterations;
@@ -90,6 +93,7 @@ bool LbfgsNewton::newton(int most_truncated) {
 OptimizerResult minimize_lbfgs_newton(Objective& objective, const OptimizerOptions& options,
                                       NewtonStart start, Workers& workers) {
     if (!objective.has_hessian()) return minimize_lbfgs(objective, options, workers);
+    // Choose the thresholds at which Newton's method begins.
     LbfgsNewton run(objective, options, workers);
     const bool at_once = start == NewtonStart::kAtOnce;
     const int most_truncated = at_once ? std::numeric_limits<int>::max() : kMostTruncated;
@@ -100,6 +104,7 @@ OptimizerResult minimize_lbfgs_newton(Objective& objective, const OptimizerOptio
     ProgressTest stop_when = [=](const Progress& p) {
         return at_once || p.rms_residual <= (p.iteration == 0 ? near_at_first : near);
     };
+    // Alternate until a leg ends the run or L-BFGS stalls.
     while (!run.lbfgs(stop_when) && !run.stalled() && !run.newton(most_truncated)) {
         const double target = std::min(near, kGain * run.rms_residual());
         stop_when = [target](const Progress& p) { return p.rms_residual < target; };

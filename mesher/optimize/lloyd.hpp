@@ -4,10 +4,15 @@
 
 namespace pcvt {
 
-/// Lloyd's fixed-point iteration (S. Lloyd 1982), the baseline: the Lloyd step again and again.
+/// Lloyd's fixed-point iteration (S. Lloyd 1982), the baseline: repeats the Lloyd step.
 ///
-/// Steps are clamped to options.max_move; stalled once 200 iterations brought no lower value and no
-/// smaller residual.
+/// Steps are clamped to options.max_move. The run ends as `stalled` after 200 iterations without a
+/// lower value or a smaller residual.
+///
+/// Example usage:
+///
+///     const OptimizerResult result =
+///         minimize_lloyd(objective, {.max_iterations = 100, .max_move = 0.5 * h});
 OptimizerResult minimize_lloyd(Objective& objective, const OptimizerOptions& options);
 
 }  // namespace pcvt

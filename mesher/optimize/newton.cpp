@@ -11,20 +11,22 @@
 namespace pcvt {
 namespace {
 
-/// The relative residual of a step's linear system: at most this, and the root of the RMS residual,
-/// which makes the convergence superlinear; no less than what the tolerance asks for.
+/// Bounds on the relative residual of a step's linear system: at most kLooseSystem and the root of
+/// the RMS residual, which makes the convergence superlinear, but not below kBelowTolerance of the
+/// residual that the tolerance requires.
 constexpr double kLooseSystem = 0.1;
 constexpr double kBelowTolerance = 0.3;
-/// The first radius, as a part of options.max_move.
+/// The first radius over options.max_move.
 constexpr double kFirstRadius = 0.2;
-/// Decrease over that of the model: from which on a step is accepted, below which the radius
-/// shrinks, above which it grows after a truncated step; and by how much.
+/// Thresholds for the actual over the predicted decrease: a step is accepted above kAcceptedRatio;
+/// the radius shrinks below kPoorRatio, and grows above kGoodRatio after a truncated step. kShrink
+/// and kGrow are the factors.
 constexpr double kAcceptedRatio = 0.05;
 constexpr double kPoorRatio = 0.25;
 constexpr double kGoodRatio = 0.6;
 constexpr double kShrink = 0.4;
 constexpr double kGrow = 1.5;
-/// Values that differ by less than this, relatively, count as equal.
+/// Values with a smaller relative difference count as equal.
 constexpr double kEqualValues = 1e-12;
 constexpr int kTrials = 12;
 
@@ -76,7 +78,7 @@ ConjugateGradients::Outcome Newton::solve() {
     return system;
 }
 
-/// The decrease at t along the step over that of the model, or 0 where it is no progress.
+/// The actual over the predicted decrease at t along the step, or 0 if that point is not accepted.
 double Newton::accepted_ratio(double t, double slope, double model) const {
     const double change = there_.value - here_.value;
     if (std::abs(change) <= kEqualValues * std::abs(here_.value) &&
@@ -99,11 +101,13 @@ void Newton::adapt_radius(const ConjugateGradients::Outcome& system, double t, d
     }
 }
 
-/// Takes one step; false where none is accepted.
+/// Takes one step; returns false if no trial step is accepted.
 bool Newton::advance() {
+    // Minimise the model within the trust region.
     const ConjugateGradients::Outcome system = solve();
     if (!(system.model < 0) || !std::isfinite(system.largest_move)) return false;
     truncated_in_a_row_ = system.truncated ? truncated_in_a_row_ + 1 : 0;
+    // Backtrack along the step until a trial is accepted.
     const double slope = here_.gradient.dot(cg_.solution());
     double t = std::min(1.0, options_.max_move / system.largest_move);
     for (int trial = 0; trial < kTrials; ++trial, t *= kShrink) {

@@ -5,7 +5,8 @@
 namespace pcvt {
 namespace {
 
-/// A value lower by this factor, or a residual smaller by that, is a gain; less is rounding.
+/// The relative decrease of the value, and the factor on the residual, that count as a gain;
+/// smaller changes are rounding.
 constexpr double kValueGain = 1e-14;
 constexpr double kResidualGain = 0.99;
 constexpr int kIterationsWithoutGain = 200;

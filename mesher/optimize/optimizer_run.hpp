@@ -7,16 +7,18 @@
 
 namespace pcvt {
 
-/// What all optimisers do alike: count, report progress, and say when it is time to stop.
+/// The bookkeeping that all optimisers share: counts evaluations, reports progress and decides when
+/// to stop.
 class OptimizerRun {
    public:
     OptimizerRun(Objective& objective, const OptimizerOptions& options);
 
-    /// Evaluates and counts.
+    /// Evaluates the objective and counts the evaluation.
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation);
     void accept() { objective_.accept(); }
     void reject() { objective_.reject(); }
-    /// To be asked before each iteration; reports progress and tells why to stop, if it is time.
+    /// Must be called before each iteration; reports progress and returns the reason to stop, if
+    /// any.
     std::optional<Stop> before_iteration(const Evaluation& evaluation);
     OptimizerResult finish(Stop stop, Evaluation evaluation) const;
 

@@ -13,12 +13,12 @@ namespace pcvt {
 namespace {
 
 constexpr float kLargest = 32767;
-/// Adding this to a float below 2^22 leaves the nearest whole number in its last bits.
+/// Adding this to a float below 2^22 leaves the nearest integer in its last bits.
 constexpr float kRounding = 12582912;
-/// Partial sums of a dot product: enough that additions do not wait for each other.
+/// Partial sums of a dot product, enough of them to hide the latency of an addition.
 constexpr Eigen::Index kLanes = 32;
 
-/// The largest |x_i|, or NaN if one is not finite.
+/// The largest |x_i|, or NaN if a number is not finite.
 PCVT_TARGET_CLONES float largest_of(const float* x, Eigen::Index n) {
     float largest[kLanes] = {};
     float zero[kLanes] = {};
@@ -50,7 +50,8 @@ PCVT_TARGET_CLONES void round_to(float scale, float* x, std::int16_t* numbers, E
     }
 }
 
-/// kLanes numbers are a line of the cache; those at `next`, wanted soon, are fetched meanwhile.
+/// Computes the dot product and meanwhile prefetches the numbers at `next`, which are read soon;
+/// kLanes numbers fill one cache line.
 PCVT_TARGET_CLONES float dot_of(const std::int16_t* numbers, const std::int16_t* next,
                                 const float* x, Eigen::Index n) {
     float lane[kLanes] = {};
@@ -105,7 +106,7 @@ void PackedVectors::pack(int vector, Eigen::Index block, float* x) {
         round_to(scale, x, numbers_.data() + at * kBlock, n_in(block));
         return;
     }
-    // Either NaN or as good as zero, and so is zero times it.
+    // The scale is NaN, or the block is negligible: 0 * scale covers both cases.
     std::fill_n(numbers_.data() + at * kBlock, n_in(block), std::int16_t{0});
     std::fill_n(x, n_in(block), 0 * scale);
 }

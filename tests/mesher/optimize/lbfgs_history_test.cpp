@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// What rounding the pairs to 16 bits makes of a direction.
+/// The relative error of a direction whose pairs are rounded to 16 bits.
 constexpr double kRounding = 1e-3;
 
 /// The gradient of a quadratic: a tridiagonal matrix with a random diagonal, positive definite.
@@ -89,11 +89,11 @@ class Walk {
         if (history.empty()) history.direction() = (-0.1 * gradient).cast<float>();
         return history.compute_direction();
     }
-    void look_at(const VectorXd& there) {
+    void measure(const VectorXd& there) {
         history.directional_derivative(with_gradient(quadratic.gradient(there)));
     }
-    /// Goes t times the direction; returns the slope there.
-    double go(double t) {
+    /// Moves by t times the direction; returns the slope there.
+    double advance(double t) {
         const VectorXd there = x + t * direction();
         const VectorXd gradient_there = quadratic.gradient(there);
         step = there - x;
@@ -113,15 +113,15 @@ class Walk {
     VectorXd change;
 };
 
-/// Steps of different lengths, so that steps and directions cannot be mistaken for each other.
+/// Varying step lengths, so that steps and directions cannot be confused.
 double step_length(int k) { return 0.4 + 0.3 * (k % 4); }
 
 double largest_pair(const VectorXd& d) {
     return d.reshaped(2, d.size() / 2).colwise().norm().maxCoeff();
 }
 
-// One, two and many variables a lane, a block and a task.
-TEST(LbfgsHistory, AimsAsTheTwoLoopRecursionDoes) {
+// The sizes cover one, two and many variables per lane, block and task.
+TEST(LbfgsHistory, DirectionsMatchTheTwoLoopRecursion) {
     Workers workers(2);
     for (const Eigen::Index n : {2, 4, 6, 8, 10, 60, 2046, 2050, 32770, 70000}) {
         SCOPED_TRACE(n);
@@ -136,7 +136,7 @@ TEST(LbfgsHistory, AimsAsTheTwoLoopRecursionDoes) {
             }
             ASSERT_NEAR(slope, walk.gradient.dot(d), 3e-5 * walk.gradient.norm() * d.norm());
             ASSERT_NEAR(largest_move, largest_pair(d), 1e-6 * d.norm());
-            const double slope_there = walk.go(step_length(k));
+            const double slope_there = walk.advance(step_length(k));
             ASSERT_NEAR(slope_there, walk.gradient.dot(d), 1e-6 * walk.gradient.norm() * d.norm());
             ASSERT_FALSE(walk.history.empty());
             twin.add(walk.step, walk.change);
@@ -144,8 +144,8 @@ TEST(LbfgsHistory, AimsAsTheTwoLoopRecursionDoes) {
     }
 }
 
-// With the preconditioner D^2, D diagonal, it is the plain recursion in the variables D x.
-TEST(LbfgsHistory, PreconditionsAsScaledVariablesDo) {
+// With the preconditioner D^2, D diagonal, this is the plain recursion in the variables D x.
+TEST(LbfgsHistory, PreconditioningMatchesScaledVariables) {
     constexpr Eigen::Index kNumbers = 3000;
     Workers workers(1);
     const Quadratic quadratic(kNumbers, 8);
@@ -178,7 +178,7 @@ TEST(LbfgsHistory, PreconditionsAsScaledVariablesDo) {
     }
 }
 
-// With one pair more or less the direction is another one.
+// A history with one pair more or fewer has a different direction.
 TEST(LbfgsHistory, RemembersFivePairs) {
     EXPECT_EQ(LbfgsHistory::kPairs, 5);
     Workers workers(1);
@@ -192,14 +192,14 @@ TEST(LbfgsHistory, RemembersFivePairs) {
             EXPECT_GT((d - longer.direction(walk.gradient)).norm(), 2 * kRounding * d.norm());
             EXPECT_GT((d - shorter.direction(walk.gradient)).norm(), 2 * kRounding * d.norm());
         }
-        walk.go(step_length(k));
+        walk.advance(step_length(k));
         longer.add(walk.step, walk.change);
         shorter.add(walk.step, walk.change);
     }
 }
 
-// A trial that was looked at and not taken leaves no trace.
-TEST(LbfgsHistory, ForgetsTrialsThatWereNotTaken) {
+// A trial that was measured but not accepted leaves no trace.
+TEST(LbfgsHistory, IgnoresTrialsThatWereNotAccepted) {
     Workers workers(1);
     Walk straight(60, 3, workers);
     Walk hesitant(60, 3, workers);
@@ -208,19 +208,19 @@ TEST(LbfgsHistory, ForgetsTrialsThatWereNotTaken) {
         hesitant.compute_direction();
         for (const double t : {3.0, 0.01}) {
             const VectorXd there = hesitant.x + t * hesitant.direction();
-            hesitant.look_at(there);
+            hesitant.measure(there);
         }
-        EXPECT_EQ(straight.go(step_length(k)), hesitant.go(step_length(k)));
+        EXPECT_EQ(straight.advance(step_length(k)), hesitant.advance(step_length(k)));
         EXPECT_EQ(straight.x, hesitant.x);
     }
 }
 
-TEST(LbfgsHistory, NegativeCurvatureClearsIt) {
+TEST(LbfgsHistory, ClearsAllPairsAtNegativeCurvature) {
     Workers workers(1);
     Walk walk(20, 4, workers);
     for (int k = 0; k < 3; ++k) {
         walk.compute_direction();
-        walk.go(1);
+        walk.advance(1);
     }
     ASSERT_FALSE(walk.history.empty());
     walk.compute_direction();
@@ -229,7 +229,7 @@ TEST(LbfgsHistory, NegativeCurvatureClearsIt) {
     EXPECT_TRUE(walk.history.empty());
 }
 
-TEST(LbfgsHistory, ForgetsAllPairsWhereTheSlopeChangesByLessThanAThousandth) {
+TEST(LbfgsHistory, ClearsAllPairsWhereTheSlopeChangesByLessThanAThousandth) {
     Workers workers(1);
     constexpr Eigen::Index kVariables = 60;
     for (const double length : {1e-9, 1.0, 1e9}) {
@@ -246,12 +246,12 @@ TEST(LbfgsHistory, ForgetsAllPairsWhereTheSlopeChangesByLessThanAThousandth) {
     }
 }
 
-TEST(LbfgsHistory, ForgetsAllPairsWhereItBeginsAnew) {
+TEST(LbfgsHistory, ClearsAllPairsAtANewBeginning) {
     Workers workers(1);
     Walk walk(60, 5, workers);
     for (int k = 0; k < 9; ++k) {
         walk.compute_direction();
-        walk.go(step_length(k));
+        walk.advance(step_length(k));
     }
     walk.history.begin(with_gradient(walk.gradient));
     EXPECT_TRUE(walk.history.empty());
@@ -262,12 +262,12 @@ TEST(LbfgsHistory, ForgetsAllPairsWhereItBeginsAnew) {
         if (k > 0) {
             EXPECT_LT((d - twin.direction(walk.gradient)).norm(), kRounding * d.norm());
         }
-        walk.go(step_length(k));
+        walk.advance(step_length(k));
         twin.add(walk.step, walk.change);
     }
 }
 
-TEST(LbfgsHistory, GivesTheSameBitsForAnyNumberOfWorkers) {
+TEST(LbfgsHistory, ComputesTheSameBitsForAnyNumberOfWorkers) {
     std::vector<VectorXd> reached;
     std::vector<double> slopes;
     for (const int n_threads : {1, 2, 3, 7}) {
@@ -276,7 +276,7 @@ TEST(LbfgsHistory, GivesTheSameBitsForAnyNumberOfWorkers) {
         double slope = 0;
         for (int k = 0; k < 9; ++k) {
             walk.compute_direction();
-            slope = walk.go(step_length(k));
+            slope = walk.advance(step_length(k));
         }
         reached.push_back(walk.x);
         slopes.push_back(slope);

@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 using testing::PlainObjective;
 
-/// sum cosh(k x_k): minimum at 0, where Newton's method is superlinear.
+/// The sum of cosh(k x_k): minimum at 0, where Newton's method is superlinear.
 bool chain(const VectorXd& x, Evaluation& e) {
     const VectorXd weight = VectorXd::LinSpaced(x.size(), 1, double(x.size()));
     const VectorXd kx = weight.cwiseProduct(x);
@@ -25,52 +25,53 @@ bool chain(const VectorXd& x, Evaluation& e) {
 
 PlainObjective from(double start) { return {chain, VectorXd::Constant(20, start), 1.0 / 400}; }
 
-OptimizerResult relay(Objective& objective, double tolerance, NewtonStart start,
-                      const ProgressCallback& progress = {}) {
+OptimizerResult lbfgs_newton(Objective& objective, double tolerance, NewtonStart start,
+                             const ProgressCallback& progress = {}) {
     Workers workers(1);
     return minimize_lbfgs_newton(objective, {tolerance, -1, 0.5, progress}, start, workers);
 }
 
-TEST(LbfgsNewton, LeavesToLbfgsWhatIsNotNearAMinimum) {
+TEST(LbfgsNewton, UsesLbfgsAloneFarFromAMinimum) {
     PlainObjective objective = from(0.3);
-    const OptimizerResult loose = relay(objective, 1e-2, NewtonStart::kNear);
+    const OptimizerResult loose = lbfgs_newton(objective, 1e-2, NewtonStart::kNear);
     EXPECT_EQ(loose.stop, Stop::kConverged);
     EXPECT_EQ(loose.hessians, 0);
     PlainObjective again = from(0.3);
-    EXPECT_GT(relay(again, 1e-2, NewtonStart::kAtOnce).hessians, 0);
+    EXPECT_GT(lbfgs_newton(again, 1e-2, NewtonStart::kAtOnce).hessians, 0);
 }
 
-TEST(LbfgsNewton, LeavesAllToLbfgsWithoutAHessian) {
+TEST(LbfgsNewton, UsesLbfgsAloneWithoutAHessian) {
     PlainObjective objective = from(0.3);
     objective.forget_hessian();
-    const OptimizerResult result = relay(objective, 1e-9, NewtonStart::kAtOnce);
+    const OptimizerResult result = lbfgs_newton(objective, 1e-9, NewtonStart::kAtOnce);
     EXPECT_EQ(result.stop, Stop::kConverged);
     EXPECT_EQ(result.hessians, 0);
     EXPECT_EQ(result.evaluations, objective.n_evaluations());
 }
 
-TEST(LbfgsNewton, FinishesByNewtonAndAtOnceWhereTheFirstPointIsNear) {
+TEST(LbfgsNewton, FinishesByNewtonAndStartsWithNewtonNearAMinimum) {
     PlainObjective far = from(0.3);
-    const OptimizerResult finished = relay(far, 1e-12, NewtonStart::kNear);
+    const OptimizerResult finished = lbfgs_newton(far, 1e-12, NewtonStart::kNear);
     EXPECT_EQ(finished.stop, Stop::kConverged);
     EXPECT_GT(finished.hessians, 0);
     EXPECT_GT(finished.iterations, finished.hessians);
     PlainObjective near = from(1e-3);
-    const OptimizerResult at_once = relay(near, 1e-12, NewtonStart::kNear);
+    const OptimizerResult at_once = lbfgs_newton(near, 1e-12, NewtonStart::kNear);
     EXPECT_EQ(at_once.stop, Stop::kConverged);
     EXPECT_EQ(at_once.iterations, at_once.hessians);
 }
 
-// Iterations are reported one by one, and evaluations are those of the objective.
+// Iterations are reported one by one, and the evaluations match the objective's count.
 TEST(LbfgsNewton, CountsOverAllLegs) {
     for (const NewtonStart start : {NewtonStart::kNear, NewtonStart::kAtOnce}) {
         PlainObjective objective = from(0.3);
         int next = 0;
-        const OptimizerResult result = relay(objective, 1e-12, start, [&](const Progress& p) {
-            EXPECT_EQ(p.iteration, next++);
-            EXPECT_EQ(p.evaluations, objective.n_evaluations());
-            return true;
-        });
+        const OptimizerResult result =
+            lbfgs_newton(objective, 1e-12, start, [&](const Progress& p) {
+                EXPECT_EQ(p.iteration, next++);
+                EXPECT_EQ(p.evaluations, objective.n_evaluations());
+                return true;
+            });
         EXPECT_EQ(result.iterations + 1, next);
         EXPECT_EQ(result.evaluations, objective.n_evaluations());
         Evaluation there;
@@ -79,10 +80,10 @@ TEST(LbfgsNewton, CountsOverAllLegs) {
     }
 }
 
-TEST(LbfgsNewton, LimitsAndCancelsInEveryLeg) {
+TEST(LbfgsNewton, StopsAtLimitsAndCancellationsInEveryLeg) {
     for (const NewtonStart start : {NewtonStart::kNear, NewtonStart::kAtOnce}) {
         PlainObjective whole = from(0.3);
-        const int n_iterations = relay(whole, 1e-12, start).iterations;
+        const int n_iterations = lbfgs_newton(whole, 1e-12, start).iterations;
         for (int limit = 0; limit <= n_iterations; ++limit) {
             PlainObjective objective = from(0.3);
             Workers workers(1);
@@ -91,7 +92,7 @@ TEST(LbfgsNewton, LimitsAndCancelsInEveryLeg) {
             EXPECT_EQ(limited.iterations, limit);
             EXPECT_EQ(limited.stop == Stop::kConverged, limit == n_iterations) << limit;
             PlainObjective another = from(0.3);
-            const auto cancelled = relay(
+            const auto cancelled = lbfgs_newton(
                 another, 1e-12, start, [limit](const Progress& p) { return p.iteration < limit; });
             EXPECT_EQ(cancelled.stop, Stop::kCancelled);
             EXPECT_EQ(cancelled.iterations, limit);
@@ -99,8 +100,8 @@ TEST(LbfgsNewton, LimitsAndCancelsInEveryLeg) {
     }
 }
 
-// Beyond double precision Newton gets stuck, then L-BFGS does.
-TEST(LbfgsNewton, StallsWhereBothDo) {
+// Beyond double precision Newton's method gets stuck first, then L-BFGS.
+TEST(LbfgsNewton, StallsWhereBothMethodsStall) {
     for (const NewtonStart start : {NewtonStart::kNear, NewtonStart::kAtOnce}) {
         PlainObjective objective(
             [](const VectorXd& x, Evaluation& e) {
@@ -109,12 +110,12 @@ TEST(LbfgsNewton, StallsWhereBothDo) {
                 return true;
             },
             VectorXd::Constant(20, 0.3), 1.0 / 400);
-        EXPECT_EQ(relay(objective, 1e-6, start).stop, Stop::kStalled);
+        EXPECT_EQ(lbfgs_newton(objective, 1e-6, start).stop, Stop::kStalled);
     }
 }
 
-// Where Newton's method leads nowhere L-BFGS still gets there.
-TEST(LbfgsNewton, GoesOnByLbfgsWhereNewtonIsStuck) {
+// Where Newton's method makes no progress, L-BFGS still converges.
+TEST(LbfgsNewton, ContinuesWithLbfgsWhereNewtonIsStuck) {
     int n_hessians = 0;
     PlainObjective objective = from(0.3);
     objective.mislead_hessian([&](BlockMatrix& h) {
@@ -122,7 +123,7 @@ TEST(LbfgsNewton, GoesOnByLbfgsWhereNewtonIsStuck) {
         for (auto& block : h.diagonal) block = {1e12, 0, 0, 1e12};
         for (auto& block : h.block) block = {};
     });
-    const OptimizerResult result = relay(objective, 1e-9, NewtonStart::kNear);
+    const OptimizerResult result = lbfgs_newton(objective, 1e-9, NewtonStart::kNear);
     EXPECT_EQ(result.stop, Stop::kConverged);
     EXPECT_EQ(result.hessians, n_hessians);
     EXPECT_GT(n_hessians, 0);

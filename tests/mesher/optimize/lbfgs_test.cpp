@@ -18,7 +18,7 @@ using testing::options;
 using testing::PlainObjective;
 using testing::valley;
 
-/// With a gradient step that is safe, as Lloyd's is.
+/// A bowl with a safe gradient step in place of Lloyd's.
 PlainObjective bowl_from(const VectorXd& start, const PlainObjective::Function& function = bowl) {
     return {function, start, 1 / (4 * double(start.size()))};
 }
@@ -58,7 +58,7 @@ TEST(Lbfgs, StepsBackFromWhereTheFunctionIsNotDefined) {
     EXPECT_LT((objective.point() - VectorXd::Ones(6)).norm(), 1e-7);
 }
 
-// A value that is no number counts as undefined.
+// A value that is NaN counts as undefined.
 TEST(Lbfgs, StepsBackFromWhereTheValueIsNotANumber) {
     const auto holed = [](const VectorXd& x, Evaluation& e) {
         bowl(x, e);
@@ -69,8 +69,8 @@ TEST(Lbfgs, StepsBackFromWhereTheValueIsNotANumber) {
     EXPECT_EQ(lbfgs(objective, options(1e-9, 2)).stop, Stop::kConverged);
 }
 
-// Where no step along its direction is defined it forgets the history and takes the Lloyd step.
-TEST(Lbfgs, BeginsAnewWhereASearchFails) {
+// Where no step along the direction is defined, the history is reset and the Lloyd step is taken.
+TEST(Lbfgs, RestartsWithTheLloydStepWhereALineSearchFails) {
     const int n_trials = 25;
     int n_refused = n_trials;
     const auto refusing = [&](const VectorXd& x, Evaluation& e) {
@@ -89,7 +89,7 @@ TEST(Lbfgs, BeginsAnewWhereASearchFails) {
 
 using Minimize = std::function<OptimizerResult(Objective&, const OptimizerOptions&)>;
 
-/// Why a run ended, for both optimisers.
+/// Expects each reason to stop, for both optimisers.
 void expect_stops(const Minimize& minimize) {
     const auto run = [&](const VectorXd& start, const OptimizerOptions& how) {
         PlainObjective objective = bowl_from(start);
@@ -123,10 +123,10 @@ void expect_stops(const Minimize& minimize) {
     EXPECT_EQ(minimize(alone, options(0.1, 10)).stop, Stop::kStalled);
 }
 
-TEST(Lbfgs, TellsWhyItEnded) { expect_stops(lbfgs); }
-TEST(Lloyd, TellsWhyItEnded) { expect_stops(minimize_lloyd); }
+TEST(Lbfgs, ReportsWhyItEnded) { expect_stops(lbfgs); }
+TEST(Lloyd, ReportsWhyItEnded) { expect_stops(minimize_lloyd); }
 
-/// The result tells of the point that the objective holds, and of each of its evaluations.
+/// Expects that the result belongs to the objective's point and counts all its evaluations.
 void expect_own_evaluation(const Minimize& minimize) {
     for (const int limit : {0, 1, 4, 17, -1}) {
         PlainObjective objective(valley, Eigen::Vector2d(-1.2, 1), 1e-3);
@@ -142,8 +142,8 @@ void expect_own_evaluation(const Minimize& minimize) {
     }
 }
 
-TEST(Lbfgs, TellsOfThePointThatItReached) { expect_own_evaluation(lbfgs); }
-TEST(Lloyd, TellsOfThePointThatItReached) { expect_own_evaluation(minimize_lloyd); }
+TEST(Lbfgs, ReportsThePointThatItReached) { expect_own_evaluation(lbfgs); }
+TEST(Lloyd, ReportsThePointThatItReached) { expect_own_evaluation(minimize_lloyd); }
 
 TEST(Lbfgs, BeginsWithTheLloydStep) {
     const VectorXd start = VectorXd::Constant(8, 3);

@@ -28,7 +28,8 @@ bool two_wells(const VectorXd& x, Evaluation& e) {
     return true;
 }
 
-/// Variables on springs that stiffen, sum cosh(x_{k+1} - x_k) + cosh(x_k) / 100: ill-conditioned.
+/// A chain of variables on stiffening springs, sum cosh(x_{k+1} - x_k) + cosh(x_k) / 100:
+/// ill-conditioned.
 bool springs(const VectorXd& x, Evaluation& e) {
     e.value = 0;
     e.gradient = x.array().sinh() / 100;
@@ -75,8 +76,8 @@ TEST(Newton, FollowsACurvedValleyDown) {
     EXPECT_LT(result.evaluations, 60);
 }
 
-// The linear systems are solved the better the nearer the minimum is.
-TEST(Newton, EndsSuperlinearly) {
+// The accuracy of the linear systems increases near the minimum.
+TEST(Newton, ConvergesSuperlinearly) {
     PlainObjective objective(springs, VectorXd::LinSpaced(60, -1, 1).array().sin(), 1);
     double previous = 1;
     OptimizerOptions watched = options(1e-11, 10);
@@ -91,7 +92,7 @@ TEST(Newton, EndsSuperlinearly) {
     RecordProperty("evaluations", result.evaluations);
 }
 
-// Negative curvature is followed away from a saddle.
+// Directions of negative curvature lead away from a saddle.
 TEST(Newton, LeavesASaddle) {
     for (const double x : {1e-6, -1e-3, 0.3}) {
         PlainObjective objective(two_wells, Eigen::Vector2d(x, 0.5), 1);
@@ -129,7 +130,7 @@ TEST(Newton, StepsBackFromWhereTheFunctionIsNotDefined) {
     EXPECT_EQ(alone.point(), start);
 }
 
-TEST(Newton, TellsWhyItEnded) {
+TEST(Newton, ReportsWhyItEnded) {
     PlainObjective limited(valley, Eigen::Vector2d(-1.2, 1), 1);
     OptimizerOptions three = options(1e-10, 0.1);
     three.max_iterations = 3;
@@ -152,7 +153,7 @@ TEST(Newton, TellsWhyItEnded) {
     EXPECT_EQ(newton(noisy, options(0.1, 10)).stop, Stop::kStalled);
 }
 
-TEST(Newton, TellsOfThePointThatItReached) {
+TEST(Newton, ReportsThePointThatItReached) {
     for (const int limit : {0, 1, 4, -1}) {
         PlainObjective objective(valley, Eigen::Vector2d(-1.2, 1), 1);
         OptimizerOptions limited = options(1e-2, 0.5);
@@ -165,7 +166,8 @@ TEST(Newton, TellsOfThePointThatItReached) {
     }
 }
 
-/// A chain of pairs on springs, held at its first pair only with `hold`; n rows.
+/// The stiffness matrix of a chain of n pairs on springs; only the first pair is fixed, with
+/// stiffness `hold`.
 BlockMatrix chain(int n, double hold) {
     BlockMatrix h;
     std::vector<int> n_entries(static_cast<std::size_t>(n), 2);
@@ -185,7 +187,7 @@ BlockMatrix chain(int n, double hold) {
     return h;
 }
 
-TEST(ConjugateGradients, SolveTheSystemToTheResidualAskedFor) {
+TEST(ConjugateGradients, SolveTheSystemToTheGivenResidual) {
     BlockMatrix h = chain(50, 1);
     for (auto& block : h.diagonal) block[1] = block[2] = 0.01;
     for (auto& block : h.diagonal) block[0] += 0.1, block[3] += 0.1;
@@ -200,8 +202,8 @@ TEST(ConjugateGradients, SolveTheSystemToTheResidualAskedFor) {
     EXPECT_NEAR(outcome.model / (g.dot(cg.solution()) + curvature / 2), 1, 1e-10);
 }
 
-// Where the curvature is negative, and where the solution lies outside, they end on the boundary,
-// lower than at the origin.
+// With negative curvature, and where the solution lies outside, the iteration ends on the boundary,
+// below the value at the origin.
 TEST(ConjugateGradients, EndAtTheBoundary) {
     const VectorXd g = VectorXd::LinSpaced(100, -1, 3).array().sin();
     Workers workers(1);

@@ -13,7 +13,7 @@ using Eigen::VectorXf;
 
 constexpr Eigen::Index kBlock = PackedVectors::kBlock;
 
-/// Normal numbers times a factor that differs from block to block.
+/// Normally distributed numbers times a factor that differs from block to block.
 VectorXf random_vector(Eigen::Index n, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<float> normal;
@@ -24,7 +24,7 @@ VectorXf random_vector(Eigen::Index n, std::uint64_t seed) {
     return x;
 }
 
-/// Two vectors of several blocks, the last not full.
+/// Two vectors of several blocks; the last block is not full.
 struct TwoVectors {
     static constexpr Eigen::Index kNumbers = 2 * kBlock + 37;
     static constexpr Eigen::Index kBlocks = 3;
@@ -56,7 +56,7 @@ TEST(PackedVectors, RoundToA65534thOfTheLargestOfTheBlock) {
     }
 }
 
-TEST(PackedVectors, GiveBackWhatTheyRoundedTo) {
+TEST(PackedVectors, UnpackTheRoundedNumbers) {
     const TwoVectors two;
     for (Eigen::Index b = 0; b < TwoVectors::kBlocks; ++b) {
         for (const int v : {0, 1}) {
@@ -68,7 +68,7 @@ TEST(PackedVectors, GiveBackWhatTheyRoundedTo) {
     }
 }
 
-TEST(PackedVectors, MultiplyAndAddWhatTheyRoundedTo) {
+TEST(PackedVectors, MultiplyAndAddTheRoundedNumbers) {
     const TwoVectors two;
     for (Eigen::Index b = 0; b < TwoVectors::kBlocks; ++b) {
         const VectorXf x = random_vector(TwoVectors::block_of(two.given[0], b).size(), 3);
@@ -92,7 +92,7 @@ TEST(PackedVectors, RoundingTwiceChangesNothing) {
     EXPECT_LE((again - two.rounded[0]).cwiseAbs().maxCoeff(), 1e-6);
 }
 
-TEST(PackedVectors, TakeZeroAndWhatIsAsGoodAsZero) {
+TEST(PackedVectors, StoreZeroAndNegligibleNumbersAsZero) {
     PackedVectors packed(1, 4);
     for (const float size : {0.0F, 1e-38F, std::numeric_limits<float>::denorm_min()}) {
         VectorXf x = VectorXf::Constant(4, size);
@@ -102,7 +102,7 @@ TEST(PackedVectors, TakeZeroAndWhatIsAsGoodAsZero) {
     }
 }
 
-TEST(PackedVectors, MakeABlockNanThatHasANumberWithoutEnd) {
+TEST(PackedVectors, TurnABlockWithANumberThatIsNotFiniteIntoNan) {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), HUGE_VALF, -HUGE_VALF}) {
         for (const Eigen::Index at : {0, 40}) {
             PackedVectors packed(1, 41);
