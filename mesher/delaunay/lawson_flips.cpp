@@ -8,8 +8,9 @@
 namespace pcvt {
 namespace {
 
-/// Positive if the apex beyond h lies certainly inside the circle of h's triangle, negative if
-/// certainly outside. Differences of coordinates without offsets are exact.
+/// Returns a positive value if the apex beyond h certainly lies inside the circle of h's triangle,
+/// a negative value if it certainly lies outside, else 0. Differences of coordinates without
+/// offsets are exact.
 double filter(const TorusTriangulation& triangulation, const Points& coordinates, const Gram& gram,
               int h) {
     const int o = triangulation.opposite(h);
@@ -23,9 +24,9 @@ double filter(const TorusTriangulation& triangulation, const Points& coordinates
     return detail::in_circle_filter(gram, p - r, q - r, p - s, q - s);
 }
 
-/// Asks for what the flips of a list of suspects will touch, in steps, each of which reads only
-/// what one before has asked for. Where the triangulation is larger than the cache, a flip else
-/// waits for a dozen lines of memory one after the other, twice as long as it works.
+/// Prefetches the data that the flips of a list of suspects will touch. It works in steps, each of
+/// which reads only data that an earlier step has prefetched. Where the triangulation exceeds the
+/// cache, a flip otherwise waits for a dozen cache lines in sequence, twice as long as it computes.
 class Fetcher {
    public:
     Fetcher(const TorusTriangulation& triangulation, const Points& coordinates,
@@ -35,7 +36,7 @@ class Fetcher {
           suspects_(suspects),
           observer_(observer) {}
 
-    /// To be called for k = 0, 1, ..., each before suspect k is looked at.
+    /// Must be called for k = 0, 1, ..., each time before suspect k is examined.
     void fetch_for(std::size_t k) const {
         const auto at_step = [&](std::size_t step, const auto& fetch) {
             if (k + step * kApart < suspects_.size()) fetch(suspects_[k + step * kApart]);
@@ -47,7 +48,7 @@ class Fetcher {
     }
 
    private:
-    /// So many suspects lie between two steps.
+    /// The number of suspects between two steps.
     static constexpr std::size_t kApart = 8;
 
     /// The halfedges of the quadrilateral's four sides.
@@ -107,8 +108,8 @@ bool LawsonFlips::is_locally_delaunay(int h) const {
                      image(coordinates_, apex.site, apex.offset)) <= 0;
 }
 
-/// Flips h, and what becomes suspect by that, but for edges of which both halfedges come after
-/// `last`; leaves the stack empty.
+/// Flips the edge of `first`, if it is not locally Delaunay, and then the edges that become
+/// suspects, except edges whose halfedges both come after `last`; leaves the stack empty.
 std::int64_t LawsonFlips::flip_from(int first, int last, std::vector<int>& stack,
                                     FlipObserver* observer) {
     std::int64_t n_flips = 0;

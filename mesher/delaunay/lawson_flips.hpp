@@ -5,28 +5,34 @@
 
 namespace pcvt {
 
-/// Whether a filter in doubles is certain that the edge of h is locally Delaunay. Fast, and false
-/// for most edges that cross the seam of the domain.
+/// Whether a filter in doubles certifies that the edge of h is locally Delaunay. Fast, but returns
+/// false for most edges that cross the seam of the domain.
 /// @param coordinates  2 x n, reduced basis, in [-1.5, 2.5).
 bool is_certainly_delaunay(const TorusTriangulation& triangulation, const Points& coordinates,
                            const Gram& gram, int h);
 
-/// Told of each flip: of halfedge h before and after its edge is exchanged.
+/// Receives a call before and after each flip of an edge, with its halfedge h.
 class FlipObserver {
    public:
     virtual void before_flip(int h) = 0;
     virtual void after_flip(int h) = 0;
-    /// A flip at this site may come soon: what is kept of it should be in the cache.
+    /// Announces that a flip at this site may follow soon, so that the observer can prefetch the
+    /// site's data.
     virtual void fetch(SiteId /*site*/) const {}
 
    protected:
     ~FlipObserver() = default;
 };
 
-/// A triangulation under the hands of Lawson's algorithm (C. Lawson 1977; on flat surfaces:
-/// A. Bobenko and B. Springborn 2007): edges that are not locally Delaunay are flipped until there
-/// is none. From counter-clockwise triangles it ends with the Delaunay triangulation, and every
-/// triangle stays counter-clockwise on the way.
+/// Lawson's algorithm on a triangulation of the torus (C. Lawson 1977; on flat surfaces: A. Bobenko
+/// and B. Springborn 2007): flips edges that are not locally Delaunay until there is none. From
+/// counter-clockwise triangles the algorithm ends with the Delaunay triangulation, and every
+/// intermediate triangle is counter-clockwise.
+///
+/// Use:
+///
+///     LawsonFlips flips(triangulation, coordinates, gram);
+///     const std::int64_t n_flips = flips.flip_all();
 class LawsonFlips {
    public:
     /// @param coordinates  2 x n, reduced basis; it and the triangulation must outlive this object.
@@ -37,16 +43,16 @@ class LawsonFlips {
         const Corner corner = triangulation_.corner(h);
         return image(coordinates_, corner.site, corner.offset);
     }
-    /// Exact.
+    /// Whether the triangle is counter-clockwise; exact.
     bool is_counter_clockwise(int triangle) const;
-    /// Exact; cocircular counts as Delaunay.
+    /// Whether the edge of h is locally Delaunay; exact, and true for cocircular corners.
     bool is_locally_delaunay(int h) const;
 
-    /// Flips the suspects that are not locally Delaunay, then what became suspect by that.
+    /// Flips the suspects that are not locally Delaunay, then the edges that become suspects.
     /// @param suspects  halfedges; empty afterwards.
     /// @returns the number of flips.
     std::int64_t flip(std::vector<int>& suspects, FlipObserver* observer = nullptr);
-    /// The same with every edge a suspect.
+    /// The same, starting with every edge as a suspect.
     std::int64_t flip_all();
 
    private:

@@ -11,9 +11,10 @@
 namespace pcvt {
 namespace {
 
-/// Lets CGAL triangulate images with our predicates. CGAL breaks ties of in_circle by the
-/// lexicographic order of the points, which here is that of exact coordinates: the same rule for
-/// all translates, so that cocircular images are triangulated alike.
+/// Makes CGAL triangulate images with the predicates of predicates.hpp. CGAL breaks ties of
+/// in_circle by the lexicographic order of the points, which here is the order of exact
+/// coordinates. The rule is therefore the same for all translates, and cocircular images are
+/// triangulated alike.
 struct ImageTraits {
     using FT = double;
     using Point_2 = Image;
@@ -65,8 +66,8 @@ struct ImageTraits {
 using Euclidean = CGAL::Delaunay_triangulation_2<ImageTraits>;
 using Vertex = Euclidean::Vertex_handle;
 
-/// Cells that come this near to a side of the domain count as touching it: an image too many does
-/// no harm, one too few does.
+/// Cells this close to a side of the domain count as touching it: a superfluous image does no harm,
+/// a missing image does.
 constexpr double kTouch = 1e-9;
 
 /// The four sides of [-margin, 1 + margin]^2, counter-clockwise.
@@ -76,7 +77,8 @@ std::vector<Vec2> square(double margin) {
     return {{lo, lo}, {hi, lo}, {hi, hi}, {lo, hi}};
 }
 
-/// Keeps what is nearer to p than to q (Sutherland and Hodgman's clipping by one half-plane).
+/// Keeps the part of the polygon that is nearer to p than to q (Sutherland and Hodgman's clipping
+/// by one half-plane).
 std::vector<Vec2> clip_by_bisector(const std::vector<Vec2>& polygon, const Gram& gram,
                                    const Image& p, const Image& q) {
     const Vec2 d = difference(p, q);
@@ -97,7 +99,7 @@ std::vector<Vec2> clip_by_bisector(const std::vector<Vec2>& polygon, const Gram&
     return kept;
 }
 
-/// The neighbouring domains whose common side or corner with D_0 the polygon meets.
+/// Collects the neighbouring domains whose common side or corner with D_0 the polygon meets.
 void collect_neighbours(const std::vector<Vec2>& polygon, std::set<Offset>& neighbours) {
     const auto side = [](double x) { return x < kTouch ? -1 : (x > 1 - kTouch ? 1 : 0); };
     for (const Vec2& x : polygon) {
@@ -108,7 +110,7 @@ void collect_neighbours(const std::vector<Vec2>& polygon, std::set<Offset>& neig
     }
 }
 
-/// The Euclidean diagram of the sites and some of their images.
+/// The Euclidean diagram of the sites and a growing set of their images.
 class Flooding {
    public:
     explicit Flooding(const Sites& sites)
@@ -132,7 +134,7 @@ class Flooding {
         euclidean_.insert(images.begin(), images.end());
     }
 
-    /// Sites with an unbounded cell or a Voronoi vertex outside of D_0.
+    /// Returns the sites with an unbounded cell or a Voronoi vertex outside of D_0.
     std::vector<Vertex> boundary_sites() const {
         std::vector<Vertex> found;
         for (const Vertex v : euclidean_.finite_vertex_handles()) {
@@ -141,14 +143,15 @@ class Flooding {
         return found;
     }
 
-    /// Inserts the images that the pieces of `front` call for, then theirs, until none is missing.
-    /// Cells only shrink meanwhile, so one look at each image calls for enough.
+    /// Inserts the images that the pieces of `front` require, then those that the new pieces
+    /// require, until none is missing. Cells only shrink in the meantime, so each image needs to be
+    /// examined only once.
     void flood(std::vector<Vertex> front) {
         while (!front.empty()) {
-            std::vector<Image> called;
-            for (const Vertex v : front) call_images(v, called);
+            std::vector<Image> required;
+            for (const Vertex v : front) require_images(v, required);
             front.clear();
-            for (const Image& image : called) {
+            for (const Image& image : required) {
                 const auto hint = front.empty() ? Euclidean::Face_handle() : front.back()->face();
                 front.push_back(euclidean_.insert(image, hint));
             }
@@ -158,7 +161,7 @@ class Flooding {
     std::size_t n_triangles() const { return euclidean_.number_of_faces(); }
     int n_mirrors() const { return static_cast<int>(mirrors_.size()); }
 
-    /// Of the sites that are not in `boundary`, those that have a mirror as a neighbour.
+    /// Counts the sites outside of `boundary` that have a mirror as a neighbour.
     int count_shrunk(const std::vector<Vertex>& boundary) const {
         std::set<SiteId> tagged;
         for (const Vertex v : boundary) tagged.insert(v->point().site);
@@ -233,14 +236,14 @@ class Flooding {
         return polygon;
     }
 
-    void call_images(Vertex v, std::vector<Image>& called) {
+    void require_images(Vertex v, std::vector<Image>& required) {
         std::set<Offset> domains;
         collect_neighbours(clipped_cell(v, square(kTouch)), domains);
         const Image& p = v->point();
         for (const Offset t : domains) {
             const Offset offset = p.offset - t;
             if (offset != Offset{} && mirrors_.insert({p.site, offset}).second) {
-                called.push_back(image(sites_, p.site, offset));
+                required.push_back(image(sites_, p.site, offset));
             }
         }
     }

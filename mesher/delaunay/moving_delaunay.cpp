@@ -12,10 +12,10 @@
 namespace pcvt {
 namespace {
 
-/// Sites a task moves.
+/// Sites per task of a move.
 constexpr int kSitesPerTask = 1 << 14;
-/// A local repair that puts more sites back than this share, and this number, costs more than a
-/// build.
+/// A local repair that moves back more sites than this share, and more than this number, costs more
+/// than a new build.
 constexpr double kMostHeldShare = 0.02;
 constexpr std::size_t kMostHeldAtLeast = 16;
 
@@ -38,7 +38,7 @@ Points in_order(const Points& coordinates, const std::vector<SiteId>& order) {
     return ordered;
 }
 
-/// Writes flips down before it passes them on.
+/// Appends the triangles of each flip to a log and forwards the calls to another observer.
 class LoggedFlips final : public FlipObserver {
    public:
     LoggedFlips(const TorusTriangulation& triangulation, FlipObserver* observer,
@@ -103,7 +103,7 @@ bool MovingDelaunay::rebuild() {
     return true;
 }
 
-/// Only what moves is looked at often enough.
+/// Only a triangulation that moves is accessed often enough to profit.
 void MovingDelaunay::prefer_huge_pages() {
     if (prefers_huge_pages_) return;
     pcvt::prefer_huge_pages(coordinates_);
@@ -113,6 +113,7 @@ void MovingDelaunay::prefer_huge_pages() {
 
 bool MovingDelaunay::step(const Eigen::VectorXf& direction, double t, Workers& workers) {
     prefer_huge_pages();
+    // Move all sites in parallel.
     const SiteMoves moves(frame_, direction, t);
     const int n_tasks = (n_sites() + kSitesPerTask - 1) / kSitesPerTask;
     std::atomic<bool> finite = true;
@@ -124,10 +125,12 @@ bool MovingDelaunay::step(const Eigen::VectorXf& direction, double t, Workers& w
         if (!outcome.finite) finite = false;
         if (!outcome.in_range) in_range = false;
     });
+    // Undo moves that are not finite.
     if (!finite) {
         moves.back().apply(0, n_sites(), coordinates_);
         return false;
     }
+    // Record the moves for step_back and untangle.
     settled_ = false;
     moves_ = moves;
     if (!in_range) keep_in_range();

@@ -9,18 +9,18 @@
 
 namespace pcvt {
 
-/// What a look at every triangle could not certify.
+/// The elements that a pass over all triangles could not certify.
 struct Suspects {
-    /// Triangles that are not certainly counter-clockwise.
+    /// Triangles that are not certified to be counter-clockwise.
     std::vector<int> triangles;
-    /// Halfedges opposite to an angle that is not certainly acute: all other edges are locally
-    /// Delaunay where the triangles are counter-clockwise.
+    /// Halfedges opposite to an angle that is not certified to be acute. All other edges are
+    /// locally Delaunay where the triangles are counter-clockwise.
     std::vector<int> halfedges;
 };
 
-/// What the triangulation went through.
+/// Statistics of a triangulation's builds and flips.
 struct DelaunayCounts {
-    /// Mirrors that the last build inserted; nothing if it did without.
+    /// Mirrors that the last build inserted; nullopt if strips sufficed.
     std::optional<int> n_mirrors;
     /// Flips after the first build.
     std::int64_t n_flips = 0;
@@ -28,37 +28,50 @@ struct DelaunayCounts {
     int n_rebuilds = 0;
 };
 
-/// The triangles that flips have made, for those who keep something of each triangle.
+/// The triangles changed by flips, for callers that cache data per triangle or site.
 struct FlipLog {
-    /// Differs between logs. One begins where more may have changed than what a log tells, offsets
-    /// among it, and where one would grow long.
+    /// Identifies the log. A new log begins where more may have changed than a log records,
+    /// including offsets, and where a log would become long.
     std::int64_t number = 0;
-    /// Two for each flip, in order.
+    /// Two triangles for each flip, in order.
     std::vector<int> triangles;
 };
 
-/// The periodic Delaunay triangulation of moving sites, kept alive by flips.
+/// The periodic Delaunay triangulation of moving sites, maintained by flips.
 ///
-/// It numbers the sites anew, column by column, so that neighbours lie near to each other in
-/// memory. Their coordinates in the reduced basis are not wrapped before they leave [-1, 2), and
-/// stay multiples of 2^-51: every difference that a predicate needs is exact. All lengths are told
-/// in a unit, a power of two near h, and in the *frame*: the plane turned so that the reduced
-/// period vector a lies along x.
+/// The class renumbers the sites column by column, so that neighbours are close in memory.
+/// Coordinates in the reduced basis are wrapped only when they leave [-1, 2), and remain multiples
+/// of 2^-51: every difference that a predicate needs is exact. All lengths are in `unit()`, a power
+/// of two near h, and in the *frame*: the plane rotated so that the reduced period vector a lies
+/// along x.
 ///
-/// A step leads to a trial place, where the triangulation must be restored. Then either `settle`
-/// keeps it there, or `step_back` leads back, where it must be restored as well before the next
-/// step. Laws, tested by number:
+/// `step()` moves the sites to a trial position, where the triangulation must be restored. Then
+/// either `settle()` accepts the position, or `step_back()` returns to the old one, where the
+/// triangulation must be restored as well before the next step.
+///
+/// Example usage (EnergyPass::evaluate restores the triangulation):
+///
+///     MovingDelaunay delaunay(sites);
+///     EnergyPass pass(delaunay, workers);
+///     pass.evaluate(energy);
+///     const double before = energy.value;
+///     if (delaunay.step(direction, t, workers)) {
+///         const bool lower = pass.evaluate(energy) && energy.value < before;
+///         lower ? delaunay.settle() : delaunay.step_back();  // evaluate after step_back
+///     }
+///
+/// Laws, tested by number:
 ///   (1) Once restored, every triangle is counter-clockwise and every edge locally Delaunay. Exact;
 ///       together the two prove the global periodic Delaunay property.
-///   (2) Once restored, the triangulation is that of a fresh build, but for ties.
+///   (2) Once restored, the triangulation equals that of a new build, except for ties.
 class MovingDelaunay {
    public:
-    /// Builds from strips, or where those fail from the mirrors. Cost: about half of a plain
-    /// Euclidean Delaunay triangulation of the sites.
+    /// Builds from strips, or where these fail from mirrors. Cost: about half of a plain Euclidean
+    /// Delaunay triangulation of the sites.
     explicit MovingDelaunay(const Sites& sites);
 
     int n_sites() const { return static_cast<int>(order_.size()); }
-    /// The number that the site had in the constructor's sites.
+    /// The id of the site in the constructor's argument.
     SiteId original_id(SiteId site) const { return order_[site]; }
     /// 2 x n, reduced basis, in [-1.5, 2.5).
     const Points& coordinates() const { return coordinates_; }
@@ -69,19 +82,20 @@ class MovingDelaunay {
     double unit() const { return unit_; }
     /// h in units.
     double spacing() const { return spacing_; }
-    /// With the unit of length.
+    /// The frame, in units.
     const ReducedFrame& frame() const { return frame_; }
 
-    /// Moves the sites by t times `direction` (x, y, x, y, ...; frame, units) from where they
-    /// are. The triangulation is not restored yet.
-    /// @pre the direction lives, and stays as it is, until the sites are settled and the
-    ///      triangulation is restored there.
-    /// @returns false where a move is not finite; nothing has moved then.
+    /// Moves the sites by t times `direction` (x, y, x, y, ...; frame, units). Does not restore the
+    /// triangulation.
+    /// @pre the direction lives and stays unchanged until the sites are settled and the
+    ///         triangulation is restored there.
+    /// @returns false if a move is not finite; no site has moved then.
     bool step(const Eigen::VectorXf& direction, double t, Workers& workers);
     bool step(Eigen::VectorXf&& direction, double t, Workers& workers) = delete;
-    /// Moves back to where the sites were before the last step; not restored yet.
+    /// Moves the sites back to their positions before the last step. Does not restore the
+    /// triangulation.
     void step_back();
-    /// The sites stay where they are.
+    /// Accepts the current positions.
     void settle() { settled_ = true; }
     bool settled() const { return settled_; }
 
@@ -89,17 +103,18 @@ class MovingDelaunay {
     bool is_certainly_delaunay(int h) const {
         return pcvt::is_certainly_delaunay(triangulation_, coordinates_, gram_, h);
     }
-    /// Those of `suspects.triangles` that are not counter-clockwise.
+    /// The triangles among `suspects.triangles` that are not counter-clockwise.
     std::vector<int> inverted(const Suspects& suspects) const;
-    /// Restores law (1) where no triangle is inverted: by flips. Empties suspects.halfedges.
+    /// Restores law (1) by flips; no triangle may be inverted. Empties suspects.halfedges.
     /// @returns the number of flips.
     std::int64_t flip(Suspects& suspects, FlipObserver* observer);
-    /// Restores law (1) where some are: locally, or, where more than 2 in 100 sites are concerned
-    /// or the local repair gets stuck, by a new build.
-    /// @returns false where two sites coincide: the object then only waits for step_back.
+    /// Restores law (1) where triangles are inverted: by a local repair, or by a new build if the
+    /// repair concerns more than 2 in 100 sites or gets stuck.
+    /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool untangle(const std::vector<int>& inverted, Suspects& suspects);
 
-    /// The sites, in the order of the constructor's, and their triangulation. Ends this object.
+    /// Returns the sites, in the order of the constructor's argument, and their triangulation. The
+    /// object must not be used afterwards.
     std::pair<Sites, TorusTriangulation> release();
 
    private:
@@ -116,10 +131,10 @@ class MovingDelaunay {
     double unit_;
     double spacing_;
     ReducedFrame frame_;
-    /// order_[s] is the caller's number of site s.
+    /// order_[s] is the caller's id of site s.
     std::vector<SiteId> order_;
     Points coordinates_;
-    /// What led here from where the triangulation was restored last.
+    /// The moves since the triangulation was last restored.
     std::optional<SiteMoves> moves_;
     TorusTriangulation triangulation_;
     bool prefers_huge_pages_ = false;

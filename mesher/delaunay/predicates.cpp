@@ -8,15 +8,16 @@ namespace pcvt {
 namespace {
 
 constexpr double kCircumcentreError = 32 * kUnitRoundoff;
-/// A triangle with |d x e| above this times the scale of its rounding is far from collinear:
-/// doubles give its circumcentre to twelve digits.
+/// A triangle with |d x e| above this fraction of its rounding scale is far from collinear: doubles
+/// give its circumcentre to twelve digits.
 constexpr double kFarFromCollinear = 1e-3;
 
 int sign(double x) { return (x > 0) - (x < 0); }
 int sign(const CGAL::MP_Float& x) { return CGAL::sign(x); }
 
-/// The predicates' polynomials, in double for the filter and in MP_Float for the exact value.
-/// `Bound` is the same polynomial with absolute values and only sums: the scale of its rounding.
+/// The polynomials of the predicates, in double for the filter and in MP_Float for the exact value.
+/// A `_bound` function evaluates the same polynomial with absolute values and sums only: the scale
+/// of its rounding.
 template <class Number>
 struct Vector {
     Number u;
@@ -53,9 +54,9 @@ Number in_circle_value(const Gram& g, const Vector<Number>& p, const Vector<Numb
     return norm(g, p) * cross(q, r) + norm(g, q) * cross(r, p) + norm(g, r) * cross(p, q);
 }
 
-/// The circumcentre c of the triangle with corners at `corner`, corner + d, corner + e solves
-/// 2 G(d, c - corner) = G(d, d) and the same for e. These are det(G) (d x e) 2 (c - line) for its
-/// two coordinates, where `line` is 0 or 1.
+/// The circumcentre c of the triangle with corners at `corner`, corner + d, corner + e solves 2
+/// G(d, c - corner) = G(d, d), and the same equation for e. centre_u returns det(G) (d x e) 2 (c -
+/// line) for one coordinate of c, where `line` is 0 or 1.
 template <class Number>
 Number centre_u(const Gram& g, const Vector<Number>& d, const Vector<Number>& e, Number corner) {
     const Number det = Number(g.aa) * Number(g.bb) - Number(g.ab) * Number(g.ab);
@@ -92,14 +93,14 @@ int centre_side(const Gram& g, const Image& p, const Image& q, const Image& r, i
                                 Exact(p.u) + Exact(p.offset.i - line)));
 }
 
-/// The same triangle with its two coordinates exchanged: clockwise becomes counter-clockwise when
-/// two corners are exchanged as well.
+/// The same triangle with its two coordinates exchanged, which turns counter-clockwise into
+/// clockwise; callers therefore exchange two corners as well.
 Image transposed(const Image& p) { return {p.v, p.u, p.site, {p.offset.j, p.offset.i}}; }
 
 Vector<double> transposed(const Vector<double>& d) { return {d.v, d.u}; }
 Gram transposed(const Gram& g) { return {g.bb, g.ab, g.aa}; }
 
-/// The circumcentre relative to the common corner of d and e, with the products taken in `Number`.
+/// The circumcentre relative to the common corner of d and e, with products evaluated in `Number`.
 template <class Number>
 Vec2 centre(const Gram& g, const Vector<double>& d, const Vector<double>& e) {
     const auto widen = [](const Vector<double>& x) {

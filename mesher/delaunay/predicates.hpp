@@ -7,7 +7,14 @@
 namespace pcvt {
 
 /// An image of a site: coordinates in the reduced basis, multiples of 2^-51 in [-2, 3)^2, plus an
-/// offset in that basis.
+/// offset in the same basis.
+///
+/// Example usage (whether site 2 translated by b violates the Delaunay property of a triangle):
+///
+///     const Gram gram = gram_of(sites.reduction().reduced);
+///     const Image p = image(sites, 0, {}), q = image(sites, 1, {}), r = image(sites, 3, {});
+///     if (orientation(p, q, r) > 0)
+///         violates = in_circle(gram, p, q, r, image(sites, 2, {0, 1})) > 0;
 struct Image {
     double u;
     double v;
@@ -28,8 +35,9 @@ inline Vec2 difference(const Image& p, const Image& q) {
     return {(q.u - p.u) + (q.offset.i - p.offset.i), (q.v - p.v) + (q.offset.j - p.offset.j)};
 }
 
-/// The Gram matrix of the reduced basis, scaled by a power of two. Rounded once: for every
-/// predicate it *is* the lattice, so that all images of a site answer alike.
+/// The Gram matrix of the reduced basis, scaled by a power of two and rounded once. For every
+/// predicate this rounded matrix *is* the lattice, so that all images of a triangle give the same
+/// answer.
 struct Gram {
     double aa;
     double ab;
@@ -38,19 +46,19 @@ struct Gram {
 
 Gram gram_of(const Lattice& reduced);
 
-/// How often the predicates of this thread were asked, and how often the filter could not decide.
+/// Calls of predicates on this thread, and how many of them the filter could not decide.
 struct PredicateCounts {
     std::int64_t asked = 0;
     std::int64_t exact = 0;
 };
 PredicateCounts predicate_counts();
 
-/// Half an ulp of 1. An error bound counts the roundings of the longest chain of its expression and
-/// rounds that up generously: the filter then fails a little more often and never errs.
+/// Half an ulp of 1. An error bound counts the roundings along the longest chain of its expression
+/// and is then rounded up generously: the filter fails a little more often but never errs.
 inline constexpr double kUnitRoundoff = 0x1p-53;
 inline constexpr double kOrientationError = 4 * kUnitRoundoff;
 inline constexpr double kInCircleError = 16 * kUnitRoundoff;
-/// A component of a difference from here on may be rounded, so the filter is not asked.
+/// Components of a difference from this size on may be rounded, so the filter is skipped.
 inline constexpr double kExactDifference = 4;
 
 namespace detail {
@@ -67,13 +75,13 @@ inline bool is_exact(const Vec2& d) {
 
 inline double cross(const Vec2& d, const Vec2& e) { return d.x() * e.y() - d.y() * e.x(); }
 
-/// The scale of the rounding of the cross product: absolute values and only sums.
+/// The rounding scale of the cross product: absolute values and sums only.
 inline double cross_bound(const Vec2& d, const Vec2& e) {
     return std::abs(d.x() * e.y()) + std::abs(d.y() * e.x());
 }
 
-/// Cross and dot product of two sides, |d| |e| times sine and cosine of the angle between them but
-/// for a constant factor, and the scales of their rounding.
+/// Cross and dot product of two sides, which are |d| |e| times the sine and the cosine of their
+/// angle up to a constant factor, and the rounding scales of both.
 struct Angle {
     double cross;
     double dot;
@@ -91,12 +99,13 @@ inline Angle angle(const Gram& g, const Vec2& d, const Vec2& e) {
             g.aa * std::abs(uu) + std::abs(g.ab) * cross_bound + g.bb * std::abs(vv)};
 }
 
-/// Positive if s lies certainly inside the circle through p, q, r, negative if certainly outside;
-/// from the exact differences of p and q to r and s.
+/// Returns a positive value if s certainly lies inside the circle through p, q, r, a negative value
+/// if s certainly lies outside, and 0 if rounding decides. The arguments are the exact differences
+/// of p and q to r and s.
 inline double in_circle_filter(const Gram& gram, const Vec2& rp, const Vec2& rq, const Vec2& sp,
                                const Vec2& sq) {
-    // The sine of the sum of the angles under which r and s see the edge p q: the same polynomial
-    // as the usual determinant.
+    // The sine of the sum of the angles at which r and s see the edge p q: the same polynomial as
+    // the usual determinant.
     const Angle at_r = angle(gram, rp, rq);
     const Angle at_s = angle(gram, sq, sp);
     const double value = at_r.cross * at_s.dot + at_r.dot * at_s.cross;
@@ -107,10 +116,10 @@ inline double in_circle_filter(const Gram& gram, const Vec2& rp, const Vec2& rq,
 
 }  // namespace detail
 
-/// The predicates are exact: a double filter decides almost always, multiprecision the rest. They
-/// depend on differences of images only, so a common translation never changes an answer.
+/// The predicates are exact: a double filter decides nearly all cases, multiprecision the others.
+/// They depend only on differences of images, so a common translation never changes an answer.
 
-/// +1 if p, q, r turn counter-clockwise, -1 if clockwise, 0 if they are collinear.
+/// Returns +1 if p, q, r turn counter-clockwise, -1 if clockwise, 0 if they are collinear.
 inline int orientation(const Image& p, const Image& q, const Image& r) {
     ++detail::predicate_counts.asked;
     const Vec2 d = difference(p, q);
@@ -124,8 +133,8 @@ inline int orientation(const Image& p, const Image& q, const Image& r) {
     return detail::exact_orientation(p, q, r);
 }
 
-/// +1 if s lies inside the circle through the counter-clockwise triangle p, q, r, -1 outside, 0 on
-/// it.
+/// Returns +1 if s lies inside the circle through the counter-clockwise triangle p, q, r, -1 if
+/// outside, 0 if on it.
 inline int in_circle(const Gram& gram, const Image& p, const Image& q, const Image& r,
                      const Image& s) {
     ++detail::predicate_counts.asked;
@@ -142,14 +151,14 @@ inline int in_circle(const Gram& gram, const Image& p, const Image& q, const Ima
 }
 
 /// Whether the circumcentre of the counter-clockwise triangle p, q, r lies in the half-open domain
-/// [0, 1)^2: of all images of a triangle exactly one does.
+/// [0, 1)^2. This holds for exactly one of all images of a triangle.
 bool circumcentre_in_domain(const Gram& gram, const Image& p, const Image& q, const Image& r);
 
 /// The circumcentre of the counter-clockwise triangle p, q, r minus p, in coordinates of the
-/// reduced basis. Relative error below 1e-12, however thin the triangle is.
+/// reduced basis. The relative error is below 1e-12 for triangles of any thinness.
 Vec2 circumcentre(const Gram& gram, const Image& p, const Image& q, const Image& r);
 
-/// The order by (u + i, v + j): -1, 0 or +1.
+/// Compare the coordinates u + i and v + j, respectively: -1, 0 or +1.
 int compare_u(const Image& p, const Image& q);
 int compare_v(const Image& p, const Image& q);
 

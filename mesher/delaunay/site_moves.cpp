@@ -8,7 +8,7 @@
 namespace pcvt {
 namespace {
 
-/// The change of coordinates by a translation in the frame.
+/// Converts a translation in the frame to a change of reduced coordinates.
 class ToLattice {
    public:
     explicit ToLattice(const ReducedFrame& frame)
@@ -28,7 +28,7 @@ class ToLattice {
     double bx_;
 };
 
-/// What is less than a period; NaN where the change is not finite.
+/// Reduces a change by whole periods; NaN where the change is not finite.
 double without_periods(double change) { return change - std::nearbyint(change); }
 
 double rounded_or_zero(double part) { return snapped_displacement(std::isnan(part) ? 0 : part); }

@@ -5,21 +5,21 @@
 
 namespace pcvt {
 
-/// What a step adds to the coordinates of sites in the reduced basis: t times a direction, without
-/// the whole periods.
+/// The change of the sites' reduced coordinates in one step: t times a direction, reduced by whole
+/// periods.
 ///
-/// Moves are rounded to multiples of 2^-51, as coordinates are: so a move is exact, and that of
-/// minus t, since rounding is symmetric, leads back exactly.
+/// Moves are rounded to multiples of 2^-51, as coordinates are. A move is therefore exact, and
+/// since rounding is symmetric, the move with -t restores the coordinates exactly.
 class SiteMoves {
    public:
-    /// @param direction  x, y, x, y, ... in the frame. Not copied: it must live and stay as it is
-    ///                   for as long as moves are asked for.
+    /// @param direction  x, y, x, y, ... in the frame. Not copied: it must live and stay unchanged
+    ///                   for as long as this object is used.
     SiteMoves(const ReducedFrame& frame, const Eigen::VectorXf& direction, double t)
         : frame_(frame), direction_(direction.data()), t_(t) {}
 
-    /// The moves that lead back.
+    /// Returns the inverse moves.
     SiteMoves back() const;
-    /// That of one site; zero where it would not be finite.
+    /// The move of one site; zero where it would not be finite.
     Vec2 of(SiteId site) const;
 
     struct Outcome {
@@ -28,7 +28,7 @@ class SiteMoves {
         /// Whether no coordinate left [-1, 2).
         bool in_range;
     };
-    /// Moves sites `begin` to `end`.
+    /// Moves the sites begin ... end - 1.
     /// @param coordinates  2 x n, in [-1, 2) before, in [-1.5, 2.5) after.
     Outcome apply(SiteId begin, SiteId end, Points& coordinates) const;
 

@@ -4,8 +4,14 @@
 
 namespace pcvt {
 
-/// Sites sorted into columns across the reduced domain: by the first coordinate into columns, in a
-/// column by the second one.
+/// Sites sorted into columns across the reduced domain: by the first coordinate into columns, and
+/// by the second coordinate within a column.
+///
+/// Example usage (walks the columns):
+///
+///     const SpatialSort sorted = spatial_sort(sites.coordinates(), gram);
+///     for (int k = 0; k < sorted.n_columns(); ++k)
+///         for (int m = sorted.begin[k]; m < sorted.begin[k + 1]; ++m) visit(sorted.order[m]);
 struct SpatialSort {
     /// The sites, column by column.
     std::vector<SiteId> order;
@@ -15,13 +21,14 @@ struct SpatialSort {
     int n_columns() const { return static_cast<int>(begin.size()) - 1; }
 };
 
-/// About sqrt(n) columns with nearly equal counts, as many as make the sites of a column as far
-/// apart as the columns; neighbours in `order` are near to each other in the plane.
+/// Sorts into about sqrt(n) columns with nearly equal numbers of sites; the number of columns makes
+/// the spacing within a column equal to the spacing of the columns. Sites that follow each other in
+/// `order` are close in the plane.
 /// @param coordinates  2 x n, reduced basis, in [0, 1)^2.
 SpatialSort spatial_sort(const Points& coordinates, const Gram& gram);
 
-/// The same points column by column: neighbours get numbers near to each other, and so meshes and
-/// the matrices of a solver get short ways through memory.
+/// Returns the same points column by column. Neighbouring points then have close indices, which
+/// improves memory locality in meshes and in a solver's matrices.
 /// @param points  2 x n, length units.
 Points spatially_sorted(const Lattice& lattice, const Points& points);
 

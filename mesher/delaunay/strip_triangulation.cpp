@@ -7,7 +7,7 @@
 namespace pcvt {
 namespace {
 
-/// A vertex of the strip: an image with its coordinates told absolutely.
+/// A vertex of the strip: an image with absolute coordinates.
 struct StripVertex {
     SiteId site;
     Offset offset;
@@ -15,19 +15,19 @@ struct StripVertex {
     bool on_right;
 };
 
-/// Upwards, and along a horizontal line to the right.
+/// Orders points upwards, and along a horizontal line to the right.
 bool below(const Vec2& p, const Vec2& q) {
     return p.y() < q.y() || (p.y() == q.y() && p.x() < q.x());
 }
 
-/// Whether the filter is certain that p, q, r turn counter-clockwise.
+/// Whether the filter certifies that p, q, r turn counter-clockwise.
 bool surely_counter_clockwise(const Vec2& p, const Vec2& q, const Vec2& r) {
     const Vec2 d = q - p;
     const Vec2 e = r - p;
     return detail::cross(d, e) > kOrientationError * detail::cross_bound(d, e);
 }
 
-/// What lies beyond a side of the part that is not triangulated yet.
+/// The element beyond a side of the untriangulated part of the strip.
 struct Beyond {
     enum { kHalfedge, kChainEdge, kFirstEdge } what;
     /// The halfedge, or the lower site of the edge of a chain.
@@ -62,7 +62,7 @@ class StripBuilder {
             .subspan(columns_.begin[k], columns_.begin[k + 1] - columns_.begin[k]);
     }
 
-    /// Vertex k of the chain through `column`, counted on round the torus.
+    /// Vertex k of the chain through `column`; k continues round the torus.
     StripVertex chain_vertex(std::span<const SiteId> column, std::size_t k, int i,
                              bool on_right) const {
         const int round = k < column.size() ? 0 : 1;
@@ -71,8 +71,8 @@ class StripBuilder {
         return {site, {i, round}, coordinates_.col(site) + shift, on_right};
     }
 
-    /// The vertices of both chains upwards from two that follow each other, on different chains,
-    /// to the images of the same two.
+    /// Merges the vertices of both chains upwards: from two consecutive vertices on different
+    /// chains to the images of the same two.
     void merge_chains(int k) {
         const auto left = column(k);
         const bool last = k + 1 == columns_.n_columns();
@@ -80,6 +80,7 @@ class StripBuilder {
         const auto at_left = [&](std::size_t m) { return chain_vertex(left, m, 0, false); };
         const auto at_right = [&](std::size_t m) { return chain_vertex(right, m, last, true); };
 
+        // Find the two lowest vertices between which a cut edge can run.
         std::size_t l = 0;
         std::size_t r = 0;
         if (below(at_left(0).point, at_right(0).point)) {
@@ -87,6 +88,7 @@ class StripBuilder {
         } else {
             while (r + 1 < right.size() && below(at_right(r + 1).point, at_left(0).point)) ++r;
         }
+        // Merge both chains upwards, once round the torus.
         vertices_.clear();
         const std::size_t l_end = l + left.size();
         const std::size_t r_end = r + right.size();
@@ -119,7 +121,7 @@ class StripBuilder {
         return true;
     }
 
-    /// w follows the stack's lowest vertex on its chain and sees the whole stack.
+    /// Vertex w follows the lowest vertex of the stack on the same chain and sees the whole stack.
     bool join_all(int w) {
         Beyond beside{Beyond::kChainEdge, vertices_[stack_.front()].site};
         for (std::size_t k = 0; k + 1 < stack_.size(); ++k) {
@@ -134,8 +136,8 @@ class StripBuilder {
         return true;
     }
 
-    /// w follows the stack's highest vertex on its chain; it sees the stack down to the first
-    /// corner that bends inwards.
+    /// Vertex w follows the highest vertex of the stack on the same chain; it sees the stack down
+    /// to the first reflex corner.
     void join_convex(int w) {
         Beyond beside{Beyond::kChainEdge, vertices_[stack_.back()].site};
         while (stack_.size() >= 2 && sees(stack_[stack_.size() - 2], stack_.back(), w)) {
@@ -150,7 +152,7 @@ class StripBuilder {
         beyond_.push_back(beside);
     }
 
-    /// Whether a, b, w (b above a on the stack) is a triangle inside the strip.
+    /// Whether a, b, w (b above a on the stack) form a triangle inside the strip.
     bool sees(int a, int b, int w) {
         right_ = vertices_[b].on_right;
         const Vec2& p = vertices_[a].point;
@@ -159,7 +161,7 @@ class StripBuilder {
         return right_ ? surely_counter_clockwise(p, q, r) : surely_counter_clockwise(p, r, q);
     }
 
-    /// Adds the triangle that sees() was asked for last: a, b, w on the right, a, w, b on the left.
+    /// Adds the triangle of the last call of sees(): a, b, w on the right, a, w, b on the left.
     int add_triangle(int a, int b, int w) {
         const auto corner = [this](int v) {
             return Corner{vertices_[v].site, vertices_[v].offset};
@@ -190,14 +192,14 @@ class StripBuilder {
 
     const Points& coordinates_;
     const SpatialSort& columns_;
-    /// For the edge of a chain above each site: the first of its two halfedges.
+    /// For the chain edge above each site, the first of its two halfedges.
     std::vector<int> chain_halfedge_;
     std::vector<int> opposite_;
     std::vector<Triangle> triangles_;
 
     std::vector<StripVertex> vertices_;
-    /// The vertices still to be triangulated, upwards; the lowest is on one chain, the others on
-    /// the other one. beyond_[k] lies beyond the side between the vertices k and k + 1.
+    /// The vertices that are not triangulated yet, upwards; the lowest lies on one chain, all
+    /// others on the other chain. beyond_[k] lies beyond the side between the vertices k and k + 1.
     std::vector<int> stack_;
     std::vector<Beyond> beyond_;
     int first_halfedge_ = -1;

@@ -58,7 +58,7 @@ void TorusTriangulation::set_triangle(int t, const Triangle& corners) {
 }
 
 void TorusTriangulation::flip(int h) {
-    // The quadrilateral a, d, b, c with h: a -> b, c its apex and d the apex across.
+    // The quadrilateral a, d, b, c, where h runs from a to b, c is its apex and d the apex across.
     const int o = opposite_[h];
     const int h1 = next(h);
     const int h2 = previous(h);
@@ -69,8 +69,9 @@ void TorusTriangulation::flip(int h) {
     const Corner c = corner(h2);
     const Corner d = apex_across(h);
 
-    // h becomes d -> c, with a to its left; o becomes c -> d, with b to its left. The four outer
-    // sides keep what lies beyond them, which may be another one of the four when n is small.
+    // Link the four outer sides: h becomes d -> c with a to its left, o becomes c -> d with b to
+    // its left. Each outer side keeps its opposite, which for small n may be another of the four
+    // sides.
     const std::array<int, 4> before{h2, o1, o2, h1};
     const std::array<int, 4> after{h1, h2, o1, o2};
     std::array<int, 4> beyond{};
@@ -82,6 +83,7 @@ void TorusTriangulation::flip(int h) {
         opposite_[after[k]] = beyond[k];
         opposite_[beyond[k]] = after[k];
     }
+    // Replace the corners of both triangles.
     const auto turned = [](int halfedge, const Corner& at, const Corner& at_next,
                            const Corner& at_previous) -> Triangle {
         switch (halfedge % 3) {

@@ -17,7 +17,7 @@ struct Corner {
 };
 using Triangle = std::array<Corner, 3>;
 
-/// The offsets of a triangle's corners 1 and 2 in the frame of its corner 0, in four bytes.
+/// The offsets of corners 1 and 2 relative to corner 0 of a triangle, in four bytes.
 struct CornerOffsets {
     std::int8_t i1 = 0;
     std::int8_t j1 = 0;
@@ -30,10 +30,18 @@ struct CornerOffsets {
 
 /// A triangulation of the torus as a Delta-complex in flat arrays; topology only.
 ///
-/// An edge may join a site to its own image and two edges may join the same two sites, so n = 1 is
-/// a triangulation like any other (2 triangles, 3 edges). Halfedge 3 t + k leaves corner k of
-/// triangle t; corners run counter-clockwise; offsets are told in the frame of the triangle, in
-/// which its corner 0 has offset (0, 0). 28 bytes a triangle.
+/// An edge may join a site to its own image, and several edges may join the same two sites, so n =
+/// 1 needs no special case (2 triangles, 3 edges). Halfedge 3 t + k leaves corner k of triangle t;
+/// corners run counter-clockwise. Offsets are relative to the frame of their triangle, in which
+/// corner 0 has offset (0, 0). 28 bytes per triangle.
+///
+/// Example usage (the neighbours round a site, from a halfedge h that leaves it):
+///
+///     int g = h;
+///     do {
+///         const Corner neighbour = t.corner(TorusTriangulation::next(g));
+///         g = t.next_round_site(g);
+///     } while (g != h);
 ///
 /// Laws, tested by number:
 ///   (1) opposite is an involution without fixed points.
@@ -44,10 +52,11 @@ struct CornerOffsets {
 class TorusTriangulation {
    public:
     /// Links triangles along equal edges.
-    /// @throws InternalError unless each edge has exactly two sides and there are 2 n triangles, or
-    ///         where offsets within a triangle differ by more than 127, as all below.
+    /// @throws InternalError unless each edge has exactly two sides and there are 2 n triangles.
+    ///         Every member function also throws it where offsets within a triangle differ by more
+    ///         than 127.
     TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles);
-    /// Takes triangles that are linked already: opposite[h] for each of the 6 n halfedges.
+    /// Takes triangles with known links: opposite[h] for each of the 6 n halfedges.
     TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles,
                        std::vector<int> opposite);
 
@@ -58,9 +67,9 @@ class TorusTriangulation {
     static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
     int opposite(int h) const { return opposite_[h]; }
-    /// Asks for opposite(h) to be in the cache soon.
+    /// Prefetches opposite(h).
     void fetch_opposite(int h) const { prefetch(&opposite_[h]); }
-    /// The same for all that is known of h's triangle.
+    /// Prefetches all data of h's triangle.
     void fetch_triangle(int h) const {
         fetch_opposite(h);
         prefetch(&sites_[h]);
@@ -70,31 +79,31 @@ class TorusTriangulation {
     Corner corner(int h) const { return {sites_[h], offset(h)}; }
     /// Target minus origin of h.
     Offset edge_offset(int h) const { return offset(next(h)) - offset(h); }
-    /// What to add to an offset in the frame of opposite(h)'s triangle to get it in that of h's.
+    /// The offset to add when changing from the frame of opposite(h)'s triangle to that of h's.
     Offset frame_across(int h) const { return offset(h) - offset(next(opposite_[h])); }
-    /// The corner beyond h, in the frame of h's triangle.
+    /// The corner opposite to h in the adjacent triangle, in the frame of h's triangle.
     Corner apex_across(int h) const {
         const int apex = previous(opposite_[h]);
         return {sites_[apex], offset(apex) + frame_across(h)};
     }
-    /// Whether not all corners of h's triangle have offset (0, 0).
+    /// Whether a corner of h's triangle has an offset other than (0, 0).
     bool has_offsets(int h) const { return !offsets_[h / 3].all_zero(); }
-    /// The halfedge after h, counter-clockwise round the site that h leaves.
+    /// The next halfedge counter-clockwise round the site that h leaves.
     int next_round_site(int h) const { return opposite_[previous(h)]; }
 
-    /// The sites of all corners, three a triangle, and the offsets of all triangles.
+    /// The sites of all corners, three per triangle, and the offsets of all triangles.
     std::span<const SiteId> corner_sites() const { return sites_; }
     std::span<const CornerOffsets> corner_offsets() const { return offsets_; }
 
-    /// See large_pages.hpp.
+    /// See huge_pages.hpp.
     void prefer_huge_pages() const;
 
-    /// Replaces the diagonal h of the quadrilateral made by its two triangles with the other one; h
-    /// and its opposite become the two sides of the new edge.
+    /// Replaces the diagonal h of the quadrilateral formed by its two triangles with the other
+    /// diagonal; h and its opposite become the two sides of the new edge.
     void flip(int h);
     /// Adds change[s] to the offset of every corner at site s.
     void add_to_offsets(const std::vector<Offset>& change);
-    /// Gives site s the number number[s], a permutation of 0 ... n - 1.
+    /// Renumbers site s as number[s], a permutation of 0 ... n - 1.
     void renumber_sites(const std::vector<SiteId>& number);
 
    private:

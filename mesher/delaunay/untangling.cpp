@@ -6,7 +6,7 @@ namespace pcvt {
 namespace {
 
 constexpr int kRounds = 20;
-/// A site tries its whole remaining way, then the half of it, and so on.
+/// A site tries its whole remaining move, then half of it, and so on.
 constexpr int kHalvings = 5;
 
 }  // namespace
@@ -33,7 +33,7 @@ bool Untangling::hold(int triangle) {
 }
 
 bool Untangling::hold_inverted_stars(std::size_t most_held) {
-    // held_ grows while it is walked through.
+    // The loop visits sites that it appends to held_.
     for (std::size_t k = 0; k < held_.size() && held_.size() <= most_held; ++k) {
         const int first = leaving_.at(held_[k].site);
         int h = first;
@@ -68,11 +68,11 @@ std::vector<int> Untangling::edges_round(SiteId site) const {
 
 bool Untangling::advance(const Held& held) {
     const Vec2 from = coordinates_.col(held.site);
-    const Vec2 way = held.target - from;
+    const Vec2 remaining = held.target - from;
     double part = 1;
     for (int halving = 0; halving < kHalvings; ++halving, part /= 2) {
-        // Both ends are multiples of 2^-51, and so must be what lies between them.
-        coordinates_.col(held.site) = from + snapped_displacement(part * way);
+        // Both ends are multiples of 2^-51, and intermediate positions must be as well.
+        coordinates_.col(held.site) = from + snapped_displacement(part * remaining);
         if (!star_is_counter_clockwise(leaving_.at(held.site))) continue;
         std::vector<int> suspects = edges_round(held.site);
         n_flips_ += flips_.flip(suspects, this);
@@ -88,17 +88,21 @@ void Untangling::give_up() {
 
 bool Untangling::run(const std::vector<int>& inverted, std::vector<int> suspects,
                      std::size_t most_held) {
+    // Move the sites of inverted triangles back to their old positions.
     for (const int triangle : inverted) hold(triangle);
     if (!hold_inverted_stars(most_held)) {
         give_up();
         return false;
     }
 
+    //         const
+    // // Restore the Delaunay property at the old positions.
     for (const Held& held : held_) {
         const std::vector<int> edges = edges_round(held.site);
         suspects.insert(suspects.end(), edges.begin(), edges.end());
     }
     n_flips_ += flips_.flip(suspects, this);
+    // Advance the sites one by one.
     for (int round = 0; round < kRounds && !held_.empty(); ++round) {
         std::erase_if(held_, [this](const Held& held) { return advance(held); });
     }

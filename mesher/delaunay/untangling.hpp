@@ -7,17 +7,18 @@
 
 namespace pcvt {
 
-/// Repair after a move that turned triangles over, at a cost that depends on what it touches only.
+/// Local repair after a move that inverted triangles; its cost depends only on the number of sites
+/// that it touches.
 ///
-/// The sites of inverted triangles are put back to where they came from, and so are those of each
-/// triangle that this inverts, until there is none. Then the sites travel to their new places one
-/// by one, by halves where the whole way would invert a triangle, and Lawson's flips restore the
-/// Delaunay triangulation after each step.
+/// The sites of inverted triangles return to their old positions, and so do the sites of each
+/// triangle that this inverts, until there is none. Then the sites advance to their new positions
+/// one by one, by halves where the whole move would invert a triangle, and Lawson's flips restore
+/// the Delaunay triangulation after each step.
 class Untangling final : private FlipObserver {
    public:
-    /// @param moves        what the sites made from coordinates at which the triangles should be
-    ///                     counter-clockwise; where they were not, run gives up.
-    /// @param coordinates  those of the moved sites; changed on the way, the same in the end.
+    /// @param moves        the moves of the sites from coordinates at which all triangles are
+    ///                     counter-clockwise; where they were not, `run` gives up.
+    /// @param coordinates  the moved coordinates; changed temporarily and equal at the end.
     Untangling(TorusTriangulation& triangulation, const SiteMoves& moves, Points& coordinates,
                const Gram& gram)
         : triangulation_(triangulation),
@@ -25,10 +26,11 @@ class Untangling final : private FlipObserver {
           coordinates_(coordinates),
           flips_(triangulation, coordinates, gram) {}
 
+    /// Repairs the triangulation.
     /// @param inverted   every triangle that is not counter-clockwise.
     /// @param suspects   halfedges of all edges that may not be locally Delaunay.
-    /// @param most_held  gives up rather than put more sites than this back.
-    /// @returns false where it gave up; the triangulation is then to be built anew.
+    /// @param most_held  the largest number of sites to move back before giving up.
+    /// @returns false if it gave up; the triangulation must then be built from scratch.
     bool run(const std::vector<int>& inverted, std::vector<int> suspects, std::size_t most_held);
     std::int64_t n_flips() const { return n_flips_; }
 
@@ -40,16 +42,18 @@ class Untangling final : private FlipObserver {
 
     void before_flip(int) override {}
     void after_flip(int h) override;
-    /// Puts the corners back; @returns false where all of them were back already.
+    /// Moves the corners of a triangle back to their old positions.
+    /// @returns false if all of them were back already.
     bool hold(int triangle);
-    /// @returns false where more sites than that would be put back, or where a triangle is inverted
-    ///          with all its corners put back: after a step that failed nothing is known of
-    ///          where it began.
+    /// Moves sites back until no triangle at a held site is inverted.
+    /// @returns false if this needs more than `most_held` sites, or if a triangle is inverted with
+    ///          all its corners at their old positions: after a failed step nothing is known about
+    ///          the old state.
     bool hold_inverted_stars(std::size_t most_held);
     bool star_is_counter_clockwise(int h) const;
     std::vector<int> edges_round(SiteId site) const;
     bool advance(const Held& held);
-    /// Puts the sites that did not arrive to their new places all the same.
+    /// Moves all remaining sites to their new positions regardless of inverted triangles.
     void give_up();
 
     TorusTriangulation& triangulation_;

@@ -9,7 +9,7 @@
 namespace pcvt {
 namespace {
 
-/// One side of an edge under the name that both sides share.
+/// A halfedge with the key of its edge, which both halfedges share.
 struct EdgeSide {
     std::tuple<int, int, Offset> edge;
     int halfedge;
@@ -26,6 +26,7 @@ EdgeSide edge_side(const DirectedEdge& e, int halfedge) {
 }  // namespace
 
 std::vector<int> match_edges(const std::vector<DirectedEdge>& halfedges) {
+    // Give every halfedge the key of its edge.
     std::vector<EdgeSide> sides;
     sides.reserve(halfedges.size());
     int n_vertices = 0;
@@ -33,11 +34,13 @@ std::vector<int> match_edges(const std::vector<DirectedEdge>& halfedges) {
         sides.push_back(edge_side(e, static_cast<int>(sides.size())));
         n_vertices = std::max({n_vertices, e.origin + 1, e.target + 1});
     }
+    // Sort, so that the two sides of an edge follow each other.
     bucket_sort(
         sides, n_vertices, [](const EdgeSide& side) { return std::get<0>(side.edge); },
         [](const EdgeSide& s, const EdgeSide& t) {
             return std::tie(s.edge, s.reversed) < std::tie(t.edge, t.reversed);
         });
+    // Pair the sides, and reject edges without exactly two of them.
     std::vector<int> opposite(sides.size());
     for (std::size_t k = 0; k < sides.size(); k += 2) {
         const bool paired = k + 1 < sides.size() && sides[k].edge == sides[k + 1].edge &&

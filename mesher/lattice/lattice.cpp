@@ -9,15 +9,15 @@
 namespace pcvt {
 namespace {
 
-/// F is a length^4: beyond these it would leave the range of a double.
+/// F has the unit length^4; it would leave the range of a double beyond these lengths.
 constexpr double kShortestPeriod = 1e-60;
 constexpr double kLongestPeriod = 1e60;
 constexpr double kLargestCoefficient = 1e6;
 constexpr double kThinnestBasis = 1e6;
-/// Relative to |a| |b|: below, the sign of det(a, b) is rounding.
+/// Relative to |a| |b|; the sign of a smaller det(a, b) is rounding.
 constexpr double kParallel = 1e-14;
-/// Two bases that differ by less than this factor are equally short: rounding must not make the
-/// reduction go from one to the other and back.
+/// Bases whose lengths differ by less than this factor count as equally short; otherwise rounding
+/// could make the reduction alternate between them.
 constexpr double kTie = 1 + 1e-12;
 
 /// a b + c d within 1.5 ulp (W. Kahan's compensated product sum).
@@ -43,7 +43,7 @@ void require_period(const Vec2& period) {
     }
 }
 
-/// A basis a', b' as integer combinations of a given one; m as in Reduction.
+/// A basis a', b' as integer combinations of the basis of `lattice`; m as in Reduction.
 struct Combination {
     const Lattice& lattice;
     std::array<std::int64_t, 4> m{1, 0, 0, 1};
@@ -110,6 +110,7 @@ Offset Reduction::to_original(Offset o) const {
 
 Reduction reduce(const Lattice& lattice) {
     Combination basis{lattice};
+    // Shorten b by multiples of a, and exchange the two, until neither step applies.
     for (;;) {
         const Vec2 a = basis.vector(0);
         const Vec2 b = basis.vector(1);
@@ -125,6 +126,7 @@ Reduction reduce(const Lattice& lattice) {
         }
         for (const auto entry : basis.m) require_small(static_cast<double>(entry));
     }
+    // Make the basis right-handed.
     if (determinant(basis.vector(0), basis.vector(1)) < 0) {
         basis.m[2] = -basis.m[2];
         basis.m[3] = -basis.m[3];

@@ -23,6 +23,12 @@ struct Offset {
 
 /// The translation group of the flat torus, given by two period vectors.
 ///
+/// Example usage:
+///
+///     const Lattice lattice({1, 0}, {0.5, 0.9});
+///     const Vec2 u = lattice.to_lattice({0.75, 0.45});  // (0.5, 0.5)
+///     const Vec2 image = Vec2(0.75, 0.45) + lattice.translation({1, -2});
+///
 /// Laws, tested by number:
 ///   (1) to_plane(to_lattice(p)) = p up to rounding.
 ///   (2) translation(o) is within 1.5 ulp of i a + j b in each coordinate, however large i and j.
@@ -42,9 +48,11 @@ class Lattice {
     double area() const { return area_; }
     bool right_handed() const { return right_handed_; }
 
+    /// The translation i a + j b, length units.
     Vec2 translation(Offset offset) const;
     /// Lattice coordinates u with p = u_0 a + u_1 b.
     Vec2 to_lattice(const Vec2& p) const;
+    /// The point u_0 a + u_1 b.
     Vec2 to_plane(const Vec2& u) const;
     /// The sublattice with period vectors columns * a and rows * b.
     Lattice repeated(int columns, int rows) const;
@@ -56,22 +64,22 @@ class Lattice {
     bool right_handed_;
 };
 
-/// A Gauss-reduced basis of a lattice and its place in the basis that it came from.
+/// A Gauss-reduced basis of a lattice, and its coefficients in the original basis.
 ///
 /// Laws, tested by number:
-///   (1) reduced.a() = m[0] a + m[1] b and reduced.b() = m[2] a + m[3] b, with m[0] m[3] - m[1]
-///   m[2]
-///       equal to +1 or -1.
+///   (1) reduced.a() = m[0] a + m[1] b and reduced.b() = m[2] a + m[3] b, where
+///       m[0] m[3] - m[1] m[2] is +1 or -1.
 ///   (2) |a'| <= |b'| and |a'.b'| <= |a'|^2 / 2, up to rounding; (a', b') is right-handed.
 ///   (3) lattice.translation(to_original(o)) = reduced.translation(o) up to rounding.
 struct Reduction {
     Lattice reduced;
     std::array<int, 4> m;
 
-    /// Offset in the original basis of an offset in the reduced basis.
+    /// Converts an offset in the reduced basis to the original basis.
     Offset to_original(Offset reduced_offset) const;
 };
 
+/// Computes a Gauss-reduced basis.
 /// @throws InvalidInput if the vectors are so close to parallel that the reduction needs an integer
 ///         above 10^6 or meets a basis thinner than 1 : 10^6.
 Reduction reduce(const Lattice& lattice);
@@ -82,11 +90,11 @@ struct Wrapped {
     int whole;
 };
 
-/// Snaps u to the nearest multiple of 2^-51 and wraps it: whole + fraction is the snapped u.
+/// Rounds u to the nearest multiple of 2^-51 and wraps it: whole + fraction is the rounded u.
 /// @pre |u| < 2^30.
 Wrapped wrap(double u);
 
-/// The nearest multiple of 2^-51. @pre |displacement| <= 1, componentwise.
+/// Rounds to the nearest multiple of 2^-51. @pre |displacement| <= 1, componentwise.
 inline double snapped_displacement(double displacement) {
     // Doubles in [2, 4] are multiples of 2^-51.
     constexpr double kShift = 3;

@@ -7,7 +7,14 @@
 
 namespace pcvt {
 
-/// Orbits joined into larger ones: each knows its root and its offset to it.
+/// A union-find structure over orbits that also tracks offsets: each orbit knows the root of its
+/// set and its offset to it.
+///
+/// Example usage:
+///
+///     OffsetDisjointSets merged(n_vertices);
+///     merged.join(0, 3, {1, 0});  // vertex 3 translated by (1, 0) coincides with vertex 0
+///     const auto [orbit, offset] = merged.root(3);  // orbit 0, offset (-1, 0)
 class OffsetDisjointSets {
    public:
     explicit OffsetDisjointSets(int n) : parent_(n), offset_(n) {
@@ -18,11 +25,11 @@ class OffsetDisjointSets {
         int orbit;
         Offset offset;
     };
-    /// The point t stands where root.orbit + offset stands.
+    /// Point t coincides with point root.orbit translated by root.offset.
     Root root(int t) {
         Offset offset;
         while (parent_[t] != t) {
-            // Each visit halves the path for the next one.
+            // Each visit halves the path for the next visit.
             const int parent = parent_[t];
             offset_[t] = offset_[t] + offset_[parent];
             parent_[t] = parent_[parent];
@@ -31,12 +38,14 @@ class OffsetDisjointSets {
         }
         return {t, offset};
     }
-    /// Says that t + offset stands where s stands. Returns false where they were joined before.
+    /// Records that point t translated by `offset` coincides with point s. Returns false if the two
+    /// were joined before.
     bool join(int s, int t, Offset offset) {
         const Root rs = root(s);
         const Root rt = root(t);
         if (rs.orbit == rt.orbit) return false;
-        // The smaller index becomes the root, so that the result does not depend on the order.
+        // The smaller index becomes the root, so that the result does not depend on the order of
+        // joins.
         const Offset t_to_s = rs.offset - (rt.offset + offset);
         if (rs.orbit < rt.orbit) {
             parent_[rt.orbit] = rs.orbit;

@@ -8,8 +8,8 @@ namespace {
 
 const Vec2& cyclic(const Polygon& polygon, std::size_t k) { return polygon[k % polygon.size()]; }
 
-/// How often the polygon turns round, where it turns left everywhere: the number of its sides that
-/// leave the upper half plane of directions.
+/// The number of full turns of a polygon that turns left at every corner: counts the sides after
+/// which the direction leaves the upper half plane.
 int turns(const Polygon& polygon) {
     const auto upwards = [&](std::size_t k) {
         const Vec2 side = cyclic(polygon, k + 1) - polygon[k % polygon.size()];
@@ -20,7 +20,8 @@ int turns(const Polygon& polygon) {
     return count;
 }
 
-/// +1 or -1 where r lies further than `tolerance` to the left or right of the line p q, else 0.
+/// Returns +1 or -1 if r lies further than `tolerance` to the left or right of the line p q, else
+/// 0.
 int side_of(const Vec2& p, const Vec2& q, const Vec2& r, double tolerance) {
     const double distance = cross(q - p, r - p) / (q - p).norm();
     return (distance > tolerance) - (distance < -tolerance);

@@ -6,7 +6,13 @@
 
 namespace pcvt {
 
-/// Corners in order; all measures are positive counter-clockwise.
+/// The corners in order. Area and turns are positive counter-clockwise.
+///
+/// Example usage:
+///
+///     const Polygon square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+///     const Polygon lower = clipped(square, {0, 1}, 0.5);  // y <= 0.5
+///     const Vec2 centre = polygon_centroid(lower);         // (0.5, 0.25)
 using Polygon = std::vector<Vec2>;
 
 inline double cross(const Vec2& p, const Vec2& q) { return p.x() * q.y() - p.y() * q.x(); }
@@ -17,15 +23,16 @@ double polygon_perimeter(const Polygon& polygon);
 Vec2 polygon_centroid(const Polygon& polygon);
 
 /// The part of a convex polygon where normal . p <= level (Sutherland and Hodgman's clipping by one
-/// half-plane); no corner where nothing is left.
+/// half-plane); empty if nothing remains.
 Polygon clipped(const Polygon& polygon, const Vec2& normal, double level);
 
-/// The largest distance by which a corner lies behind the chord between its neighbours: 0 where the
-/// polygon turns left everywhere.
+/// The largest distance of a reflex corner from the chord between its neighbours; 0 if the polygon
+/// turns left at every corner.
 double reflex_depth(const Polygon& polygon);
 
-/// Whether two sides cross each other by more than `tolerance`. Polygons that turn left everywhere
-/// and once round are known to have no crossing; the others cost the square of their corners.
+/// Whether two sides cross each other by more than `tolerance`. A polygon that turns left at every
+/// corner and once in total has no crossing; any other polygon costs the square of its number of
+/// corners.
 bool crosses_itself(const Polygon& polygon, double tolerance);
 
 }  // namespace pcvt

@@ -4,8 +4,13 @@
 
 namespace pcvt {
 
-/// The plane turned so that the reduced period vector a lies along x, a = (ax, 0), b = (bx, by), in
-/// some unit of length.
+/// The plane rotated so that the reduced period vector a lies along x: a = (ax, 0), b = (bx, by),
+/// in a unit of length that the owner chooses.
+///
+/// Example usage:
+///
+///     const ReducedFrame frame{.ax = 1, .bx = 0.5, .by = 0.75};
+///     const Vec2 p = frame.to_plane({0.5, 1});  // (1, 0.75)
 struct ReducedFrame {
     double ax;
     double bx;

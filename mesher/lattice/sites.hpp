@@ -11,26 +11,33 @@ namespace pcvt {
 using SiteId = std::int32_t;
 
 inline constexpr int kMostSites = 1 << 28;
-/// A point further than this many periods from the origin is refused instead of wrapped.
+/// A point further than this many periods from the origin is rejected instead of wrapped.
 inline constexpr double kFarthestPeriod = 0x1p30;
-/// Sites nearer to each other than this, in units of h = sqrt(area / n), are refused, and Voronoi
-/// vertices that near are one vertex: cocircular sites have one vertex in common, and no edge of
-/// zero length is ever made.
+/// In units of h = sqrt(area / n): sites closer than this are rejected, and Voronoi vertices closer
+/// than this are merged. Cocircular sites therefore share one vertex, and no edge of zero length
+/// exists.
 inline constexpr double kSameVertex = 1e-9;
 
 /// The sites of a torus, in coordinates of the reduced basis.
 ///
 /// Each coordinate is a multiple of 2^-51 in [0, 1), so that every image of a site and every
-/// difference of nearby images is exact in a double (the ground on which the predicates stand).
+/// difference of nearby images is exact in a double. The exact predicates rely on this.
+///
+/// Example usage:
+///
+///     const Lattice lattice = Lattice::rectangle(2, 1);
+///     const Sites sites(lattice, uniform_points(lattice, 1000, 1));
+///     const Vec2 p = sites.position(0);
 class Sites {
    public:
+    /// Wraps points into the domain.
     /// @param lattice  any basis of the lattice.
-    /// @param points   2 x n, n >= 1, length units; wrapped here, need not lie in the domain.
+    /// @param points   2 x n, n >= 1, length units; need not lie in the domain.
     /// @throws InvalidInput   no site, more than 2^28, or a coordinate that is not finite or lies
-    ///                        more than 2^30 periods away.
+    ///         more than 2^30 periods away.
     /// @throws DuplicateSites naming the first two ids on one orbit, by the smaller and the larger.
     Sites(const Lattice& lattice, const Points& points);
-    /// Sites at coordinates of the reduced basis, wrapped here; duplicates are not looked for.
+    /// Takes coordinates of the reduced basis and wraps them; does not check for duplicates.
     /// @param coordinates  2 x n, multiples of 2^-51.
     Sites(const Lattice& lattice, const Reduction& reduction, Points coordinates);
 
@@ -39,7 +46,7 @@ class Sites {
     const Reduction& reduction() const { return reduction_; }
     /// 2 x n, in [0, 1)^2, coordinates in the reduced basis.
     const Points& coordinates() const { return coordinates_; }
-    /// Length units; the image of the site whose reduced coordinates lie in [0, 1)^2.
+    /// The image of the site with reduced coordinates in [0, 1)^2, length units.
     Vec2 position(SiteId site) const;
     /// The length scale h = sqrt(area / n).
     double spacing() const;
@@ -53,7 +60,8 @@ class Sites {
     Points coordinates_;
 };
 
-/// n points uniform in the fundamental domain: the same for the same seed on every machine.
+/// Draws n points uniformly from the fundamental domain; the same seed gives the same points on
+/// every machine.
 /// @returns 2 x n, length units.
 Points uniform_points(const Lattice& lattice, int n, std::uint64_t seed);
 

@@ -34,7 +34,6 @@ struct Evaluation {
 ///         return true;
 ///     }
 ///     void Bowl::accept() { x_ = trial_; }
-///
 class Objective {
    public:
     virtual ~Objective() = default;

@@ -14,14 +14,14 @@ namespace {
 
 using testing::lattices;
 
-/// A Delaunay triangulation and its hands.
+/// A Delaunay triangulation with Lawson's algorithm on it.
 struct Fixture {
     explicit Fixture(const Sites& given)
         : sites(given),
           triangulation(PeriodicDelaunay(given).triangulation()),
           flips(triangulation, sites.coordinates(), gram_of(sites.reduction().reduced)) {}
 
-    /// Whether the flip of h leaves both triangles counter-clockwise; flips back where not.
+    /// Flips h if both triangles stay counter-clockwise; returns whether it did.
     bool flip_if_convex(int h) {
         const int o = triangulation.opposite(h);
         triangulation.flip(h);
@@ -47,7 +47,7 @@ Edges edges(const TorusTriangulation& t) {
     return edges;
 }
 
-/// Flips edges at random as long as triangles stay counter-clockwise.
+/// Flips random edges whose flips keep triangles counter-clockwise.
 void shuffle(Fixture& fixture, std::mt19937_64& random) {
     const int n_halfedges = fixture.triangulation.n_halfedges();
     for (int k = 0; k < n_halfedges; ++k) {
@@ -55,7 +55,7 @@ void shuffle(Fixture& fixture, std::mt19937_64& random) {
     }
 }
 
-TEST(LawsonFlips, FindTheWayBackFromAnyTriangulation) {
+TEST(LawsonFlips, RestoreDelaunayFromAnyTriangulation) {
     std::mt19937_64 random(1);
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {2, 3, 4, 7, 50}) {
@@ -72,7 +72,7 @@ TEST(LawsonFlips, FindTheWayBackFromAnyTriangulation) {
     }
 }
 
-TEST(LawsonFlips, BeginAtTheSuspectsAndGoOn) {
+TEST(LawsonFlips, ContinueFromTheSuspects) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     Fixture fixture(Sites(lattice, uniform_points(lattice, 200, 2)));
     const Edges delaunay = edges(fixture.triangulation);
@@ -86,7 +86,7 @@ TEST(LawsonFlips, BeginAtTheSuspectsAndGoOn) {
     EXPECT_EQ(edges(fixture.triangulation), delaunay);
 }
 
-/// Flips a copy along and compares.
+/// Repeats each flip on a copy and compares.
 class Witness final : public FlipObserver {
    public:
     explicit Witness(const Fixture& fixture) : fixture_(fixture), copy_(fixture.triangulation) {}
@@ -116,7 +116,7 @@ class Witness final : public FlipObserver {
     int flipped_ = -1;
 };
 
-TEST(LawsonFlips, TellOfEachFlipBeforeAndAfter) {
+TEST(LawsonFlips, NotifyBeforeAndAfterEachFlip) {
     std::mt19937_64 random(3);
     Fixture fixture(Sites(Lattice({1, 0}, {7, 1}), uniform_points(Lattice({1, 0}, {7, 1}), 40, 3)));
     shuffle(fixture, random);
@@ -127,7 +127,7 @@ TEST(LawsonFlips, TellOfEachFlipBeforeAndAfter) {
     EXPECT_GT(witness.n_flips, 10);
 }
 
-/// Both questions, asked of the predicates.
+/// Expects that both tests agree with the predicates.
 void expect_exact_answers(const Fixture& fixture) {
     const TorusTriangulation& t = fixture.triangulation;
     const Gram gram = gram_of(fixture.sites.reduction().reduced);
@@ -144,7 +144,7 @@ void expect_exact_answers(const Fixture& fixture) {
     }
 }
 
-TEST(LawsonFlips, AnswerExactly) {
+TEST(LawsonFlips, TestExactly) {
     std::mt19937_64 random(4);
     for (const auto& [name, lattice] : lattices()) {
         SCOPED_TRACE(name);
@@ -156,7 +156,7 @@ TEST(LawsonFlips, AnswerExactly) {
     }
 }
 
-// Whichever diagonal each square has: there would be no end to flips that a tie calls for.
+// For either diagonal of each square: flips of ties would never end.
 TEST(LawsonFlips, LeaveTiesAlone) {
     Fixture fixture(testing::grid_sites(Lattice::rectangle(1, 1), 4, 4, 0, 0));
     const Edges first = edges(fixture.triangulation);

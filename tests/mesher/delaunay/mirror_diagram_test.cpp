@@ -15,7 +15,7 @@ namespace {
 using testing::lattices;
 using testing::random_lattice;
 
-/// Pieces smaller than this are touching corners: whether they exist is rounding.
+/// Pieces smaller than this are touching corners, which exist or not depending on rounding.
 constexpr double kNothing = 1e-13;
 
 double area(const std::vector<Vec2>& polygon) {
@@ -39,7 +39,7 @@ Areas areas(const std::vector<Piece>& pieces) {
     return areas;
 }
 
-/// The pieces by clipping with the bisectors of all images, neighbours or not.
+/// Computes the pieces by clipping with the bisectors of all images, neighbours or not.
 Areas brute_force_areas(const Sites& sites) {
     const Lattice& basis = sites.reduction().reduced;
     const auto plane = [&](const Image& p) {
@@ -156,15 +156,15 @@ TEST(MirrorDiagram, PiecesFillTheDomain) {
     }
 }
 
-// Section 5 of the paper: about as many mirrors as the square root of the number of sites.
-/// Euler: 2 n - 2 - (corners of the hull).
+// Section 5 of the paper: the number of mirrors is about the square root of the number of sites.
+/// By Euler's formula: 2 n - 2 - (corners of the hull).
 TEST(MirrorDiagram, TheFirstStepIsThePlaneTriangulation) {
     Points square(2, 5);
     square << 0.1, 0.9, 0.9, 0.1, 0.4, 0.1, 0.1, 0.9, 0.9, 0.5;
     EXPECT_EQ(euclidean_delaunay(Sites(Lattice::rectangle(1, 1), square)), 4u);
 }
 
-TEST(MirrorDiagram, MirrorsGrowWithTheSquareRoot) {
+TEST(MirrorDiagram, TheNumberOfMirrorsGrowsWithTheSquareRoot) {
     const Lattice unit = Lattice::rectangle(1, 1);
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
         const Sites sites(unit, uniform_points(unit, 10000, seed));
@@ -175,8 +175,8 @@ TEST(MirrorDiagram, MirrorsGrowWithTheSquareRoot) {
     EXPECT_EQ(mirror_diagram(Sites(unit, uniform_points(unit, 1, 0))).n_mirrors, 8);
 }
 
-// The paper says that inner cells stay as they are; about 0.7 sqrt(n) of them do not.
-TEST(MirrorDiagram, SomeInnerCellsShrinkAgainstThePapersClaim) {
+// According to the paper inner cells do not change; about 0.7 sqrt(n) of them do.
+TEST(MirrorDiagram, SomeInnerCellsShrinkContraryToThePaper) {
     const Lattice unit = Lattice::rectangle(1, 1);
     const Sites sites(unit, uniform_points(unit, 10000, 1));
     const MirrorDiagram diagram = mirror_diagram(sites);

@@ -22,11 +22,11 @@ using testing::meet;
 using testing::normal_move;
 using testing::period_jumps;
 
-/// The grid of the coordinates.
+/// The resolution of the coordinates.
 constexpr double kUlp = 0x1p-51;
 
-/// CheckedEngine compares laws 1 and 2, the energy and the number of builds after each move; a test
-/// fails where it found a difference.
+/// CheckedEngine checks laws 1 and 2, the energy and the number of builds after each move; a test
+/// fails where it finds a difference.
 #define EXPECT_NO_FAULT(engine) EXPECT_EQ((engine).fault(), "")
 
 CheckedEngine random_engine(const Lattice& lattice, int n, std::uint64_t seed) {
@@ -81,7 +81,7 @@ TEST(MovingDelaunay, AJumpOfAnySizeEqualsAFreshBuildOnThinLattices) {
     }
 }
 
-TEST(MovingDelaunay, SitesGatherInOnePointsNeighbourhoodAndPartAgain) {
+TEST(MovingDelaunay, SitesGatherNearOnePointAndSeparateAgain) {
     std::mt19937_64 random(4);
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {2, 3, 5, 8, 30, 200}) {
@@ -98,7 +98,7 @@ TEST(MovingDelaunay, SitesGatherInOnePointsNeighbourhoodAndPartAgain) {
     }
 }
 
-TEST(MovingDelaunay, TwoSitesExchangeTheirPlacesOrPassThroughEachOther) {
+TEST(MovingDelaunay, TwoSitesExchangePositionsOrPassThroughEachOther) {
     std::mt19937_64 random(5);
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {2, 3, 4, 8, 100}) {
@@ -138,7 +138,8 @@ TEST(MovingDelaunay, SitesDriftOverTheSeamForSeveralPeriods) {
     }
 }
 
-// The engine watches that coordinates stay in range; a way back or a jump would bring them there.
+// The engine checks that coordinates stay in range; a step back or a jump would bring them back
+// into it.
 TEST(MovingDelaunay, SitesDriftFarByShortSteps) {
     for (const auto& [name, lattice] : lattices()) {
         CheckedEngine engine = random_engine(lattice, 40, 5);
@@ -167,8 +168,8 @@ TEST(MovingDelaunay, SitesThatCrossTheSeamTogetherNeedNoBuild) {
     }
 }
 
-// A move is rounded to single precision: after the third one the sites are where they are meant to.
-TEST(MovingDelaunay, SitesThatMeetAreToldAndForgotten) {
+// Moves are rounded to single precision; the sites reach their targets after the third move.
+TEST(MovingDelaunay, SitesThatMeetAreReportedAndUndone) {
     std::mt19937_64 random(7);
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {2, 3, 5, 8, 50}) {
@@ -190,9 +191,9 @@ TEST(MovingDelaunay, SitesThatMeetAreToldAndForgotten) {
     }
 }
 
-// Sites that gather without meeting are repaired in part before they turn out to coincide: the
-// triangulation is then Delaunay neither here nor there.
-TEST(MovingDelaunay, TheWayBackFromCoincidentSitesIsFoundFromAHalfRepairedTriangulation) {
+// Gathering sites are partly repaired before two of them turn out to coincide: the triangulation is
+// then Delaunay at neither position.
+TEST(MovingDelaunay, AStepBackFromCoincidentSitesRestoresAHalfRepairedTriangulation) {
     std::mt19937_64 random(15);
     for (int k = 0; k < 150; ++k) {
         SCOPED_TRACE("input " + std::to_string(k));
@@ -207,7 +208,7 @@ TEST(MovingDelaunay, TheWayBackFromCoincidentSitesIsFoundFromAHalfRepairedTriang
     }
 }
 
-TEST(MovingDelaunay, AStepThatIsNotFiniteIsRefusedAndMovesNothing) {
+TEST(MovingDelaunay, AStepThatIsNotFiniteIsRejectedAndMovesNothing) {
     std::mt19937_64 random(8);
     for (const float wrong :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
@@ -222,7 +223,7 @@ TEST(MovingDelaunay, AStepThatIsNotFiniteIsRefusedAndMovesNothing) {
     }
 }
 
-TEST(MovingDelaunay, TrialsThatAreNotKeptLeaveNoTrace) {
+TEST(MovingDelaunay, RejectedTrialsLeaveNoTrace) {
     std::mt19937_64 random(9);
     for (const auto& [name, lattice] : lattices()) {
         CheckedEngine engine = random_engine(lattice, 30, random());
@@ -237,7 +238,7 @@ TEST(MovingDelaunay, TrialsThatAreNotKeptLeaveNoTrace) {
     }
 }
 
-/// Each coordinate by one unit in the last place, up, down, or not at all.
+/// Moves each coordinate by one unit in the last place up, down, or not at all.
 Eigen::VectorXf ulp_move(const MovingDelaunay& delaunay, std::mt19937_64& random) {
     Eigen::VectorXf move(2 * delaunay.n_sites());
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
@@ -248,7 +249,7 @@ Eigen::VectorXf ulp_move(const MovingDelaunay& delaunay, std::mt19937_64& random
     return move;
 }
 
-TEST(MovingDelaunay, TiesAndNearTiesAreSettledExactly) {
+TEST(MovingDelaunay, TiesAndNearTiesAreDecidedExactly) {
     std::mt19937_64 random(10);
     for (const auto& [name, sites] : testing::special_sites()) {
         CheckedEngine engine(sites);
@@ -260,7 +261,7 @@ TEST(MovingDelaunay, TiesAndNearTiesAreSettledExactly) {
     }
 }
 
-/// The triangular lattice without every 16th of its points: rings of six round the holes.
+/// The triangular lattice without every 16th of its points: rings of six points round the holes.
 Sites hexagons() {
     const Lattice lattice({1, 0}, {0.5, std::sqrt(0.75)});
     Points points(2, 60);
@@ -272,7 +273,7 @@ Sites hexagons() {
     return {lattice, points};
 }
 
-TEST(MovingDelaunay, TheFilterIsLeftOnExactGridsAndOnHexagonsUpToOneUlp) {
+TEST(MovingDelaunay, TheFilterFailsOnExactGridsAndOnHexagonsUpToOneUlp) {
     std::mt19937_64 random(11);
     const Sites grid = testing::grid_sites(Lattice::rectangle(1, 1), 8, 8, 0, 0);
     for (const Sites& sites : {grid, hexagons()}) {
@@ -281,7 +282,7 @@ TEST(MovingDelaunay, TheFilterIsLeftOnExactGridsAndOnHexagonsUpToOneUlp) {
         for (int k = 0; k < 20; ++k) {
             const auto before = engine.tally();
             engine.move(ulp_move(engine.delaunay(), random));
-            // Here and there an ulp breaks the tie, and the filter does not see it.
+            // Occasionally one ulp breaks the tie, and the filter does not detect it.
             EXPECT_GT(engine.tally().exact, before.exact);
             EXPECT_GT(engine.tally().flips, before.flips);
             engine.step_back();
@@ -291,7 +292,7 @@ TEST(MovingDelaunay, TheFilterIsLeftOnExactGridsAndOnHexagonsUpToOneUlp) {
     }
 }
 
-TEST(MovingDelaunay, TheFilterIsHardlyEverLeftAtRandom) {
+TEST(MovingDelaunay, TheFilterRarelyFailsOnRandomSites) {
     std::mt19937_64 random(12);
     CheckedEngine engine = random_engine(Lattice({1, 0}, {0.37, 0.81}), 1000, 1);
     for (int k = 0; k < 10; ++k) {
@@ -303,7 +304,7 @@ TEST(MovingDelaunay, TheFilterIsHardlyEverLeftAtRandom) {
     EXPECT_NO_FAULT(engine);
 }
 
-/// Of two sites in a row, by large parts of the periods.
+/// Moves two consecutive sites by large fractions of the periods.
 Eigen::VectorXf jump_of_two(SiteId n_sites, std::mt19937_64& random) {
     Eigen::VectorXf jump = Eigen::VectorXf::Zero(2 * n_sites);
     jump.segment<4>(2 * (random() % (n_sites - 1))) << 0.6f, 0.4f, -0.3f, 0.6f;
@@ -324,8 +325,8 @@ TEST(MovingDelaunay, LloydStepsAndJumpsOfFewSitesNeedNoBuild) {
     EXPECT_NO_FAULT(engine);
 }
 
-// A local repair may get stuck, but seldom.
-TEST(MovingDelaunay, TheWayBackFromAJumpOfFewSitesHardlyEverNeedsABuild) {
+// A local repair may get stuck, but rarely does.
+TEST(MovingDelaunay, AStepBackAfterAJumpOfFewSitesRarelyNeedsABuild) {
     std::mt19937_64 random(17);
     CheckedEngine engine = random_engine(Lattice::rectangle(1, 1), 1000, 1);
     for (int k = 0; k < 10; ++k) {

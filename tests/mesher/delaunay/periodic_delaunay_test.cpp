@@ -17,7 +17,7 @@ Sites random_sites(const Lattice& lattice, int n, std::uint64_t seed) {
     return {lattice, uniform_points(lattice, n, seed)};
 }
 
-// Law 1, checked in another way: no image of any site lies inside any circumcircle.
+// Law 1, checked independently: no image of any site lies inside any circumcircle.
 void expect_empty_circles(const PeriodicDelaunay& delaunay) {
     const Sites& sites = delaunay.sites();
     const Lattice& reduced = sites.reduction().reduced;
@@ -55,7 +55,7 @@ TEST(PeriodicDelaunay, CirclesAreEmptyWhereSitesAreCocircular) {
     }
 }
 
-TEST(PeriodicDelaunay, RefusesATriangulationThatIsNotDelaunay) {
+TEST(PeriodicDelaunay, RejectsATriangulationThatIsNotDelaunay) {
     for (const auto& [name, lattice] : lattices()) {
         const PeriodicDelaunay delaunay(random_sites(lattice, 20, 1));
         for (int h = 0; h < delaunay.triangulation().n_halfedges(); ++h) {

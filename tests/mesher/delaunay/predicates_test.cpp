@@ -12,7 +12,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using testing::lattices;
 
-/// The predicates' twin: plain determinants in rational numbers.
+/// The reference for the predicates: plain determinants in rational numbers.
 struct RationalPoint {
     Rational u;
     Rational v;
@@ -49,7 +49,7 @@ int exact_in_circle(const Gram& g, const Image& p, const Image& q, const Image& 
     return det.sign();
 }
 
-/// Images on a coarse grid in [-2, 3)^2, one coordinate in three moved by one unit in the last
+/// Images on a coarse grid in [-2, 3)^2, with one coordinate in three moved by one unit in the last
 /// place: many ties and near ties.
 Image random_image(std::mt19937_64& random) {
     const auto pick = [&](int n) { return static_cast<int>(random() % n); };
@@ -60,7 +60,7 @@ Image random_image(std::mt19937_64& random) {
     return {coordinate(), coordinate(), 0, {pick(3) - 1, pick(3) - 1}};
 }
 
-TEST(Predicates, OrientationEqualsItsRationalTwin) {
+TEST(Predicates, OrientationEqualsItsRationalReference) {
     std::mt19937_64 random(1);
     for (int k = 0; k < 20000; ++k) {
         const Image p = random_image(random);
@@ -70,7 +70,7 @@ TEST(Predicates, OrientationEqualsItsRationalTwin) {
     }
 }
 
-TEST(Predicates, InCircleEqualsItsRationalTwin) {
+TEST(Predicates, InCircleEqualsItsRationalReference) {
     std::mt19937_64 random(2);
     for (const auto& [name, lattice] : lattices()) {
         const Gram gram = gram_of(reduce(lattice).reduced);
@@ -114,7 +114,7 @@ TEST(Predicates, ExactlyOneImageOfATriangleHasItsCircumcentreInTheDomain) {
     for (const auto& [name, lattice] : lattices()) {
         const Gram gram = gram_of(reduce(lattice).reduced);
         for (int k = 0; k < 200; ++k) {
-            // Right angles: the circumcentre is the middle of the hypotenuse, often on the seam.
+            // Right angles: the circumcentre is the midpoint of the hypotenuse, often on the seam.
             const double u = static_cast<int>(random() % 8) / 8.0;
             const double v = static_cast<int>(random() % 8) / 8.0;
             const Image p{u, v, 0, {}};
@@ -135,7 +135,7 @@ TEST(Predicates, ExactlyOneImageOfATriangleHasItsCircumcentreInTheDomain) {
     }
 }
 
-/// 2 G(d, c) = G(d, d) for both edges d, solved in rational numbers.
+/// Solves 2 G(d, c) = G(d, d) for both edges d in rational numbers.
 Vec2 exact_circumcentre(const Gram& g, const Image& p, const Image& q, const Image& r) {
     const auto [pu, pv] = exact(p);
     const auto [qu, qv] = exact(q);
@@ -169,7 +169,7 @@ TEST(Predicates, CircumcentresOfThinTrianglesKeepTwelveDigits) {
     }
 }
 
-TEST(Predicates, TheFilterIsLeftOnGridsAndHardlyEverOnRandomSites) {
+TEST(Predicates, TheFilterFailsOnGridsAndRarelyOnRandomSites) {
     const Gram gram = gram_of(Lattice::rectangle(1, 1));
     const auto grid = [](int i, int j) { return Image{i / 8.0, j / 8.0, 0, {}}; };
     auto before = predicate_counts();

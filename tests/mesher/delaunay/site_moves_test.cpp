@@ -12,7 +12,7 @@ namespace {
 constexpr ReducedFrame kOblique{1.5, 0.4, 1.2};
 constexpr SiteId kSites = 100;
 
-/// In [-1, 2), multiples of 2^-51.
+/// Random multiples of 2^-51 in [-1, 2).
 Points random_coordinates(std::mt19937_64& random) {
     std::uniform_real_distribution<double> uniform(-1, 2 - 1e-9);
     Points coordinates(2, kSites);
@@ -27,7 +27,7 @@ Eigen::VectorXf random_direction(std::mt19937_64& random, float size) {
     return direction;
 }
 
-TEST(SiteMoves, LeadBackExactly) {
+TEST(SiteMoves, AreUndoneExactly) {
     std::mt19937_64 random(1);
     for (const float size : {1e-20f, 1e-15f, 1e-7f, 0.1f, 1.0f, 1e5f, 1e30f}) {
         for (const double t : {1.0, 0.3, -2.7}) {
@@ -46,7 +46,7 @@ TEST(SiteMoves, LeadBackExactly) {
     }
 }
 
-TEST(SiteMoves, LeaveOutWholePeriods) {
+TEST(SiteMoves, OmitWholePeriods) {
     Eigen::VectorXf direction(4);
     const Vec2 periods = kOblique.to_plane({3, -2});
     direction << periods.cast<float>(), (periods + kOblique.to_plane({0.25, -0.375})).cast<float>();
@@ -55,7 +55,7 @@ TEST(SiteMoves, LeaveOutWholePeriods) {
     EXPECT_LT((moves.of(1) - Vec2(0.25, -0.375)).norm(), 1e-6);
 }
 
-TEST(SiteMoves, OfSomeSitesAreTheirsAndLeaveTheOthersAlone) {
+TEST(SiteMoves, OfARangeOfSitesLeaveTheOthersUnchanged) {
     std::mt19937_64 random(2);
     const Points start = random_coordinates(random);
     const Eigen::VectorXf direction = random_direction(random, 0.1f);
@@ -69,7 +69,7 @@ TEST(SiteMoves, OfSomeSitesAreTheirsAndLeaveTheOthersAlone) {
     }
 }
 
-TEST(SiteMoves, TellOfMovesThatAreNotFiniteAndDoWithoutThem) {
+TEST(SiteMoves, ReportAndOmitMovesThatAreNotFinite) {
     std::mt19937_64 random(3);
     const Points start = random_coordinates(random);
     for (const float wrong :
@@ -88,7 +88,7 @@ TEST(SiteMoves, TellOfMovesThatAreNotFiniteAndDoWithoutThem) {
     }
 }
 
-TEST(SiteMoves, TellWhereCoordinatesLeaveTheirRange) {
+TEST(SiteMoves, ReportCoordinatesThatLeaveTheirRange) {
     const Points start = Points::Constant(2, kSites, 0.5);
     for (const SiteId site : {0, 57, 99}) {
         for (const Vec2& edge : {Vec2(-0.99, 0), Vec2(0, -0.99), Vec2(1.99, 0), Vec2(0, 1.99)}) {

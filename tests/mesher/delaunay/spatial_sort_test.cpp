@@ -43,7 +43,7 @@ void expect_columns(const Sites& sites) {
     }
 }
 
-TEST(SpatialSort, AreSortedAndNearlyEqual) {
+TEST(SpatialSort, ColumnsAreSortedAndNearlyEqual) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 10, 97, 1000}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
@@ -56,8 +56,8 @@ TEST(SpatialSort, AreSortedAndNearlyEqual) {
     }
 }
 
-// Many sites in few places: large bins.
-TEST(SpatialSort, AreSortedWhereSitesAreBunched) {
+// Many sites close to few points: large bins.
+TEST(SpatialSort, ColumnsAreSortedWhereSitesAreClustered) {
     const Lattice unit = Lattice::rectangle(1, 1);
     for (const double spread : {1e-2, 1e-5, 1e-12}) {
         Points points = spread * uniform_points(unit, 500, 5);
@@ -66,7 +66,7 @@ TEST(SpatialSort, AreSortedWhereSitesAreBunched) {
     }
 }
 
-TEST(SpatialSort, AreAsFarApartAsTheSitesInThem) {
+TEST(SpatialSort, ColumnsAreAsFarApartAsTheirSites) {
     for (const auto& [name, lattice] : lattices()) {
         const Sites sites(lattice, uniform_points(lattice, 10000, 6));
         const Lattice& reduced = sites.reduction().reduced;
@@ -86,7 +86,7 @@ double mean_distance(const Lattice& lattice, const Points& points) {
     return sum / (sites.n_sites() - 1) / sites.spacing();
 }
 
-TEST(SpatialSort, NumberNeighboursNearToEachOther) {
+TEST(SpatialSort, NeighboursGetCloseIndices) {
     for (const auto& [name, lattice] : lattices()) {
         const Points points = uniform_points(lattice, 2000, 7);
         const Points numbered = spatially_sorted(lattice, points);

@@ -33,7 +33,7 @@ Wide exact_doubled_area(const Image& p, const Image& q, const Image& r) {
     return Wide(d.x()) * Wide(e.y()) - Wide(d.y()) * Wide(e.x());
 }
 
-// Triangles that are counter-clockwise and cover the torus once.
+// Expects triangles that are counter-clockwise and cover the torus once.
 void expect_triangulation(const TorusTriangulation& t, const Sites& sites) {
     ASSERT_EQ(t.n_sites(), sites.n_sites());
     testing::expect_laws(t);
@@ -57,7 +57,7 @@ void expect_strips(const Sites& sites) {
     expect_triangulation(*strips, sites);
 }
 
-TEST(StripTriangulation, CoversTheTorusFromOneSiteOnOnEveryLattice) {
+TEST(StripTriangulation, CoversTheTorusForAnyNumberOfSitesOnEveryLattice) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 9, 30, 500}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
@@ -76,8 +76,8 @@ TEST(StripTriangulation, CoversTheTorusForRandomLattices) {
     }
 }
 
-// Chains that lean to either side and reach far past each other.
-TEST(StripTriangulation, CoversTheTorusWhereSitesAreBunched) {
+// Chains that lean to either side and overlap each other by far.
+TEST(StripTriangulation, CoversTheTorusWhereSitesAreClustered) {
     std::mt19937_64 random(3);
     std::normal_distribution<double> normal;
     for (int k = 0; k < 400; ++k) {
@@ -94,8 +94,8 @@ TEST(StripTriangulation, CoversTheTorusWhereSitesAreBunched) {
     }
 }
 
-// A chain that is straight but for a few units in the last place, and leans far away from its
-// neighbour's sites: three of its sites in a row are a triangle or not.
+// A chain that is straight up to a few units in the last place and leans far away from the sites of
+// its neighbour: three consecutive sites form a triangle or not.
 TEST(StripTriangulation, IsExactWhereAChainIsNearlyStraight) {
     std::mt19937_64 random(8);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -116,7 +116,7 @@ TEST(StripTriangulation, IsExactWhereAChainIsNearlyStraight) {
     }
 }
 
-/// Sites that share the coordinate `u` across a boundary between columns.
+/// Sites that share the coordinate `u` across the boundary between two columns.
 Sites touching_sites() {
     const Lattice unit = Lattice::rectangle(1, 1);
     Points points = uniform_points(unit, 100, 7);
@@ -124,13 +124,13 @@ Sites touching_sites() {
     return {unit, points};
 }
 
-TEST(StripTriangulation, GivesNothingWhereChainsTouch) {
+TEST(StripTriangulation, ReturnsNothingWhereChainsTouch) {
     EXPECT_FALSE(strips_of(touching_sites()).has_value());
     const Lattice unit = Lattice::rectangle(1, 1);
     EXPECT_FALSE(strips_of(testing::grid_sites(unit, 5, 11, 0, 0)).has_value());
 }
 
-// What the strips cannot do, the mirrors do.
+// Expects that mirrors build the triangulation where strips fail.
 void expect_built(const Sites& sites) {
     MovingDelaunay moving(sites);
     EXPECT_EQ(moving.counts().n_mirrors.has_value(), !strips_of(sites).has_value());
@@ -141,7 +141,7 @@ void expect_built(const Sites& sites) {
     EXPECT_NO_THROW(PeriodicDelaunay(released, triangulation));
 }
 
-TEST(StripTriangulation, CoversTheTorusOrLeavesItToTheMirrors) {
+TEST(StripTriangulation, CoversTheTorusOrFallsBackToMirrors) {
     int n_with_strips = 0;
     int n_without = 0;
     for (const auto& [name, sites] : testing::special_sites()) {

@@ -21,7 +21,7 @@ TorusTriangulation triangulation_of(const Lattice& lattice, int n, std::uint64_t
     return {n, mirror_diagram(sites).triangles};
 }
 
-/// The triangle of h without its frame: corners turned so that the smallest comes first.
+/// The triangle of h independent of its frame: corners rotated so that the smallest comes first.
 std::vector<std::tuple<SiteId, int, int>> frameless(const TorusTriangulation& t, int h) {
     std::vector<std::vector<std::tuple<SiteId, int, int>>> turns;
     for (int k = 0; k < 3; ++k, h = TorusTriangulation::next(h)) {
@@ -43,7 +43,7 @@ std::vector<std::vector<std::tuple<SiteId, int, int>>> triangle_set(const TorusT
 }
 
 // Laws 1 to 3.
-TEST(TorusTriangulation, LawsHoldFromOneSiteOn) {
+TEST(TorusTriangulation, LawsHoldForAnyNumberOfSites) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 100}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
@@ -52,8 +52,8 @@ TEST(TorusTriangulation, LawsHoldFromOneSiteOn) {
     }
 }
 
-// Law 4, and that laws 1 to 3 survive any flips: a flip is combinatorial, geometry does not matter.
-TEST(TorusTriangulation, FlipsKeepTheLawsAndUndoThemselves) {
+// Law 4, and laws 1 to 3 after any flips: a flip is combinatorial and independent of geometry.
+TEST(TorusTriangulation, FlipsKeepTheLawsAndAreReversible) {
     for (const int n : {1, 2, 3, 5, 20}) {
         TorusTriangulation t = triangulation_of(Lattice({1, 0}, {0.37, 0.81}), n, 2);
         for (int h = 0; h < t.n_halfedges(); ++h) {
@@ -102,7 +102,7 @@ TEST(TorusTriangulation, OffsetsFollowSitesThatChangeTheirImage) {
     }
 }
 
-TEST(TorusTriangulation, RenumberingChangesTheNumbersOnly) {
+TEST(TorusTriangulation, RenumberingChangesOnlyTheNumbers) {
     const TorusTriangulation before = triangulation_of(Lattice::rectangle(1, 1), 6, 5);
     TorusTriangulation after = before;
     const std::vector<SiteId> number{3, 5, 0, 1, 4, 2};
@@ -115,7 +115,7 @@ TEST(TorusTriangulation, RenumberingChangesTheNumbersOnly) {
     }
 }
 
-/// One site in the middle of many: all triangles round it have no offset.
+/// The offset of one site in the interior changes, where all triangles round it have none.
 TorusTriangulation with_middle_site_moved(Offset change) {
     const Lattice unit = Lattice::rectangle(1, 1);
     Points points = uniform_points(unit, 200, 6);
@@ -127,7 +127,7 @@ TorusTriangulation with_middle_site_moved(Offset change) {
     return t;
 }
 
-TEST(TorusTriangulation, OffsetsBeyond127AreRefused) {
+TEST(TorusTriangulation, OffsetsBeyond127AreRejected) {
     for (const int far : {127, -127}) {
         expect_laws(with_middle_site_moved({far, 0}));
         expect_laws(with_middle_site_moved({0, far}));
@@ -141,8 +141,8 @@ TEST(TorusTriangulation, OffsetsBeyond127AreRefused) {
     EXPECT_THROW(TorusTriangulation(1, far), InternalError);
 }
 
-// Each flip turns the longest edge into a still longer one.
-TEST(TorusTriangulation, AFlipBeyond127IsRefused) {
+// Each flip replaces the longest edge by a longer one.
+TEST(TorusTriangulation, AFlipBeyond127IsRejected) {
     TorusTriangulation t = triangulation_of(Lattice::rectangle(1, 1), 1, 7);
     const auto flip_round = [&t] {
         for (int h = 0; h < 1000; ++h) t.flip(h % 3);
@@ -150,7 +150,7 @@ TEST(TorusTriangulation, AFlipBeyond127IsRefused) {
     EXPECT_THROW(flip_round(), InternalError);
 }
 
-TEST(TorusTriangulation, TakesLinksAsTheyAre) {
+TEST(TorusTriangulation, TakesGivenLinksUnchanged) {
     const Sites sites(Lattice::rectangle(1, 1), uniform_points(Lattice::rectangle(1, 1), 5, 1));
     const auto triangles = mirror_diagram(sites).triangles;
     const TorusTriangulation matched(5, triangles);
@@ -161,7 +161,7 @@ TEST(TorusTriangulation, TakesLinksAsTheyAre) {
     EXPECT_EQ(triangle_set(linked), triangle_set(matched));
 }
 
-TEST(TorusTriangulation, RefusesTrianglesThatDoNotClose) {
+TEST(TorusTriangulation, RejectsTrianglesThatDoNotClose) {
     const Sites sites(Lattice::rectangle(1, 1), uniform_points(Lattice::rectangle(1, 1), 5, 1));
     auto triangles = mirror_diagram(sites).triangles;
     triangles[3][1].offset.i += 1;

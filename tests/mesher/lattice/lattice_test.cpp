@@ -69,18 +69,18 @@ TEST(Reduction, TiesTerminate) {
         for (const double height : {0.9, 2.0, std::sqrt(0.75), 1 / 3.0}) {
             expect_reduced(Lattice({1, 0}, {half, height}), std::to_string(half));
             expect_reduced(Lattice({half, height}, {1, 0}), "exchanged");
-            expect_reduced(Lattice({0.1, 0.3}, {half * 0.1 - 0.3, half * 0.3 + 0.1}), "turned");
+            expect_reduced(Lattice({0.1, 0.3}, {half * 0.1 - 0.3, half * 0.3 + 0.1}), "rotated");
         }
     }
 }
 
-TEST(Reduction, KeepsABasisThatIsReduced) {
+TEST(Reduction, KeepsAReducedBasis) {
     const std::array<int, 4> identity{1, 0, 0, 1};
     EXPECT_EQ(reduce(Lattice::rectangle(1, 1)).m, identity);
     EXPECT_EQ(reduce(Lattice({1, 0}, {0.37, 0.95})).m, identity);
 }
 
-TEST(Lattice, RefusesWhatIsNoLattice) {
+TEST(Lattice, RejectsVectorsThatSpanNoLattice) {
     EXPECT_THROW(Lattice({1, 0}, {2, 0}), InvalidInput);
     EXPECT_THROW(Lattice({0.1, 0.3}, {0.2, 0.6}), InvalidInput);
     EXPECT_THROW(Lattice({0, 0}, {0, 1}), InvalidInput);
@@ -90,7 +90,7 @@ TEST(Lattice, RefusesWhatIsNoLattice) {
     EXPECT_THROW(Lattice::rectangle(1e61, 1), InvalidInput);
 }
 
-TEST(Reduction, RefusesExtremes) {
+TEST(Reduction, RejectsExtremeLattices) {
     EXPECT_THROW(reduce(Lattice({1, 0}, {1e9, 1})), InvalidInput);
     EXPECT_THROW(reduce(Lattice::rectangle(1, 1e7)), InvalidInput);
 }

@@ -9,7 +9,7 @@ const Polygon kTriangle = {{1, 1}, {4, 1}, {1, 3}};
 const Polygon kBowTie = {{0, 0}, {1, 0}, {-0.5, 0.9}, {0, 1}};
 /// A dart: simple, but not convex.
 const Polygon kDart = {{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}};
-/// Turns left everywhere, but twice round.
+/// Turns left at every corner, but twice in total.
 const Polygon kPentagram = {{1, 0}, {-0.81, 0.59}, {0.31, -0.95}, {0.31, 0.95}, {-0.81, -0.59}};
 
 TEST(Polygon, AreaPerimeterAndCentroidOfATriangle) {
@@ -24,7 +24,7 @@ TEST(Polygon, AreaChangesSignWithTheDirection) {
     EXPECT_DOUBLE_EQ(polygon_area(kDart), 1);
 }
 
-TEST(Polygon, CentroidOfADartIsThatOfItsTwoTriangles) {
+TEST(Polygon, CentroidOfADartIsTheMeanOverItsTwoTriangles) {
     const Vec2 expected = (Vec2(2.5, 0.5) / 3 + Vec2(0.5, 2.5) / 3) / 2;
     EXPECT_LT((polygon_centroid(kDart) - expected).norm(), 1e-15);
 }
@@ -42,7 +42,7 @@ TEST(Polygon, ClippingKeepsOneSideOfALine) {
     EXPECT_TRUE(clipped(kTriangle, {1, 0}, 0).empty());
 }
 
-TEST(Polygon, CrossingIsFound) {
+TEST(Polygon, CrossingSidesAreFound) {
     EXPECT_TRUE(crosses_itself(kBowTie, 1e-12));
     EXPECT_TRUE(crosses_itself(kPentagram, 1e-12));
     EXPECT_FALSE(crosses_itself(kTriangle, 1e-12));

@@ -26,9 +26,9 @@ TEST(Sites, PositionsAreThePointsModuloTheLattice) {
         const Lattice& reduced = sites.reduction().reduced;
         const double size = lattice.a().norm() + lattice.b().norm();
         for (SiteId s = 0; s < sites.n_sites(); ++s) {
-            const Vec2 way = given.col(s) - sites.position(s);
-            const Vec2 periods = reduced.to_lattice(way).array().round();
-            EXPECT_LT((way - reduced.to_plane(periods)).norm(), 1e-14 * size) << name;
+            const Vec2 difference = given.col(s) - sites.position(s);
+            const Vec2 periods = reduced.to_lattice(difference).array().round();
+            EXPECT_LT((difference - reduced.to_plane(periods)).norm(), 1e-14 * size) << name;
             EXPECT_GE(sites.coordinates().col(s).minCoeff(), 0) << name;
             EXPECT_LT(sites.coordinates().col(s).maxCoeff(), 1) << name;
         }
@@ -53,7 +53,7 @@ TEST(Sites, NamesTheFirstTwoDuplicatesModuloTheLattice) {
     }
 }
 
-TEST(Sites, RefusesWhatCannotBeWrapped) {
+TEST(Sites, RejectsPointsThatCannotBeWrapped) {
     const Lattice unit = Lattice::rectangle(1, 1);
     EXPECT_THROW(Sites(unit, Points(2, 0)), InvalidInput);
     EXPECT_THROW(Sites(unit, points({{0, std::nan("")}})), InvalidInput);
@@ -61,7 +61,7 @@ TEST(Sites, RefusesWhatCannotBeWrapped) {
     EXPECT_THROW(Sites(unit, points({{1e10, 0}})), InvalidInput);
 }
 
-TEST(Sites, FromCoordinatesAreWrappedToTheLastBit) {
+TEST(Sites, FromCoordinatesAreWrappedExactly) {
     const Lattice lattice({1, 0}, {7, 1});
     const double ulp = 0x1p-51;
     const Sites sites(lattice, reduce(lattice),
@@ -70,7 +70,7 @@ TEST(Sites, FromCoordinatesAreWrappedToTheLastBit) {
     EXPECT_EQ(sites.reduction().reduced.b().norm(), 1);
 }
 
-TEST(Sites, FromCoordinatesMayCoincideAndSaySo) {
+TEST(Sites, FromCoordinatesMayCoincideAndReportIt) {
     const Lattice unit = Lattice::rectangle(1, 1);
     const auto duplicates = [&](std::initializer_list<Vec2> list) {
         return Sites(unit, reduce(unit), points(list)).duplicates();
@@ -101,7 +101,7 @@ TEST(UniformPoints, FillTheDomain) {
     EXPECT_LT((mean - Vec2(0.5, 0.5)).norm(), 5 * std::sqrt(1 / 6.0 / 20000));
 }
 
-TEST(UniformPoints, RefuseANumberBelowOne) {
+TEST(UniformPoints, RejectANumberBelowOne) {
     EXPECT_THROW(uniform_points(Lattice::rectangle(1, 1), 0, 0), InvalidInput);
 }
 
