@@ -35,14 +35,6 @@ struct CornerOffsets {
 /// corners run counter-clockwise. Offsets are relative to the frame of their triangle, in which
 /// corner 0 has offset (0, 0). 28 bytes per triangle.
 ///
-/// Example usage (the neighbours round a site, from a halfedge h that leaves it):
-///
-///     int g = h;
-///     do {
-///         const Corner neighbour = t.corner(TorusTriangulation::next(g));
-///         g = t.next_round_site(g);
-///     } while (g != h);
-///
 /// Laws, tested by number:
 ///   (1) opposite is an involution without fixed points.
 ///   (2) A halfedge and its opposite join the same two images: edge_offset(opposite(h)) is

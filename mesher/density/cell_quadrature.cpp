@@ -8,7 +8,7 @@
 namespace pcvt {
 namespace {
 
-/// A piece whose area and that of its bounding parallelogram differ by less than this, relatively,
+/// A piece whose area equals the area of its bounding parallelogram up to this relative difference
 /// is that parallelogram.
 constexpr double kWhole = 1e-12;
 
@@ -30,7 +30,7 @@ double lattice_area(CellView polygon) {
     return std::abs(twice) / 2;
 }
 
-/// Cuts a convex polygon along one line: `below` gets the part with smaller coordinates.
+/// Cuts a convex polygon along one line; `below` receives the part with smaller coordinates.
 void cut(CellView polygon, int axis, double at, CellPolygon& below, CellPolygon& above) {
     below.clear();
     above.clear();
@@ -51,7 +51,7 @@ void cut(CellView polygon, int axis, double at, CellPolygon& below, CellPolygon&
     }
 }
 
-/// The breaks, repeated in every period, between low and high.
+/// Returns the breaks, repeated in every period, between low and high.
 std::vector<double> between(const std::vector<double>& breaks, double low, double high) {
     std::vector<double> found;
     double period = std::floor(low);

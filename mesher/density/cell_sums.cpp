@@ -6,15 +6,15 @@
 namespace pcvt {
 namespace {
 
-/// Cells whose corners and points stay in the nearest cache.
+/// Number of cells whose corners and points stay in the first-level cache.
 constexpr int kCellsAtOnce = 32;
-/// As many as are asked at once, so that a call costs little beside them.
+/// Number of points per evaluation that makes the cost of the call negligible.
 constexpr std::size_t kEnoughPoints = 4096;
-/// Cells nearer to a break line than this many periods are looked at point by point: rounding could
+/// Cells closer to a break line than this many periods are treated as cut, since rounding could
 /// carry a point across.
 constexpr double kFromBreak = 1e-12;
 
-/// std::floor of moderate numbers, without a call.
+/// std::floor for moderate numbers, without a function call.
 double floor_of(double number) {
     const auto whole = static_cast<double>(static_cast<std::int64_t>(number));
     return whole - (whole > number ? 1 : 0);

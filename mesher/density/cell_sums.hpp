@@ -16,11 +16,19 @@ struct OrderedCell {
     bool is_cut;
 };
 
-/// Moments of many cells, for one thread: the few that break lines cross through QuadratureBatch,
-/// the others through FanBatch, and the density of both is asked at once.
+/// Computes the moments of many cells on one thread. The few cells that break lines cross go
+/// through QuadratureBatch, all others through FanBatch, and the density of both is evaluated at
+/// once.
+///
+/// Example usage:
+///
+///     CellSums sums(cells, quadrature, probe);
+///     std::vector<Moments> moments;
+///     sums.integrate(std::vector<OrderedCell>{{0, 4, false}, {1, 4, false}}, moments);
 class CellSums {
    public:
-    /// All must outlive this object; the probe is used by nobody else meanwhile.
+    /// All arguments must outlive this object; the probe must not be used otherwise in the
+    /// meantime.
     CellSums(const UnwrappedCells& cells, const CellQuadrature& quadrature, DensityProbe& probe)
         : cells_(cells),
           quadrature_(quadrature),
@@ -28,7 +36,7 @@ class CellSums {
           whole_(probe, cells.from_frame()),
           cut_(probe) {}
 
-    /// Makes moments[k] those of cell k. Each depends on its cell alone, to the last bit.
+    /// Computes moments[k] of cell k. Each result depends on its cell alone, to the last bit.
     /// @throws BadDensity as the probe does.
     void integrate(std::span<const OrderedCell> cells, std::vector<Moments>& moments);
     /// Whether a break line or the seam crosses the cell of a site.
@@ -44,12 +52,12 @@ class CellSums {
     DensityProbe& probe_;
     FanBatch whole_;
     QuadratureBatch cut_;
-    /// The numbers of the cut cells.
+    /// The indices of the cut cells.
     std::vector<int> cut_numbers_;
-    /// The cells by order, and in each order as they came.
+    /// The cells by order, and within an order in the order of input.
     std::vector<SiteId> sites_;
     std::vector<int> numbers_;
-    /// Where the cells of an order end.
+    /// The end of the cells of each order.
     std::array<int, kGreatestOrder + 1> end_{};
     CellList list_;
     CellPolygon polygon_;

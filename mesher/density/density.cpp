@@ -22,7 +22,7 @@ std::string digits(double value) {
     return {text.data(), end.ptr};
 }
 
-[[noreturn]] void refuse_first(std::span<const DensityPoint> points, const double* rho) {
+[[noreturn]] void throw_first_bad_density(std::span<const DensityPoint> points, const double* rho) {
     std::size_t k = 0;
     while (rho[k] >= kLeastDensity && rho[k] <= kGreatestDensity) ++k;
     const DensityPoint& p = points[k];
@@ -33,26 +33,26 @@ std::string digits(double value) {
         (positive ? "keep it between 1e-60 and 1e60" : "make it positive and finite everywhere"));
 }
 
-/// Widens a range by n numbers, rounded up to full lanes; returns whether all of them are
-/// densities.
+/// Extends a range by n numbers, rounded up to full lanes; returns whether all of them are
+/// admissible densities.
 PCVT_TARGET_CLONES bool find_extremes(const double* rho, std::size_t n, double& least,
                                       double& greatest) {
     Lanes low = Lanes{} + least;
     Lanes high = Lanes{} + greatest;
-    // Stays zero until a number is infinite or none.
-    Lanes spoilt{};
+    // Stays zero unless a number is infinite or NaN.
+    Lanes not_finite{};
     for (std::size_t k = 0; k < n; k += kLanes) {
         Lanes r;
         std::memcpy(&r, rho + k, sizeof r);
         low = r < low ? r : low;
         high = r > high ? r : high;
-        spoilt += 0 * r;
+        not_finite += 0 * r;
     }
     bool is_sound = true;
     for (int k = 0; k < kLanes; ++k) {
         least = std::min(least, low[k]);
         greatest = std::max(greatest, high[k]);
-        is_sound &= spoilt[k] == 0;
+        is_sound &= not_finite[k] == 0;
     }
     return is_sound && least >= kLeastDensity && greatest <= kGreatestDensity;
 }
@@ -83,11 +83,11 @@ std::span<const double> DensityProbe::evaluate(std::span<const DensityPoint> poi
     if (rho_.size() < n + kLanes) rho_.resize(n + kLanes);
     double* const rho = rho_.data();
     function_(points, {rho, n});
-    // What fills up the last lanes adds no new extreme.
+    // The padding of the last lanes adds no new extreme.
     std::fill_n(rho + n, kLanes, n == 0 ? 1 : rho[0]);
     DensityRange range = range_;
     const bool in_limits = n == 0 || find_extremes(rho, n, range.least, range.greatest);
-    if (!in_limits) refuse_first(points, rho);
+    if (!in_limits) throw_first_bad_density(points, rho);
     range.n_evaluations += static_cast<std::int64_t>(n);
     range_ = range;
     return {rho, n};
@@ -112,12 +112,12 @@ void DensityProbes::with_probe(const std::function<void(DensityProbe&)>& work) {
 std::vector<double> densities_at(const Density& density, const Lattice& lattice,
                                  const Points& points) {
     DensityProbe probe(lattice, density.make_function());
-    std::vector<DensityPoint> asked;
+    std::vector<DensityPoint> wrapped;
     for (Eigen::Index k = 0; k < points.cols(); ++k) {
         const Vec2 u = lattice.to_lattice(points.col(k));
-        asked.push_back(probe.point(u.x() - std::floor(u.x()), u.y() - std::floor(u.y())));
+        wrapped.push_back(probe.point(u.x() - std::floor(u.x()), u.y() - std::floor(u.y())));
     }
-    const std::span<const double> rho = probe.evaluate(asked);
+    const std::span<const double> rho = probe.evaluate(wrapped);
     return {rho.begin(), rho.end()};
 }
 

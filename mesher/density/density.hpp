@@ -13,8 +13,8 @@
 
 namespace pcvt {
 
-/// A point of the torus, told by its image in the typed parallelogram: lattice coordinates u, v in
-/// [0, 1) of the user's basis, and x, y in length units, (x, y) = u a + v b.
+/// A point of the torus, given by its image in the parallelogram of the user's basis: lattice
+/// coordinates u, v in [0, 1), and (x, y) = u a + v b in length units.
 struct DensityPoint {
     double x;
     double y;
@@ -22,22 +22,30 @@ struct DensityPoint {
     double v;
 };
 
-/// Fills in rho at many points, as many numbers.
+/// Writes rho for each of the given points.
 using DensityFunction = std::function<void(std::span<const DensityPoint>, std::span<double>)>;
 
-/// A density rho > 0 on the torus. It is only ever asked at points of the typed parallelogram, so
-/// that it is periodic whatever its formula: one that differs at opposite sides jumps there.
+/// A density rho > 0 on the torus. It is only evaluated in the parallelogram of the user's basis
+/// and is therefore periodic whatever its formula: a formula that differs at opposite sides jumps
+/// there.
+///
+/// Example usage:
+///
+///     Density density = shared_density([](const DensityPoint& p) { return p.u < 0.5 ? 4 : 1; });
+///     density.u_breaks = {0.5};
+///     const std::vector<double> rho = densities_at(density, lattice, points);
 struct Density {
-    /// Makes a function for one thread: each is asked by one thread at a time, several at once.
+    /// Creates a function for one thread. Each function is called by one thread at a time, several
+    /// functions concurrently.
     std::function<DensityFunction()> make_function;
-    /// Where along u, and along v, the density may have a kink or a jump: coordinates in [0, 1),
-    /// rising. Integrals are cut there, so they stay as exact as of a smooth density. They are
-    /// always cut at 0, the seam.
+    /// Break lines, where the density may have a kink or a jump: coordinates along u and along v in
+    /// [0, 1), ascending. Integrals are cut there and remain as accurate as for a smooth density.
+    /// They are always cut at 0, the seam.
     std::vector<double> u_breaks = {};
     std::vector<double> v_breaks = {};
 };
 
-/// Asks a function of one point for many.
+/// Evaluates a function of one point at many points.
 /// @param function  double(const DensityPoint&)
 template <class Function>
 DensityFunction pointwise(Function function) {
@@ -47,13 +55,13 @@ DensityFunction pointwise(Function function) {
     };
 }
 
-/// The density of a function of one point that several threads may ask at once.
+/// Creates a density from a function of one point that several threads may call concurrently.
 template <class Function>
 Density shared_density(Function function) {
     return {[function = std::move(function)] { return pointwise(function); }};
 }
 
-/// Densities are accepted within these limits, and with this ratio of the largest to the least.
+/// Limits of a density, and of the ratio of its largest to its least value.
 inline constexpr double kLeastDensity = 1e-60;
 inline constexpr double kGreatestDensity = 1e60;
 inline constexpr double kMostContrast = 1e12;
@@ -64,7 +72,8 @@ class BadDensity : public InvalidInput {
     using InvalidInput::InvalidInput;
 };
 
-/// What was asked of a density so far. Sums and extremes: the order of the questions is no matter.
+/// Statistics of the evaluations of a density. Sums and extremes do not depend on the order of
+/// evaluations.
 struct DensityRange {
     double least = kGreatestDensity;
     double greatest = kLeastDensity;
@@ -75,35 +84,37 @@ struct DensityRange {
     void require_contrast() const;
 };
 
-/// A density under control, for one thread.
+/// Evaluates a density for one thread and checks every value.
 class DensityProbe {
    public:
     DensityProbe(const Lattice& lattice, DensityFunction function)
         : a_(lattice.a()), b_(lattice.b()), function_(std::move(function)) {}
 
-    /// The point at lattice coordinates in [0, 1], where 1 counts as the double below it.
+    /// The point at lattice coordinates in [0, 1]; 1 is replaced by the next smaller double.
     DensityPoint point(const Vec2& place) const {
         const Vec2 u = place.cwiseMin(kBelowOne);
         const Vec2 x = a_ * u.x() + b_ * u.y();
         return {x.x(), x.y(), u.x(), u.y()};
     }
     DensityPoint point(double u, double v) const { return point(Vec2(u, v)); }
-    /// How a point changes with lattice coordinates, which is linear.
+    /// The change of a point with lattice coordinates, a linear map.
     DensityPoint change(const Vec2& u) const {
         const Vec2 x = a_ * u.x() + b_ * u.y();
         return {x.x(), x.y(), u.x(), u.y()};
     }
-    /// rho at many points; stays until the next call, with kLanes numbers behind that may be read.
-    /// @throws BadDensity naming the first place where it is not a number in [1e-60, 1e60].
+    /// Evaluates rho at many points. The result is valid until the next call and is followed by
+    /// kLanes readable numbers.
+    /// @throws BadDensity naming the first point where rho is not a number in [1e-60, 1e60].
     std::span<const double> evaluate(std::span<const DensityPoint> points);
-    /// Room for n more points, to be filled before they are asked; stays until the next call.
+    /// Reserves n more points, to be filled in before evaluate_reserved. The pointer is valid until
+    /// the next call.
     DensityPoint* reserve(std::size_t n);
     std::size_t n_reserved() const { return n_reserved_; }
-    /// Asks all points that wait, in order; none waits any more.
+    /// Evaluates rho at all reserved points, in order, and releases them.
     std::span<const double> evaluate_reserved() {
         return evaluate({points_.data(), std::exchange(n_reserved_, 0)});
     }
-    /// What was asked since the last call.
+    /// Returns the statistics since the last call.
     DensityRange take_range() { return std::exchange(range_, {}); }
 
    private:
@@ -113,21 +124,22 @@ class DensityProbe {
     Vec2 b_;
     DensityFunction function_;
     DensityRange range_;
-    /// The first of them wait.
+    /// The first n_reserved_ points are reserved.
     std::vector<DensityPoint> points_;
     std::size_t n_reserved_ = 0;
     std::vector<double> rho_;
 };
 
-/// The probes of one density, lent to tasks: as many as run at once.
+/// A pool of probes of one density, one for each concurrent task.
 class DensityProbes {
    public:
     DensityProbes(const Lattice& lattice, const Density& density)
         : lattice_(lattice), density_(density) {}
 
-    /// Calls work(probe) with a probe that nobody else has. Any thread may call it at any time.
+    /// Calls work(probe) with a probe that no other task uses. Any thread may call this function at
+    /// any time.
     void with_probe(const std::function<void(DensityProbe&)>& work);
-    /// What was asked in all works that have returned.
+    /// The statistics of all finished calls.
     const DensityRange& range() const { return range_; }
 
    private:
@@ -140,7 +152,7 @@ class DensityProbes {
     DensityRange range_;
 };
 
-/// rho at points, 2 x n, length units, anywhere in the plane; asked on the calling thread.
+/// Evaluates rho at points, 2 x n, length units, anywhere in the plane, on the calling thread.
 /// @throws BadDensity as DensityProbe does.
 std::vector<double> densities_at(const Density& density, const Lattice& lattice,
                                  const Points& points);

@@ -8,17 +8,18 @@ namespace {
 
 constexpr int kProbeLines = 12;
 constexpr int kIntervals = 512;
-/// A jump shows as a change of log(rho) by more than this, and by so many times more than beside
-/// it.
+/// A jump is a change of log(rho) by more than kLeastJump, and by more than kOverNeighbours times
+/// the change in the neighbouring intervals.
 constexpr double kLeastJump = 1e-3;
 constexpr double kOverNeighbours = 4;
 constexpr int kBisections = 60;
-/// Of a jump at least so much is left when its interval is a few ulps wide.
+/// The fraction of a jump that must remain when its interval is a few ulps wide.
 constexpr double kLeftOver = 0.5;
-/// Places nearer to each other than this are one line, where so many probe lines see it.
+/// Jumps closer to each other than kSameLine belong to one line, if at least kWitnesses probe lines
+/// meet it.
 constexpr double kSameLine = 1e-12;
 constexpr int kWitnesses = 3;
-/// More lines than this are no structure worth cutting cells for.
+/// With more lines than this, cutting cells is not worthwhile.
 constexpr std::size_t kMostBreaks = 64;
 
 /// log(rho) along a line on which the other coordinate is constant.
@@ -31,7 +32,7 @@ class ProbeLine {
         *probe_.reserve(1) = point(along);
         return std::log(probe_.evaluate_reserved()[0]);
     }
-    /// At the ends of the intervals.
+    /// Returns log(rho) at the ends of the intervals.
     std::vector<double> survey() const {
         for (int k = 0; k <= kIntervals; ++k) *probe_.reserve(1) = point(double(k) / kIntervals);
         std::vector<double> value;
@@ -49,7 +50,7 @@ class ProbeLine {
     double across_;
 };
 
-/// Follows the larger change; appends the place where it stays a jump.
+/// Bisects towards the larger change; appends the position if the change remains a jump.
 void bisect(const ProbeLine& line, double low, double high, std::vector<double>& found) {
     double at_low = line(low);
     double at_high = line(high);

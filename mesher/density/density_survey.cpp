@@ -12,23 +12,24 @@ namespace {
 
 /// The majorant is the largest value at the corners of a square times this.
 constexpr double kHeadroom = 1.25;
-/// A square whose density is far below its majorant almost everywhere is taken as it is.
+/// After this number of rejections the candidate is accepted: the density of its square is far
+/// below the majorant almost everywhere.
 constexpr int kTrials = 1000;
-/// Asked at once.
+/// Candidates per evaluation.
 constexpr int kCandidates = 4096;
-/// Intervals of the product rule along each direction, at least.
+/// Least number of intervals of the product rule along each direction.
 constexpr int kIntervals = 128;
 constexpr int kIntegralOrder = 4;
 
-/// A place where a site may be drawn: it is taken where rho^(1/2) is above the threshold.
+/// A candidate for a site, accepted if rho^(1/2) exceeds the threshold.
 struct Candidate {
     double u;
     double v;
     double threshold;
 };
 
-/// Splits [0, 1) at the breaks, and further to intervals of 1 / kIntervals at most; nodes and
-/// weights of a Gauss rule on each.
+/// Splits [0, 1) at the breaks and into intervals of at most 1 / kIntervals; returns the nodes and
+/// weights of a Gauss rule on each interval.
 GaussRule composite_rule(std::vector<double> breaks) {
     breaks.push_back(0);
     breaks.push_back(1);
@@ -89,6 +90,7 @@ double DensitySurvey::majorant(int i, int j) const {
 
 Points DensitySurvey::draw(int n, std::uint64_t seed) {
     if (n < 1) throw InvalidInput("the number of sites must be at least 1");
+    // Sum the majorants of the squares, to draw squares in proportion to them.
     std::vector<double> sums;
     sums.reserve(rho_.size());
     double total = 0;
@@ -96,6 +98,7 @@ Points DensitySurvey::draw(int n, std::uint64_t seed) {
         total += majorant(k % resolution_, k / resolution_);
         sums.push_back(total);
     }
+    // Draw candidates and reject those above the root of the density.
     std::mt19937_64 generator(seed);
     const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -53); };
     Points points(2, n);
@@ -115,8 +118,8 @@ Points DensitySurvey::draw(int n, std::uint64_t seed) {
         }
         const std::span<const double> rho = probe_.evaluate_reserved();
         for (std::size_t k = 0; k < candidates.size(); ++k) {
-            const bool refused = candidates[k].threshold >= std::sqrt(rho[k]);
-            if (refused && trial++ < kTrials) continue;
+            const bool rejected = candidates[k].threshold >= std::sqrt(rho[k]);
+            if (rejected && trial++ < kTrials) continue;
             points.col(filled++) = lattice_.to_plane({candidates[k].u, candidates[k].v});
             trial = 0;
         }

@@ -7,26 +7,32 @@
 
 namespace pcvt {
 
-/// Enough points along each direction to know a density's scale.
+/// Points along each direction that suffice for a density's scale.
 inline constexpr int kSurveyResolution = 256;
 
-/// A density on a grid over the domain: what is known before there are cells.
+/// Samples of a density on a grid over the domain, and estimates from them that need no cells.
+///
+/// Example usage:
+///
+///     DensitySurvey survey(lattice, density, kSurveyResolution);
+///     const Points points = survey.draw(1000, 1);
+///     const double contrast = survey.range().greatest / survey.range().least;
 class DensitySurvey {
    public:
-    /// Looks at the points (i, j) / resolution of the domain, its seam among them.
-    /// @throws BadDensity naming the place, or for the contrast.
+    /// Evaluates the points (i, j) / resolution of the domain, including the seam.
+    /// @throws BadDensity naming the point, or for the contrast.
     DensitySurvey(const Lattice& lattice, const Density& density, int resolution);
 
     const DensityRange& range() const { return range_; }
-    /// A power of two near the mean.
+    /// A power of two near the mean of rho.
     double unit() const;
-    /// The square of the mean of rho^(1/2): F of many optimal cells is so many times that for
-    /// rho = 1.
+    /// The square of the mean of rho^(1/2): F of many optimal cells is F for rho = 1 times this
+    /// factor.
     double mean_root_squared() const;
 
-    /// n sites drawn from rho^(1/2), the site density that optimal cells tend to: by rejection
+    /// Draws n sites from rho^(1/2), the site density that optimal cells tend to, by rejection
     /// under a majorant that is constant on each square of the grid. Where the grid misses a peak,
-    /// fewer sites lie on it. The same for the same seed on every machine.
+    /// fewer sites are drawn. The same seed gives the same sites on every machine.
     /// @returns 2 x n, length units.
     Points draw(int n, std::uint64_t seed);
 
@@ -40,11 +46,11 @@ class DensitySurvey {
     DensityRange range_;
 };
 
-/// Sites drawn from a survey that is fine enough for n of them.
+/// Draws n sites from a survey with a resolution fit for n.
 Points graded_points(const Lattice& lattice, const Density& density, int n, std::uint64_t seed);
 
-/// The integral of rho over the domain, by product Gauss rules on a grid that keeps to the break
-/// lines; without cells.
+/// The integral of rho over the domain, by product Gauss rules on a grid aligned with the break
+/// lines; needs no cells.
 double integral(const Lattice& lattice, const Density& density);
 
 }  // namespace pcvt

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kFirstRoom = 2048;
 
-/// The points of one rule in the fans of cells: first the first point of every triangle.
+/// The layout of one rule's points in the fans of cells: the first point of every triangle, then
+/// the second point of every triangle, and so on.
 struct Placement {
     DensityPoint along_x;
     DensityPoint along_y;
@@ -64,10 +65,11 @@ struct Corners {
     double* second;
 };
 
-/// The moments of the triangles (0, from, to).
+/// Computes the moments of the triangles (0, from, to).
 PCVT_TARGET_CLONES void sum_triangles(int n_corners, const Corners& corners, int n_points,
                                       const double* weights, const double* rho) {
     for (int c = 0; c < n_corners; c += kLanes) {
+        // Sum rho times the weights of the monomials over the points.
         Lanes s0{}, s1{}, s2{}, s3{}, s4{}, s5{};
         const double* w = weights;
         const double* here = rho + c;
@@ -83,19 +85,21 @@ PCVT_TARGET_CLONES void sum_triangles(int n_corners, const Corners& corners, int
             w += 6;
             here += n_corners;
         }
+        // Scale the sums to the triangle (0, p, r).
         Lanes px, py, rx, ry;
         std::memcpy(&px, corners.from_x + c, sizeof px);
         std::memcpy(&py, corners.from_y + c, sizeof py);
         std::memcpy(&rx, corners.to_x + c, sizeof rx);
         std::memcpy(&ry, corners.to_y + c, sizeof ry);
         Lanes cross = px * ry - py * rx;
-        // Corners that fall together make triangles that are nothing but rounding.
+        // Coincident corners make triangles that consist of rounding only.
         cross = cross > 0 ? cross : 0 * cross;
         const Lanes mass = cross * s0;
         const Lanes first_x = cross * (s1 * px + s2 * rx);
         const Lanes first_y = cross * (s1 * py + s2 * ry);
         const Lanes second = cross * (s3 * (px * px + py * py) + 2 * s4 * (px * rx + py * ry) +
                                       s5 * (rx * rx + ry * ry));
+        // Store the moments.
         std::memcpy(corners.mass + c, &mass, sizeof mass);
         std::memcpy(corners.first_x + c, &first_x, sizeof first_x);
         std::memcpy(corners.first_y + c, &first_y, sizeof first_y);
@@ -124,6 +128,7 @@ void FanBatch::add(const CellList& cells, std::size_t k, const Vec2& site, int n
     if (n_corners_ + n + kLanes > static_cast<int>(from_x_.size())) {
         make_room(n_corners_ + n + kLanes);
     }
+    // Copy the corners and their predecessors.
     const double* const from_list_x = cells.x.data() + begin;
     const double* const from_list_y = cells.y.data() + begin;
     double* const to_x = to_x_.data() + n_corners_;
@@ -145,6 +150,7 @@ void FanBatch::add(const CellList& cells, std::size_t k, const Vec2& site, int n
 void FanBatch::end_order() {
     Group& group = groups_.back();
     const int n_corners = n_corners_ - group.first_corner;
+    // Reserve the points of all triangles of this order.
     group.first_point = probe_.n_reserved();
     const TriangleRule& rule = triangle_rule(group.q);
     DensityPoint* const points =
@@ -158,6 +164,7 @@ void FanBatch::end_order() {
                               rule.outwards.data(),
                               rule.across.data(),
                               points};
+    // Place the points cell by cell.
     int begin = 0;
     for (std::size_t k = group.first_cell; k < cells_.size(); ++k) {
         const int end = begin + cells_[k].n_corners;
@@ -167,6 +174,7 @@ void FanBatch::end_order() {
 }
 
 void FanBatch::take(std::span<const double> rho, std::vector<Moments>& moments) {
+    // Integrate over triangles, one group of cells after the other.
     groups_.push_back({0, n_corners_, cells_.size(), 0});
     for (std::size_t g = 0; g + 1 < groups_.size(); ++g) {
         const Group& group = groups_[g];
@@ -179,6 +187,7 @@ void FanBatch::take(std::span<const double> rho, std::vector<Moments>& moments) 
         sum_triangles(groups_[g + 1].first_corner - first, corners, rule.n_points(),
                       rule.weights.data(), rho.data() + group.first_point);
     }
+    // Add up the triangles of each cell.
     int c = 0;
     for (const Cell& cell : cells_) {
         const int end = c + cell.n_corners;

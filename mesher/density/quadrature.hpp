@@ -5,19 +5,19 @@
 
 namespace pcvt {
 
-/// The number of points along each direction of a rule.
+/// Limits of the order of a rule, which is its number of points along each direction.
 inline constexpr int kLeastOrder = 2;
 inline constexpr int kGreatestOrder = 12;
 
-/// Nodes in (0, 1), rising, and weights for the integral of s^power f(s) over (0, 1), power 0 or 1:
-/// Gauss-Legendre or Gauss-Jacobi, exact for polynomials f of degree 2 q - 1. Computed from the
+/// Nodes in (0, 1), ascending, and weights for the integral of s^power f(s) over (0, 1), power 0 or
+/// 1: Gauss-Legendre or Gauss-Jacobi, exact for polynomials f of degree 2 q - 1. Computed from the
 /// recurrence of the orthogonal polynomials (G. H. Golub, J. H. Welsch 1969).
 struct GaussRule {
     std::vector<double> nodes;
     std::vector<double> weights;
 };
 GaussRule gauss_rule(int q, int power);
-/// Gauss-Legendre on (0, 1), computed once.
+/// The Gauss-Legendre rule on (0, 1), computed once.
 /// @param q  kLeastOrder ... kGreatestOrder.
 const GaussRule& line_rule(int q);
 
@@ -33,8 +33,8 @@ struct TriangleRule {
     std::vector<double> across;
     std::vector<double> along_p;
     std::vector<double> along_r;
-    /// In column k, with a = along_p[k] and b = along_r[k], the weight times 1, a, b, a^2, a b,
-    /// b^2: what f = rho times a polynomial of second degree asks for.
+    /// Column k holds the weight times 1, a, b, a^2, a b, b^2, with a = along_p[k] and b =
+    /// along_r[k]: the factors for the moments of rho up to second degree.
     Eigen::Matrix<double, 6, Eigen::Dynamic> weights;
 
     int n_points() const { return static_cast<int>(weights.cols()); }

@@ -8,8 +8,8 @@
 namespace pcvt {
 namespace {
 
-/// The places of a rule's points in the triangle between `apex` and two corners, lattice
-/// coordinates in [0, 1].
+/// Writes the points of a rule in the triangle between `apex` and two corners, lattice coordinates
+/// in [0, 1].
 void place_points(const Vec2& apex, const Vec2& from, const Vec2& to, const TriangleRule& rule,
                   const DensityProbe& probe, DensityPoint* points) {
     const Vec2 p = from - apex;
@@ -22,7 +22,7 @@ void place_points(const Vec2& apex, const Vec2& from, const Vec2& to, const Tria
     }
 }
 
-/// Moments of the fan of the triangles (0, corner before, corner) about 0.
+/// The moments about 0 of the fan of triangles (0, previous corner, corner).
 Moments fan_moments(std::span<const Vec2> corners, const TriangleRule& rule, const double* rho) {
     const int n = rule.n_points();
     double mass = 0;
@@ -32,7 +32,7 @@ Moments fan_moments(std::span<const Vec2> corners, const TriangleRule& rule, con
     for (const Vec2& r : corners) {
         Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
         for (int k = 0; k < n; ++k) sum += *rho++ * rule.weights.col(k);
-        // Corners that fall together make triangles that are nothing but rounding.
+        // Coincident corners make triangles that consist of rounding only.
         sum *= std::max(cross(p, r), 0.0);
         mass += sum[0];
         first += sum[1] * p + sum[2] * r;
@@ -42,7 +42,7 @@ Moments fan_moments(std::span<const Vec2> corners, const TriangleRule& rule, con
     return {mass, first, second};
 }
 
-/// Moments about the site of what has these moments about a point at `place`.
+/// Converts moments about a point at `place` to moments about the site.
 Moments about_site(const Moments& m, const Vec2& place) {
     return {m.mass, m.first + m.mass * place,
             m.second + 2 * place.dot(m.first) + place.squaredNorm() * m.mass};

@@ -15,8 +15,8 @@ SiteRings::SiteRings(const MovingDelaunay& delaunay, Workers& workers)
       leaving_(delaunay.n_sites()),
       rings_(delaunay.n_sites()) {}
 
-/// Where a cell begins must not depend on the flips that led to it, and on those alone it would:
-/// the order of a sum, and of a cut cell the pieces, go with it.
+/// The first corner of a cell must not depend on the history of flips: it determines the order of
+/// sums and the pieces of a cut cell.
 void SiteRings::find(SiteId site) {
     const TorusTriangulation& t = delaunay_.triangulation();
     const auto neighbour = [&](int h) { return t.corner_sites()[t.next(h)]; };
@@ -47,8 +47,8 @@ void SiteRings::find_all() {
 }
 
 /// A flip changes the rings of the four corners of its two triangles, and later flips of these
-/// triangles have the same corners among theirs: so every site whose ring has changed is a corner,
-/// now, of a triangle of the log.
+/// triangles keep those corners among theirs. Every site whose ring has changed is therefore now a
+/// corner of a triangle in the log.
 void SiteRings::update() {
     const FlipLog& log = delaunay_.flip_log();
     if (log.number != log_number_) {

@@ -12,7 +12,7 @@
 namespace pcvt {
 namespace {
 
-/// A triangle thinner than this has its circumcentre computed in more digits.
+/// The circumcentre of a triangle thinner than this is computed with more digits.
 constexpr double kThin = 1e-4;
 constexpr std::size_t kFirstRoom = 512;
 
@@ -35,21 +35,23 @@ struct CornerArrays {
     double* thick;
 };
 
-/// Computes n corners, rounded up to full lanes; returns whether some of the n belong to thin
-/// triangles.
+/// Computes n corners, rounded up to full lanes; returns whether any of the n triangles is thin.
 PCVT_TARGET_CLONES bool circumcentres(const Maps& m, int n, const CornerArrays& arrays) {
     const double twice_area = 2 * m.ax * m.by;
     for (int k = 0; k < n; k += kLanes) {
+        // Load the two neighbours relative to the site.
         Lanes to_u, to_v, next_u, next_v;
         std::memcpy(&to_u, arrays.to_u + k, sizeof to_u);
         std::memcpy(&to_v, arrays.to_v + k, sizeof to_v);
         std::memcpy(&next_u, arrays.next_u + k, sizeof next_u);
         std::memcpy(&next_v, arrays.next_v + k, sizeof next_v);
+        // Measure the thickness of the triangle.
         const Lanes left = to_u * next_v;
         const Lanes right = to_v * next_u;
         const Lanes cross = left - right;
         const Lanes bound = (left < 0 ? -left : left) + (right < 0 ? -right : right);
         const Lanes thick = cross - kThin * bound;
+        // Compute the circumcentre in the frame, and in lattice coordinates.
         const Lanes px = m.ax * to_u + m.bx * to_v;
         const Lanes py = m.by * to_v;
         const Lanes qx = m.ax * next_u + m.bx * next_v;
@@ -61,6 +63,7 @@ PCVT_TARGET_CLONES bool circumcentres(const Maps& m, int n, const CornerArrays& 
         const Lanes y = (qq * px - pp * qx) * scale;
         const Lanes u = m.ux * x + m.uy * y;
         const Lanes v = m.vx * x + m.vy * y;
+        // Store the corner.
         std::memcpy(arrays.x + k, &x, sizeof x);
         std::memcpy(arrays.y + k, &y, sizeof y);
         std::memcpy(arrays.u + k, &u, sizeof u);
@@ -115,7 +118,7 @@ UnwrappedCells::UnwrappedCells(const MovingDelaunay& delaunay, Workers& workers,
     from_frame_ = from_reduced_ * to_frame.inverse();
 }
 
-/// Those of a ring that tells all.
+/// Copies the neighbours from a complete cached ring.
 void UnwrappedCells::find_near_neighbours(SiteId site, int begin, CellList& cells) const {
     const double* const coordinates = delaunay_.coordinates().data();
     const SiteRings::Ring& ring = rings_[site];
@@ -133,7 +136,7 @@ void UnwrappedCells::find_near_neighbours(SiteId site, int begin, CellList& cell
     }
 }
 
-/// Returns their number.
+/// Writes the neighbours of a site; returns their number.
 int UnwrappedCells::find_neighbours(SiteId site, int begin, CellList& cells) const {
     const int length = rings_[site].length;
     cells.make_room(begin + SiteRings::kMost);
@@ -172,7 +175,7 @@ void UnwrappedCells::find_neighbours(std::span<const SiteId> sites, CellList& ce
     }
 }
 
-/// The centre of h's triangle relative to the site that h leaves; frame, units.
+/// The circumcentre of h's triangle relative to the site that h leaves; frame, units.
 Vec2 UnwrappedCells::thin_centre(int h) const {
     const TorusTriangulation& t = delaunay_.triangulation();
     const auto at = [&](int g) {
@@ -192,7 +195,9 @@ void UnwrappedCells::find_corners(std::span<const SiteId> sites, CellList& cells
     const CornerArrays arrays{cells.to_u.data(),   cells.to_v.data(), cells.next_u.data(),
                               cells.next_v.data(), cells.x.data(),    cells.y.data(),
                               cells.u.data(),      cells.v.data(),    cells.thick.data()};
+    // Compute all corners in doubles.
     if (!circumcentres(maps, cells.begin.back(), arrays)) return;
+    // Compute the corners of thin triangles again with more digits.
     int c = 0;
     for (const SiteId site : sites) {
         rings_.go_round(site, [&](int h) {

@@ -8,50 +8,60 @@
 
 namespace pcvt {
 
-/// Cells one after the other; each array holds a number for every corner. Side c of a cell ends in
-/// its corner c, and corners go counter-clockwise.
+/// A list of cells; each array holds one number per corner. Side c of a cell ends at its corner c,
+/// and corners run counter-clockwise.
 struct CellList {
     /// The neighbour across the side.
     std::vector<SiteId> neighbours;
-    /// It and the next one round the site, relative to the site; reduced basis. The corner is the
-    /// centre of the three.
+    /// That neighbour and the next one round the site, relative to the site; reduced basis. The
+    /// corner is the circumcentre of the three sites.
     std::vector<double> to_u, to_v, next_u, next_v;
     /// The corner relative to the site; frame, units.
     std::vector<double> x, y;
     /// The same in lattice coordinates of the user's basis.
     std::vector<double> u, v;
-    /// Positive where the three sites make no thin triangle.
+    /// Positive where the triangle of the three sites is not thin.
     std::vector<double> thick;
-    /// The first corner of each cell, and at the end the number of corners.
+    /// The first corner of each cell, followed by the number of corners.
     std::vector<int> begin;
 
-    /// The box round cell k whose site is at `site`, grown by a margin; lattice coordinates.
+    /// The bounding box of cell k with its site at `site`, extended by a margin; lattice
+    /// coordinates.
     LatticeBox box(std::size_t k, const Vec2& site, double margin) const;
-    /// Makes `polygon` cell k whose site is at `site`.
+    /// Copies cell k, with its site at `site`, to `polygon`.
     void copy(std::size_t k, const Vec2& site, CellPolygon& polygon) const;
-    /// With room for kLanes more.
+    /// Resizes the arrays to n_corners and kLanes more.
     void make_room(int n_corners);
 };
 
-/// The Voronoi cells of sites that move, each unwrapped round its site: in the frame and the unit
-/// of the triangulation, and in lattice coordinates of the user's basis.
+/// The Voronoi cells of moving sites, each unwrapped round its site, in the frame and unit of the
+/// triangulation and in lattice coordinates of the user's basis.
+///
+/// Example usage:
+///
+///     UnwrappedCells cells(delaunay, workers, lattice);
+///     cells.locate();
+///     CellList list;
+///     cells.unwrap(sites, list);
+///     const Vec2 corner(list.x[list.begin[k]], list.y[list.begin[k]]);  // of cell k
 class UnwrappedCells {
    public:
     /// Both must outlive this object.
     UnwrappedCells(const MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice);
 
-    /// Follows the triangulation, which must be restored.
+    /// Updates to the triangulation, which must be restored.
     void locate() { rings_.update(); }
 
     /// Lattice coordinates of the user's basis, not wrapped.
     Vec2 site(SiteId site) const { return from_reduced_ * delaunay_.coordinates().col(site); }
-    /// Makes `cells` those of the sites.
+    /// Computes the cells of the given sites.
     void unwrap(std::span<const SiteId> sites, CellList& cells) const;
-    /// From the site to its neighbour across the side that ends in a corner; frame, units.
+    /// The vector from the site to its neighbour across the side that ends at a corner; frame,
+    /// units.
     Vec2 to_neighbour(const CellList& cells, std::size_t corner) const {
         return delaunay_.frame().to_plane({cells.to_u[corner], cells.to_v[corner]});
     }
-    /// Lattice coordinates of the user's basis by those of the frame.
+    /// The matrix from the frame to lattice coordinates of the user's basis.
     const Eigen::Matrix2d& from_frame() const { return from_frame_; }
 
    private:
@@ -63,7 +73,8 @@ class UnwrappedCells {
 
     const MovingDelaunay& delaunay_;
     SiteRings rings_;
-    /// Lattice coordinates of the user's basis by those of the reduced one, and by the frame.
+    /// The matrices from the reduced basis and from the frame to lattice coordinates of the user's
+    /// basis.
     Eigen::Matrix2d from_reduced_;
     Eigen::Matrix2d from_frame_;
 };
