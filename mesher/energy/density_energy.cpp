@@ -11,11 +11,11 @@ namespace {
 
 constexpr int kSitesPerTask = 512;
 
-/// An energy that jumps by so much, relatively, still counts as continuous: a hundredth of what the
-/// line search resolves.
+/// A relative jump of the energy that still counts as continuous: a hundredth of the line search's
+/// resolution.
 constexpr double kEnergyJump = 1e-14;
 
-/// How far the results of two rules lie apart, in units of the cell's own.
+/// The difference between the results of two rules, relative to the cell's own moments.
 double distance(const Moments& low, const Moments& high, double area) {
     const double mass = std::abs(high.mass - low.mass) / high.mass;
     const double first = (high.first - low.first).norm() / (high.mass * std::sqrt(area));
@@ -25,7 +25,7 @@ double distance(const Moments& low, const Moments& high, double area) {
 
 }  // namespace
 
-/// A range of sites and what comes of it.
+/// The results of one range of sites.
 struct DensityPass::Task {
     double value = 0;
     RuleCheck check = {};
@@ -46,15 +46,15 @@ DensityPass::DensityPass(MovingDelaunay& delaunay, Workers& workers, const Latti
 
 DensityPass::~DensityPass() = default;
 
-/// Calls look(first, end, probe, task) for ranges of sites.
-void DensityPass::run_tasks(const std::function<void(SiteId, SiteId, DensityProbe&, Task&)>& look) {
+/// Calls work(first, end, probe, task) for ranges of sites.
+void DensityPass::run_tasks(const std::function<void(SiteId, SiteId, DensityProbe&, Task&)>& work) {
     workers_.for_each(static_cast<int>(tasks_.size()), [&](int k) {
         Task& task = tasks_[k];
         task = {};
         try {
             probes_.with_probe([&](DensityProbe& probe) {
                 const SiteId first = k * kSitesPerTask;
-                look(first, std::min(first + kSitesPerTask, delaunay_.n_sites()), probe, task);
+                work(first, std::min(first + kSitesPerTask, delaunay_.n_sites()), probe, task);
             });
         } catch (...) {
             task.failure = std::current_exception();
@@ -69,6 +69,7 @@ void DensityPass::run_tasks(const std::function<void(SiteId, SiteId, DensityProb
 bool DensityPass::evaluate(Energy& energy) {
     if (!restore()) return false;
     cells_.locate();
+    // Integrate over the cells, range by range.
     const int n = delaunay_.n_sites();
     energy.gradient.resize(2 * n);
     energy.mass.resize(n);
@@ -86,6 +87,7 @@ bool DensityPass::evaluate(Energy& energy) {
             task.value += per_unit_ * m.second;
         }
     });
+    // Add up the ranges in order.
     energy.value = 0;
     for (const Task& task : tasks_) energy.value += task.value;
     evaluations_per_site_ = double(probes_.range().n_evaluations - before) / n;
@@ -101,29 +103,31 @@ void DensityPass::hessian(const Eigen::VectorXd& mass, BlockMatrix& hessian) {
     });
 }
 
-/// Compares the rules of the cells with the next ones, and those that differ with the next ones
-/// again.
+/// Compares the rule of each cell with the next order, and repeats this with the cells that still
+/// differ.
 void DensityPass::choose_orders(std::vector<OrderedCell> cells, double accuracy, CellSums& sums,
                                 Task& task) {
-    // The pieces of a cut cell come and go while it moves, and their errors with them.
+    // The pieces of a cut cell appear and vanish while it moves, and their errors jump with them.
     const double when_cut = std::min(accuracy, kEnergyJump * delaunay_.n_sites());
+    // Integrate with the current orders.
     std::vector<Moments> moments;
     std::vector<Moments> finer;
     sums.integrate(cells, moments);
     while (!cells.empty()) {
+        // Integrate with the next orders, and keep the cells that differ.
         for (OrderedCell& cell : cells) ++cell.q;
         sums.integrate(cells, finer);
         std::size_t n_open = 0;
         for (std::size_t k = 0; k < cells.size(); ++k) {
             const auto [site, q, is_cut] = cells[k];
             const double error = distance(moments[k], finer[k], areas()[site]);
-            const bool enough = error <= (is_cut ? when_cut : accuracy);
-            if (!enough && q < kGreatestOrder) {
+            const bool accurate = error <= (is_cut ? when_cut : accuracy);
+            if (!accurate && q < kGreatestOrder) {
                 cells[n_open] = cells[k];
                 moments[n_open++] = finer[k];
                 continue;
             }
-            const int chosen = enough ? q - 1 : q;
+            const int chosen = accurate ? q - 1 : q;
             task.check.n_rough += error > accuracy;
             task.check.n_raised += chosen > order_[site];
             task.check.largest_error = std::max(task.check.largest_error, error);

@@ -6,13 +6,14 @@
 
 namespace pcvt {
 
-/// How well the rules of a DensityPass resolve the density.
+/// The accuracy of the rules of a DensityPass.
 struct RuleCheck {
     /// Largest estimated error of a centroid, in units of sqrt(area) of its cell.
     double largest_error = 0;
-    /// Cells in which no rule reaches the accuracy: the density is not smooth there.
+    /// Number of cells in which no rule reaches the accuracy, because the density is not smooth
+    /// there.
     int n_rough = 0;
-    /// Cells whose rule is a larger one than before.
+    /// Number of cells whose order was raised.
     int n_raised = 0;
 };
 
@@ -21,51 +22,68 @@ struct RuleCheck {
 ///   F(x)    = sum_i  integral over cell i of  rho(p) |p - x_i|^2
 ///   dF/dx_i = 2 m_i (x_i - g_i)
 ///
-/// The first pass is that of EnergyPass, which repairs and certifies the triangulation; a second
-/// one integrates over the fan of each cell between its site and the circumcentres round it. Both F
-/// and 2 m_i (x_i - g_i) are integrals that the rule gives to within the accuracy asked for, so the
-/// one is the gradient of the other to that accuracy. A low order would break this: 2 m_i (x_i -
-/// g_i) by quadrature is not the gradient of F by quadrature.
+///   paper | code
+///   x_i   | MovingDelaunay::coordinates
+///   rho   | Density, in units of density_unit
+///   F     | Energy::value
+///   m_i   | Energy::mass
+///   g_i   | x_i - gradient_i / (2 m_i), the centroid
 ///
-/// Each cell has its own order q, chosen by choose_orders from the difference between the rules q
-/// and q + 1 and kept until it is called again: so F stays a smooth function between two calls.
-/// Units are those of EnergyPass times density_unit. Laws, tested by number:
-///   (1) For rho = c everything is c times that of EnergyPass.
+/// The first pass is EnergyPass, which repairs and certifies the triangulation. A second pass
+/// integrates over the fan of each cell between its site and the circumcentres round it. Both F and
+/// 2 m_i (x_i - g_i) are integrals that the rule computes to the given accuracy, so that one is the
+/// gradient of the other to this accuracy. A low order would break this: 2 m_i (x_i - g_i) by
+/// quadrature is not the gradient of F by quadrature.
+///
+/// Each cell has its own order q, which choose_orders selects from the difference between the rules
+/// of order q and q + 1. Orders are constant between two calls of choose_orders, so that F is
+/// smooth there. Units are those of EnergyPass times density_unit.
+///
+/// Example usage:
+///
+///     DensityPass pass(delaunay, workers, lattice, density, 1);
+///     pass.restore();
+///     pass.choose_orders(1e-9, true);
+///     pass.evaluate(energy);
+///
+/// Laws, tested by number:
+///   (1) For rho = c everything is c times the result of EnergyPass.
 ///   (2) The masses sum to the integral of rho over the domain.
-///   (3) The gradient is that of F, by central differences.
+///   (3) The gradient is the gradient of F, by central differences.
 ///   (4) Every bit is the same for any number of workers.
 class DensityPass {
    public:
-    /// All must outlive this object.
+    /// All arguments must outlive this object.
     DensityPass(MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice,
                 const Density& density, double density_unit);
     ~DensityPass();
 
     /// Restores the triangulation after a step, and evaluates.
-    /// @returns false where two sites coincide.
-    /// @throws BadDensity of the first such cell.
+    /// @returns false if two sites coincide.
+    /// @throws BadDensity of the first cell with a bad value.
     bool evaluate(Energy& energy);
-    /// Restores the triangulation alone.
+    /// Restores the triangulation only.
     bool restore() { return pass_.evaluate(uniform_); }
-    /// The second derivatives at the place evaluated last, see weighted_hessian.hpp.
+    /// The second derivatives at the positions evaluated last, see density_hessian.hpp.
     /// @param mass  of that evaluation.
     void hessian(const Eigen::VectorXd& mass, BlockMatrix& hessian);
-    /// Areas of the cells at the last look, unit^2.
+    /// Areas of the cells at the last evaluation, unit^2.
     const Eigen::VectorXd& areas() const { return uniform_.mass; }
 
-    /// Chooses the order of each cell as it stands.
-    /// @param accuracy  of a centroid, in units of sqrt(area) of its cell; the same of m and F.
-    /// @param lower     whether orders may become lower than they are.
+    /// Chooses the order of each cell at the current positions.
+    /// @param accuracy  of a centroid, in units of sqrt(area) of its cell; m and F have the same
+    ///                  relative accuracy.
+    /// @param lower     whether orders may decrease.
     RuleCheck choose_orders(double accuracy, bool lower);
-    /// Density evaluations in one evaluation, over the number of sites, at the last one.
+    /// Density evaluations per site in the last evaluation.
     double evaluations_per_site() const { return evaluations_per_site_; }
-    /// What was asked of the density since the beginning.
+    /// Statistics of the density over all evaluations.
     const DensityRange& range() const { return probes_.range(); }
 
    private:
     struct Task;
     void choose_orders(std::vector<OrderedCell> cells, double accuracy, CellSums& sums, Task& task);
-    void run_tasks(const std::function<void(SiteId, SiteId, DensityProbe&, Task&)>& look);
+    void run_tasks(const std::function<void(SiteId, SiteId, DensityProbe&, Task&)>& work);
 
     MovingDelaunay& delaunay_;
     Workers& workers_;

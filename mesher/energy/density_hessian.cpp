@@ -13,7 +13,7 @@ const CellCorner& before(CellView cell, std::size_t k) {
     return k == 0 ? cell.back() : cell[k - 1];
 }
 
-/// The points of a rule on a part of the way, wrapped.
+/// Places the points of a rule on a part of a side, wrapped.
 void place_points(const Vec2& from, const Vec2& to, const GaussRule& rule, DensityProbe& probe) {
     DensityPoint* points = probe.reserve(rule.nodes.size());
     for (const double node : rule.nodes) {
@@ -24,7 +24,7 @@ void place_points(const Vec2& from, const Vec2& to, const GaussRule& rule, Densi
 
 /// 2 / |d| times the integrals over an edge of rho p p^T and rho p (p - d)^T.
 struct EdgeIntegrals {
-    /// Adds the part of the edge between two places.
+    /// Adds the part of the edge between two points.
     void add(const Vec2& from, const Vec2& to, const Vec2& d, const GaussRule& rule,
              const double* rho) {
         const double length = 2 * std::sqrt((to - from).squaredNorm() / d.squaredNorm());
@@ -60,30 +60,32 @@ void DensityHessian::place_side(const GaussRule& rule, const CellCorner& from, c
                                 Rows& rows, DensityProbe& probe) const {
     quadrature_.cut_way(from.lattice, to.lattice, rows.shares);
     rows.n_parts.push_back(static_cast<int>(rows.shares.size()) - 1);
-    const Vec2 way = to.lattice - from.lattice;
+    const Vec2 edge_vector = to.lattice - from.lattice;
     for (std::size_t k = 1; k < rows.shares.size(); ++k) {
-        place_points(from.lattice + rows.shares[k - 1] * way, from.lattice + rows.shares[k] * way,
-                     rule, probe);
+        place_points(from.lattice + rows.shares[k - 1] * edge_vector,
+                     from.lattice + rows.shares[k] * edge_vector, rule, probe);
         rows.part_end.push_back(rows.shares[k]);
     }
 }
 
 void DensityHessian::fill_row(SiteId site, std::size_t k, Rows& rows, BlockMatrix& hessian) const {
+    // Begin with the term of the mass.
     const CellView cell = rows.cell(k);
     Eigen::Matrix2d diagonal = 2 * mass_[site] * Eigen::Matrix2d::Identity();
     int entry = hessian.row_begin[site];
+    // Add the integrals over each edge of the cell.
     for (std::size_t c = 0; c < cell.size(); ++c) {
         const std::size_t side = rows.cells.begin[k] + c;
         const SiteId neighbour = rows.cells.neighbours[side];
         const GaussRule& rule = side_rule(site, neighbour);
         const Vec2 from = before(cell, c).plane;
-        const Vec2 way = cell[c].plane - from;
+        const Vec2 edge_vector = cell[c].plane - from;
         EdgeIntegrals edge;
         double share = 0;
         for (int part = 0; part < rows.n_parts[side]; ++part) {
             const double end = rows.part_end[rows.next_part++];
-            edge.add(from + share * way, from + end * way, cells_.to_neighbour(rows.cells, side),
-                     rule, rows.next_rho);
+            edge.add(from + share * edge_vector, from + end * edge_vector,
+                     cells_.to_neighbour(rows.cells, side), rule, rows.next_rho);
             rows.next_rho += rule.nodes.size();
             share = end;
         }
@@ -96,6 +98,7 @@ void DensityHessian::fill_row(SiteId site, std::size_t k, Rows& rows, BlockMatri
         const Eigen::Matrix2f block = edge.mixed.cast<float>();
         hessian.block[entry++] = {block(0, 0), block(1, 0), block(0, 1), block(1, 1)};
     }
+    // Symmetrise the diagonal block.
     const double beside = (diagonal(1, 0) + diagonal(0, 1)) / 2;
     hessian.diagonal[site] = {diagonal(0, 0), beside, beside, diagonal(1, 1)};
 }
@@ -116,8 +119,8 @@ void DensityHessian::fill_rows(SiteId first, SiteId end, double per_unit, Densit
             place_side(side_rule(sites[k], neighbour), before(cell, c), cell[c], rows, probe);
         }
     }
-    const std::span<const double> asked = probe.evaluate_reserved();
-    std::vector<double> rho(asked.begin(), asked.end());
+    const std::span<const double> values = probe.evaluate_reserved();
+    std::vector<double> rho(values.begin(), values.end());
     for (double& number : rho) number *= per_unit;
     rows.next_rho = rho.data();
     for (std::size_t k = 0; k < sites.size(); ++k) fill_row(sites[k], k, rows, hessian);

@@ -11,32 +11,33 @@
 namespace pcvt {
 namespace {
 
-/// A slab, the task of one worker, takes at least this many sites, and twice as many triangles; of
-/// many sites there are this many slabs. Most triangles of a slab have all their corners among its
-/// sites, since both are numbered column by column.
+/// A slab is the task of one worker. It has at least kSitesPerSlab sites and twice as many
+/// triangles; for many sites there are kMostSlabs slabs. Most triangles of a slab have all their
+/// corners among its sites, since both are numbered column by column.
 constexpr int kSitesPerSlab = 12'500;
 constexpr int kMostSlabs = 32;
-/// The sums of a slab of so many sites stay in the cache from when they are cleared to when the
-/// triangles add to them; those of a larger slab are cleared as the triangles come, so many sites
-/// ahead of them, and so many more are fetched.
+/// Slabs up to kSitesClearedAtOnce sites clear their sums in advance: these stay in the cache until
+/// triangles add to them. Larger slabs clear the sums kSitesCleared sites ahead of the triangles,
+/// and prefetch kSitesFetched sites after those.
 constexpr int kSitesClearedAtOnce = 16'000;
 constexpr int kSitesCleared = 64;
 constexpr int kSitesFetched = 192;
-/// Points and gradients of so many sites share a line of the cache, and so many corners do.
+/// Sites (points and gradients), and corners, per cache line.
 constexpr int kSitesPerLine = 4;
 constexpr int kCornersPerLine = 16;
-/// The corners of a block are fetched while so many blocks before them are worked on.
+/// The number of blocks by which the prefetch of corners is ahead.
 constexpr int kBlocksFetched = 4;
-/// Terms that are large beside what they are part of are not subtracted again: they would leave
-/// their rounding. Those with a cotangent above this are at once known to be, others by their
-/// largest part over F, or where there are many sites over the mean of a cell's.
+/// Terms that are much larger than the sum that contains them are not subtracted again, since their
+/// rounding would remain. Terms with a cotangent above kSteepest are rejected at once; other terms
+/// are rejected by their largest part relative to F, or for many sites relative to the mean over
+/// the cells.
 constexpr double kSteepest = 32;
 constexpr double kLargestPart = 500;
 constexpr double kLargestPartOfCell = 5e4;
-/// With more flips than one in this many sites a second pass is cheaper than the corrections.
+/// With more than one flip per this number of sites a second pass is cheaper than corrections.
 constexpr int kSitesPerFlip = 10;
 
-/// The largest of the numbers below `end`, or -1.
+/// Returns the largest of the numbers below `end`, or -1.
 PCVT_TARGET_CLONES int last_below(int end, const int* numbers, int n) {
     int last = -1;
     for (int k = 0; k < n; ++k) last = std::max(last, numbers[k] < end ? numbers[k] : -1);
@@ -70,9 +71,10 @@ struct EnergyPass::Slab {
     double value = 0;
     Suspects suspects = {};
     std::vector<Foreign> foreign = {};
-    /// The sums of so many of the sites are cleared.
+    /// The number of sites whose sums are cleared.
     int n_cleared = 0;
-    /// So many of the suspect halfedges stay suspects; of so many the triangle beyond is fetched.
+    /// The number of suspect halfedges that were examined and kept, and the number whose adjacent
+    /// triangles were prefetched.
     std::size_t n_examined = 0;
     std::size_t n_fetched = 0;
 
@@ -85,7 +87,7 @@ struct EnergyPass::Slab {
     void scatter(const MovingDelaunay& delaunay, int first, int n, const TriangleBlock& block,
                  Energy& energy);
     void suspect(const MovingDelaunay& delaunay, int h, const TriangleBlock& block, int k);
-    void look_at_suspects(const MovingDelaunay& delaunay);
+    void examine_suspects(const MovingDelaunay& delaunay);
     std::size_t certify_edges(const MovingDelaunay& delaunay, std::size_t end);
 };
 
@@ -101,6 +103,7 @@ void add(SiteId site, double gx, double gy, double mass, double* gradients, doub
 }  // namespace
 
 void EnergyPass::Slab::run(const MovingDelaunay& delaunay, Energy& energy) {
+    // Reset the sums and lists.
     value = 0;
     suspects = {};
     foreign.clear();
@@ -108,6 +111,7 @@ void EnergyPass::Slab::run(const MovingDelaunay& delaunay, Energy& energy) {
     n_examined = 0;
     n_fetched = 0;
     if (n_sites <= kSitesClearedAtOnce) clear(n_sites, energy);
+    // Process the triangles block by block.
     TriangleBlock block;
     for (int done = 0; done < 2 * n_sites; done += TriangleBlock::kSize) {
         const int n = std::min(TriangleBlock::kSize, 2 * n_sites - done);
@@ -116,15 +120,16 @@ void EnergyPass::Slab::run(const MovingDelaunay& delaunay, Energy& energy) {
         clear_for(
             delaunay.triangulation().corner_sites().data() + 3 * std::size_t(2 * first_site + done),
             3 * n, delaunay.coordinates(), energy);
-        look_at_suspects(delaunay);
+        examine_suspects(delaunay);
         scatter(delaunay, 2 * first_site + done, n, block, energy);
     }
+    // Examine the last suspects, and clear sites without triangles here.
     certify_edges(delaunay, suspects.halfedges.size());
     clear(n_sites, energy);
 }
 
-/// Clears the sums of the sites as far as the corners go, and has the memory begin to send what
-/// comes after them.
+/// Clears the sums of the sites up to the given corners, and prefetches the data of the sites that
+/// follow.
 void EnergyPass::Slab::clear_for(const SiteId* corners, int n_corners, const Points& coordinates,
                                  Energy& energy) {
     if (n_cleared == n_sites) return;
@@ -170,7 +175,7 @@ void EnergyPass::Slab::gather(const MovingDelaunay& delaunay, int first, int n,
             block.qv[k] += offsets[k].j2;
         }
     }
-    // What is left of a block that is not full: triangles that divide nothing by zero.
+    // Fill up an incomplete block with triangles that cause no division by zero.
     for (int k = n; k < TriangleBlock::kSize; ++k) {
         block.pu[k] = block.qv[k] = 1;
         block.pv[k] = block.qu[k] = 0;
@@ -221,9 +226,9 @@ void EnergyPass::Slab::suspect(const MovingDelaunay& delaunay, int h, const Tria
     delaunay.triangulation().fetch_opposite(suspects.halfedges.back());
 }
 
-/// Called once a block: what the look at a suspect needs comes in two steps, from one block to the
-/// next.
-void EnergyPass::Slab::look_at_suspects(const MovingDelaunay& delaunay) {
+/// Called once per block: the data of a suspect is prefetched in two steps, one in each of two
+/// successive blocks.
+void EnergyPass::Slab::examine_suspects(const MovingDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     const std::size_t n_suspects = suspects.halfedges.size();
     for (std::size_t k = n_fetched; k < n_suspects; ++k) {
@@ -232,8 +237,7 @@ void EnergyPass::Slab::look_at_suspects(const MovingDelaunay& delaunay) {
     n_fetched = n_suspects - certify_edges(delaunay, n_fetched);
 }
 
-/// Removes the halfedges that are Delaunay from the suspects before `end` that were not examined
-/// yet; returns their number.
+/// Removes the certified halfedges from the unexamined suspects before `end`; returns their number.
 std::size_t EnergyPass::Slab::certify_edges(const MovingDelaunay& delaunay, std::size_t end) {
     const auto begin = suspects.halfedges.begin();
     const auto kept = std::remove_if(begin + n_examined, begin + end,
@@ -298,7 +302,7 @@ bool EnergyPass::corrections_pay() const {
     return steepest_ <= kSteepest && n_corrections_ <= 1 + delaunay_.n_sites() / kSitesPerFlip;
 }
 
-/// To be asked after the last flip, when F can be trusted to a few digits at least.
+/// Valid after the last flip, when F has a few correct digits at least.
 bool EnergyPass::corrections_are_exact() const {
     const double limit = std::min(kLargestPart, kLargestPartOfCell / delaunay_.n_sites());
     return n_corrections_ == 0 || !(largest_part_ > limit * energy_->value);

@@ -4,8 +4,8 @@
 
 namespace pcvt {
 
-/// F, its gradient and the masses at one state of the sites, rho = 1; in the frame and the unit of
-/// a MovingDelaunay, sites in its order.
+/// F, its gradient and the masses at given positions of the sites, for rho = 1; in the frame and
+/// the unit of a MovingDelaunay, sites in its order.
 struct Energy {
     /// F of Eq. 3, unit^4.
     double value = 0;
@@ -20,12 +20,28 @@ struct Energy {
 ///   F(x)    = sum_i  integral over cell i of  |p - x_i|^2
 ///   dF/dx_i = 2 m_i (x_i - g_i)
 ///
-/// One pass over the Delaunay triangles, without a circumcentre or a polygon: the part of cell i
-/// that belongs to the directed edge (i, j) of a triangle is the right-angled triangle between x_i,
-/// the middle of the edge and the circumcentre, signed where the opposite angle is obtuse. With
-/// l = |x_j - x_i|^2 and c the cotangent of the opposite angle it adds l^2 c (3 + c^2) / 96 to F
-/// and l c / 8 to the masses of both. The sum is exact on a Delaunay triangulation, and the same
-/// pass certifies that it is one. Laws, tested by number:
+///   paper | code
+///   x_i   | MovingDelaunay::coordinates
+///   F     | Energy::value
+///   m_i   | Energy::mass
+///   g_i   | x_i - gradient_i / (2 m_i), the centroid
+///
+/// One pass over the Delaunay triangles computes all of this without circumcentres or polygons. The
+/// part of cell i that belongs to the directed edge (i, j) of a triangle is the right-angled
+/// triangle between x_i, the midpoint of the edge and the circumcentre, with a negative sign where
+/// the opposite angle is obtuse. With l = |x_j - x_i|^2 and c the cotangent of the opposite angle,
+/// the edge adds l^2 c (3 + c^2) / 96 to F and l c / 8 to the masses of both sites. The sum is
+/// exact on a Delaunay triangulation, and the same pass certifies that the triangulation is
+/// Delaunay.
+///
+/// Example usage:
+///
+///     EnergyPass pass(delaunay, workers);
+///     Energy energy;
+///     if (!pass.evaluate(energy)) throw InvalidInput("two sites coincide");
+///     const double largest = residuals(energy.gradient, energy.mass, h, workers).largest;
+///
+/// Laws, tested by number:
 ///   (1) F is unchanged when any site moves by a lattice translation.
 ///   (2) The gradient sums to zero over the sites.
 ///   (3) F >= 5 A^2 / (18 sqrt(3) n), A the area of the domain.
@@ -33,14 +49,14 @@ struct Energy {
 ///   (5) Every bit is the same for any number of workers.
 class EnergyPass final : private FlipObserver {
    public:
-    /// Both must outlive this object.
+    /// Both arguments must outlive this object.
     EnergyPass(MovingDelaunay& delaunay, Workers& workers);
     ~EnergyPass();
 
-    /// Restores the triangulation after a step, and evaluates. Terms of triangles that were flipped
-    /// are corrected one by one, unless they are so many, or so large beside F, that a second pass
-    /// is better.
-    /// @returns false where two sites coincide.
+    /// Restores the triangulation after a step, and evaluates. The terms of flipped triangles are
+    /// corrected one by one, unless they are so numerous, or so large compared with F, that a
+    /// second pass is better.
+    /// @returns false if two sites coincide.
     bool evaluate(Energy& energy);
 
    private:
@@ -57,7 +73,7 @@ class EnergyPass final : private FlipObserver {
     MovingDelaunay& delaunay_;
     Workers& workers_;
     std::vector<Slab> slabs_;
-    /// What the corrections go to, and how they went.
+    /// The target of the corrections, and their statistics.
     Energy* energy_ = nullptr;
     double steepest_ = 0;
     double largest_part_ = 0;

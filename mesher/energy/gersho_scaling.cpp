@@ -8,7 +8,7 @@ namespace pcvt {
 GershoScaling compare_with_gersho_scaling(const Eigen::VectorXd& mass,
                                           const Eigen::VectorXd& area) {
     const auto n = static_cast<double>(mass.size());
-    // area_i rho_i^(1/2): the same for all cells where the law holds.
+    // area_i rho_i^(1/2), which is the same for all cells if the law holds.
     Eigen::VectorXd share = (mass.array() * area.array()).sqrt();
     const double root_integral = share.sum();
     for (double& s : share) s = std::abs(std::sqrt(s * n / root_integral) - 1);

@@ -8,7 +8,7 @@ namespace {
 constexpr int kTrianglesPerTask = 1 << 14;
 constexpr int kSitesPerTask = 1 << 13;
 
-/// From the origin of h to its target; coordinates of the reduced basis, exact.
+/// The vector from the origin of h to its target; coordinates of the reduced basis, exact.
 Vec2 edge(const MovingDelaunay& delaunay, int h) {
     const TorusTriangulation& t = delaunay.triangulation();
     const Corner from = t.corner(h);
@@ -17,8 +17,9 @@ Vec2 edge(const MovingDelaunay& delaunay, int h) {
                       image(delaunay.coordinates(), to.site, to.offset));
 }
 
-/// For each halfedge the cotangent of the opposite angle in its triangle.
+/// Returns for each halfedge the cotangent of the opposite angle in its triangle.
 std::vector<double> cotangents(const MovingDelaunay& delaunay, Workers& workers) {
+    // Compute the three cotangents of each triangle in parallel.
     const int n_triangles = delaunay.triangulation().n_triangles();
     std::vector<double> cotangent(3 * std::size_t(n_triangles));
     const int n_tasks = (n_triangles + kTrianglesPerTask - 1) / kTrianglesPerTask;
@@ -41,8 +42,8 @@ std::vector<double> cotangents(const MovingDelaunay& delaunay, Workers& workers)
     return cotangent;
 }
 
-/// H_ij of the edge d from x_i to x_j, with the cotangents left and right of it. Exchanging i and j
-/// transposes it to the last bit.
+/// Returns H_ij of the edge d from x_i to x_j, with the cotangents to its left and right.
+/// Exchanging i and j transposes the block to the last bit.
 BlockMatrix::Block edge_block(const Vec2& d, double left, double right) {
     const double sum = left + right;
     const double along = -0.25 * sum;
@@ -55,7 +56,7 @@ BlockMatrix::Block edge_block(const Vec2& d, double left, double right) {
             static_cast<float>(mixed + twist), static_cast<float>(along * yy + across * xx)};
 }
 
-/// One halfedge that leaves each site, and the number of halfedges to other sites.
+/// One halfedge that leaves each site, and the number of its halfedges to other sites.
 struct Stars {
     explicit Stars(const TorusTriangulation& triangulation)
         : first(static_cast<std::size_t>(triangulation.n_sites())), n_neighbours(first.size()) {
@@ -88,7 +89,7 @@ void fill_row(const MovingDelaunay& delaunay, const std::vector<double>& cotange
         }
         h = t.next_round_site(h);
     } while (h != first);
-    // Symmetric but for rounding: the twists of a row sum to zero.
+    // The sum is symmetric up to rounding, because the twists of a row sum to zero.
     diagonal[1] = diagonal[2] = 0.5 * (diagonal[1] + diagonal[2]);
 }
 

@@ -13,25 +13,25 @@
 namespace pcvt {
 namespace {
 
-/// In units of h^4.
+/// The measured stiffness C_L along and C_T across the wave vector, in units of h^4.
 constexpr double kAlong = 0.417;
 constexpr double kAcross = 0.0963;
-/// The share of the long waves, and nodes of the grid per h; measured.
+/// The weight w of the long waves and the number of grid nodes per h; measured.
 constexpr double kShare = 0.4;
 constexpr double kNodesPerSpacing = 0.6;
 constexpr int kSitesPerStretch = 1 << 14;
 constexpr int kRowsPerTask = 32;
-/// Rows that are repeated before the first and after the last one, so that sites which left their
-/// period a little stay beside their neighbours.
+/// Rows repeated before the first and after the last row, so that sites slightly outside of their
+/// period stay next to their neighbours.
 constexpr int kMargin = 16;
 
-/// FFTW plans one at a time in a process.
+/// FFTW's planner is not thread-safe.
 std::mutex& planning() {
     static std::mutex mutex;
     return mutex;
 }
 
-/// The next even number that has no prime factor above 7.
+/// Returns the next even number without prime factors above 7.
 int good_size(double wanted) {
     for (int size = std::max(4, 2 * static_cast<int>(std::ceil(wanted / 2)));; size += 2) {
         int rest = size;
@@ -42,8 +42,8 @@ int good_size(double wanted) {
     }
 }
 
-/// A coordinate in periods as rows or columns of a grid: in [-margin, size + margin), unwrapped
-/// where it lies there.
+/// Converts a coordinate in periods to rows or columns of a grid: in [-margin, size + margin), and
+/// unwrapped if it lies in this range.
 float on_grid(double u, int size, int margin) {
     const double unwrapped = u * size;
     if (unwrapped >= -margin && unwrapped < size + margin - 1) {
@@ -55,8 +55,8 @@ float on_grid(double u, int size, int margin) {
 
 }  // namespace
 
-/// Numbers at the nodes of a periodic grid, with more rows on both sides and a column more that
-/// repeat others, and in the same memory their Fourier transform.
+/// The values at the nodes of a periodic grid, with additional rows on both sides and an additional
+/// column that repeat others; the Fourier transform uses the same memory.
 class LongWaves::Grid {
    public:
     Grid(int n_rows, int n_columns);
@@ -66,14 +66,14 @@ class LongWaves::Grid {
 
     int n_rows() const { return n_rows_; }
     int n_columns() const { return n_columns_; }
-    /// Rows from -kMargin to n_rows() + kMargin are there; of each, column n_columns() too.
+    /// Returns row i, -kMargin <= i <= n_rows() + kMargin; each row also has column n_columns().
     float* row(int i) { return numbers_ + std::ptrdiff_t(i + kMargin) * row_stride_; }
     std::span<std::complex<float>> waves(int i) {
         return {reinterpret_cast<std::complex<float>*>(row(i)), std::size_t(n_columns_ / 2 + 1)};
     }
 
     void clear() { std::fill(row(-kMargin), row(n_rows_ + kMargin + 1), 0.0F); }
-    /// Adds what the repeated rows and column hold to those that they repeat.
+    /// Adds the repeated rows and column to the originals.
     void fold();
     void repeat();
     void to_waves() { fftwf_execute(to_waves_); }
@@ -94,7 +94,7 @@ LongWaves::Grid::Grid(int n_rows, int n_columns)
     if (numbers_ == nullptr) throw std::bad_alloc();
     float* const nodes = row(0);
     auto* const waves = reinterpret_cast<fftwf_complex*>(nodes);
-    // Plans that are measured round differently from run to run.
+    // FFTW_ESTIMATE: measured plans round differently from run to run.
     const std::scoped_lock lock(planning());
     to_waves_ = fftwf_plan_dft_r2c_2d(n_rows, n_columns, nodes, waves, FFTW_ESTIMATE);
     to_nodes_ = fftwf_plan_dft_c2r_2d(n_rows, n_columns, waves, nodes, FFTW_ESTIMATE);
@@ -154,7 +154,7 @@ void LongWaves::place_sites(const MovingDelaunay& delaunay) {
     if (!neighbours_only()) stretches_ = {{0, n_sites_, 0, x_->n_rows() + 1}};
 }
 
-/// Whether stretches that are not neighbours reach different rows.
+/// Whether stretches that are not neighbours use different rows.
 bool LongWaves::neighbours_only() const {
     int reached = -kMargin;
     for (std::size_t k = 2; k < stretches_.size(); ++k) {
@@ -164,8 +164,9 @@ bool LongWaves::neighbours_only() const {
     return true;
 }
 
-/// The numbers of the sites, collected at the nodes round each.
+/// Distributes the sites' values to the nodes round each site: P^T r.
 void LongWaves::collect(const Eigen::VectorXd& r) {
+    // Add the values of one stretch of sites with bilinear weights.
     const auto add = [&](const Stretch& stretch) {
         for (int s = stretch.first_site; s < stretch.end_site; ++s) {
             const auto i = static_cast<int>(place_(0, s) + kMargin) - kMargin;
@@ -186,19 +187,22 @@ void LongWaves::collect(const Eigen::VectorXd& r) {
             }
         }
     };
+    // Process alternate stretches in parallel: they use different rows.
     const auto n = static_cast<int>(stretches_.size());
     for (const int parity : {0, 1}) {
         workers_.for_each((n + 1 - parity) / 2, [&](int k) { add(stretches_[2 * k + parity]); });
     }
 }
 
-/// Divides each wave by its stiffness.
+/// Divides the amplitude of each wave by its stiffness.
 void LongWaves::solve() {
+    // Compute the normalisation.
     const int n_rows = x_->n_rows();
     const int n_columns = x_->n_columns();
-    // One over n for the sum over sites; FFTW's factor, the number of nodes, cancels against
-    // theirs.
+    // 1 / n normalises the sum over sites; FFTW's factor N, the number of nodes, cancels against
+    // the 1 / N of the sum over nodes.
     const double factor = kShare / (area_per_site_ * area_per_site_ * n_sites_);
+    // Split each wave into its parts along and across the wave vector.
     const auto solve_row = [&](int i) {
         const auto x = x_->waves(i);
         const auto y = y_->waves(i);
@@ -220,13 +224,14 @@ void LongWaves::solve() {
             y[j] = across * y[j] + ey * part;
         }
     };
+    // Process the rows in parallel.
     workers_.for_each((n_rows + kRowsPerTask - 1) / kRowsPerTask, [&](int task) {
         const int first = task * kRowsPerTask;
         for (int i = first; i < std::min(first + kRowsPerTask, n_rows); ++i) solve_row(i);
     });
 }
 
-/// r / (2 h^2) and the nodes' numbers, interpolated at the sites.
+/// Adds r / (2 h^2) and the nodes' values interpolated at the sites.
 void LongWaves::distribute(const Eigen::VectorXd& r, Eigen::VectorXf& p) {
     const double alone = 1 / (2 * area_per_site_);
     const auto stretch = [&](const Stretch& part) {

@@ -8,21 +8,28 @@
 
 namespace pcvt {
 
-/// With fewer sites no wave is long.
+/// With fewer sites there are no long waves.
 inline constexpr int kFewestForLongWaves = 500;
 
-/// An approximate inverse of the Hessian of F for rho = 1, as a preconditioner for large n.
+/// An approximate inverse of the Hessian of F for rho = 1, a preconditioner for large n.
 ///
-/// What makes an optimiser need the more iterations the more sites there are is long waves: along a
-/// wave of displacements of wave vector k the Hessian is only C |k|^2. Near a hexagonal arrangement
-/// C is 0.417 h^4 along k and 0.0963 h^4 across it (measured), whereas a site that moves alone
-/// feels 2 h^2. So the inverse is 1 / (2 h^2) and, for what sites do together,
+/// Long waves are the reason why optimisers need more iterations for more sites: for a wave of
+/// displacements with wave vector k the Hessian is only C |k|^2. Near a hexagonal arrangement C is
+/// C_L = 0.417 h^4 along k and C_T = 0.0963 h^4 across k (measured), whereas a site that moves
+/// alone has the stiffness 2 h^2. The inverse is therefore 1 / (2 h^2) plus a term for collective
+/// motion,
 ///
 ///   M^-1 r = r / (2 h^2) + w P F^-1 [ kk^T / (C_L k^4) + (1 - kk^T / k^2) / (C_T k^2) ] F P^T r
 ///
-/// with the Fourier transform F on a grid that is a little coarser than the sites, and bilinear
-/// interpolation P between it and the sites where they were when this object was made: symmetric,
-/// positive definite and linear, as the optimiser wants it.
+/// with the Fourier transform F on a grid slightly coarser than the sites, and bilinear
+/// interpolation P from the grid to the positions of the sites at construction. M^-1 is symmetric,
+/// positive definite and linear, as the optimiser requires.
+///
+/// Example usage:
+///
+///     LongWaves preconditioner(delaunay, workers);
+///     Eigen::VectorXf p;
+///     preconditioner.apply(energy.gradient, p);
 class LongWaves {
    public:
     LongWaves(const MovingDelaunay& delaunay, Workers& workers);
@@ -30,13 +37,14 @@ class LongWaves {
     LongWaves(const LongWaves&) = delete;
     LongWaves& operator=(const LongWaves&) = delete;
 
-    /// p = M^-1 r; both 2 n numbers (x, y, x, y, ...), in the frame and the unit of the
-    /// triangulation and the order of its sites. The same bits for any number of workers.
+    /// Computes p = M^-1 r; both have 2 n numbers (x, y, x, y, ...), in the frame, the unit and the
+    /// site order of the triangulation. The result is bit for bit the same for any number of
+    /// workers.
     void apply(const Eigen::VectorXd& r, Eigen::VectorXf& p);
 
    private:
     class Grid;
-    /// Sites first_site ... end_site - 1 reach the nodes of rows first_row ... end_row - 1.
+    /// The sites first_site ... end_site - 1 use the nodes of rows first_row ... end_row - 1.
     struct Stretch {
         int first_site;
         int end_site;
@@ -54,7 +62,7 @@ class LongWaves {
     ReducedFrame frame_;
     double area_per_site_;
     int n_sites_;
-    /// Per site its place on the grid: row and column with fractions.
+    /// The position of each site on the grid: fractional row and column.
     Eigen::Matrix2Xf place_;
     /// In the order of the sites.
     std::vector<Stretch> stretches_;

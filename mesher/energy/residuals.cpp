@@ -9,10 +9,10 @@ namespace pcvt {
 namespace {
 
 constexpr Eigen::Index kSitesPerTask = 1 << 14;
-/// Partial sums: with fewer than 16 GCC does not make vectors of them.
+/// Number of partial sums; with fewer than 16 GCC does not vectorise the loop.
 constexpr Eigen::Index kLanes = 16;
 
-/// Of |gradient_i / m_i|^2.
+/// Maximum and sum of |gradient_i / m_i|^2.
 struct Squares {
     double largest = 0;
     double sum = 0;

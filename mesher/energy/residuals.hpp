@@ -6,14 +6,19 @@
 
 namespace pcvt {
 
-/// Of the residuals |x_i - g_i| / h.
+/// Maximum and root mean square of the residuals |x_i - g_i| / h.
 struct Residuals {
     double largest;
     double rms;
 };
 
-/// From gradients of the energy: dF/dx_i = 2 m_i (x_i - g_i). The same bits for any number of
-/// workers.
+/// Computes the residuals from the gradient of the energy, dF/dx_i = 2 m_i (x_i - g_i); bit for bit
+/// the same for any number of workers.
+///
+/// Example usage:
+///
+///     const auto [largest, rms] = residuals(energy.gradient, energy.mass, spacing, workers);
+///
 /// @param gradient  x, y, x, y, ...
 /// @param spacing   h.
 Residuals residuals(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass, double spacing,

@@ -10,9 +10,9 @@
 namespace pcvt {
 namespace {
 
-/// Of the largest eigenvalue.
+/// Relative to the largest eigenvalue.
 constexpr double kThreshold = 1e-6;
-/// Steps of the power iteration: the largest eigenvalue to a few percent.
+/// Steps of the power iteration, which determine the largest eigenvalue to a few percent.
 constexpr int kPowerSteps = 60;
 constexpr int kTranslations = 2;
 
@@ -56,7 +56,7 @@ class Inertia {
    public:
     explicit Inertia(const SparseMatrix& lower) : lower_(lower) { ldlt_.analyzePattern(lower_); }
 
-    /// Nothing where a pivot is zero.
+    /// Returns nullopt if a pivot is zero.
     std::optional<Eigen::Index> n_below(double shift) {
         ldlt_.setShift(-shift);
         ldlt_.factorize(lower_);

@@ -5,24 +5,30 @@
 
 namespace pcvt {
 
-/// What the Hessian says of a state whose gradient is zero. Its eigenvalues, apart from the two
-/// translations, lie all above a millionth of the largest one (`kYes`), some below minus that
-/// (`kNo`), or neither.
+/// Whether a stationary point is a minimum, according to its Hessian. Apart from the two
+/// translations, all eigenvalues are above a millionth of the largest (`kYes`), some are below
+/// minus that threshold (`kNo`), or neither holds (`kUnknown`).
+///
+/// Example usage:
+///
+///     const Minimum minimum = stability(result.delaunay.sites());
+///     std::cout << "minimum: " << minimum_name(minimum) << '\n';
 enum class Minimum { kYes, kNo, kUnknown };
 
-/// "yes", "no", "unknown".
+/// Returns "yes", "no" or "unknown".
 const char* minimum_name(Minimum minimum);
 
-/// Sites up to which the answer, where it is yes, takes less than half a second.
+/// The number of sites up to which the answer `kYes` takes less than half a second.
 inline constexpr int kMostSitesForStability = 10'000;
 
-/// By Sylvester's law of inertia: the number of negative pivots of H - s is the number of
-/// eigenvalues of H below s. One sparse factorisation where the answer is yes, else two, each of
-/// the order n^1.5. One site has one state modulo translations: a minimum.
+/// Counts eigenvalues by Sylvester's law of inertia: the number of negative pivots of H - s is the
+/// number of eigenvalues of H below s. The cost is one sparse factorisation for the answer `kYes`,
+/// else two, each of order n^1.5. One site is always a minimum, since it has a single state modulo
+/// translations.
 /// @param hessian  annihilates translations.
 Minimum stability(const BlockMatrix& hessian);
 
-/// Of sites at rest, for rho = 1; triangulates them.
+/// The stability of stationary sites for rho = 1; triangulates them.
 Minimum stability(const Sites& sites);
 
 }  // namespace pcvt

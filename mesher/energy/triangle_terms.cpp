@@ -10,11 +10,11 @@
 namespace pcvt {
 namespace {
 
-/// A cross product below this times the scale of its rounding belongs to a thin triangle.
+/// A triangle is thin if its cross product is below this fraction of its rounding scale.
 constexpr double kThin = 0x1p-10;
-/// An angle counts as acute only if its cosine is certain to be positive.
+/// An angle counts as acute only if its cosine is certainly positive.
 constexpr double kRightAngle = 1e-14;
-/// l c / 8 over w = -l c / 12.
+/// The ratio of l c / 8 to w = -l c / 12.
 constexpr double kMassPerWeight = -1.5;
 
 Vec2 turned(const Vec2& d) { return {-d.y(), d.x()}; }
@@ -25,7 +25,8 @@ TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const ReducedFrame& f
     const std::array<Vec2, 3> side{p, q - p, -q};
     const std::array<Vec2, 3> d{frame.to_plane(side[0]), frame.to_plane(side[1]),
                                 frame.to_plane(side[2])};
-    // The three cross products are equal but for rounding; the two shortest sides round least.
+    // Choose the cross product with the least rounding: all three are equal in exact arithmetic,
+    // and the two shortest sides round least.
     double cross = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
@@ -37,6 +38,7 @@ TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const ReducedFrame& f
     }
     const double per_area = 1 / (cross * frame.ax * frame.by);
 
+    // Add the terms of each side (energy.hpp).
     TriangleTerms terms;
     for (int k = 0; k < 3; ++k) {
         const int m = (k + 1) % 3;
@@ -63,6 +65,7 @@ PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
     const double by = frame.by;
     const double area = ax * by;
     for (int k = 0; k < kSize; ++k) {
+        // Compute the sides in the frame.
         const double ru = qu[k] - pu[k];
         const double rv = qv[k] - pv[k];
         const double px = ax * pu[k] + bx * pv[k];
@@ -72,12 +75,14 @@ PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
         const double rx = ax * ru + bx * rv;
         const double ry = by * rv;
 
+        // Measure the thickness.
         const double left = pu[k] * qv[k];
         const double right = pv[k] * qu[k];
         const double cross = left - right;
         thick[k] = cross - kThin * (std::abs(left) + std::abs(right));
 
-        // Squared sides 0-1, 1-2, 2-0 and the scaled cosines at 2, 0, 1 opposite to them.
+        // Compute the squared sides 0-1, 1-2, 2-0 and the scaled cosines at the opposite corners 2,
+        // 0, 1.
         const double l0 = px * px + py * py;
         const double l1 = rx * rx + ry * ry;
         const double l2 = qx * qx + qy * qy;
@@ -89,6 +94,7 @@ PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
         cosine2[k] = d0;
         acute[k] = std::min(std::min(d0, d1), d2) - kRightAngle * (l0 + l1 + l2);
 
+        // Compute the cotangents and the terms of the sides.
         const double per_area = 1 / (cross * area);
         const double c0 = d0 * per_area;
         const double c1 = d1 * per_area;
@@ -105,7 +111,7 @@ PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
         m1[k] = (v0 + v1) * kMassPerWeight;
         m2[k] = (v1 + v2) * kMassPerWeight;
 
-        // Along and across the sides; side 2 runs from corner 2 to corner 0.
+        // Add up the gradients along and across the sides; side 2 runs from corner 2 to corner 0.
         const double ax0 = v0 * px, ay0 = v0 * py, nx0 = -h0 * py, ny0 = h0 * px;
         const double ax1 = v1 * rx, ay1 = v1 * ry, nx1 = -h1 * ry, ny1 = h1 * rx;
         const double ax2 = -v2 * qx, ay2 = -v2 * qy, nx2 = h2 * qy, ny2 = -h2 * qx;

@@ -36,7 +36,7 @@ void expect_near(const Moments& found, const Moments& expected, double tolerance
 
 const Lattice kOblique({1.3, 0.2}, {0.4, 0.9});
 
-// Law 1 in a cell that nothing crosses.
+// Law 1 in a cell that no break line crosses.
 TEST(CellMoments, OfPolynomialsAreExactToDegreeTwoQMinusThree) {
     for (int q = kLeastOrder; q < 8; ++q) {
         const Density density = shared_density(
@@ -53,9 +53,9 @@ TEST(CellMoments, OfPolynomialsAreExactToDegreeTwoQMinusThree) {
     }
 }
 
-TEST(CellMoments, OfAConstantAreThoseOfTheHexagon) {
+TEST(CellMoments, OfAConstantAreTheMomentsOfTheHexagon) {
     const Density two = shared_density([](const DensityPoint&) { return 2.0; });
-    // Well inside of the domain, across one side of it, and across a corner.
+    // In the interior of the domain, across one side of it, and across a corner.
     for (const Vec2& site : {Vec2(0.5, 0.5), Vec2(0.99, 0.5), Vec2(1.02, -0.98)}) {
         Polygon corners;
         for (const CellCorner& c : hexagon(kOblique, site, 0.2)) corners.push_back(c.plane);
@@ -67,7 +67,7 @@ TEST(CellMoments, OfAConstantAreThoseOfTheHexagon) {
 }
 
 // Law 2, for a density that jumps at the seam.
-TEST(CellMoments, AreThoseOfEachTranslate) {
+TEST(CellMoments, AreEqualForAllTranslates) {
     const Density ramp =
         shared_density([](const DensityPoint& p) { return 1 + p.u * p.u + 3 * p.v; });
     for (const Vec2& site : {Vec2(0.5, 0.5), Vec2(0.95, 0.02), Vec2(0.001, 0.999)}) {
@@ -78,7 +78,7 @@ TEST(CellMoments, AreThoseOfEachTranslate) {
     }
 }
 
-/// A smooth density, moved by a part of a period.
+/// A smooth density, translated by a fraction of a period.
 Density wave(double shift) {
     return shared_density([shift](const DensityPoint& p) {
         EXPECT_TRUE(p.u >= 0 && p.u < 1 && p.v >= 0 && p.v < 1);
@@ -86,7 +86,7 @@ Density wave(double shift) {
     });
 }
 
-TEST(CellMoments, AcrossTheSeamAreThoseOfACellInTheMiddle) {
+TEST(CellMoments, AcrossTheSeamEqualThoseOfAnInteriorCell) {
     for (const Vec2& site : {Vec2(0.98, 0.5), Vec2(0.02, 0.01), Vec2(0.51, 0.99)}) {
         const Moments here = moments(kOblique, wave(0), site, 0.2, 8);
         const Vec2 moved = site - Vec2::Constant(0.45);
@@ -100,7 +100,7 @@ double pixels(const DensityPoint& p, int n) {
     return 1 + saw(p.u) * saw(p.v + 0.25 / n) + 0.5 * saw(p.u);
 }
 
-// Law 1 on pieces: the cell is cut into many, of which some are whole parallelograms.
+// Law 1 on pieces: the cell is cut into many pieces, some of them whole parallelograms.
 TEST(CellMoments, KinksAtBreakLinesCostNoAccuracy) {
     for (const int n : {1, 3, 20}) {
         Density density = shared_density([n](const DensityPoint& p) { return pixels(p, n); });

@@ -12,7 +12,7 @@
 namespace pcvt {
 namespace {
 
-/// A circle of sites round one in the middle, and a few others.
+/// A circle of sites round a central site, and a few others.
 Points wheel(int n_spokes) {
     Points points(2, n_spokes + 3);
     for (int k = 0; k < n_spokes; ++k) {
@@ -23,7 +23,8 @@ Points wheel(int n_spokes) {
     return points;
 }
 
-/// Three sites almost in a row, far from all others: their triangle is thin, its centre far away.
+/// Three nearly collinear sites, far from all others: their triangle is thin, its circumcentre far
+/// away.
 Points row() {
     Points points(2, 5);
     const Vec2 along = 1e-7 * Vec2(0.8, 0.6);
@@ -77,7 +78,7 @@ void expect_same(const Moments& found, const Moments& expected, double tolerance
     EXPECT_NEAR(found.second / expected.second, 1, tolerance);
 }
 
-TEST(CellSums, AreThoseOfEachCellByItself) {
+TEST(CellSums, EqualTheMomentsOfEachCellByItself) {
     Density halves = testing::smooth_density();
     halves.u_breaks = {0.5};
     for (const auto& [name, lattice] : testing::lattices()) {
@@ -96,7 +97,7 @@ TEST(CellSums, AreThoseOfEachCellByItself) {
     }
 }
 
-TEST(CellSums, OfACellDependOnNoOtherToTheLastBit) {
+TEST(CellSums, OfACellDependOnNoOtherCell) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     Place place(lattice, uniform_points(lattice, 700, 4), testing::smooth_density());
     const std::vector<Moments> together = place.integrate(place.ordered);
@@ -108,7 +109,7 @@ TEST(CellSums, OfACellDependOnNoOtherToTheLastBit) {
     }
 }
 
-TEST(CellSums, OfOneAreTheAreasOfFewManyAndCrowdedCells) {
+TEST(CellSums, OfUnitDensityAreTheAreasOfFewManyAndCrowdedCells) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     const Density one = shared_density([](const DensityPoint&) { return 1.0; });
     for (const Points& points : {uniform_points(lattice, 1, 1), uniform_points(lattice, 3, 1),

@@ -24,13 +24,13 @@ TEST(DensityBreaks, JumpsAlongTheAxesAreFoundToTheLastDigits) {
     EXPECT_THAT(density.v_breaks, ElementsAre(DoubleNear(0.9, 1e-15)));
 }
 
-TEST(DensityBreaks, ACheckerboardHasOneLineEachWay) {
+TEST(DensityBreaks, ACheckerboardHasOneLineInEachDirection) {
     const Density density = with_axis_breaks(Lattice::rectangle(1, 1), testing::checkerboard());
     EXPECT_THAT(density.u_breaks, ElementsAre(DoubleNear(0.5, 1e-15)));
     EXPECT_THAT(density.v_breaks, ElementsAre(DoubleNear(0.5, 1e-15)));
 }
 
-TEST(DensityBreaks, SmoothDensitiesHaveNone) {
+TEST(DensityBreaks, SmoothDensitiesHaveNoBreaks) {
     for (const Density& density : {testing::smooth_density(), testing::ridge_density()}) {
         const Density same = with_axis_breaks(Lattice::rectangle(1, 1), density);
         EXPECT_THAT(same.u_breaks, IsEmpty());
@@ -41,7 +41,7 @@ TEST(DensityBreaks, SmoothDensitiesHaveNone) {
     EXPECT_THAT(steep.u_breaks, IsEmpty());
 }
 
-TEST(DensityBreaks, JumpsAlongOtherCurvesAreNone) {
+TEST(DensityBreaks, JumpsAlongOtherCurvesAreNotFound) {
     const Density disc = with_axis_breaks(Lattice::rectangle(1, 1), testing::disc_density());
     EXPECT_THAT(disc.u_breaks, IsEmpty());
     EXPECT_THAT(disc.v_breaks, IsEmpty());

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(DensitySurvey, DrawsSitesFromTheRootOfTheDensity) {
-    // Density 100 on the left half, 1 on the right one: 10 of 11 sites on the left.
+    // The density is 100 on the left half and 1 on the right half: 10 of 11 sites lie on the left.
     const Density density =
         shared_density([](const DensityPoint& p) { return p.u < 0.5 ? 100.0 : 1.0; });
     const int n = 20000;
@@ -29,14 +29,14 @@ TEST(DensitySurvey, DrawsSitesFromTheRootOfTheDensity) {
     }
 }
 
-TEST(DensitySurvey, DrawsTheSameSitesFromTheSameSeedAndOthersFromAnother) {
+TEST(DensitySurvey, DrawsTheSameSitesFromTheSameSeedOnly) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     const Density density = testing::smooth_density();
     EXPECT_EQ(graded_points(lattice, density, 50, 1), graded_points(lattice, density, 50, 1));
     EXPECT_NE(graded_points(lattice, density, 50, 1), graded_points(lattice, density, 50, 2));
 }
 
-TEST(DensitySurvey, LooksAtTheSeam) {
+TEST(DensitySurvey, SamplesTheSeam) {
     const Density zero_at_seam = shared_density([](const DensityPoint& p) { return p.u; });
     try {
         DensitySurvey(Lattice::rectangle(3, 1), zero_at_seam, 16);
@@ -46,12 +46,12 @@ TEST(DensitySurvey, LooksAtTheSeam) {
     }
 }
 
-TEST(DensitySurvey, RefusesTooMuchContrast) {
+TEST(DensitySurvey, RejectsTooMuchContrast) {
     const Density steep = shared_density([](const DensityPoint& p) { return std::exp(-60 * p.v); });
     EXPECT_THROW(DensitySurvey(Lattice::rectangle(1, 1), steep, 256), BadDensity);
 }
 
-TEST(DensitySurvey, KnowsTheScaleOfTheDensity) {
+TEST(DensitySurvey, EstimatesTheScaleOfTheDensity) {
     const Density density = shared_density([](const DensityPoint&) { return 1e40; });
     const DensitySurvey survey(Lattice::rectangle(1, 1), density, 16);
     EXPECT_GE(survey.unit(), 1e40);
@@ -61,7 +61,7 @@ TEST(DensitySurvey, KnowsTheScaleOfTheDensity) {
 
 TEST(DensitySurvey, IntegratesSmoothDensitiesAndJumpsAtBreakLines) {
     const Lattice lattice({2, 0}, {0.7, 1.5});
-    // I_0(1)^2, I_0 the modified Bessel function.
+    // I_0(1)^2, where I_0 is the modified Bessel function.
     EXPECT_NEAR(integral(lattice, testing::smooth_density()) / 3,
                 std::pow(std::cyl_bessel_i(0.0, 1.0), 2), 1e-12);
     EXPECT_NEAR(integral(lattice, testing::ramp_density()), 3 * 50.5, 1e-11);

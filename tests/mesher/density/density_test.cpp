@@ -29,7 +29,7 @@ std::string refusal(double value) {
     return "accepted";
 }
 
-TEST(Density, IsRefusedWithItsFirstPlaceWhereItIsNotPositiveAndFinite) {
+TEST(Density, IsRejectedAtTheFirstPointWhereItIsNotPositiveAndFinite) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const auto at = HasSubstr("at x = 1, y = 1 (u = 0.5, v = 0.25); make it positive and finite");
     EXPECT_THAT(refusal(0), HasSubstr("the density is 0 "));
@@ -55,7 +55,7 @@ TEST(Density, MayNotVaryByMoreThanTheContrast) {
     }
 }
 
-TEST(Density, IsOnlyAskedBelowOne) {
+TEST(Density, IsEvaluatedBelowOneOnly) {
     DensityProbe probe = probe_of(Lattice({1, 0}, {0.5, 2}), [](const DensityPoint& p) {
         EXPECT_LT(p.u, 1);
         EXPECT_LT(p.v, 1);
@@ -67,7 +67,7 @@ TEST(Density, IsOnlyAskedBelowOne) {
     probe.evaluate(points);
 }
 
-TEST(Density, RangeTellsExtremesAndCountSinceTheLastQuestion) {
+TEST(Density, RangeHasTheExtremesAndTheCountSinceTheLastCall) {
     DensityProbe probe =
         probe_of(Lattice::rectangle(1, 1), [](const DensityPoint& p) { return 1 + p.u; });
     const std::array points{probe.point(0.5, 0), probe.point(0.25, 0), probe.point(0.75, 0)};
@@ -79,7 +79,7 @@ TEST(Density, RangeTellsExtremesAndCountSinceTheLastQuestion) {
     EXPECT_EQ(probe.take_range().n_evaluations, 0);
 }
 
-TEST(Density, FunctionsAreMadeOncePerProbeAndLentAgain) {
+TEST(Density, FunctionsAreCreatedOncePerProbeAndReused) {
     int n_made = 0;
     const Density density{[&n_made] {
         ++n_made;

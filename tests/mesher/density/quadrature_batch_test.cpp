@@ -20,14 +20,14 @@ CellPolygon square(const Vec2& site, double half) {
     return cell;
 }
 
-/// Sites of which some lie near the seam, with rules of various orders.
+/// Sites, some of them near the seam, with rules of various orders.
 std::vector<std::pair<Vec2, int>> some_cells() {
     std::vector<std::pair<Vec2, int>> cells;
     for (int k = 0; k < 40; ++k) cells.push_back({Vec2(0.31 * k - 3, 0.17 * k), 2 + k % 6});
     return cells;
 }
 
-TEST(QuadratureBatch, GivesTheMomentsOfEachCellAloneToTheLastBit) {
+TEST(QuadratureBatch, ComputesTheMomentsOfEachCellToTheLastBit) {
     const Density density = testing::ramp_density();
     const CellQuadrature quadrature(density);
     DensityProbe probe(kSquare, density.make_function());
@@ -48,7 +48,7 @@ TEST(QuadratureBatch, GivesTheMomentsOfEachCellAloneToTheLastBit) {
     }
 }
 
-TEST(QuadratureBatch, AsksTheDensityOnceForAllItsCells) {
+TEST(QuadratureBatch, EvaluatesTheDensityOnceForAllItsCells) {
     int n_calls = 0;
     std::size_t n_points = 0;
     const Density density{[&] {

@@ -7,7 +7,7 @@
 namespace pcvt {
 namespace {
 
-/// By the rule, the integral of a^m b^n over the triangle (0, p, r), divided by cross(p, r).
+/// The rule's integral of a^m b^n over the triangle (0, p, r), divided by cross(p, r).
 double monomial(const TriangleRule& rule, int m, int n) {
     double sum = 0;
     for (int k = 0; k < rule.n_points(); ++k) {
@@ -77,7 +77,7 @@ TEST(Quadrature, PointsLieOnRaysFromTheFirstCorner) {
     }
 }
 
-TEST(Quadrature, WeightsOfTheSecondDegreeGoWithThePoints) {
+TEST(Quadrature, WeightsOfTheSecondDegreeMatchThePoints) {
     const TriangleRule& rule = triangle_rule(5);
     for (int k = 0; k < rule.n_points(); ++k) {
         const double a = rule.along_p[k];

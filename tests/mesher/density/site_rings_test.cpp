@@ -8,8 +8,8 @@
 namespace pcvt {
 namespace {
 
-/// The neighbours of a site by the walk round it, from the least possible sequence on: where a site
-/// has one neighbour twice, a ring may begin at either.
+/// The neighbours of a site by a walk round it, as the least possible sequence: where a site has
+/// one neighbour twice, a ring may begin at either.
 std::vector<SiteId> walked(const SiteRings& rings, const TorusTriangulation& t, SiteId site) {
     std::vector<SiteId> round;
     rings.go_round(site, [&](int h) {
@@ -25,7 +25,7 @@ std::vector<SiteId> walked(const SiteRings& rings, const TorusTriangulation& t, 
     return least;
 }
 
-/// Compares rings with those of a fresh object.
+/// Expects that the rings equal those of a new object.
 void expect_fresh(const SiteRings& rings, const MovingDelaunay& delaunay, Workers& workers) {
     SiteRings fresh(delaunay, workers);
     fresh.update();
@@ -40,8 +40,8 @@ void expect_fresh(const SiteRings& rings, const MovingDelaunay& delaunay, Worker
     }
 }
 
-// Law 1: flips, repairs, builds, steps back, and moves by whole periods.
-TEST(SiteRings, AreThoseOfAFreshObjectAfterAnyMoves) {
+// Law 1 after flips, repairs, builds, steps back, and moves by whole periods.
+TEST(SiteRings, EqualThoseOfANewObjectAfterAnyMoves) {
     std::mt19937_64 random(3);
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 5, 40, 300}) {
@@ -71,8 +71,8 @@ TEST(SiteRings, AreThoseOfAFreshObjectAfterAnyMoves) {
     }
 }
 
-// Law 1 where nothing flips, but sites are wrapped on their way and triangles get offsets.
-TEST(SiteRings, AreThoseOfAFreshObjectAfterADriftOfAllSites) {
+// Law 1 where nothing flips, but sites are wrapped and triangles get offsets.
+TEST(SiteRings, EqualThoseOfANewObjectAfterADriftOfAllSites) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     MovingDelaunay delaunay(Sites(lattice, uniform_points(lattice, 60, 1)));
     Workers workers(1);
@@ -89,7 +89,7 @@ TEST(SiteRings, AreThoseOfAFreshObjectAfterADriftOfAllSites) {
     }
 }
 
-TEST(SiteRings, TellAllNeighboursAwayFromTheSeam) {
+TEST(SiteRings, AreCompleteAwayFromTheSeam) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     MovingDelaunay delaunay(Sites(lattice, uniform_points(lattice, 2000, 1)));
     Workers workers(1);

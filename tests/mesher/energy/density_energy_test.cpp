@@ -11,7 +11,7 @@
 namespace pcvt {
 namespace {
 
-/// Sites that have taken some Lloyd steps, with rules chosen where they stand.
+/// Sites after some Lloyd steps, with rules chosen at their positions.
 class Walk {
    public:
     Walk(const Lattice& lattice, Density rho, int n, double accuracy, int n_threads = 1)
@@ -34,7 +34,7 @@ class Walk {
         EXPECT_TRUE(delaunay.step(direction, t, workers));
         EXPECT_TRUE(pass.evaluate(energy));
     }
-    /// F where one coordinate is changed.
+    /// F with one coordinate changed.
     double value_at(int variable, double change) {
         Eigen::VectorXf direction = Eigen::VectorXf::Zero(2 * delaunay.n_sites());
         direction[variable] = 1;
@@ -55,7 +55,7 @@ class Walk {
 };
 
 // Law 1.
-TEST(DensityEnergy, OfAConstantIsThatOfUniformDensity) {
+TEST(DensityEnergy, OfAConstantEqualsTheUniformEnergy) {
     for (const auto& [name, lattice] : testing::lattices()) {
         SCOPED_TRACE(name);
         Walk walk(lattice, shared_density([](const DensityPoint&) { return 3.0; }), 60, 1e-6);
@@ -80,8 +80,8 @@ TEST(DensityEnergy, MassesSumToTheIntegralOfTheDensity) {
     }
 }
 
-/// The largest difference between the gradient and central differences of fourth order, over the
-/// cell's mass times its spacing.
+/// The largest difference between the gradient and fourth-order central differences, relative to
+/// the cell's mass times its spacing.
 double gradient_error(Walk& walk) {
     const double step = 5e-4 * walk.delaunay.spacing();
     double largest = 0;
@@ -96,17 +96,17 @@ double gradient_error(Walk& walk) {
 }
 
 // Law 3.
-TEST(DensityEnergy, GradientOfSmoothDensitiesIsThatOfTheEnergyToEightDigits) {
+TEST(DensityEnergy, GradientOfSmoothDensitiesMatchesDifferencesToEightDigits) {
     Walk walk(Lattice::rectangle(1, 1), testing::smooth_density(), 1000, 1e-10);
     EXPECT_LT(gradient_error(walk), 1e-8);
 }
 
-TEST(DensityEnergy, GradientOfARidgeIsThatOfTheEnergyToSixDigits) {
+TEST(DensityEnergy, GradientOfARidgeMatchesDifferencesToSixDigits) {
     Walk walk(Lattice::rectangle(1, 1), testing::ridge_density(), 1000, 1e-8);
     EXPECT_LT(gradient_error(walk), 1e-6);
 }
 
-TEST(DensityEnergy, GradientOfALowOrderIsNotThatOfTheEnergy) {
+TEST(DensityEnergy, GradientOfALowOrderDoesNotMatchDifferences) {
     Walk walk(Lattice::rectangle(1, 1), testing::ridge_density(), 1000, 1);
     EXPECT_GT(gradient_error(walk), 1e-5);
 }
@@ -116,7 +116,7 @@ TEST(DensityEnergy, GradientHoldsAcrossAJumpAtTheSeam) {
     EXPECT_LT(gradient_error(walk), 1e-8);
 }
 
-// Law 4, with repairs on the way.
+// Law 4, with repairs in between.
 TEST(DensityEnergy, IsTheSameToTheLastBitForAnyNumberOfWorkers) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     Walk one(lattice, testing::smooth_density(), 3000, 1e-5);
@@ -130,7 +130,7 @@ TEST(DensityEnergy, IsTheSameToTheLastBitForAnyNumberOfWorkers) {
     }
 }
 
-TEST(DensityEnergy, RulesFollowTheAccuracyAndTheDensity) {
+TEST(DensityEnergy, OrdersFollowTheAccuracyAndTheDensity) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     Walk walk(lattice, testing::ridge_density(), 500, 1e-9);
     EXPECT_LE(walk.check.largest_error, 1e-9);
@@ -145,13 +145,13 @@ TEST(DensityEnergy, RulesFollowTheAccuracyAndTheDensity) {
 
 TEST(DensityEnergy, CellsOnAJumpAreRough) {
     const Walk walk(Lattice::rectangle(1, 1), testing::disc_density(), 500, 1e-6);
-    // About as many as the circle is long in cells of either side.
+    // The number of cells is about the length of the circle in cells of either side.
     EXPECT_GT(walk.check.n_rough, 20);
     EXPECT_LT(walk.check.n_rough, 150);
     EXPECT_GT(walk.check.largest_error, 1e-5);
 }
 
-TEST(DensityEnergy, ABadPlaceIsToldFromTheFirstTaskForAnyNumberOfWorkers) {
+TEST(DensityEnergy, ABadPointIsReportedByTheFirstTaskForAnyNumberOfWorkers) {
     std::string first;
     for (const int n_threads : {1, 4}) {
         const Density hole = shared_density(

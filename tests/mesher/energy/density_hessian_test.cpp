@@ -62,14 +62,14 @@ class Place {
     Energy energy_;
 };
 
-/// Of so little contrast that the rule for edges is exact enough for few sites, too.
+/// A density of so small a contrast that the rule for edges is accurate even for few sites.
 Density gentle_density() {
     return shared_density([](const DensityPoint& p) {
         return 2 + std::sin(2 * M_PI * p.u) * std::cos(2 * M_PI * p.v);
     });
 }
 
-// Law 1, for few sites too, whose cells have edges with images of their own.
+// Law 1, also for few sites, whose cells have edges with their own images.
 TEST(DensityHessian, IsTheDerivativeOfTheGradient) {
     const Lattice hexagonal({1, 0}, {0.5, std::sqrt(0.75)});
     for (const Lattice& lattice : {Lattice({1, 0}, {0.37, 0.81}), hexagonal}) {
@@ -99,7 +99,7 @@ TEST(DensityHessian, IsTheDerivativeOfTheGradientAcrossJumps) {
 }
 
 // Law 2.
-TEST(DensityHessian, OfAConstantIsThatOfUniformDensity) {
+TEST(DensityHessian, OfAConstantEqualsTheUniformHessian) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 3, 60}) {
             SCOPED_TRACE(name + ", n = " + std::to_string(n));

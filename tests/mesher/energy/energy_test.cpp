@@ -147,7 +147,7 @@ class Walk {
     Energy energy;
 };
 
-// Law 5, at random sites and at sites that moved, with repairs on the way.
+// Law 5, for random sites and after moves, with repairs in between.
 TEST(Energy, IsTheSameToTheLastBitForAnyNumberOfWorkers) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const Sites sites(lattice, uniform_points(lattice, 50000, 6));
@@ -167,8 +167,8 @@ TEST(Energy, IsTheSameToTheLastBitForAnyNumberOfWorkers) {
     }
 }
 
-// Laws 2 and 4, in slabs so large that their sums are cleared as the triangles come.
-TEST(Energy, OfLargeSlabsAddsToClearedSums) {
+// Laws 2 and 4 in slabs large enough that their sums are cleared along with the triangles.
+TEST(Energy, IsCorrectInLargeSlabs) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     Walk walk(Sites(lattice, uniform_points(lattice, 600000, 8)), 2);
     const Energy first = walk.energy;
@@ -192,7 +192,7 @@ void expect_delaunay(const MovingDelaunay& delaunay, const Lattice& lattice) {
     }
 }
 
-/// The walk's energy against that of a new triangulation of the same sites.
+/// Compares the walk's energy with that of a new triangulation of the same sites.
 void expect_fresh(const Walk& walk, const Lattice& lattice) {
     const Sites sites(lattice, reduce(lattice), walk.delaunay.coordinates());
     const PlaneEnergy fresh = energy_at(sites);
@@ -206,7 +206,7 @@ void expect_fresh(const Walk& walk, const Lattice& lattice) {
     ASSERT_NEAR(walked.value / fresh.value, 1, 1e-12);
 }
 
-// Steps that flip too few edges for a second pass: their terms are corrected one by one.
+// Steps that flip too few edges for a second pass: the terms are corrected one by one.
 TEST(Energy, CorrectionsAfterFlipsEqualASecondPass) {
     int n_corrected_steps = 0;
     for (const auto& [name, lattice] : lattices()) {
@@ -242,9 +242,9 @@ Eigen::VectorXf flattening(const MovingDelaunay& delaunay, int h, double part, d
     return direction;
 }
 
-// A site comes so near to the side of its triangle that cotangents are large and F resolves none of
-// the terms that a flip takes away.
-TEST(Energy, KeepsTwelveDigitsWhereTrianglesWereFlat) {
+// A site comes so close to the opposite side of its triangle that cotangents are large and F does
+// not resolve the terms that a flip subtracts.
+TEST(Energy, KeepsTwelveDigitsAfterFlatTriangles) {
     std::mt19937_64 random(9);
     std::uniform_real_distribution<double> uniform(0.2, 0.8);
     for (const auto& [name, lattice] : lattices()) {
@@ -290,8 +290,8 @@ void expect_exact_sum(const Walk& walk) {
     EXPECT_LT((walk.energy.mass - wide.mass).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-/// Relative to F, to the gradient of a cell whose site stands as far from its centroid as points of
-/// the domain from their sites, and to the largest mass.
+/// Relative to F, to the largest mass, and to the gradient of a cell whose site is as far from its
+/// centroid as points of the domain are from their sites.
 void expect_twelve_digits(const Walk& walk) {
     const Energy wide = wide_energy(walk.delaunay);
     const double mass = wide.mass.maxCoeff();
@@ -301,8 +301,8 @@ void expect_twelve_digits(const Walk& walk) {
     EXPECT_LT((walk.energy.mass - wide.mass).cwiseAbs().maxCoeff(), 1e-12 * mass);
 }
 
-// A row of sites parts along a torus that is thinner than h: flips take away terms that are large
-// for the length of their sides, at angles that are not flat.
+// A row of sites separates along a torus that is thinner than h: flips subtract terms that are
+// large for the length of their sides, at angles that are not flat.
 TEST(Energy, KeepsTwelveDigitsOnTheThinnestTori) {
     std::mt19937_64 random(10);
     std::uniform_real_distribution<double> uniform;
@@ -324,7 +324,8 @@ TEST(Energy, KeepsTwelveDigitsOnTheThinnestTori) {
     }
 }
 
-// Sites in pairs, 1e-9 h apart, that turn round each other: thin triangles come and go.
+// Pairs of sites at a distance of 1e-9 h that rotate round each other: thin triangles appear and
+// vanish.
 TEST(Energy, KeepsTwelveDigitsWhereSitesAlmostCoincide) {
     std::mt19937_64 random(8);
     std::normal_distribution<float> normal;

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using testing::dense;
 
-/// An engine whose sites can be looked at from a little beside.
+/// An engine whose gradient can be evaluated at slightly displaced sites.
 class Engine {
    public:
     explicit Engine(const Sites& sites) : delaunay_(sites), pass_(delaunay_, workers_) {
@@ -60,7 +60,7 @@ class Engine {
     Energy energy_;
 };
 
-/// The largest error of H d against differences, over the largest entry of H and d.
+/// The largest error of H d compared with differences, relative to the largest entry of H and d.
 double error_along(Engine& engine, const Eigen::VectorXf& direction) {
     const MatrixXd h = dense(engine.hessian());
     const VectorXd error = h * direction.cast<double>() - engine.derivative(direction);
@@ -109,8 +109,8 @@ TEST(Hessian, IsSymmetricAndItsRowsSumToZero) {
     }
 }
 
-// A square with its corners moved a little makes one diagonal an edge or the other one.
-TEST(Hessian, DoesNotJumpWhereAnEdgeFlips) {
+// A square with slightly displaced corners has one or the other diagonal as an edge.
+TEST(Hessian, IsContinuousWhereAnEdgeFlips) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     for (const int k : {3, 4}) {
         MatrixXd before;
@@ -129,9 +129,9 @@ TEST(Hessian, DoesNotJumpWhereAnEdgeFlips) {
     }
 }
 
-// By hand: at a side c = 1 left and right of it, so H_ij = l (-1/2 along it, 1/6 across); at a
-// diagonal c = 0.
-TEST(Hessian, OfTheSquareGrid) {
+// Computed by hand: c = 1 left and right of a side, so H_ij = l (-1/2 along it, 1/6 across); c = 0
+// at a diagonal.
+TEST(Hessian, OfTheSquareGridEqualsTheHandComputation) {
     const Sites grid = testing::grid_sites(Lattice::rectangle(1, 1), 4, 4, 0.1, 0.1);
     const MatrixXd h = dense(Engine(grid).hessian());
     for (Eigen::Index k = 0; k < h.rows(); ++k) {

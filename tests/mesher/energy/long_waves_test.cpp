@@ -62,13 +62,13 @@ MovingDelaunay hexagons(int side) {
     return MovingDelaunay{Sites(Lattice::rectangle(side, std::sqrt(3.0) * side), points)};
 }
 
-TEST(LongWaves, MoveAllSitesAlikeAsOneAlone) {
+TEST(LongWaves, MoveAllSitesTogetherAsOneSiteAlone) {
     const MovingDelaunay delaunay = hexagons(15);
     Workers workers(1);
     LongWaves waves(delaunay, workers);
     const double alone = 1 / (2 * std::pow(delaunay.spacing(), 2));
     const VectorXd push = VectorXd::Ones(2 * delaunay.n_sites());
-    // The grid and the hexagons beat a little.
+    // The grid and the hexagons interfere slightly.
     EXPECT_LT((apply(waves, push) - alone * push).norm(), 0.2 * alone * push.norm());
 }
 
@@ -97,14 +97,14 @@ TEST(LongWaves, DivideTheLongestWavesByTheirStiffness) {
             wave.segment<2>(2 * s) = (along * std::cos(phase)).cast<float>();
         }
         const VectorXd answer = apply(waves, stiffness(delaunay, wave));
-        // The share of the long waves is 0.4, and a little comes from the sites alone.
+        // The weight of the long waves is 0.4, and the single-site term adds a little.
         const double part = answer.dot(wave.cast<double>()) / double(wave.squaredNorm());
         EXPECT_NEAR(part, 0.4, 0.03);
         EXPECT_LT((answer - part * wave.cast<double>()).norm(), 0.03 * answer.norm());
     }
 }
 
-TEST(LongWaves, GiveTheSameBitsForAnyNumberOfWorkers) {
+TEST(LongWaves, ComputeTheSameBitsForAnyNumberOfWorkers) {
     const MovingDelaunay delaunay = random_sites(kLattices[0], 120000, 4);
     const VectorXd r = VectorXd::Random(240000);
     VectorXd first;

@@ -8,8 +8,8 @@
 namespace pcvt {
 namespace {
 
-// Numbers of sites round those that are worked on at once, and that one task takes.
-TEST(Residuals, AreTheGradientsOverTwiceTheMassesInUnitsOfH) {
+// Numbers of sites around the number of lanes and the size of a task.
+TEST(Residuals, EqualTheGradientsOverTwiceTheMassesInUnitsOfH) {
     std::mt19937_64 random(1);
     std::normal_distribution<double> normal;
     for (const Eigen::Index n : {1, 2, 15, 16, 17, 40, 16'383, 16'384, 16'385, 40'000}) {

@@ -15,8 +15,8 @@ namespace {
 
 using testing::sublattice_sites;
 
-// The best lattices of the unit square, with their bases.
-TEST(Stability, TellsMinimaFromSaddlesAmongTheBestLattices) {
+// The best lattices of the unit square and their bases.
+TEST(Stability, DistinguishesMinimaFromSaddlesAmongTheBestLattices) {
     const Lattice unit = Lattice::rectangle(1, 1);
     EXPECT_EQ(stability(sublattice_sites(unit, {2, 1, 2})), Minimum::kYes);
     EXPECT_EQ(stability(sublattice_sites(unit, {14, 7, 4})), Minimum::kYes);
@@ -25,7 +25,7 @@ TEST(Stability, TellsMinimaFromSaddlesAmongTheBestLattices) {
     EXPECT_EQ(stability(sublattice_sites(unit, {13, 5, 1})), Minimum::kNo);
 }
 
-TEST(Stability, OneSiteIsAMinimumAndTheSquareGridIsNone) {
+TEST(Stability, OneSiteIsAMinimumAndTheSquareGridIsNot) {
     for (const auto& [name, lattice] : testing::lattices()) {
         EXPECT_EQ(stability(Sites(lattice, uniform_points(lattice, 1, 0))), Minimum::kYes) << name;
     }
@@ -40,7 +40,7 @@ TEST(Stability, HexagonsAreAMinimum) {
     }
 }
 
-/// The answer by all eigenvalues.
+/// The answer from all eigenvalues.
 Minimum by_eigenvalues(const BlockMatrix& h) {
     Eigen::MatrixXd matrix(2 * h.n_rows(), 2 * h.n_rows());
     Workers workers(1);
@@ -80,7 +80,7 @@ TEST(Stability, AgreesWithAllEigenvalues) {
     EXPECT_LT(n_minima, n_states);
 }
 
-/// Pairs on springs to their neighbours in a ring of n: eigenvalues 2 - 2 cos(2 pi k / n), twice.
+/// A ring of n pairs on springs between neighbours: eigenvalues 2 - 2 cos(2 pi k / n), twice.
 BlockMatrix ring_of_springs(int n, float stiffness_of_one) {
     BlockMatrix h;
     h.resize(std::vector<int>(static_cast<std::size_t>(n), 2));
@@ -97,7 +97,7 @@ BlockMatrix ring_of_springs(int n, float stiffness_of_one) {
     return h;
 }
 
-TEST(Stability, LeavesOpenWhatIsFlat) {
+TEST(Stability, IsUnknownForFlatDirections) {
     EXPECT_EQ(stability(ring_of_springs(100, 1)), Minimum::kYes);
     EXPECT_EQ(stability(ring_of_springs(5000, 1)), Minimum::kUnknown);
     EXPECT_EQ(stability(ring_of_springs(100, -1)), Minimum::kNo);

@@ -38,8 +38,8 @@ bool counter_clockwise(const Corners& c) {
     return orientation(at[0], at[1], at[2]) > 0;
 }
 
-/// Counter-clockwise triangles of any shape, the k-th with two corners up to 10^-(k % 10) apart, or
-/// with a corner that near to the side opposite.
+/// Counter-clockwise triangles of any shape; the k-th has two corners up to 10^-(k % 10) apart, or
+/// a corner that close to the opposite side.
 std::vector<Corners> random_triangles(int n, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -56,7 +56,7 @@ std::vector<Corners> random_triangles(int n, std::uint64_t seed) {
     return list;
 }
 
-/// Relative to the sums of absolute values.
+/// Compares relative to the sums of absolute values.
 void expect_terms(const TriangleTerms& actual, const Corners& corners, const ReducedFrame& frame,
                   double tolerance) {
     const testing::WideTerms expected = testing::wide_terms(corners.p, corners.q, frame);
@@ -80,14 +80,14 @@ TEST(TriangleTerms, AreTheIntegralsOverTheRightAngledParts) {
     }
 }
 
-/// The vector of the plane in coordinates of the reduced basis.
+/// Converts a vector of the plane to coordinates of the reduced basis.
 Vec2 to_lattice(const ReducedFrame& frame, const Vec2& d) {
     const double v = d.y() / frame.by;
     return snapped({(d.x() - frame.bx * v) / frame.ax, v});
 }
 
-/// Triangles with a side from corner 0 to 1 and another one that leaves corner 0 at `angle` from
-/// it, `near` times as long; the corners turned by `first`.
+/// Triangles with a side from corner 0 to corner 1 and a second side from corner 0 at `angle` to
+/// it, `near` times as long; the corners are rotated by `first`.
 Corners corners_at_angle(const ReducedFrame& frame, const Vec2& p, double angle, double near,
                          int first) {
     const Vec2 side = frame.to_plane(p);
@@ -96,7 +96,7 @@ Corners corners_at_angle(const ReducedFrame& frame, const Vec2& p, double angle,
     return turned[first % 3];
 }
 
-// Two corners almost coincide: whichever two they are, no digit is lost.
+// Two corners almost coincide; no digit is lost for any pair of corners.
 TEST(TriangleTerms, OfNeedlesKeepThirteenDigits) {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -112,7 +112,7 @@ TEST(TriangleTerms, OfNeedlesKeepThirteenDigits) {
     }
 }
 
-TEST(TriangleTerms, KnowTheSteepestCotangent) {
+TEST(TriangleTerms, ReportTheSteepestCotangent) {
     const ReducedFrame frame = frame_of(Lattice::rectangle(1, 1));
     EXPECT_NEAR(triangle_terms({0.5, 0}, {0, 0.125}, frame).steepest, 4, 1e-15);
     EXPECT_NEAR(triangle_terms({0.5, 0}, {-0.5, 0.0625}, frame).steepest, 16, 4);
@@ -129,7 +129,7 @@ TriangleTerms terms_of(const TriangleBlock& b, int k) {
 
 using Check = std::function<void(const TriangleBlock& block, int k, const Corners& corners)>;
 
-/// Computes triangles block by block and has each of them checked.
+/// Computes triangles block by block and checks each of them.
 void for_blocks(const std::vector<Corners>& list, const ReducedFrame& frame, const Check& check) {
     TriangleBlock block;
     for (std::size_t first = 0; first + TriangleBlock::kSize <= list.size();
@@ -146,7 +146,7 @@ void for_blocks(const std::vector<Corners>& list, const ReducedFrame& frame, con
     }
 }
 
-// What a block computes of a triangle that is not thin needs no second look.
+// The results of a block are final for triangles that are not thin.
 TEST(TriangleBlock, EqualsTheTermsOfOneTriangle) {
     for (const auto& [name, lattice] : lattices()) {
         SCOPED_TRACE(name);
@@ -162,7 +162,7 @@ TEST(TriangleBlock, EqualsTheTermsOfOneTriangle) {
     }
 }
 
-TEST(TriangleBlock, KnowsTheCosines) {
+TEST(TriangleBlock, ComputesTheCosines) {
     const ReducedFrame frame = frame_of(Lattice({1, 0}, {0.37, 0.81}));
     for_blocks(random_triangles(640, 4), frame, [&](const auto& block, int k, const Corners& c) {
         const Vec2 p = frame.to_plane(c.p);
@@ -174,7 +174,7 @@ TEST(TriangleBlock, KnowsTheCosines) {
     });
 }
 
-/// Collinear but for a few units in the last place, to either side.
+/// Collinear up to a few units in the last place, to either side.
 std::vector<Corners> flat_triangles(int n) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -187,7 +187,7 @@ std::vector<Corners> flat_triangles(int n) {
     return list;
 }
 
-TEST(TriangleBlock, NeverTakesAThinOrInvertedTriangleForAThickOne) {
+TEST(TriangleBlock, NeverCertifiesAThinOrInvertedTriangle) {
     const ReducedFrame frame = frame_of(Lattice::rectangle(1, 1));
     std::vector<Corners> list = flat_triangles(64 * 50);
     for (Corners c : random_triangles(640, 6)) {
@@ -205,13 +205,13 @@ TEST(TriangleBlock, NeverTakesAThinOrInvertedTriangleForAThickOne) {
 }
 
 /// The angle at `apex` is acute if the fourth corner of the parallelogram lies outside of the
-/// circle: both angles opposite to the side p q are then below half of two right ones.
+/// circle: the two angles opposite to the side p q then sum to less than two right angles.
 bool exactly_acute(const Gram& gram, const Image& p, const Image& q, const Image& apex) {
     const Image fourth{p.u + q.u - apex.u, p.v + q.v - apex.v, 3, {}};
     return in_circle(gram, p, q, apex, fourth) < 0;
 }
 
-/// Right angles but for rounding, at any corner, with legs of any ratio.
+/// Right angles up to rounding, at any corner, with legs of any ratio.
 std::vector<Corners> right_triangles(const ReducedFrame& frame, int n) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -225,7 +225,7 @@ std::vector<Corners> right_triangles(const ReducedFrame& frame, int n) {
     return list;
 }
 
-TEST(TriangleBlock, NeverTakesAnAngleForAcuteThatIsNot) {
+TEST(TriangleBlock, NeverCertifiesAnAngleThatIsNotAcute) {
     int n_not_acute = 0;
     for (const auto& [name, lattice] : lattices()) {
         SCOPED_TRACE(name);
@@ -244,7 +244,7 @@ TEST(TriangleBlock, NeverTakesAnAngleForAcuteThatIsNot) {
     EXPECT_GT(n_not_acute, 1000);
 }
 
-TEST(TriangleBlock, SeesThatNearlyRegularTrianglesAreAcute) {
+TEST(TriangleBlock, CertifiesNearlyRegularTrianglesAsAcute) {
     for (const auto& [name, lattice] : lattices()) {
         const ReducedFrame frame = frame_of(lattice);
         std::vector<Corners> list;
