@@ -143,7 +143,7 @@ class Flooding {
         return found;
     }
 
-    /// Inserts the images that the pieces of `front` require, then those that the new pieces
+    /// Inserts the images that the pieces of `front` require, then the images that the new pieces
     /// require, until none is missing. Cells only shrink in the meantime, so each image needs to be
     /// examined only once.
     void flood(std::vector<Vertex> front) {

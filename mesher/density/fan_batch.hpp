@@ -10,9 +10,9 @@
 namespace pcvt {
 
 /// Integrates over many cells that no break line crosses, each as the fan of triangles between its
-/// site and its sides, with one evaluation of the density. The rules, and up to rounding the
-/// moments, are those of CellQuadrature; here all cells of one order are processed together, and
-/// every operation covers many corners at once.
+/// site and its sides, with one evaluation of the density. Uses the rules of CellQuadrature and
+/// computes the same moments up to rounding; here all cells of one order are processed together,
+/// and every operation covers many corners at once.
 class FanBatch {
    public:
     /// @param probe       must outlive this object; the caller evaluates its reserved points.

@@ -47,8 +47,8 @@ void SiteRings::find_all() {
 }
 
 /// A flip changes the rings of the four corners of its two triangles, and later flips of these
-/// triangles keep those corners among theirs. Every site whose ring has changed is therefore now a
-/// corner of a triangle in the log.
+/// triangles keep these sites among their corners. Every site whose ring has changed is therefore
+/// now a corner of a triangle in the log.
 void SiteRings::update() {
     const FlipLog& log = delaunay_.flip_log();
     if (log.number != log_number_) {

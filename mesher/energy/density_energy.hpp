@@ -37,7 +37,7 @@ struct RuleCheck {
 ///
 /// Each cell has its own order q, which choose_orders selects from the difference between the rules
 /// of order q and q + 1. Orders are constant between two calls of choose_orders, so that F is
-/// smooth there. Units are those of EnergyPass times density_unit.
+/// smooth there. The units of EnergyPass are multiplied by density_unit.
 ///
 /// Example usage:
 ///

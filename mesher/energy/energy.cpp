@@ -18,7 +18,7 @@ constexpr int kSitesPerSlab = 12'500;
 constexpr int kMostSlabs = 32;
 /// Slabs up to kSitesClearedAtOnce sites clear their sums in advance: these stay in the cache until
 /// triangles add to them. Larger slabs clear the sums kSitesCleared sites ahead of the triangles,
-/// and prefetch kSitesFetched sites after those.
+/// and prefetch the kSitesFetched sites that follow.
 constexpr int kSitesClearedAtOnce = 16'000;
 constexpr int kSitesCleared = 64;
 constexpr int kSitesFetched = 192;

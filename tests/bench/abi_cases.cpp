@@ -8,13 +8,13 @@
 namespace pcvt::bench {
 namespace {
 
-/// Far fewer than a run needs: what the interface costs is paid once a call.
+/// Far fewer than a run needs: the cost of the interface arises once per call.
 constexpr int kIterations = 100;
-/// By turns, and the quickest of each counts: a neighbour on the machine costs more than the
-/// interface.
+/// Both variants alternate, and the fastest turn of each counts: other load on the machine costs
+/// more than the interface.
 constexpr int kTurns = 9;
 
-/// A run, with the making and the destruction of its result.
+/// The time of a run, including the creation and destruction of its result.
 struct Timed {
     double seconds;
     double energy;
@@ -44,7 +44,7 @@ Timed by_interface(const Input& input, const Points& sites) {
     pcvt_generate(&options, &result);
     pcvt_get_sites(result, &view, sizeof view);
     const double before = cpu_seconds();
-    // Looked at, but not counted: it makes the cells.
+    // Not timed, since this call computes the cells.
     pcvt_statistics figures{};
     pcvt_get_statistics(result, &figures, sizeof figures);
     const double after = cpu_seconds();

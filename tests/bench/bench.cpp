@@ -26,7 +26,7 @@ void add_cases() {
 }  // namespace
 }  // namespace pcvt::bench
 
-/// Runs the cases once, in order; tests/bench/run makes interleaved rounds of it.
+/// Runs the cases once, in order; tests/bench/run repeats this in interleaved rounds.
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

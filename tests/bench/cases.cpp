@@ -24,7 +24,7 @@ double cpu_seconds() {
 }
 
 void warm_the_heap() {
-    // More than the largest case needs: the mirror diagram of 1e6 sites takes 0.3 GB.
+    // Exceeds the need of the largest case: the mirror diagram of 1e6 sites takes 0.3 GB.
     constexpr std::size_t kBytes = std::size_t{1} << 29;
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
@@ -33,7 +33,7 @@ void warm_the_heap() {
 }
 
 void cool_the_heap() {
-    // The values that malloc starts with (mallopt(3)).
+    // The initial values of malloc (mallopt(3)).
     mallopt(M_MMAP_MAX, 1 << 16);
     mallopt(M_MMAP_THRESHOLD, 1 << 17);
     mallopt(M_TRIM_THRESHOLD, 1 << 17);

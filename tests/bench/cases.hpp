@@ -9,7 +9,7 @@
 
 namespace pcvt::bench {
 
-/// Random sites, the same ones for all cases: uniform in the fundamental domain.
+/// Random sites, the same for all cases: uniform in the fundamental domain.
 struct Input {
     std::string lattice_name;
     Lattice lattice;
@@ -18,29 +18,29 @@ struct Input {
     Points sites() const;
 };
 
-/// Registers the case `<what>/<lattice>/<n>`. Cases run in the order in which they were added, so
-/// that those which a ratio compares should stand side by side.
+/// Registers the case `<what>/<lattice>/<n>`. Cases run in the order of registration, so cases that
+/// a ratio compares should be registered next to each other.
 benchmark::internal::Benchmark* add_case(const std::string& what, const Input& input,
                                          const std::function<void(benchmark::State&)>& body);
 
-/// Of all threads of this process.
+/// The CPU time of all threads of this process.
 double cpu_seconds();
 
-/// Makes the heap large and lets it keep what is freed. Without this a build pays for fresh pages,
-/// a tenth of CGAL's time, or not, according to what ran before it. Called once, before all cases.
+/// Enlarges the heap and makes it keep freed memory. Otherwise a build pays for new pages, a tenth
+/// of CGAL's time, depending on the cases before it. Called once, before all cases.
 void warm_the_heap();
 
-/// Gives back what is free and lets malloc do as it does by itself, from here on: for the last
-/// case.
+/// Releases free memory and restores malloc's default behaviour from here on; for the last case.
 void cool_the_heap();
 
-/// The other ways to a diagram (peers.hpp): one case each, as far as it suits lattice and n.
+/// The other methods to compute a diagram (peers.hpp): one case each, where it supports the lattice
+/// and n.
 void add_peer_cases(const Input& input);
 
-/// The periodic Delaunay triangulation that moves, and the optimiser on it.
+/// The moving periodic Delaunay triangulation, and the optimiser on it.
 void add_engine_cases(const Input& input);
 
-/// What the C interface costs: a run by it over the same run by a call of the mesher.
+/// The cost of the C interface: a run through it over the same run through a call of the mesher.
 void add_abi_case(const Input& input);
 
 /// Cases of one size only: many small runs, and resident memory, which must come last.

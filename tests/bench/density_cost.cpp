@@ -1,19 +1,19 @@
-/// What an evaluation with a density costs beside the density itself: prints for some densities the
-/// cost of one uniform evaluation, of one with the density and of asking the density once, and the
-/// second one over 1.3 times what the density takes + 6 times the uniform evaluation. CPU time of
-/// one thread, medians of interleaved rounds.
+/// Measures the cost of an evaluation with a density beside the density itself. Prints for several
+/// densities the cost of one uniform evaluation, of one evaluation with the density, and of
+/// evaluating the density once; and the ratio of the second to 1.3 times the density's time + 6
+/// times the uniform evaluation. CPU time of one thread, medians of interleaved rounds.
 ///
-/// Prediction for the ridge at 5e-6, 25 points a site, uniform pass 25 ns: it asks for 0.8 KB of
-/// points, written and read once, about 600 operations (6 corners with 30 each, 25 points with 4
-/// for the place and 12 for the moments), or 75 vectors of 8, and 6 neighbours whose loads do not
-/// wait for each other. With the uniform pass before it 86 to 100 ns beside the density, 0.71 of
-/// what is allowed where a density takes 5.2 ns.
+/// Prediction for the ridge at 5e-6, with 25 points per site and a uniform pass of 25 ns: the
+/// evaluation handles 0.8 KB of points, written and read once, about 600 operations (6 corners with
+/// 30 each, 25 points with 4 for the position and 12 for the moments), or 75 vectors of 8, and 6
+/// neighbours whose loads are independent. Including the uniform pass this takes 86 to 100 ns
+/// beside the density, 0.71 of the limit where a density takes 5.2 ns.
 ///
-/// Outcome (AMD EPYC with AVX-512 at 2.6 GHz, other work on the second core; g++ 12, -O3; medians
-/// of 5 runs): the uniform pass takes 35 ns, the ridge 302 ns at 5e-6 and 469 at 5e-9, of which the
-/// density 137 and 273: 0.79 and 0.83. A density of 22 ns: 0.75 and 0.79; a formula: 0.79 and 0.78.
-/// With 60 flips before each evaluation it takes 3 to 5 % more. Batches of 400 to 4096 points make
-/// no difference above 3 %.
+/// Result (AMD EPYC with AVX-512 at 2.6 GHz, other work on the second core; g++ 12, -O3; medians of
+/// 5 runs): the uniform pass takes 35 ns, the ridge 302 ns at 5e-6 and 469 ns at 5e-9, including
+/// 137 and 273 ns for the density: 0.79 and 0.83 of the limit. A density of 22 ns: 0.75 and 0.79; a
+/// formula: 0.79 and 0.78. With 60 flips before each evaluation it takes 3 to 5 % more. Batches of
+/// 400 to 4096 points make no difference above 3 %.
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ struct Place {
     Energy energy;
 };
 
-/// Near each other, as the points of a cell are.
+/// Points close to each other, like the points of a cell.
 std::vector<DensityPoint> points_in_rows() {
     std::vector<DensityPoint> points;
     for (int i = 0; i < kRows; ++i) {

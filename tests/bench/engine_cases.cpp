@@ -14,11 +14,11 @@
 namespace pcvt::bench {
 namespace {
 
-/// Where "converging" begins, and where a run from random sites ends; RMS residuals.
+/// The RMS residuals at which "converging" begins, and at which a run from random sites ends.
 constexpr double kConverging = 1e-3;
 constexpr double kEnd = 1e-4;
 
-/// A run until the RMS residual is at most `rms`.
+/// Runs until the RMS residual is at most `rms`.
 CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
     CvtOptions options;
     options.solver = Solver::kPlainLbfgs;
@@ -30,7 +30,7 @@ CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& loo
     return compute_cvt(input.lattice, input.sites(), options);
 }
 
-/// The first triangulation, from sites that are wrapped already.
+/// The first triangulation, from wrapped sites.
 void add_build(const Input& input) {
     add_case("build", input, [=](benchmark::State& state) {
         const Sites sites(input.lattice, input.sites());
@@ -69,7 +69,7 @@ void add_evaluation(const Input& input) {
              [=](benchmark::State& state) { evaluate_repeatedly(state, input, 1); });
 }
 
-/// A whole run; the time is that of one iteration.
+/// A whole run; reports the time per iteration.
 void add_iteration(const Input& input) {
     const auto body = [=](benchmark::State& state) {
         for ([[maybe_unused]] auto _ : state) {
@@ -94,7 +94,7 @@ void add_iteration(const Input& input) {
     add_case("iteration", input, body)->UseManualTime()->Iterations(1);
 }
 
-/// The same run with the mirror diagram built anew for each evaluation.
+/// The same run with a new mirror diagram for each evaluation.
 void add_mirror_run(const Input& input) {
     const auto body = [=](benchmark::State& state) {
         for ([[maybe_unused]] auto _ : state) {
@@ -115,8 +115,8 @@ double status_bytes(const std::string& field) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The peak of resident memory over a run that fills the optimiser's history. With malloc as it
-/// comes: the cases before this one ran on a heap that keeps everything (warm_the_heap).
+/// The peak of resident memory during a run that fills the optimiser's history, with malloc's
+/// defaults: the cases before this one use a heap that keeps everything (warm_the_heap).
 void add_memory(const Input& input) {
     const auto body = [=](benchmark::State& state) {
         constexpr int kIterations = 12;
@@ -133,7 +133,7 @@ void add_memory(const Input& input) {
     add_case("memory", input, body)->Iterations(1);
 }
 
-/// What the paper's statistics are made of: many small runs, each to a residual of 1e-8.
+/// The runs behind the paper's statistics: many small ones, each to a residual of 1e-8.
 void add_small_runs(const Input& input) {
     const auto body = [=](benchmark::State& state) {
         constexpr int kRuns = 5000;

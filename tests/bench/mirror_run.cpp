@@ -10,8 +10,8 @@
 namespace pcvt::bench {
 namespace {
 
-/// The energy by the mirror diagram; the point is one of the plane. The reduced basis must be that
-/// of a rectangle along x and y, so that the frame is the plane itself.
+/// The energy from the mirror diagram; the point is a vector of positions in the plane. The reduced
+/// basis must be a rectangle along x and y, so that the frame equals the plane.
 class MirrorObjective final : public Objective {
    public:
     MirrorObjective(const Lattice& lattice, const Points& points)

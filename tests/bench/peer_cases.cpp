@@ -7,7 +7,7 @@
 namespace pcvt::bench {
 namespace {
 
-/// One peer, the work that is expected of it, and the most sites for which one waits.
+/// One peer, its expected results, and the largest number of sites for which it is run.
 struct PeerCase {
     std::string what;
     Peer* peer;
@@ -29,7 +29,7 @@ bool did_the_work(const PeerCase& peer_case, int n, const Diagram& diagram) {
            (!peer_case.periodic || diagram.n_triangles == 2 * std::int64_t{n});
 }
 
-/// Times the way from points to diagram, without the diagram's destruction.
+/// Times the computation from points to diagram, without the diagram's destruction.
 void add_peer(const PeerCase& peer_case, const Input& input) {
     if (input.n > peer_case.most_sites) return;
     add_case(peer_case.what, input, [=](benchmark::State& state) {

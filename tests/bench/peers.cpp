@@ -21,8 +21,9 @@ using Plain = CGAL::Delaunay_triangulation_2<Kernel>;
 using PeriodicTraits = CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>;
 using Periodic = CGAL::Periodic_2_Delaunay_triangulation_2<PeriodicTraits>;
 
-/// The thickness of voro++'s prisms, in units of sqrt(area / n), and the cells in one of its
-/// blocks. Measured from 0.01 to 3 and from 1.5 to 8: its time is least, and flat, round these.
+/// The thickness of voro++'s prisms, in units of sqrt(area / n), and the number of cells in one of
+/// its blocks. Measured from 0.01 to 3 and from 1.5 to 8: the time has a flat minimum near these
+/// values.
 constexpr double kThickness = 0.3;
 constexpr double kCellsPerBlock = 4;
 

@@ -12,7 +12,7 @@
 namespace pcvt::bench {
 namespace {
 
-/// Peers are compared only while they do equal work: all of them find the same triangulation.
+/// The comparison is valid only if all peers do equal work: they find the same triangulation.
 class Peers : public ::testing::TestWithParam<int> {
    protected:
     Points points_ = uniform_points(Lattice::rectangle(1, 1), GetParam(), 5);

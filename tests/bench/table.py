@@ -4,8 +4,8 @@
     tests/bench/table.py ROUND.json ...   each the JSON of one run of all cases
     tests/bench/table.py --self-test      checks the arithmetic on planted rounds
 
-A case counts with the median of its rounds: of its CPU time, or of its wall time where the case
-asks for that (Google Benchmark then ends its name in /real_time or /manual_time).
+The value of a case is the median over its rounds: of its CPU time, or of its wall time where the
+case selects that (Google Benchmark then ends its name in /real_time or /manual_time).
 """
 
 import json
@@ -28,7 +28,7 @@ class Measure:
 
 @dataclass(frozen=True)
 class Row:
-    """A measure, or a ratio of two, with its bound as the issue writes it."""
+    """A measure, or a ratio of two measures, with its bound in words."""
     text: str
     over: Measure
     under: Measure = None
@@ -76,13 +76,13 @@ ROWS = [
     Row("voro++ / CGAL plain build", Measure("voro"), PLAIN),
 ]
 
-# Cases whose times stand in the second table, in this order.
+# Cases whose times the second table lists, in this order.
 TIMED = ["cgal_plain", "build", "evaluation", "iteration",
          "cgal_nine_copies", "cgal_periodic", "mirrors", "voro"]
 
 
 class Rounds:
-    """All values of all cases: {(what, lattice, n): {counter: [one a round]}}."""
+    """All values of all cases: {(what, lattice, n): {counter: [one per round]}}."""
 
     def __init__(self, documents):
         self.contexts = [document["context"] for document in documents]
@@ -144,7 +144,7 @@ def head(*titles):
 def ratio_lines(rounds):
     for row in ROWS:
         for lattice in row.lattices:
-            # A size of its own stands in the first column.
+            # A size outside of SIZES is shown in the first column.
             sizes = [n for n in row.sizes if n not in SIZES] or SIZES
             cells = [cell(row, n, rounds.value_of(row, lattice, n) if n in row.sizes else None)
                      for n in sizes] + ["-"] * (len(SIZES) - len(sizes))

@@ -12,12 +12,13 @@
 #include "tests/support/checked_engine.hpp"
 #include "tests/support/moves.hpp"
 
-/// Random jobs against the engine's twins, until the time or the number of jobs is used up, or one
-/// of them finds a difference. Job k of a seed is always the same.
+/// Runs random jobs and compares the engine with its references (engine_twin.hpp), until the time
+/// or the number of jobs is reached or a job finds a difference. Job k of a seed is always the
+/// same.
 namespace pcvt::testing {
 namespace {
 
-/// A job that takes more of the processor's time hangs.
+/// A job that uses more CPU time hangs.
 constexpr int kSecondsPerJob = 120;
 constexpr int kMostMovesPerJob = 24;
 constexpr double kSecondsPerLine = 60;
@@ -29,17 +30,17 @@ struct Options {
     double seconds = 10;
 };
 
-/// What the timer prints; a signal handler may not allocate.
+/// The timer's message, prepared in advance, because a signal handler must not allocate.
 char reproduction[200];
 
-void tell_that_it_hangs(int) {
+void report_hang(int) {
     constexpr char kWords[] = "a job hangs; ";
     const auto written = write(STDERR_FILENO, kWords, sizeof kWords - 1) +
                          write(STDERR_FILENO, reproduction, std::strlen(reproduction));
     _exit(written > 0 ? 1 : 2);
 }
 
-/// One sequence of moves: what it did, for the report of a difference.
+/// One sequence of moves, recorded for the report of a difference.
 struct Job {
     EngineTally tally;
     std::map<std::string, int> lattices;
@@ -47,7 +48,7 @@ struct Job {
     std::string fault;
 };
 
-/// Two thirds of them local.
+/// A random kind of move; two thirds are local.
 int any_kind(std::mt19937_64& random) {
     const int n_kinds = random() % 2 == 0 ? kLocalMoveKinds : kMoveKinds;
     return static_cast<int>(random() % static_cast<unsigned>(n_kinds));
@@ -57,7 +58,8 @@ void move_about(CheckedEngine& engine, std::mt19937_64& random, std::string& sto
     const int n_moves = 1 + static_cast<int>(random() % kMostMovesPerJob);
     int kind = 0;
     for (int k = 0; k < n_moves && engine.fault().empty(); ++k) {
-        // Runs of one kind: some reach their goal exactly only after three moves.
+        // Repeats one kind in sequence: some moves reach their goal exactly only after three
+        // repetitions.
         if (k == 0 || random() % 3 == 0) kind = any_kind(random);
         const auto [name, direction] = any_move(engine.delaunay(), engine.energy(), random, kind);
         const double t = random() % 4 == 0 ? 0.25 : 1;
@@ -116,7 +118,7 @@ int run_campaign(const Options& options) {
     const auto seconds = [&] {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
-    std::signal(SIGPROF, tell_that_it_hangs);
+    std::signal(SIGPROF, report_hang);
     EngineTally sum;
     std::int64_t jobs = 0;
     double next_line = kSecondsPerLine;
@@ -148,7 +150,7 @@ int run_campaign(const Options& options) {
 
 int main(int argc, char** argv) {
     pcvt::testing::Options options;
-    CLI::App app("Compares the engine with its twins on random jobs.");
+    CLI::App app("Compares the engine with its references on random jobs.");
     app.add_option("--seed", options.seed);
     app.add_option("--first-job", options.first_job);
     app.add_option("--jobs", options.jobs, "as many jobs, however long they take");

@@ -58,7 +58,7 @@ int any_number(std::mt19937_64& random) {
         power_of_ten(random, std::log10(kFewSites + 1), std::log10(kMostSitesOfAJob)));
 }
 
-/// Lattice coordinates on a grid with some number of columns, the last row perhaps not full.
+/// Lattice coordinates on a grid with a random number of columns; the last row may be incomplete.
 Points grid(std::mt19937_64& random, int n) {
     const int columns = 1 + static_cast<int>(random() % static_cast<unsigned>(n));
     const int rows = (n + columns - 1) / columns;

@@ -7,7 +7,7 @@
 
 namespace pcvt::testing {
 
-/// Where a job begins.
+/// The initial state of a job.
 struct Beginning {
     std::string lattice_kind;
     std::string sites_kind;
@@ -15,8 +15,8 @@ struct Beginning {
 };
 
 /// A lattice of any kind (square, thin up to 1 : 1000, oblique, skewed, hexagonal, tiny, huge,
-/// random) and sites of any kind (random, grid, nearly cocircular, on the seam, on a line,
-/// clustered): 60 % with n <= 12, the others up to 2,000, log-uniform. The sites are distinct.
+/// random) and distinct sites of any kind (random, grid, nearly cocircular, on the seam, on a line,
+/// clustered): 60 % with n <= 12, the others up to 2,000, log-uniform.
 Beginning any_beginning(std::mt19937_64& random);
 
 }  // namespace pcvt::testing

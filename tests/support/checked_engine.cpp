@@ -10,10 +10,11 @@ namespace pcvt::testing {
 namespace {
 
 constexpr int kMostBuildsPerMove = 2;
-/// The mirror diagram's pieces are integrated for up to as many sites.
+/// The largest number of sites for which the pieces of the mirror diagram are integrated.
 constexpr int kFewSites = 12;
 
-/// The largest distance of a coordinate to its twin, in lattice coordinates and modulo periods.
+/// The largest distance between corresponding coordinates, in lattice coordinates and modulo
+/// periods.
 double distance_modulo_periods(const Points& p, const Points& q) {
     const Eigen::ArrayXXd d = (p - q).array();
     return (d - d.round()).abs().maxCoeff();
@@ -67,7 +68,7 @@ void CheckedEngine::compare() {
     require(broken_law(delaunay_, sites));
     if (!fault_.empty()) return;
     require(difference_from_mirrors(delaunay_, sites));
-    require(difference_from_fresh_build(delaunay_, energy_, sites));
+    require(difference_from_new_build(delaunay_, energy_, sites));
     if (sites.n_sites() <= kFewSites) require(difference_from_pieces(delaunay_, energy_, sites));
 }
 
@@ -83,21 +84,21 @@ void CheckedEngine::require_arrived(const Points& from, const Eigen::VectorXf& d
         expected.col(s) += d;
         longest = std::max(longest, d.cwiseAbs().maxCoeff());
     }
-    // From 2^51 periods on nothing is known of the place.
+    // Beyond 2^51 periods the position is unknown.
     const double distance = distance_modulo_periods(delaunay_.coordinates(), expected);
-    if (!(distance <= 4e-15 * longest)) require("a site is not where it was told to go");
+    if (!(distance <= 4e-15 * longest)) require("a site is not at its target");
     const Points& u = delaunay_.coordinates();
     if (!(u.minCoeff() >= -1.5 && u.maxCoeff() < 2.5)) require("a coordinate is out of range");
 }
 
 bool CheckedEngine::move(const Eigen::VectorXf& direction, double t) {
-    if (!delaunay_.settled()) require("a move from a place where the sites did not settle");
+    if (!delaunay_.settled()) require("a move from positions that were not settled");
     home_ = delaunay_.coordinates();
     direction_ = direction;
     ++tally_.moves;
     if (!delaunay_.step(direction_, t, workers_)) {
-        if ((t * direction.cast<double>()).allFinite()) require("a finite step was refused");
-        if (delaunay_.coordinates() != home_) require("a refused step moved a site");
+        if ((t * direction.cast<double>()).allFinite()) require("a finite step was rejected");
+        if (delaunay_.coordinates() != home_) require("a rejected step moved a site");
         compare();
         return false;
     }
@@ -114,15 +115,17 @@ bool CheckedEngine::move(const Eigen::VectorXf& direction, double t) {
 
 void CheckedEngine::step_back() {
     delaunay_.step_back();
-    if (distance_modulo_periods(delaunay_.coordinates(), home_) != 0) require("not back home");
-    if (!evaluate()) require("the old place is not defined any more");
+    if (distance_modulo_periods(delaunay_.coordinates(), home_) != 0)
+        require("the sites are not at their old positions");
+    if (!evaluate()) require("the energy is not defined at the old positions");
     compare();
 }
 
 void CheckedEngine::release() {
     const Sites before = sites_of(delaunay_, original_);
     auto [sites, triangulation] = delaunay_.release();
-    if (sites.coordinates() != before.coordinates()) require("released sites are not the moved");
+    if (sites.coordinates() != before.coordinates())
+        require("released sites differ from the moved");
     const PeriodicDelaunay certified(std::move(sites), std::move(triangulation));
 }
 

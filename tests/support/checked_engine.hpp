@@ -6,7 +6,7 @@
 
 namespace pcvt::testing {
 
-/// What an engine went through.
+/// Statistics of an engine's moves.
 struct EngineTally {
     std::int64_t moves = 0;
     /// Moves after which two sites coincided.
@@ -15,14 +15,15 @@ struct EngineTally {
     std::int64_t rebuilds = 0;
     /// Moves that inverted triangles and were repaired without a build.
     std::int64_t local_repairs = 0;
-    /// Predicates asked by the engine, and those that left the filter.
+    /// Predicates evaluated by the engine, and the number that the filter did not decide.
     std::int64_t predicates = 0;
     std::int64_t exact = 0;
 
     EngineTally& operator+=(const EngineTally& other);
 };
 
-/// A MovingDelaunay with its energy, compared with its twins after everything that it does.
+/// A MovingDelaunay with its energy that is compared with the references (engine_twin.hpp) after
+/// every operation.
 class CheckedEngine {
    public:
     explicit CheckedEngine(const Sites& sites);
@@ -30,17 +31,17 @@ class CheckedEngine {
     const MovingDelaunay& delaunay() const { return delaunay_; }
     const Energy& energy() const { return energy_; }
     const EngineTally& tally() const { return tally_; }
-    /// The first difference from the twins, in words, and only its words from then on.
+    /// A description of the first difference from the references; it does not change afterwards.
     const std::string& fault() const { return fault_; }
 
-    /// Steps and evaluates. Where two sites then coincide, or the move is not finite, it is back at
-    /// the old place, compared as well.
-    /// @pre settled: after each `move` follows `settle` or `step_back`.
-    /// @returns whether the engine stands at the new place.
+    /// Steps and evaluates. If two sites then coincide, or the move is not finite, the engine steps
+    /// back and compares the old state as well.
+    /// @pre settled: each `move` is followed by `settle` or `step_back`.
+    /// @returns whether the engine is at the new position.
     bool move(const Eigen::VectorXf& direction, double t = 1);
     void step_back();
     void settle() { delaunay_.settle(); }
-    /// Ends the engine: compares what it releases.
+    /// Releases the sites and the triangulation and compares them; ends the engine.
     void release();
 
    private:
@@ -54,7 +55,7 @@ class CheckedEngine {
     MovingDelaunay delaunay_;
     EnergyPass pass_;
     Energy energy_;
-    /// Where the sites settled last, and where they went from there.
+    /// The positions where the sites settled last, and their move from there.
     Points home_;
     Eigen::VectorXf direction_;
     EngineTally tally_;

@@ -1,4 +1,4 @@
-/* What the tests of the C interface from C99 share: claims that are counted, and runs. */
+/* Shared by the C99 tests of the C interface: counted claims, and runs. */
 #ifndef PCVT_TESTS_CLAIMS_H
 #define PCVT_TESTS_CLAIMS_H
 
@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Of this program, which is one file. */
+/* Counters of this program, which is a single file. */
 static int n_failed = 0;
 
 static inline void check(int holds, const char* claim, int line) {
@@ -32,7 +32,7 @@ static inline pcvt_result* generated(const pcvt_options* options) {
     return result;
 }
 
-/* Generates, expects a status without a result, and a text that holds `word`. */
+/* Generates, and expects a status without a result and a message that contains `word`. */
 static inline void refused(const pcvt_options* options, pcvt_status status, const char* word,
                            int line) {
     pcvt_result* result = (pcvt_result*)&n_failed;

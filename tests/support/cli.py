@@ -1,4 +1,4 @@
-"""What the tests of the command share: a folder of their own, runs, and the form of a refusal."""
+"""Shared by the tests of the command: a temporary folder, runs, and the form of an error."""
 
 import os
 import pathlib
@@ -57,20 +57,20 @@ class CliTest(unittest.TestCase):
         )
 
     def succeed(self, *arguments, **options):
-        """Runs, expects exit code 0 and a silent standard error, gives standard output back."""
+        """Runs, expects exit code 0 and empty standard error, returns standard output."""
         done = self.run_pcvt(*arguments, **options)
         self.assertEqual((done.returncode, done.stderr.decode()), (0, ""), arguments)
         return done.stdout.decode()
 
     def contents(self, folder=None):
-        """Every file below the folder with its bytes."""
+        """Returns the bytes of every file below the folder."""
         folder = folder or self.folder
         return {
             str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()
         }
 
     def refuse(self, code, pattern, *arguments, **options):
-        """Runs, expects the exit code, one line that matches, and an unchanged folder."""
+        """Runs, expects the exit code, one matching line of standard error, and an unchanged folder."""
         before = self.contents()
         done = self.run_pcvt(*arguments, **options)
         line = done.stderr.decode()
@@ -83,7 +83,7 @@ class CliTest(unittest.TestCase):
 
 
 def main():
-    """Takes the path of the command off the arguments and runs the tests."""
+    """Removes the path of the command from the arguments and runs the tests."""
     global BINARY
     BINARY = os.path.abspath(sys.argv.pop(1))
     unittest.main(module="__main__")

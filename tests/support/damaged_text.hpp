@@ -8,7 +8,7 @@
 
 namespace pcvt::testing {
 
-/// What BadFile says that read() throws; empty where it throws none.
+/// Returns the message of the BadFile that read() throws, or an empty string if it does not throw.
 template <class Read>
 std::string fault_in(const Read& read) {
     try {
@@ -19,7 +19,7 @@ std::string fault_in(const Read& read) {
     return "";
 }
 
-/// The text with the first `piece`, which must be there, exchanged.
+/// Returns the text with its first `piece`, which must exist, replaced.
 inline std::string exchanged(std::string text, const std::string& piece, const std::string& other) {
     const auto place = text.find(piece);
     EXPECT_NE(place, std::string::npos) << piece;

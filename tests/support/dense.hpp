@@ -4,7 +4,7 @@
 
 namespace pcvt::testing {
 
-/// A matrix of blocks with all its zeros.
+/// Converts a block matrix to a dense matrix.
 inline Eigen::MatrixXd dense(const BlockMatrix& h) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(2 * h.n_rows(), 2 * h.n_rows());
     const auto add = [&matrix](int i, int j, const auto& block) {

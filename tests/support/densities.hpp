@@ -29,7 +29,7 @@ inline Density ridge_density() {
     });
 }
 
-/// 1:100, with a jump at the seam.
+/// A ramp of contrast 1:100, with a jump at the seam.
 inline Density ramp_density() {
     return shared_density([](const DensityPoint& p) { return 1 + 99 * p.u; });
 }

@@ -4,7 +4,7 @@
 
 namespace pcvt::testing {
 
-/// F, its gradient and the masses in the caller's terms: length units, the plane, his order.
+/// F, its gradient and the masses in length units, in the plane and in the caller's order of sites.
 struct PlaneEnergy {
     double value = 0;
     /// 2 x n.
@@ -12,7 +12,7 @@ struct PlaneEnergy {
     Eigen::VectorXd mass;
 };
 
-/// What a pass found, told in the terms of the caller who gave `lattice` and the sites.
+/// Converts the result of a pass to the lattice and the order of the caller's sites.
 inline PlaneEnergy in_plane(const Energy& energy, const MovingDelaunay& delaunay,
                             const Lattice& lattice) {
     const int n = delaunay.n_sites();
@@ -29,7 +29,7 @@ inline PlaneEnergy in_plane(const Energy& energy, const MovingDelaunay& delaunay
     return told;
 }
 
-/// By one pass over a triangulation that is built for it.
+/// Computes the energy by one pass over a new triangulation.
 inline PlaneEnergy energy_at(const Sites& sites, int n_threads = 1) {
     MovingDelaunay delaunay(sites);
     Workers workers(n_threads);

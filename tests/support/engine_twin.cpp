@@ -11,7 +11,7 @@ namespace pcvt::testing {
 namespace {
 
 constexpr double kSameAsFresh = 1e-12;
-/// The pieces' corners are cut with rounding near 1e-15 of the domain.
+/// The corners of pieces have rounding errors near 1e-15 of the domain.
 constexpr double kSameAsPieces = 1e-11;
 
 template <class... Words>
@@ -41,15 +41,15 @@ std::string broken_coordinates(const Points& coordinates) {
     return {};
 }
 
-/// From, to, offset from the one to the other; wrapped sites in the caller's order.
+/// Origin, target, offset from origin to target; wrapped sites in the caller's order.
 using Edge = std::tuple<SiteId, SiteId, Offset>;
 
-std::string told(const Edge& edge) {
+std::string in_words(const Edge& edge) {
     const auto& [from, to, offset] = edge;
     return words(from, "-", to, " (", offset.i, ", ", offset.j, ")");
 }
 
-/// The halfedges whose two triangles are not exactly cocircular: they belong to every Delaunay
+/// The edges whose two triangles are not exactly cocircular: they belong to every Delaunay
 /// triangulation of the sites.
 template <class Original>
 std::vector<Edge> firm_edges(const TorusTriangulation& t, const Points& coordinates,
@@ -76,10 +76,11 @@ std::string first_difference(const std::vector<Edge>& ours, const std::vector<Ed
     std::vector<Edge> only;
     std::set_difference(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
                         std::back_inserter(only));
-    if (!only.empty()) return words("edge ", told(only.front()), " is not in the mirror diagram");
+    if (!only.empty())
+        return words("edge ", in_words(only.front()), " is not in the mirror diagram");
     std::set_difference(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
                         std::back_inserter(only));
-    if (!only.empty()) return words("edge ", told(only.front()), " of the mirrors is missing");
+    if (!only.empty()) return words("edge ", in_words(only.front()), " of the mirrors is missing");
     return {};
 }
 
@@ -100,8 +101,8 @@ OrderedEnergy in_callers_order(const MovingDelaunay& delaunay, const Energy& ene
     return ordered;
 }
 
-/// The gradient of a cell whose site stands as far from its centroid as points of the domain stand
-/// from their sites, in the root mean square: 0.8 h^3 for regular cells, more for thin ones.
+/// The gradient of a cell whose site is as far from its centroid as points of the domain are from
+/// their sites, in the root mean square: 0.8 h^3 for regular cells, more for thin ones.
 double gradient_scale(const OrderedEnergy& energy) {
     return 2 * energy.mass.maxCoeff() * std::sqrt(energy.value / energy.mass.sum());
 }
@@ -118,7 +119,7 @@ std::string difference(const OrderedEnergy& ours, const OrderedEnergy& theirs, d
     return {};
 }
 
-/// Adds the integrals of |p - x|^2, -2 (p - x) and 1 over a polygon, x the origin.
+/// Adds the integrals of |p - x|^2, -2 (p - x) and 1 over a polygon, with x at the origin.
 void integrate(const Polygon& polygon, SiteId site, OrderedEnergy& sum) {
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vec2& p = polygon[k];
@@ -166,16 +167,18 @@ std::string difference_from_mirrors(const MovingDelaunay& delaunay, const Sites&
         firm_edges(mirrors, sites.coordinates(), gram, [](SiteId s) { return s; }));
 }
 
-std::string difference_from_fresh_build(const MovingDelaunay& delaunay, const Energy& energy,
-                                        const Sites& sites) {
-    MovingDelaunay fresh(sites);
+std::string difference_from_new_build(const MovingDelaunay& delaunay, const Energy& energy,
+                                      const Sites& sites) {
+    MovingDelaunay rebuilt(sites);
     Workers alone(1);
-    Energy fresh_energy;
-    if (!EnergyPass(fresh, alone).evaluate(fresh_energy)) return "a fresh build failed";
-    if (fresh.counts().n_flips + fresh.counts().n_rebuilds > 0) return "a fresh build was repaired";
-    const auto difference_words = difference(in_callers_order(delaunay, energy),
-                                             in_callers_order(fresh, fresh_energy), kSameAsFresh);
-    return difference_words.empty() ? "" : difference_words + " from a fresh build";
+    Energy rebuilt_energy;
+    if (!EnergyPass(rebuilt, alone).evaluate(rebuilt_energy)) return "a new build failed";
+    if (rebuilt.counts().n_flips + rebuilt.counts().n_rebuilds > 0)
+        return "a new build was repaired";
+    const auto difference_words =
+        difference(in_callers_order(delaunay, energy), in_callers_order(rebuilt, rebuilt_energy),
+                   kSameAsFresh);
+    return difference_words.empty() ? "" : difference_words + " from a new build";
 }
 
 std::string difference_from_pieces(const MovingDelaunay& delaunay, const Energy& energy,

@@ -6,28 +6,29 @@
 
 namespace pcvt::testing {
 
-/// Twins of a MovingDelaunay and of its energy, and what tells them apart. Each function returns
-/// the first difference in words, or nothing. `sites` are those of the constructor's call, moved to
-/// where the engine says they are: see sites_of.
+/// Reference implementations for a MovingDelaunay and its energy, and comparisons with them. Each
+/// comparison returns a description of the first difference, or an empty string. `sites` are the
+/// constructor's sites at the engine's current positions: see sites_of.
 
-/// The sites of the engine in the caller's order, wrapped; `original` lends lattice and reduction.
+/// The sites of the engine in the caller's order, wrapped; `original` provides lattice and
+/// reduction.
 Sites sites_of(const MovingDelaunay& delaunay, const Sites& original);
 
-/// The torus triangulation's laws, every triangle counter-clockwise and every edge locally Delaunay
-/// (exact), and coordinates on the grid of 2^-51 inside of their range.
+/// Checks the laws of TorusTriangulation, that every triangle is counter-clockwise and every edge
+/// locally Delaunay (exactly), and that coordinates are multiples of 2^-51 within their range.
 std::string broken_law(const MovingDelaunay& delaunay, const Sites& sites);
 
-/// Against the mirror diagram: the same edges, but for those whose four sites are exactly
-/// cocircular.
+/// Compares with the mirror diagram: the edges must be equal, except for edges whose four sites are
+/// exactly cocircular.
 std::string difference_from_mirrors(const MovingDelaunay& delaunay, const Sites& sites);
 
-/// Against a fresh build: F to 1e-12 of F, gradient and masses to 1e-12 of their largest ones;
-/// where the gradient is small everywhere, of what it would be were sites as far from their
-/// centroids as the points of the domain from their sites.
-std::string difference_from_fresh_build(const MovingDelaunay& delaunay, const Energy& energy,
-                                        const Sites& sites);
+/// Compares with a new build: F to 1e-12 of F, gradient and masses to 1e-12 of their maxima. Where
+/// the gradient is small everywhere, the tolerance refers to its size if sites were as far from
+/// their centroids as the points of the domain are from their sites.
+std::string difference_from_new_build(const MovingDelaunay& delaunay, const Energy& energy,
+                                      const Sites& sites);
 
-/// Against integrals over the polygons of the mirror diagram's pieces: for few sites.
+/// Compares with integrals over the polygons of the mirror diagram's pieces; for few sites.
 std::string difference_from_pieces(const MovingDelaunay& delaunay, const Energy& energy,
                                    const Sites& sites);
 

@@ -8,7 +8,7 @@
 
 namespace pcvt::testing {
 
-/// The two chunks of a GLB file, taken apart without any of the code under test.
+/// The two chunks of a GLB file, parsed without any of the code under test.
 struct Glb {
     nlohmann::json json;
     std::string binary;

@@ -3,7 +3,7 @@
 namespace pcvt::testing {
 namespace {
 
-/// Vertices of the (columns + 1) x (rows + 1) grid and their identification; no faces yet.
+/// The vertices of the (columns + 1) x (rows + 1) grid and their identification, without faces.
 Tile grid_vertices(const Lattice& lattice, MeshKind kind, int columns, int rows) {
     Tile tile{lattice, kind, {}, {0}, {}, {}, {}, {}, {}};
     const auto id = [columns](int i, int j) { return j * (columns + 1) + i; };
@@ -19,7 +19,7 @@ Tile grid_vertices(const Lattice& lattice, MeshKind kind, int columns, int rows)
     }
     const bool right_handed = lattice.right_handed();
     const auto glue = [&](int v0, int v1, int w0, int w1, Offset offset) {
-        // The face of v0 -> v1 lies on its left in a right-handed basis only.
+        // The face of v0 -> v1 lies to its left only in a right-handed basis.
         if (right_handed) {
             tile.edge_pairs.push_back({v0, v1, w0, w1, offset});
         } else {

@@ -14,7 +14,7 @@ struct NamedLattice {
     Lattice lattice;
 };
 
-/// Square, thin, tiny, huge, oblique, skewed, left-handed and hexagonal.
+/// Square, thin, tiny, huge, oblique, skewed, left-handed and hexagonal lattices.
 inline std::vector<NamedLattice> lattices() {
     return {{"square", Lattice::rectangle(1, 1)},
             {"wide", Lattice::rectangle(20, 1)},
@@ -28,7 +28,8 @@ inline std::vector<NamedLattice> lattices() {
             {"hexagonal", Lattice({1, 0}, {0.5, std::sqrt(0.75)})}};
 }
 
-/// Two normal vectors, the second one now and then much longer or nearly parallel to the first.
+/// Two normally distributed vectors; the second is sometimes much longer or nearly parallel to the
+/// first.
 inline Lattice random_lattice(std::mt19937_64& random) {
     std::normal_distribution<double> normal;
     for (;;) {

@@ -8,7 +8,7 @@ namespace {
 
 double uniform(std::mt19937_64& random) { return std::uniform_real_distribution<double>()(random); }
 
-/// Between 10^from and 10^to, for 0 <= x < 1.
+/// Interpolates between 10^from and 10^to, for 0 <= x < 1.
 double power_of_ten(double from, double to, double x) {
     return std::pow(10, from + (to - from) * x);
 }
@@ -25,21 +25,21 @@ SiteId any_site(const MovingDelaunay& delaunay, std::mt19937_64& random) {
     return static_cast<SiteId>(random() % static_cast<unsigned>(delaunay.n_sites()));
 }
 
-/// Each site by the displacement that `way` gives it, in lattice coordinates.
-template <class Way>
-Eigen::VectorXf displaced(const MovingDelaunay& delaunay, const Way& way) {
+/// Moves each site by displacement(site), in lattice coordinates.
+template <class Displacement>
+Eigen::VectorXf displaced(const MovingDelaunay& delaunay, const Displacement& displacement) {
     Eigen::VectorXf move(2 * delaunay.n_sites());
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
-        const Vec2 d = way(s);
+        const Vec2 d = displacement(s);
         move.segment<2>(2 * s) = delaunay.frame().to_plane(d).cast<float>();
     }
     return move;
 }
 
-/// The difference of lattice coordinates without whole periods.
+/// Reduces a difference of lattice coordinates by whole periods.
 Vec2 shortened(const Vec2& d) { return (d.array() - d.array().round()).matrix(); }
 
-/// In lattice coordinates, every other time on the seam.
+/// A random point in lattice coordinates, every other time on the seam.
 Vec2 any_place(std::mt19937_64& random) {
     const Vec2 place = any_vector(random, 0, 1);
     return random() % 2 == 0 ? place : Vec2(0, place.y());
@@ -121,7 +121,8 @@ Eigen::VectorXf exchange(const MovingDelaunay& delaunay, SiteId site, SiteId oth
 
 NamedMove any_move(const MovingDelaunay& delaunay, const Energy& energy, std::mt19937_64& random,
                    int kind) {
-    // Drawn one after the other: the order in which arguments are evaluated is the compiler's.
+    // Drawn in separate statements, since the compiler chooses the order in which arguments are
+    // evaluated.
     const int n = delaunay.n_sites();
     const SiteId site = any_site(delaunay, random);
     const SiteId other = any_site(delaunay, random);

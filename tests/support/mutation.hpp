@@ -5,8 +5,8 @@
 
 namespace pcvt::testing {
 
-/// `bytes` with one to four faults: a byte changed, a range removed or doubled, a number exchanged
-/// for an extreme one. The same for the same state of `random` on every machine.
+/// Returns `bytes` with one to four faults: a byte changed, a range removed or duplicated, a number
+/// replaced by an extreme one. The same state of `random` gives the same result on every machine.
 std::string mutated(std::string bytes, std::mt19937_64& random);
 
 }  // namespace pcvt::testing

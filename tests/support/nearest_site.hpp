@@ -6,7 +6,7 @@
 
 namespace pcvt::testing {
 
-/// The squared torus distance of a point to the nearest image of one site, by trying 7 x 7 of them.
+/// The squared torus distance of a point to the nearest image of one site, from 7 x 7 images.
 inline double squared_distance(const Sites& sites, SiteId site, const Vec2& p) {
     const Lattice& reduced = sites.reduction().reduced;
     const Vec2 u = reduced.to_lattice(p);
@@ -21,7 +21,7 @@ inline double squared_distance(const Sites& sites, SiteId site, const Vec2& p) {
     return least;
 }
 
-/// The same to the nearest of all sites.
+/// The squared torus distance of a point to the nearest of all sites.
 inline double squared_distance(const Sites& sites, const Vec2& p) {
     double least = std::numeric_limits<double>::infinity();
     for (SiteId s = 0; s < sites.n_sites(); ++s) {

@@ -10,23 +10,25 @@
 namespace pcvt::testing {
 
 /// An objective whose point is a vector: value, gradient and residuals are a function of it, and
-/// the Lloyd step goes against the gradient. Expects of the optimiser that no trial is left open,
-/// and that its direction stays until then.
+/// the Lloyd step is a gradient step. Expects that the optimiser accepts or rejects every trial,
+/// and that the trial's direction does not change until then.
 class PlainObjective final : public Objective {
    public:
     using Function = std::function<bool(const Eigen::VectorXd& x, Evaluation& evaluation)>;
 
-    /// @param rate  the Lloyd step over minus the gradient.
+    /// @param rate  the ratio of the Lloyd step to minus the gradient.
     PlainObjective(Function function, Eigen::VectorXd start, double rate)
         : function_(std::move(function)),
           rate_(rate),
           point_(std::move(start)),
           evaluated_(point_) {}
-    ~PlainObjective() override { EXPECT_EQ(trial_, nullptr) << "a trial was left open"; }
+    ~PlainObjective() override {
+        EXPECT_EQ(trial_, nullptr) << "a trial was neither accepted nor rejected";
+    }
     PlainObjective(const PlainObjective&) = delete;
     PlainObjective& operator=(const PlainObjective&) = delete;
 
-    /// Changes each Hessian before it is told.
+    /// Applies `change` to each Hessian before the optimiser receives it.
     void mislead_hessian(std::function<void(BlockMatrix&)> change) {
         change_hessian_ = std::move(change);
     }
@@ -43,22 +45,22 @@ class PlainObjective final : public Objective {
             trial_direction_ = direction;
         }
         evaluated_ = point_;
-        looked_at_point_ = t == 0;
+        evaluated_at_point_ = t == 0;
         if (t != 0) evaluated_ += t * direction.cast<double>();
         return function_(evaluated_, evaluation);
     }
     void accept() override {
         close_trial();
         point_ = evaluated_;
-        looked_at_point_ = true;
+        evaluated_at_point_ = true;
     }
     void reject() override { close_trial(); }
     bool has_hessian() const override { return has_hessian_; }
     void forget_hessian() { has_hessian_ = false; }
-    /// By differences of the gradient: of one row of blocks, all of which is stored.
+    /// Computes the Hessian by differences of the gradient; stores all blocks of each row.
     void hessian(BlockMatrix& hessian) const override;
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
-        EXPECT_TRUE(looked_at_point_) << "the last look was at a trial";
+        EXPECT_TRUE(evaluated_at_point_) << "the last evaluation was at a trial";
         direction = (-rate_ * evaluation.gradient).cast<float>();
     }
 
@@ -84,14 +86,14 @@ class PlainObjective final : public Objective {
     double rate_;
     Eigen::VectorXd point_;
     Eigen::VectorXd evaluated_;
-    bool looked_at_point_ = true;
+    bool evaluated_at_point_ = true;
     int n_evaluations_ = 0;
     const Eigen::VectorXf* trial_ = nullptr;
     Eigen::VectorXf trial_direction_;
 };
 
 inline void PlainObjective::hessian(BlockMatrix& hessian) const {
-    EXPECT_TRUE(looked_at_point_) << "the last look was at a trial";
+    EXPECT_TRUE(evaluated_at_point_) << "the last evaluation was at a trial";
     const auto n_rows = static_cast<int>(point_.size() / 2);
     hessian.resize(std::vector<int>(static_cast<std::size_t>(n_rows), n_rows - 1));
     for (int j = 0; j < n_rows; ++j) {

@@ -29,7 +29,7 @@ inline OptimizerOptions options(double tolerance, double max_move) {
     return {tolerance, -1, max_move, {}};
 }
 
-/// The longest move of a pair of variables in one iteration.
+/// Records the longest move of a pair of variables in one iteration.
 class MoveWatch {
    public:
     explicit MoveWatch(const PlainObjective& objective)

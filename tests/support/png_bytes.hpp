@@ -47,7 +47,7 @@ inline std::string png_header(const PngHeader& h) {
                                  std::string(3, '\0'));
 }
 
-/// A PNG of these rows of packed samples; `before` are chunks between header and pixels.
+/// Encodes rows of packed samples as a PNG; `before` holds chunks between header and pixels.
 inline std::string png_bytes(const PngHeader& header, const std::vector<std::string>& rows,
                              const std::string& before = "") {
     std::string pixels;

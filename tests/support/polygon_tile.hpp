@@ -5,16 +5,16 @@
 
 namespace pcvt::testing {
 
-/// A tile whose faces are the polygons, with one vertex for corners nearer than 1e-9. Stored pairs
-/// are left out.
+/// A tile whose faces are the polygons; corners closer than 1e-9 share a vertex. Has no stored
+/// pairs.
 Tile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons);
 
 /// columns x rows regular hexagons with edges of length 1, on the lattice that they fill: a
 /// centroidal Voronoi tessellation.
 Tile honeycomb_tile(int columns, int rows);
 
-/// Unit squares whose sides bulge, each by an amount of its own, so that two sides fit each other
-/// only where they are meant to. The unit square lattice need not be theirs.
+/// Unit squares whose sides bulge by different amounts, so that two sides match only where they are
+/// meant to be glued. Their lattice need not be the unit square lattice.
 struct SquareTiled {
     /// Lower left corners, integers.
     std::vector<Vec2> at;
@@ -24,11 +24,11 @@ struct SquareTiled {
     std::vector<int> above;
 };
 
-/// The faces of such a surface as a tile of the unit square lattice.
+/// Converts such a surface to a tile of the unit square lattice.
 Tile square_tiled(const SquareTiled& surface);
 
-/// Each face of `tile` as a fan of triangles on vertices of its own, rounded to float32. Stored
-/// vertex pairs name the first copy; sites are kept.
+/// Converts each face of `tile` to a fan of triangles on vertices of its own, rounded to float32.
+/// Stored vertex pairs name the first copy; sites are kept.
 Tile float_fans(const Tile& tile);
 
 }  // namespace pcvt::testing

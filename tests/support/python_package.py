@@ -1,6 +1,6 @@
 """The Python package `pcvt` with the library that a test is given; exit 77 where numpy is missing.
 
-    NAME_test.py COMMAND LIBRARY ...        LIBRARY is taken off the arguments
+    NAME_test.py COMMAND LIBRARY ...        LIBRARY is removed from the arguments
 """
 
 import importlib.util

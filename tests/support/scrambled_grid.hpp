@@ -6,11 +6,11 @@
 
 namespace pcvt::testing {
 
-/// Rectangular, thin, oblique, left-handed, skewed, tiny and huge ones.
+/// Rectangular, thin, oblique, left-handed, skewed, tiny and huge lattices.
 std::vector<Lattice> many_lattices();
 
 /// A grid of up to 5 x 5 parallelograms or twice as many triangles with jittered vertices; vertex
-/// names, first corners of faces and the sides from which pairs are told are random.
+/// numbers, first corners of faces and the directions of stored pairs are random.
 Tile scrambled_grid(const Lattice& lattice, std::mt19937& random);
 
 }  // namespace pcvt::testing

@@ -9,8 +9,8 @@ namespace pcvt::testing {
 /// Tiles of triangles on awkward lattices: Delaunay triangles and grains, of order 1 and 2.
 std::vector<Tile> solver_tiles(const std::vector<Lattice>& lattices);
 
-/// A tile that was read has the points, faces, sites and order of `written`, bit for bit, and
-/// stores pairs that say the same as those that follow from its positions.
+/// Expects that the tile read from a file has the points, faces, sites and order of `written`, bit
+/// for bit, and that its stored pairs are equivalent to the pairs of its positions.
 void expect_read_back(const TileFile& file, const Tile& written);
 
 }  // namespace pcvt::testing

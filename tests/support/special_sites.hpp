@@ -13,7 +13,7 @@ struct NamedSites {
     Sites sites;
 };
 
-/// columns x rows sites on a grid of the lattice, the first one at lattice coordinates (u, v).
+/// columns x rows sites on a grid of the lattice, the first at lattice coordinates (u, v).
 inline Sites grid_sites(const Lattice& lattice, int columns, int rows, double u, double v) {
     Points points(2, columns * rows);
     for (int k = 0; k < columns * rows; ++k) {
@@ -30,7 +30,7 @@ inline Sites sites_on_a_line(const Lattice& lattice, int n, const Vec2& directio
     return {lattice, points};
 }
 
-/// Exact ties, near ties, and sites on the seam.
+/// Sites with exact ties, with near ties, and on the seam.
 inline std::vector<NamedSites> special_sites() {
     const Lattice unit = Lattice::rectangle(1, 1);
     const Lattice turned({std::cos(0.3), std::sin(0.3)}, {-std::sin(0.3), std::cos(0.3)});

@@ -11,7 +11,7 @@
 
 namespace pcvt::testing {
 
-/// A new empty folder, removed with all it holds at the end of the scope.
+/// A new empty folder, removed with its contents at the end of the scope.
 class TemporaryFolder {
    public:
     TemporaryFolder() {
@@ -28,7 +28,7 @@ class TemporaryFolder {
 
     std::string operator/(const std::string& name) const { return (path_ / name).string(); }
 
-    /// Names of what is in the folder, hidden ones too, sorted.
+    /// The names of all entries of the folder, including hidden ones, sorted.
     std::vector<std::string> names() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::directory_iterator(path_)) {

@@ -6,7 +6,7 @@
 
 namespace pcvt::testing {
 
-/// Every number of the two tiles is the same, bit for bit but for the sign of zero.
+/// Expects that all numbers of the two tiles are equal, bit for bit except for the sign of zero.
 inline void expect_same_tile(const Tile& actual, const Tile& expected) {
     EXPECT_EQ(actual.lattice.a(), expected.lattice.a());
     EXPECT_EQ(actual.lattice.b(), expected.lattice.b());
@@ -20,7 +20,7 @@ inline void expect_same_tile(const Tile& actual, const Tile& expected) {
     EXPECT_TRUE(actual.edge_pairs == expected.edge_pairs);
 }
 
-/// Tiles of both kinds on lattices with awkward numbers: oblique, left-handed, tiny, huge.
+/// Lattices with awkward numbers: oblique, left-handed, tiny, huge.
 inline std::vector<Lattice> awkward_lattices() {
     return {Lattice({1, 0}, {0, 1}), Lattice({1, 0}, {0.37, 0.81}), Lattice({0, 1}, {1, 0}),
             Lattice({1e-3 / 3, 0}, {0, 2e-3 / 7}), Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9})};

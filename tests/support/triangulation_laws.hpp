@@ -6,7 +6,7 @@
 
 namespace pcvt::testing {
 
-/// Laws 1 to 3 of TorusTriangulation.
+/// Expects laws 1 to 3 of TorusTriangulation.
 inline void expect_laws(const TorusTriangulation& t) {
     ASSERT_EQ(t.n_triangles(), 2 * t.n_sites());
     for (int h = 0; h < t.n_halfedges(); ++h) {

@@ -19,7 +19,7 @@ struct WideVector {
     Vec2 rounded() const { return {static_cast<double>(x), static_cast<double>(y)}; }
 };
 
-/// Integrals of |p|^2, p and 1 over triangles with one corner in the origin.
+/// Integrals of |p|^2, p and 1 over triangles with one corner at the origin.
 struct Moments {
     Wide square = 0;
     WideVector first;

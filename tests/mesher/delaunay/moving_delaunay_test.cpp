@@ -49,7 +49,7 @@ void jump_about(CheckedEngine& engine, std::mt19937_64& random) {
     EXPECT_NO_FAULT(engine);
 }
 
-TEST(MovingDelaunay, AJumpOfAnySizeEqualsAFreshBuild) {
+TEST(MovingDelaunay, AJumpOfAnySizeEqualsANewBuild) {
     std::mt19937_64 random(1);
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 40, 300}) {
@@ -60,7 +60,7 @@ TEST(MovingDelaunay, AJumpOfAnySizeEqualsAFreshBuild) {
     }
 }
 
-TEST(MovingDelaunay, AJumpOfAnySizeEqualsAFreshBuildOnRandomLattices) {
+TEST(MovingDelaunay, AJumpOfAnySizeEqualsANewBuildOnRandomLattices) {
     std::mt19937_64 random(2);
     for (int k = 0; k < 200; ++k) {
         const Lattice lattice = testing::random_lattice(random);
@@ -70,7 +70,7 @@ TEST(MovingDelaunay, AJumpOfAnySizeEqualsAFreshBuildOnRandomLattices) {
     }
 }
 
-TEST(MovingDelaunay, AJumpOfAnySizeEqualsAFreshBuildOnThinLattices) {
+TEST(MovingDelaunay, AJumpOfAnySizeEqualsANewBuildOnThinLattices) {
     std::mt19937_64 random(3);
     for (const auto& [name, lattice] : thin_lattices()) {
         for (const int n : {1, 2, 3, 5, 8, 60, 500}) {

@@ -86,7 +86,7 @@ Density wave(double shift) {
     });
 }
 
-TEST(CellMoments, AcrossTheSeamEqualThoseOfAnInteriorCell) {
+TEST(CellMoments, AcrossTheSeamEqualTheMomentsOfAnInteriorCell) {
     for (const Vec2& site : {Vec2(0.98, 0.5), Vec2(0.02, 0.01), Vec2(0.51, 0.99)}) {
         const Moments here = moments(kOblique, wave(0), site, 0.2, 8);
         const Vec2 moved = site - Vec2::Constant(0.45);

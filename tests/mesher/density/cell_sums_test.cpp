@@ -86,13 +86,13 @@ TEST(CellSums, EqualTheMomentsOfEachCellByItself) {
             SCOPED_TRACE(name);
             Place place(lattice, uniform_points(lattice, 150, 4), density);
             const std::vector<Moments> found = place.integrate(place.ordered);
-            const std::int64_t n_asked = place.probe.take_range().n_evaluations;
+            const std::int64_t n_evaluations = place.probe.take_range().n_evaluations;
             for (const auto& [site, q, is_cut] : place.ordered) {
                 const Moments alone =
                     place.quadrature(place.polygon(site), place.cells.site(site), q, place.probe);
                 expect_same(found[site], alone, 1e-12);
             }
-            EXPECT_EQ(place.probe.take_range().n_evaluations, n_asked);
+            EXPECT_EQ(place.probe.take_range().n_evaluations, n_evaluations);
         }
     }
 }

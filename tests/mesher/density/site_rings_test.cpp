@@ -26,22 +26,23 @@ std::vector<SiteId> walked(const SiteRings& rings, const TorusTriangulation& t, 
 }
 
 /// Expects that the rings equal those of a new object.
-void expect_fresh(const SiteRings& rings, const MovingDelaunay& delaunay, Workers& workers) {
-    SiteRings fresh(delaunay, workers);
-    fresh.update();
+void expect_like_new(const SiteRings& rings, const MovingDelaunay& delaunay, Workers& workers) {
+    SiteRings created(delaunay, workers);
+    created.update();
     const TorusTriangulation& t = delaunay.triangulation();
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
-        const std::vector<SiteId> expected = walked(fresh, t, s);
+        const std::vector<SiteId> expected = walked(created, t, s);
         ASSERT_EQ(walked(rings, t, s), expected);
-        ASSERT_EQ(rings[s].length, fresh[s].length);
-        std::vector<SiteId> told;
-        rings.go_round(s, [&](int h) { told.push_back(t.corner_sites()[t.next(h)]); });
-        for (int k = 0; k < rings[s].length; ++k) ASSERT_EQ(rings[s].neighbours[k], told[k]);
+        ASSERT_EQ(rings[s].length, created[s].length);
+        std::vector<SiteId> walked_neighbours;
+        rings.go_round(s, [&](int h) { walked_neighbours.push_back(t.corner_sites()[t.next(h)]); });
+        for (int k = 0; k < rings[s].length; ++k)
+            ASSERT_EQ(rings[s].neighbours[k], walked_neighbours[k]);
     }
 }
 
 // Law 1 after flips, repairs, builds, steps back, and moves by whole periods.
-TEST(SiteRings, EqualThoseOfANewObjectAfterAnyMoves) {
+TEST(SiteRings, EqualTheRingsOfANewObjectAfterAnyMoves) {
     std::mt19937_64 random(3);
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 5, 40, 300}) {
@@ -57,7 +58,7 @@ TEST(SiteRings, EqualThoseOfANewObjectAfterAnyMoves) {
                     testing::any_move(delaunay, energy, random, k % testing::kMoveKinds);
                 if (delaunay.step(move.direction, 1, workers) && pass.evaluate(energy)) {
                     rings.update();
-                    expect_fresh(rings, delaunay, workers);
+                    expect_like_new(rings, delaunay, workers);
                     if (k % 2 == 0) delaunay.settle();
                 }
                 if (!delaunay.settled()) {
@@ -65,14 +66,14 @@ TEST(SiteRings, EqualThoseOfANewObjectAfterAnyMoves) {
                     ASSERT_TRUE(pass.evaluate(energy));
                 }
                 rings.update();
-                expect_fresh(rings, delaunay, workers);
+                expect_like_new(rings, delaunay, workers);
             }
         }
     }
 }
 
 // Law 1 where nothing flips, but sites are wrapped and triangles get offsets.
-TEST(SiteRings, EqualThoseOfANewObjectAfterADriftOfAllSites) {
+TEST(SiteRings, EqualTheRingsOfANewObjectAfterADriftOfAllSites) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     MovingDelaunay delaunay(Sites(lattice, uniform_points(lattice, 60, 1)));
     Workers workers(1);
@@ -85,7 +86,7 @@ TEST(SiteRings, EqualThoseOfANewObjectAfterADriftOfAllSites) {
         ASSERT_TRUE(pass.evaluate(energy));
         delaunay.settle();
         rings.update();
-        expect_fresh(rings, delaunay, workers);
+        expect_like_new(rings, delaunay, workers);
     }
 }
 
@@ -95,9 +96,9 @@ TEST(SiteRings, AreCompleteAwayFromTheSeam) {
     Workers workers(1);
     SiteRings rings(delaunay, workers);
     rings.update();
-    int n_told = 0;
-    for (SiteId s = 0; s < 2000; ++s) n_told += rings[s].length > 0;
-    EXPECT_GT(n_told, 1600);
+    int n_complete = 0;
+    for (SiteId s = 0; s < 2000; ++s) n_complete += rings[s].length > 0;
+    EXPECT_GT(n_complete, 1600);
 }
 
 }  // namespace

@@ -193,17 +193,17 @@ void expect_delaunay(const MovingDelaunay& delaunay, const Lattice& lattice) {
 }
 
 /// Compares the walk's energy with that of a new triangulation of the same sites.
-void expect_fresh(const Walk& walk, const Lattice& lattice) {
+void expect_new_build(const Walk& walk, const Lattice& lattice) {
     const Sites sites(lattice, reduce(lattice), walk.delaunay.coordinates());
-    const PlaneEnergy fresh = energy_at(sites);
+    const PlaneEnergy rebuilt = energy_at(sites);
     PlaneEnergy walked = testing::in_plane(walk.energy, walk.delaunay, lattice);
     for (SiteId s = 0; s < sites.n_sites(); ++s) {
         const SiteId id = walk.delaunay.original_id(s);
-        ASSERT_LT((walked.gradient.col(id) - fresh.gradient.col(s)).norm(),
+        ASSERT_LT((walked.gradient.col(id) - rebuilt.gradient.col(s)).norm(),
                   1e-12 * std::pow(sites.spacing(), 3));
-        ASSERT_NEAR(walked.mass[id], fresh.mass[s], 1e-12 * std::pow(sites.spacing(), 2));
+        ASSERT_NEAR(walked.mass[id], rebuilt.mass[s], 1e-12 * std::pow(sites.spacing(), 2));
     }
-    ASSERT_NEAR(walked.value / fresh.value, 1, 1e-12);
+    ASSERT_NEAR(walked.value / rebuilt.value, 1, 1e-12);
 }
 
 // Steps that flip too few edges for a second pass: the terms are corrected one by one.
@@ -218,7 +218,7 @@ TEST(Energy, CorrectionsAfterFlipsEqualASecondPass) {
             walk.lloyd_step(k < 10 ? 0.02 : 0.2);
             const auto n_flips = walk.delaunay.counts().n_flips - flips_before;
             n_corrected_steps += n_flips > 0 && n_flips < n / 20;
-            expect_fresh(walk, lattice);
+            expect_new_build(walk, lattice);
             expect_delaunay(walk.delaunay, lattice);
         }
         EXPECT_EQ(walk.delaunay.counts().n_rebuilds, 0);
@@ -254,7 +254,7 @@ TEST(Energy, KeepsTwelveDigitsAfterFlatTriangles) {
             const int h = static_cast<int>(random() % 1200);
             const double height = std::pow(10, -(k % 6));
             walk.step(flattening(walk.delaunay, h, uniform(random), height), 1);
-            expect_fresh(walk, lattice);
+            expect_new_build(walk, lattice);
             expect_delaunay(walk.delaunay, lattice);
         }
         EXPECT_GT(walk.delaunay.counts().n_flips, 30);
@@ -290,8 +290,8 @@ void expect_exact_sum(const Walk& walk) {
     EXPECT_LT((walk.energy.mass - wide.mass).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-/// Relative to F, to the largest mass, and to the gradient of a cell whose site is as far from its
-/// centroid as points of the domain are from their sites.
+/// Expects twelve digits relative to F, to the largest mass, and to the gradient of a cell whose
+/// site is as far from its centroid as points of the domain are from their sites.
 void expect_twelve_digits(const Walk& walk) {
     const Energy wide = wide_energy(walk.delaunay);
     const double mass = wide.mass.maxCoeff();
