@@ -95,8 +95,7 @@ bool Untangling::run(const std::vector<int>& inverted, std::vector<int> suspects
         return false;
     }
 
-    //         const
-    // // Restore the Delaunay property at the old positions.
+    // Restore the Delaunay property at the old positions.
     for (const Held& held : held_) {
         const std::vector<int> edges = edges_round(held.site);
         suspects.insert(suspects.end(), edges.begin(), edges.end());

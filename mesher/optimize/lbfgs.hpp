@@ -19,7 +19,6 @@ namespace pcvt {
 ///
 ///     const OptimizerResult result =
 ///         minimize_lbfgs(objective, {.tolerance = 1e-6, .max_move = 0.5 * h}, workers);
-///     if (result.stop != Stop::kConverged) report(result.evaluation.residual);
 OptimizerResult minimize_lbfgs(Objective& objective, const OptimizerOptions& options,
                                Workers& workers);
 
