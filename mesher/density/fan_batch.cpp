@@ -35,6 +35,7 @@ PCVT_TARGET_CLONES void place_fan(const Placement& p, int begin, int end,
     std::memcpy(&origin, &site, sizeof origin);
     std::memcpy(&along_x, &p.along_x, sizeof along_x);
     std::memcpy(&along_y, &p.along_y, sizeof along_y);
+    // Place the points ray by ray, one triangle after the other.
     const std::ptrdiff_t stride = p.n_corners;
     const int q = p.q;
     Quad from = along_x * p.x[end - 1] + along_y * p.y[end - 1];
@@ -125,6 +126,7 @@ void FanBatch::make_room(int n_corners) {
 void FanBatch::add(const CellList& cells, std::size_t k, const Vec2& site, int number) {
     const int begin = cells.begin[k];
     const int n = cells.begin[k + 1] - begin;
+    // Grow the arrays.
     if (n_corners_ + n + kLanes > static_cast<int>(from_x_.size())) {
         make_room(n_corners_ + n + kLanes);
     }
@@ -143,6 +145,7 @@ void FanBatch::add(const CellList& cells, std::size_t k, const Vec2& site, int n
     }
     to_x[n - 1] = from_x[0];
     to_y[n - 1] = from_y[0];
+    // Record the cell.
     n_corners_ += n;
     cells_.push_back({n, number, probe_.change(site)});
 }

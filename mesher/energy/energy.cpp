@@ -11,14 +11,12 @@
 namespace pcvt {
 namespace {
 
-/// A slab is the task of one worker. It has at least kSitesPerSlab sites and twice as many
-/// triangles; for many sites there are kMostSlabs slabs. Most triangles of a slab have all their
-/// corners among its sites, since both are numbered column by column.
+/// A slab, the task of one worker, has at least kSitesPerSlab sites; at most kMostSlabs slabs
+/// exist. Most triangles of a slab have all corners among its sites: both are numbered by columns.
 constexpr int kSitesPerSlab = 12'500;
 constexpr int kMostSlabs = 32;
-/// Slabs up to kSitesClearedAtOnce sites clear their sums in advance: these stay in the cache until
-/// triangles add to them. Larger slabs clear the sums kSitesCleared sites ahead of the triangles,
-/// and prefetch the kSitesFetched sites that follow.
+/// Slabs up to kSitesClearedAtOnce sites clear their sums in advance. Larger slabs, whose sums
+/// exceed the cache, clear kSitesCleared sites ahead and prefetch kSitesFetched sites after these.
 constexpr int kSitesClearedAtOnce = 16'000;
 constexpr int kSitesCleared = 64;
 constexpr int kSitesFetched = 192;
@@ -27,10 +25,9 @@ constexpr int kSitesPerLine = 4;
 constexpr int kCornersPerLine = 16;
 /// The number of blocks by which the prefetch of corners is ahead.
 constexpr int kBlocksFetched = 4;
-/// Terms that are much larger than the sum that contains them are not subtracted again, since their
-/// rounding would remain. Terms with a cotangent above kSteepest are rejected at once; other terms
-/// are rejected by their largest part relative to F, or for many sites relative to the mean over
-/// the cells.
+/// Terms much larger than the sum that contains them are not subtracted again, since their rounding
+/// would remain: terms with a cotangent above kSteepest, or with a largest part that is too large
+/// relative to F, or for many sites relative to the mean over the cells.
 constexpr double kSteepest = 32;
 constexpr double kLargestPart = 500;
 constexpr double kLargestPartOfCell = 5e4;
@@ -156,10 +153,12 @@ void EnergyPass::Slab::gather(const MovingDelaunay& delaunay, int first, int n,
     const SiteId* site = delaunay.triangulation().corner_sites().data() + 3 * std::size_t(first);
     const CornerOffsets* offsets = delaunay.triangulation().corner_offsets().data() + first;
     const double* u = delaunay.coordinates().data();
+    // Prefetch the corners of a later block.
     constexpr int kCorners = 3 * TriangleBlock::kSize;
     for (int c = 0; c < kCorners; c += kCornersPerLine) {
         prefetch(site + kBlocksFetched * kCorners + c);
     }
+    // Compute corners 1 and 2 relative to corner 0.
     for (int k = 0; k < n; ++k, site += 3) {
         const double* p0 = u + 2 * std::size_t(site[0]);
         const double* p1 = u + 2 * std::size_t(site[1]);
@@ -190,6 +189,7 @@ void EnergyPass::Slab::scatter(const MovingDelaunay& delaunay, int first, int n,
     const auto inside = [first_site = first_site, n_sites = n_sites](SiteId s) {
         return static_cast<unsigned>(s - first_site) < static_cast<unsigned>(n_sites);
     };
+    // Terms at sites of other slabs are kept until all slabs have finished.
     const auto add_or_keep = [&](const Foreign& f) {
         if (inside(f.site)) {
             add(f.site, f.gx, f.gy, f.mass, gradients, masses);
@@ -199,12 +199,14 @@ void EnergyPass::Slab::scatter(const MovingDelaunay& delaunay, int first, int n,
     };
     double sum = 0;
     for (int k = 0; k < n; ++k, site += 3) {
+        // Collect what the block could not certify.
         if (!(block.thick[k] > 0)) {
             suspects.triangles.push_back(first + k);
             continue;
         }
         if (!(block.acute[k] > 0)) suspect(delaunay, 3 * (first + k), block, k);
         sum += block.value[k];
+        // Add the terms of all three corners.
         if (int(inside(site[0])) & int(inside(site[1])) & int(inside(site[2]))) {
             add(site[0], block.gx0[k], block.gy0[k], block.m0[k], gradients, masses);
             add(site[1], block.gx1[k], block.gy1[k], block.m1[k], gradients, masses);
