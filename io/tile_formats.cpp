@@ -1,6 +1,7 @@
 #include "io/tile_formats.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "io/gltf/gltf_reader.hpp"
@@ -11,75 +12,143 @@
 #include "io/graphics/om_writer.hpp"
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
+#include "io/mpas/mpas_reader.hpp"
+#include "io/mpas/mpas_writer.hpp"
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/pictures/svg_writer.hpp"
+#include "io/run_files/site_writer.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
 #include "io/solvers/vtu_reader.hpp"
 #include "io/solvers/vtu_writer.hpp"
+#include "mesher/base/error.hpp"
 
 namespace pcvt {
 namespace {
 
-std::vector<std::string> only(const std::string& path) { return {path}; }
-
-using ArrayEncoder = std::vector<EncodedFile>(const Tile& tile, const std::string& path);
-
-/// An encoder that needs the arrays alone.
-template <ArrayEncoder* kEncode>
-std::vector<EncodedFile> arrays(const OpenMeshTile&, const Tile& flat, const std::string& path) {
-    return kEncode(flat, path);
+/// Pieces of cells are slivers where the box cuts a cell near its corner.
+void require_whole_cells(const FormatRequest& request) {
+    if (request.outline == Outline::kWhole || request.kind != MeshKind::kVoronoi) return;
+    throw InvalidInput(
+        "cells that the box cuts are too thin for finite volumes; take the whole outline, or the "
+        "mesh grains");
 }
 
-std::vector<EncodedFile> mesh(const OpenMeshTile& mesh, const Tile&, const std::string& path) {
-    return encode_om(mesh, path);
-}
-
-std::string lower_case(std::string text) {
-    for (char& c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+/// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
+void require_mpas_torus(const FormatRequest& request) {
+    if (request.short_edges > 0) {
+        throw InvalidInput("MPAS needs every Voronoi edge; leave --short-edges out");
     }
-    return text;
+    rectangular_periods(request.lattice);
 }
+
+std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {
+    MpasGrid grid = mpas_grid(torus.cells, torus.origin);
+    if (!torus.site_densities.empty()) fill_mesh_density(torus.site_densities, grid);
+    return only_file(path, encode_mpas(grid));
+}
+
+MpasGrid read_mpas(const std::vector<EncodedFile>& files) {
+    return decode_mpas(files.front().path, files.front().bytes);
+}
+
+std::vector<EncodedFile> write_sites(const Points& sites, const std::string& path) {
+    return only_file(path, encode_sites(sites));
+}
+
+constexpr std::array<TileFormat, 12> kFormats{{
+    {.extension = ".obj",
+     .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
+     .write = encode_obj,
+     .read = decode_obj,
+     .paths = obj_paths},
+    {.extension = ".ply",
+     .description = "PLY, ASCII with double coordinates",
+     .write = encode_ply,
+     .read = decode_ply},
+    {.extension = ".glb",
+     .description = "glTF 2.0, one binary file",
+     .write = encode_glb,
+     .read = decode_gltf},
+    {.extension = ".gltf",
+     .description = "glTF 2.0, one text file",
+     .write = encode_gltf,
+     .read = decode_gltf},
+    {.extension = ".om",
+     .description = "OpenMesh, with the identification as properties",
+     .write = encode_om,
+     .read = decode_om},
+    {.extension = ".msh",
+     .description = "Gmsh MSH 4.1 with $Periodic, triangles only",
+     .write = encode_msh,
+     .read = decode_msh,
+     .holds_polygons = false,
+     .highest_order = 2},
+    {.extension = ".inp",
+     .description = "Abaqus and CalculiX with *EQUATION, triangles only",
+     .write = encode_inp,
+     .read = decode_inp,
+     .holds_polygons = false,
+     .highest_order = 2},
+    {.extension = ".vtu",
+     .description = "VTK unstructured grid, ASCII, with double coordinates",
+     .write = encode_vtu,
+     .read = decode_vtu,
+     .highest_order = 2},
+    {.extension = ".svg",
+     .description = "a picture",
+     .write = encode_svg,
+     .write_graded = encode_graded_svg},
+    {.extension = ".foam",
+     .description = "OpenFOAM, a case folder that icoFoam runs",
+     .write = encode_foam,
+     .read = decode_foam,
+     .paths = foam_paths,
+     .is_folder = true,
+     .check = require_whole_cells},
+    {.extension = ".nc",
+     .description = "MPAS mesh of the whole torus, which is rectangular",
+     .write = write_mpas,
+     .read = read_mpas,
+     .check = require_mpas_torus},
+    {.extension = ".txt",
+     .description = "the sites, in the order of the input",
+     .write = write_sites},
+}};
 
 }  // namespace
 
-const std::vector<TileFormat>& tile_formats() {
-    static const std::vector<TileFormat> formats{
-        {".obj", "Wavefront OBJ, with .mtl and .seam.json beside it", obj_paths, arrays<encode_obj>,
-         decode_obj},
-        {".ply", "PLY, ASCII with double coordinates", only, arrays<encode_ply>, decode_ply},
-        {".glb", "glTF 2.0, one binary file", only, arrays<encode_glb>, decode_gltf},
-        {".gltf", "glTF 2.0, one text file", only, arrays<encode_gltf>, decode_gltf},
-        {".om", "OpenMesh, with the identification as properties", only, mesh, decode_om},
-        {".msh", "Gmsh MSH 4.1 with $Periodic, triangles only", only, arrays<encode_msh>,
-         decode_msh, true, true},
-        {".inp", "Abaqus and CalculiX with *EQUATION, triangles only", only, arrays<encode_inp>,
-         decode_inp, true, true},
-        {".vtu", "VTK unstructured grid, ASCII, with double coordinates", only, arrays<encode_vtu>,
-         decode_vtu, false, true},
-        {".svg", "a picture", only, arrays<encode_svg>, nullptr},
-        {".foam", "OpenFOAM, a case folder that icoFoam runs", foam_paths, arrays<encode_foam>,
-         decode_foam, false, false, true, true},
-    };
-    return formats;
+std::vector<std::string> single_path(const std::string& path) { return {path}; }
+
+std::span<const TileFormat> tile_formats() { return kFormats; }
+
+std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
+                                     const std::string& path) {
+    return std::get<TileWriter*>(format.write)(tile, path);
 }
 
-std::vector<EncodedFile> encode_tile(const TileFormat& format, const OpenMeshTile& tile,
-                                     const std::string& path) {
-    return format.encode(tile, flatten(tile), path);
+TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& files,
+                     const std::optional<Lattice>& lattice) {
+    return std::get<TileReader*>(format.read)(files, lattice);
+}
+
+std::string lower_case_extension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return extension;
 }
 
 const TileFormat* find_tile_format(const std::string& path) {
-    const std::string extension = lower_case(std::filesystem::path(path).extension().string());
-    const auto& formats = tile_formats();
-    const auto found = std::find_if(formats.begin(), formats.end(), [&](const TileFormat& format) {
-        return format.extension == extension;
-    });
-    return found == formats.end() ? nullptr : &*found;
+    const std::string extension = lower_case_extension(path);
+    const auto found =
+        std::find_if(kFormats.begin(), kFormats.end(),
+                     [&](const TileFormat& format) { return format.extension == extension; });
+    return found == kFormats.end() ? nullptr : &*found;
 }
 
 }  // namespace pcvt

@@ -1,45 +1,97 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/tile_file.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/finite_volume/mpas_grid.hpp"
+#include "mesher/mesh/outline.hpp"
 
 namespace pcvt {
 
-/// One row of the table of formats, in the order of `tile_formats()`.
-struct TileFormat {
-    /// With the dot: ".obj".
-    std::string extension;
-    std::string description;
-    /// The paths that encode() will fill for `path`, the file itself first; of a folder those in
-    /// it.
-    std::vector<std::string> (*paths)(const std::string& path);
-    /// Turns a tile, as a mesh and the same as plain arrays, into bytes: one entry for each of the
-    /// paths.
-    std::vector<EncodedFile> (*encode)(const OpenMeshTile& mesh, const Tile& flat,
-                                       const std::string& path);
-    /// Reads `files` (the file itself first, companions where there are any) back. A lattice given
-    /// here stands in for one that the file lacks. nullptr where pcvt does not read the format.
-    TileFile (*decode)(const std::vector<EncodedFile>& files,
-                       const std::optional<Lattice>& lattice);
-    /// encode() refuses tiles with polygons.
-    bool triangles_only = false;
-    /// Whether nodes in the middle of edges are written, where the tile has them.
-    bool second_order = false;
-    /// Whether `path` is a folder of files.
-    bool is_folder = false;
-    /// Pieces of cells are not for this format.
-    bool whole_cells_only = false;
+/// The Voronoi cells of a whole torus, for formats that hold a staggered grid.
+struct Torus {
+    const PeriodicMesh& cells;
+    /// Corner of the domain in which the points are written.
+    Vec2 origin;
+    /// The density at each site; empty where it is uniform.
+    std::span<const double> site_densities;
 };
 
-const std::vector<TileFormat>& tile_formats();
+using TileWriter = std::vector<EncodedFile>(const Tile& tile, const std::string& path);
+using TorusWriter = std::vector<EncodedFile>(const Torus& torus, const std::string& path);
+using SiteWriter = std::vector<EncodedFile>(const Points& sites, const std::string& path);
+
+using TileReader = TileFile(const std::vector<EncodedFile>& files,
+                            const std::optional<Lattice>& lattice);
+using GridReader = MpasGrid(const std::vector<EncodedFile>& files);
+
+/// The content of a file, known before anything is computed.
+struct FormatRequest {
+    /// The lattice of the tile or torus, repetitions included.
+    const Lattice& lattice;
+    MeshKind kind;
+    Outline outline;
+    double short_edges;
+};
+
+/// The list of `path` alone.
+std::vector<std::string> single_path(const std::string& path);
+
+/// One row of the table of formats.
+///
+/// Example usage:
+///   const TileFormat* format = find_tile_format("tile.obj");
+///   for (const EncodedFile& file : encode_tile(*format, tile, "tile.obj")) {
+///       outputs.stage(file.path, file.bytes);
+///   }
+struct TileFormat {
+    /// With the dot: ".obj".
+    std::string_view extension;
+    std::string_view description;
+    /// Encodes the content of the format, which is a tile, the torus or the sites: one entry per
+    /// path.
+    std::variant<TileWriter*, TorusWriter*, SiteWriter*> write;
+    /// Encodes tiles of graded meshes, if the format has another form for them; else nullptr.
+    TileWriter* write_graded = nullptr;
+    /// Reads `files` (the file itself first, companions where there are any) back; a lattice
+    /// replaces one that the file lacks. Empty if pcvt does not read the format.
+    std::variant<std::monostate, TileReader*, GridReader*> read = {};
+    /// The paths that `write` fills for a path, the file itself first; of a folder those in it.
+    std::vector<std::string> (*paths)(const std::string& path) = single_path;
+    bool is_folder = false;
+    bool holds_polygons = true;
+    /// 2: the nodes in the middle of edges are written, where the tile has them.
+    int highest_order = 1;
+    /// Throws InvalidInput with the reason if the format cannot hold the request; nullptr if it
+    /// holds every request.
+    void (*check)(const FormatRequest& request) = nullptr;
+
+    bool needs_tile() const { return std::holds_alternative<TileWriter*>(write); }
+    bool is_readable() const { return !std::holds_alternative<std::monostate>(read); }
+    bool reads_grid() const { return std::holds_alternative<GridReader*>(read); }
+};
+
+/// The order of the rows is that of the extensions in messages.
+std::span<const TileFormat> tile_formats();
 
 /// The bytes of a tile in a format.
-std::vector<EncodedFile> encode_tile(const TileFormat& format, const OpenMeshTile& tile,
+/// @pre format.needs_tile().
+std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
                                      const std::string& path);
+
+/// The tile in the files of a format.
+/// @pre format.is_readable() and not format.reads_grid().
+TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& files,
+                     const std::optional<Lattice>& lattice);
+
+/// The extension of `path` in lower case.
+std::string lower_case_extension(const std::string& path);
 
 /// The row for the extension of `path` (case does not matter), nullptr if there is none.
 const TileFormat* find_tile_format(const std::string& path);

@@ -6,6 +6,7 @@
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/tile_builder.hpp"
 
 int main() {
     const pcvt::Lattice lattice({1, 0}, {0.37, 0.81});
@@ -16,7 +17,8 @@ int main() {
                 result.energy / result.energy_bound, result.evaluations);
 
     const pcvt::PeriodicMesh cells = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kVoronoi);
-    const auto any_tile = pcvt::make_tile(cells, pcvt::whole_outline(cells, {0, 0}));
+    const pcvt::Tile arrays = pcvt::make_tile(cells, pcvt::whole_outline(cells, {0, 0}));
+    const pcvt::OpenMeshTile any_tile = pcvt::openmesh_tile(arrays);
     const auto& tile = std::get<pcvt::CellTile>(any_tile);
 
     for (const auto halfedge : tile.mesh.halfedges()) {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "io/gltf/gltf_document.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/kind_word.hpp"
 
 namespace pcvt {
 namespace {
@@ -292,14 +292,14 @@ bool all_known(const std::vector<SiteId>& sites) {
 TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     Finding finding(files.at(0));
     walk_scene(finding);
-    Tile tile{find_lattice(finding, lattice), tile_kind(finding), {}, {}, {}, {}, {}, {}, {}};
+    Tile tile{.lattice = find_lattice(finding, lattice), .kind = tile_kind(finding)};
     const Json& pairs = finding.periodic_member("vertexPairs");
     if (!pairs.is_null()) tile.vertex_pairs = read_pairs(finding, pairs);
     const Json& copies = finding.periodic_member("vertexCopies");
     if (!copies.is_null()) tile.copies = read_copies(finding, copies);
-    for (int k = 0; k <= std::ssize(finding.corners); k += 3) tile.face_begin.push_back(k);
+    for (int k = 3; k <= std::ssize(finding.corners); k += 3) tile.faces.begin.push_back(k);
     tile.points = std::move(finding.points);
-    tile.corners = std::move(finding.corners);
+    tile.faces.corners = std::move(finding.corners);
     if (faces_have_sites(tile.kind)) {
         tile.face_site = std::move(finding.face_site);
     } else if (all_known(finding.vertex_site)) {

@@ -59,8 +59,7 @@ void add_fan(const Tile& tile, int face, const std::vector<int>& corners, Surfac
 }
 
 std::vector<int> corners_of(const Tile& tile, int face) {
-    return {tile.corners.begin() + tile.face_begin[face],
-            tile.corners.begin() + tile.face_begin[face + 1]};
+    return {tile.faces[face].begin(), tile.faces[face].end()};
 }
 
 /// Returns cells that share the vertices of the tile.
@@ -107,14 +106,14 @@ Surface grains(const Tile& tile, const std::string& path) {
     // A vertex without a grain has site -1.
     Surface surface;
     surface.points = single_precision(tile, path);
-    surface.face_begin = tile.face_begin;
+    surface.face_begin = tile.faces.begin;
     surface.vertex_site.assign(surface.points.size(), -1);
     surface.vertex_colour.assign(surface.points.size(), {});
     const std::vector<Point3> lights = side_lights(cell_sides(tile));
     // Find the vertex of each corner in its grain, or make a copy.
     std::map<std::pair<int, SiteId>, int> copies;
-    for (std::size_t c = 0; c < tile.corners.size(); ++c) {
-        const int v = tile.corners[c];
+    for (std::size_t c = 0; c < tile.faces.corners.size(); ++c) {
+        const int v = tile.faces.corners[c];
         const SiteId site = tile.face_site[c / 3];
         const bool is_first = surface.vertex_site[v] < 0;
         const bool owns = is_first || surface.vertex_site[v] == static_cast<float>(site);
@@ -137,8 +136,8 @@ Surface grains(const Tile& tile, const std::string& path) {
 Surface triangles(const Tile& tile, const std::string& path) {
     Surface surface;
     surface.points = single_precision(tile, path);
-    surface.indices = tile.corners;
-    surface.face_begin = tile.face_begin;
+    surface.indices = tile.faces.corners;
+    surface.face_begin = tile.faces.begin;
     surface.vertex_site.assign(tile.vertex_site.begin(), tile.vertex_site.end());
     surface.vertex_colour = side_lights(vertex_valences(tile));
     return surface;

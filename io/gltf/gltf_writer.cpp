@@ -12,8 +12,8 @@
 #include "io/gltf/gltf_container.hpp"
 #include "io/gltf/gltf_surface.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/kind_word.hpp"
 #include "io/tiles/palette.hpp"
-#include "io/tiles/raw_tile.hpp"
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
@@ -232,9 +232,8 @@ void add_surface(const Tile& tile, const Surface& surface, ModelBuilder& builder
 std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points) {
     std::vector<std::array<int, 2>> edges;
     for (int f = 0; f < tile.n_faces(); ++f) {
-        int previous = tile.corners[tile.face_begin[f + 1] - 1];
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            const int v = tile.corners[c];
+        int previous = tile.faces[f].back();
+        for (const int v : tile.faces[f]) {
             if (points[v] != points[previous]) {
                 edges.push_back({std::min(v, previous), std::max(v, previous)});
             }
@@ -297,7 +296,7 @@ ModelParts make_model(const Tile& tile, const std::string& path) {
     // Reserve up to four attributes per vertex, and the outlines.
     ModelBuilder builder(surface.points.size() * (3 * sizeof(Point3) + sizeof(float)) +
                          tile.points.size() * sizeof(Point3) +
-                         (surface.indices.size() + 2 * tile.corners.size()) * sizeof(int));
+                         (surface.indices.size() + 2 * tile.faces.corners.size()) * sizeof(int));
     add_surface(tile, surface, builder);
     add_outlines(tile, surface, builder);
     builder.model().nodes[0].extras =

@@ -7,7 +7,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/graphics/seam_json.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 namespace {
@@ -19,11 +19,11 @@ constexpr std::array<std::string_view, 8> kPassedOver{"vn", "vt", "vp",     "o",
 class ObjParser {
    public:
     ObjParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), raw_{name, 1, {}, {}, {}, {0}, {}, {}, {}, {}, {}} {}
+        : scanner_(name, text), file_{.name = name, .index_base = 1} {}
 
-    RawTile parse() {
+    FileTileBuilder parse() {
         while (scanner_.next()) parse_line();
-        return std::move(raw_);
+        return std::move(file_);
     }
 
    private:
@@ -63,13 +63,13 @@ class ObjParser {
         for (std::size_t k = 0; k < words.size(); ++k) numbers[k] = scanner_.number(words[k]);
         if (numbers[2] != 0)
             scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
-        raw_.points.emplace_back(numbers[0], numbers[1]);
+        file_.points.emplace_back(numbers[0], numbers[1]);
     }
 
     void parse_face(Words words) {
         std::vector<int> corners;
         for (const std::string_view word : words) corners.push_back(parse_corner(word));
-        raw_.add_face(corners, scanner_.line());
+        file_.add_face(corners, scanner_.line());
     }
 
     /// Returns the vertex counted from 0. An index out of range is returned as it is, negative or
@@ -84,7 +84,7 @@ class ObjParser {
             if (length == rest.size()) {
                 if (indices[0] == 0)
                     scanner_.throw_bad_file("vertex 0 does not exist; count from 1");
-                const int n_vertices = static_cast<int>(raw_.points.size());
+                const int n_vertices = static_cast<int>(file_.points.size());
                 return indices[0] > 0 ? indices[0] - 1 : n_vertices + indices[0];
             }
             rest.remove_prefix(length + 1);
@@ -102,18 +102,22 @@ class ObjParser {
         const Words values = words.subspan(1);
         // Vertices count from 1 in the file, sites from 0.
         if (key == "kind") {
-            raw_.take_kind(scanner_, values);
+            file_.take_kind(scanner_, values);
         } else if (key == "lattice") {
-            raw_.take_lattice(scanner_, values);
+            file_.take_lattice(scanner_, values);
         } else if (key == "vertex_pair") {
             const auto [v, w, i, j] = integers<4>(values);
-            raw_.vertex_pairs.push_back({from_zero(v), from_zero(w), {i, j}});
+            file_.vertex_pairs.push_back({from_zero(v), from_zero(w), {i, j}});
         } else if (key == "edge_pair") {
             const auto [v0, v1, w0, w1, i, j] = integers<6>(values);
-            raw_.edge_pairs.push_back(
-                {from_zero(v0), from_zero(v1), from_zero(w0), from_zero(w1), {i, j}});
+            file_.edge_pairs.push_back({.v0 = from_zero(v0),
+                                        .v1 = from_zero(v1),
+                                        .w0 = from_zero(w0),
+                                        .w1 = from_zero(w1),
+                                        .offset = {i, j}});
         } else if (key == "sites") {
-            for (const std::string_view word : values) raw_.sites.push_back(scanner_.integer(word));
+            for (const std::string_view word : values)
+                file_.sites.push_back(scanner_.integer(word));
         } else {
             scanner_.throw_bad_file("pcvt does not know " + in_quotes(key) + "; remove the line");
         }
@@ -140,34 +144,34 @@ class ObjParser {
     }
 
     LineScanner scanner_;
-    RawTile raw_;
+    FileTileBuilder file_;
 };
 
-bool has_seam(const RawTile& raw) {
-    return raw.kind || raw.lattice || !raw.sites.empty() || !raw.vertex_pairs.empty() ||
-           !raw.edge_pairs.empty();
+bool has_seam(const FileTileBuilder& file) {
+    return file.kind || file.lattice || !file.sites.empty() || !file.vertex_pairs.empty() ||
+           !file.edge_pairs.empty();
 }
 
-void take_seam(RawTile& raw, Seam seam) {
-    raw.kind = seam.kind;
-    raw.lattice = seam.lattice;
-    raw.vertex_pairs = std::move(seam.vertex_pairs);
-    raw.edge_pairs = std::move(seam.edge_pairs);
-    raw.sites = std::move(seam.sites);
+void take_seam(FileTileBuilder& file, Seam seam) {
+    file.kind = seam.kind;
+    file.lattice = seam.lattice;
+    file.vertex_pairs = std::move(seam.vertex_pairs);
+    file.edge_pairs = std::move(seam.edge_pairs);
+    file.sites = std::move(seam.sites);
 }
 
-void compare_seam(const RawTile& raw, const Seam& seam, const std::string& sidecar) {
+void compare_seam(const FileTileBuilder& file, const Seam& seam, const std::string& sidecar) {
     const auto require = [&](bool equal, const char* what) {
         if (equal) return;
         throw BadFile(sidecar + ": its " + what + " differ from those in the comments of " +
-                      raw.name + "; write both again or remove the sidecar");
+                      file.name + "; write both again or remove the sidecar");
     };
-    require(raw.kind == seam.kind, "kind and lattice");
-    require(raw.lattice && raw.lattice->a() == seam.lattice.a(), "kind and lattice");
-    require(raw.lattice && raw.lattice->b() == seam.lattice.b(), "kind and lattice");
-    require(raw.vertex_pairs == seam.vertex_pairs, "vertex pairs");
-    require(raw.edge_pairs == seam.edge_pairs, "edge pairs");
-    require(raw.sites == seam.sites, "sites");
+    require(file.kind == seam.kind, "kind and lattice");
+    require(file.lattice && file.lattice->a() == seam.lattice.a(), "kind and lattice");
+    require(file.lattice && file.lattice->b() == seam.lattice.b(), "kind and lattice");
+    require(file.vertex_pairs == seam.vertex_pairs, "vertex pairs");
+    require(file.edge_pairs == seam.edge_pairs, "edge pairs");
+    require(file.sites == seam.sites, "sites");
 }
 
 }  // namespace
@@ -175,17 +179,17 @@ void compare_seam(const RawTile& raw, const Seam& seam, const std::string& sidec
 TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     const EncodedFile& obj = files.front();
     refuse_binary(obj.path, obj.bytes, "give a Wavefront OBJ");
-    RawTile raw = ObjParser(obj.path, obj.bytes).parse();
+    FileTileBuilder builder = ObjParser(obj.path, obj.bytes).parse();
     for (const EncodedFile& file : files) {
         if (!file.path.ends_with(".seam.json")) continue;
         Seam seam = decode_seam(file.path, file.bytes);
-        if (has_seam(raw)) {
-            compare_seam(raw, seam, file.path);
+        if (has_seam(builder)) {
+            compare_seam(builder, seam, file.path);
         } else {
-            take_seam(raw, std::move(seam));
+            take_seam(builder, std::move(seam));
         }
     }
-    return finish(std::move(raw), lattice, Precision::kDouble);
+    return finish(std::move(builder), lattice, Precision::kDouble);
 }
 
 }  // namespace pcvt

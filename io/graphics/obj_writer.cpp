@@ -9,8 +9,8 @@
 #include "io/bytes/text.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/kind_word.hpp"
 #include "io/tiles/palette.hpp"
-#include "io/tiles/raw_tile.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -50,13 +50,10 @@ std::vector<int> sides_of_faces(const Tile& tile) {
 /// Returns the tile with its faces in the order `order`.
 Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
     Tile sorted = tile;
-    sorted.face_begin = {0};
-    sorted.corners.clear();
+    sorted.faces = {};
     sorted.face_site.clear();
     for (const int f : order) {
-        sorted.corners.insert(sorted.corners.end(), tile.corners.begin() + tile.face_begin[f],
-                              tile.corners.begin() + tile.face_begin[f + 1]);
-        sorted.face_begin.push_back(static_cast<int>(sorted.corners.size()));
+        sorted.faces.add(tile.faces[f]);
         if (!tile.face_site.empty()) sorted.face_site.push_back(tile.face_site[f]);
     }
     return sorted;
@@ -99,9 +96,9 @@ std::string obj_text(const Tile& tile, const std::vector<int>& sides,
     for (int f = 0; f < tile.n_faces(); ++f) {
         if (f == 0 || sides[f] != sides[f - 1]) text += "usemtl " + material(tile, sides[f]) + "\n";
         text += 'f';
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
+        for (const int v : tile.faces[f]) {
             text += ' ';
-            append_number(text, tile.corners[c] + 1);
+            append_number(text, v + 1);
         }
         text += '\n';
     }

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "io/tiles/raw_tile.hpp"
-
 namespace pcvt {
 namespace {
 
@@ -34,7 +32,7 @@ class OmParser {
         while (read_chunk()) {
         }
         if (!rest_.empty()) throw_bad_file("goes on after its end");
-        Tile tile{lattice(), kind_, std::move(points_), {0}, {}, {}, {}, {}, {}};
+        Tile tile{.lattice = lattice(), .kind = kind_, .points = std::move(points_)};
         read_faces(tile);
         read_orbits(tile);
         read_partners(tile);
@@ -194,13 +192,13 @@ class OmParser {
             std::size_t h = first;
             do {
                 if (halfedges_[3 * h + 2] != static_cast<std::int64_t>(f) ||
-                    tile.corners.size() == n_halfedges_) {
+                    tile.faces.corners.size() == n_halfedges_) {
                     throw_bad_file("has a face that does not close");
                 }
-                tile.corners.push_back(to_vertex(h));
+                tile.faces.corners.push_back(to_vertex(h));
                 h = next(h);
             } while (h != first);
-            tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
+            tile.faces.close();
             if (tile.face_size(static_cast<int>(f)) < 3)
                 throw_bad_file("has a face without three corners");
         }
@@ -237,8 +235,11 @@ class OmParser {
                 throw_bad_file("has a boundary edge whose partner does not answer");
             }
             if (across < Offset{}) continue;
-            tile.edge_pairs.push_back(
-                {to_vertex(h), from_vertex(h), from_vertex(p), to_vertex(p), across});
+            tile.edge_pairs.push_back({.v0 = to_vertex(h),
+                                       .v1 = from_vertex(h),
+                                       .w0 = from_vertex(p),
+                                       .w1 = to_vertex(p),
+                                       .offset = across});
         }
     }
 

@@ -12,7 +12,7 @@ namespace pcvt {
 /// input; this reader checks that indices are in range, that partners are mutual and that chunks
 /// have their stated length.
 ///
-/// Faces, vertices and seam come back as flatten() returns them.
+/// Faces, vertices and seam come back as tile() returns them (mesher/tile/openmesh_tile.hpp).
 ///
 /// Example usage:
 ///     const TileFile file = decode_om({{"tile.om", read_whole_file("tile.om")}}, std::nullopt);

@@ -10,6 +10,7 @@
 #include "io/bytes/openmesh_netcdf_mutex.hpp"
 #include "io/tiles/finite.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/tile/openmesh_tile.hpp"
 
 namespace pcvt {
 namespace {
@@ -36,15 +37,16 @@ class SilentOpenMesh {
 
 }  // namespace
 
-std::vector<EncodedFile> encode_om(const OpenMeshTile& tile, const std::string& path) {
-    require_finite(flatten(tile));
+std::vector<EncodedFile> encode_om(const Tile& tile, const std::string& path) {
+    require_finite(tile);
+    const OpenMeshTile mesh = openmesh_tile(tile);
     const std::lock_guard lock(openmesh_netcdf_mutex());
     const SilentOpenMesh silence;
     const OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
     std::ostringstream stream(std::ios::binary);
     const bool written = std::visit(
         [&](const auto& any) { return OpenMesh::IO::write_mesh(any.mesh, stream, ".om", options); },
-        tile);
+        mesh);
     // OpenMesh reports success even after its stream has failed.
     if (!written || !stream) throw InternalError("OpenMesh could not write " + path);
     return only_file(path, std::move(stream).str());

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -16,7 +16,8 @@ namespace pcvt {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
+/// @throws InvalidInput  as openmesh_tile().
 /// @throws InternalError if a coordinate is not finite, or OpenMesh fails to write.
-std::vector<EncodedFile> encode_om(const OpenMeshTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_om(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

@@ -29,14 +29,14 @@ void check_format(const LineScanner& scanner) {
     }
 }
 
-void read_comment(const LineScanner& scanner, RawTile& raw) {
+void read_comment(const LineScanner& scanner, FileTileBuilder& file) {
     const Words& words = scanner.words();
     if (words.size() < 3 || words[1] != "pcvt") return;
     const Words values(words.begin() + 3, words.end());
     if (words[2] == "kind") {
-        raw.take_kind(scanner, values);
+        file.take_kind(scanner, values);
     } else if (words[2] == "lattice") {
-        raw.take_lattice(scanner, values);
+        file.take_lattice(scanner, values);
     } else {
         scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
     }
@@ -88,10 +88,10 @@ const PlyProperty* PlyElement::find(std::string_view property) const {
     return found == properties.end() ? nullptr : &*found;
 }
 
-std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw) {
+std::vector<PlyElement> read_ply_header(LineScanner& scanner, FileTileBuilder& file) {
     // The first line is "ply".
     if (!scanner.next() || scanner.words() != Words{"ply"}) {
-        throw BadFile(raw.name + ": does not begin with the line \"ply\"; give a PLY file");
+        throw BadFile(file.name + ": does not begin with the line \"ply\"; give a PLY file");
     }
     // One declaration per line follows, up to end_header.
     bool has_format = false;
@@ -104,7 +104,7 @@ std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw) {
             return elements;
         }
         if (key == "comment") {
-            read_comment(scanner, raw);
+            read_comment(scanner, file);
         } else if (key == "element") {
             read_element(scanner, elements);
         } else if (key == "property") {
@@ -116,7 +116,7 @@ std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw) {
             scanner.throw_bad_file(in_quotes(key) + " has no place in the header; remove the line");
         }
     }
-    throw BadFile(raw.name + ": the header does not end; write \"end_header\" after it");
+    throw BadFile(file.name + ": the header does not end; write \"end_header\" after it");
 }
 
 }  // namespace pcvt

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 
@@ -27,9 +27,9 @@ struct PlyElement {
 };
 
 /// Reads the header of an ASCII PLY up to `end_header`. The comments `pcvt kind` and `pcvt lattice`
-/// fill raw.kind and raw.lattice.
+/// fill file.kind and file.lattice.
 /// @returns the elements in the order of their declaration; names point into the scanner's text.
 /// @throws BadFile with the line, also for a binary PLY.
-std::vector<PlyElement> read_ply_header(LineScanner& scanner, RawTile& raw);
+std::vector<PlyElement> read_ply_header(LineScanner& scanner, FileTileBuilder& file);
 
 }  // namespace pcvt

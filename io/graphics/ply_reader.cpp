@@ -4,7 +4,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/graphics/ply_header.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 namespace {
@@ -68,12 +68,12 @@ void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValu
 class PlyParser {
    public:
     PlyParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), raw_{name, 0, {}, {}, {}, {0}, {}, {}, {}, {}, {}} {
-        elements_ = read_ply_header(scanner_, raw_);
+        : scanner_(name, text), file_{.name = name, .index_base = 0} {
+        elements_ = read_ply_header(scanner_, file_);
         refuse_binary(name, text, "export it as ASCII");
     }
 
-    RawTile parse() {
+    FileTileBuilder parse() {
         for (const PlyElement& element : elements_) {
             if (element.name == "vertex") require_vertex(element);
             if (element.name == "face") require_face(element);
@@ -84,7 +84,7 @@ class PlyParser {
             if (scanner_.words().empty()) continue;
             scanner_.throw_bad_file("the file goes on after its last element; correct the counts");
         }
-        return std::move(raw_);
+        return std::move(file_);
     }
 
     Precision precision() const { return is_single_ ? Precision::kSingle : Precision::kDouble; }
@@ -98,7 +98,7 @@ class PlyParser {
             (type == Type::kNumber || !found->is_real)) {
             return;
         }
-        throw BadFile(raw_.name + ": element " + in_quotes(element.name) + " lacks a proper " +
+        throw BadFile(file_.name + ": element " + in_quotes(element.name) + " lacks a proper " +
                       in_quotes(name) + "; export the file with it");
     }
 
@@ -125,14 +125,15 @@ class PlyParser {
 
     /// Only a file of pcvt gives `site` a meaning, in the element that owns the sites.
     void require_sites(const PlyElement& element, bool of_faces) {
-        has_sites_ = raw_.kind && faces_have_sites(*raw_.kind) == of_faces && element.find("site");
+        has_sites_ =
+            file_.kind && faces_have_sites(*file_.kind) == of_faces && element.find("site");
         if (has_sites_) require(element, "site", Type::kInteger);
     }
 
     void parse_element(const PlyElement& element, PlyValues& values) {
         do {
             if (!scanner_.next()) {
-                throw BadFile(raw_.name + ": ends before its last " + in_quotes(element.name) +
+                throw BadFile(file_.name + ": ends before its last " + in_quotes(element.name) +
                               "; correct the counts or give the whole file");
             }
         } while (scanner_.words().empty());
@@ -145,21 +146,21 @@ class PlyParser {
         if (values.number("z") != 0) {
             scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
         }
-        raw_.points.emplace_back(values.number("x"), values.number("y"));
+        file_.points.emplace_back(values.number("x"), values.number("y"));
         if (has_orbits_) add_orbit(values);
-        if (has_sites_) raw_.sites.push_back(values.integer("site"));
+        if (has_sites_) file_.sites.push_back(values.integer("site"));
     }
 
     void add_orbit(const PlyValues& values) {
         const int orbit = values.integer("orbit");
-        const int v = static_cast<int>(raw_.points.size()) - 1;
+        const int v = static_cast<int>(file_.points.size()) - 1;
         const Offset offset{values.integer("offset_i"), values.integer("offset_j")};
         if (orbit < 0 || orbit >= n_vertices_) {
             scanner_.throw_bad_file("orbit " + std::to_string(orbit) +
                                     " is no vertex; correct the index");
         }
         if (orbit != v) {
-            raw_.vertex_pairs.push_back({orbit, v, offset});
+            file_.vertex_pairs.push_back({orbit, v, offset});
         } else if (offset != Offset{}) {
             scanner_.throw_bad_file(
                 "a vertex has an offset to itself; write the file again with pcvt");
@@ -168,12 +169,12 @@ class PlyParser {
 
     void add_face(const PlyValues& values) {
         const std::vector<double>& list = values.list(list_name_);
-        raw_.add_face(std::vector<int>(list.begin(), list.end()), scanner_.line());
-        if (has_sites_) raw_.sites.push_back(values.integer("site"));
+        file_.add_face(std::vector<int>(list.begin(), list.end()), scanner_.line());
+        if (has_sites_) file_.sites.push_back(values.integer("site"));
     }
 
     LineScanner scanner_;
-    RawTile raw_;
+    FileTileBuilder file_;
     std::vector<PlyElement> elements_;
     std::string_view list_name_;
     int n_vertices_ = 0;
@@ -186,8 +187,8 @@ class PlyParser {
 
 TileFile decode_ply(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     PlyParser parser(files.front().path, files.front().bytes);
-    RawTile raw = parser.parse();
-    return finish(std::move(raw), lattice, parser.precision());
+    FileTileBuilder file = parser.parse();
+    return finish(std::move(file), lattice, parser.precision());
 }
 
 }  // namespace pcvt

@@ -7,8 +7,8 @@
 
 #include "io/bytes/text.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/kind_word.hpp"
 #include "io/tiles/palette.hpp"
-#include "io/tiles/raw_tile.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -108,8 +108,8 @@ void append_faces(std::string& text, const Tile& tile) {
     SideColours colours;
     for (int f = 0; f < tile.n_faces(); ++f) {
         append_word(text, tile.face_size(f));
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            append_word(text, tile.corners[c]);
+        for (const int v : tile.faces[f]) {
+            append_word(text, v);
         }
         text += owned ? colours.of(sides[f]) : plain;
         if (owned) append_word(text, tile.face_site[f]);

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/kind_word.hpp"
 
 namespace pcvt {
 namespace {
@@ -170,13 +170,13 @@ Seam decode_seam(const std::string& name, std::string_view text) {
     const Json& word = decoder.at("kind");
     const auto kind = word.is_string() ? kind_of_word(word.get<std::string>()) : std::nullopt;
     if (!kind) decoder.throw_bad_file("its kind is none of cells, triangles and grains");
-    Seam seam{*kind, decoder.lattice(), {}, {}, {}};
+    Seam seam{.kind = *kind, .lattice = decoder.lattice()};
     // Pairs and sites.
     for (const auto& [v, w, i, j] : decoder.rows<4>("vertex_pairs")) {
         seam.vertex_pairs.push_back({v, w, {i, j}});
     }
     for (const auto& [v0, v1, w0, w1, i, j] : decoder.rows<6>("edge_pairs")) {
-        seam.edge_pairs.push_back({v0, v1, w0, w1, {i, j}});
+        seam.edge_pairs.push_back({.v0 = v0, .v1 = v1, .w0 = w0, .w1 = w1, .offset = {i, j}});
     }
     for (const Json& site : decoder.list(decoder.at("sites"), "sites")) {
         seam.sites.push_back(decoder.integer(site, "sites"));

@@ -25,9 +25,9 @@ namespace pcvt {
 struct Seam {
     MeshKind kind;
     Lattice lattice;
-    std::vector<VertexPair> vertex_pairs;
-    std::vector<EdgePair> edge_pairs;
-    std::vector<SiteId> sites;
+    std::vector<VertexPair> vertex_pairs = {};
+    std::vector<EdgePair> edge_pairs = {};
+    std::vector<SiteId> sites = {};
 };
 
 /// Encodes the seam with one pair per line; the same tile gives the same bytes.

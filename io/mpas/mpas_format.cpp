@@ -6,14 +6,14 @@ namespace {
 using Size = MpasSize;
 
 MpasVariable indices(const char* name, Size rows, Size columns, std::vector<int> MpasGrid::*table) {
-    return {name, rows, columns, table, nullptr, nullptr};
+    return {.name = name, .rows = rows, .columns = columns, .indices = table};
 }
 MpasVariable counts(const char* name, Size rows, std::vector<int> MpasGrid::*table) {
-    return {name, rows, Size::kOne, nullptr, table, nullptr};
+    return {.name = name, .rows = rows, .columns = Size::kOne, .counts = table};
 }
 MpasVariable numbers(const char* name, Size rows, Size columns,
                      std::vector<double> MpasGrid::*table) {
-    return {name, rows, columns, nullptr, nullptr, table};
+    return {.name = name, .rows = rows, .columns = columns, .numbers = table};
 }
 MpasVariable numbers(const char* name, Size rows, std::vector<double> MpasGrid::*table) {
     return numbers(name, rows, Size::kOne, table);

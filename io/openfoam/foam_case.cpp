@@ -81,8 +81,8 @@ std::string boundary_field(const ExtrudedMesh& extruded) {
 
 Vec2 face_centroid(const Tile& tile, int f) {
     Polygon polygon;
-    for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-        polygon.push_back(tile.points[tile.corners[c]]);
+    for (const int v : tile.faces[f]) {
+        polygon.push_back(tile.points[v]);
     }
     return polygon_centroid(polygon);
 }

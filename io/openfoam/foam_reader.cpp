@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "io/openfoam/foam_scanner.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/file_tile_builder.hpp"
 #include "mesher/finite_volume/extruded_base.hpp"
 
 namespace pcvt {
@@ -38,13 +38,13 @@ void read_points(const EncodedFile& file, ExtrudedMesh& extruded) {
 void read_faces(const EncodedFile& file, ExtrudedMesh& extruded) {
     FoamScanner scanner(file.path, file.bytes);
     const int n = scanner.begin_list();
-    extruded.face_begin.reserve(static_cast<std::size_t>(n) + 1);
+    extruded.faces.begin.reserve(static_cast<std::size_t>(n) + 1);
     for (int k = 0; k < n; ++k) {
         for (int left = scanner.begin_list(); left > 0; --left) {
-            extruded.corners.push_back(scanner.integer());
+            extruded.faces.corners.push_back(scanner.integer());
         }
         scanner.expect(")");
-        extruded.face_begin.push_back(static_cast<int>(extruded.corners.size()));
+        extruded.faces.close();
     }
     scanner.expect(")");
 }
@@ -81,7 +81,12 @@ Vec2 read_separation(FoamScanner& scanner) {
 
 /// Reads a patch and the name of its partner, which is empty if the patch has none.
 std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner) {
-    ExtrudedPatch patch{std::string(scanner.next()), -1, -1, -1, Offset{}, Vec2(0, 0)};
+    ExtrudedPatch patch{.name = std::string(scanner.next()),
+                        .first_face = -1,
+                        .n_faces = -1,
+                        .partner = -1,
+                        .offset = {},
+                        .separation = Vec2(0, 0)};
     std::string type;
     std::string partner;
     // Read the entries that matter, skip the others.
@@ -138,18 +143,17 @@ void read_boundary(const EncodedFile& file, ExtrudedMesh& extruded) {
 }
 
 /// Reads the comments `// pcvt kind ...` and `// pcvt lattice ...`.
-RawTile read_comments(const EncodedFile& file) {
-    RawTile raw{};
-    raw.name = file.path;
+FileTileBuilder read_comments(const EncodedFile& file) {
+    FileTileBuilder comments{.name = file.path, .index_base = 0};
     LineScanner scanner(file.path, file.bytes);
     while (scanner.next()) {
         const auto& words = scanner.words();
         if (words.size() < 3 || words[0] != "//" || words[1] != "pcvt") continue;
         const std::vector<std::string_view> values(words.begin() + 3, words.end());
-        if (words[2] == "kind") raw.take_kind(scanner, values);
-        if (words[2] == "lattice") raw.take_lattice(scanner, values);
+        if (words[2] == "kind") comments.take_kind(scanner, values);
+        if (words[2] == "lattice") comments.take_lattice(scanner, values);
     }
-    return raw;
+    return comments;
 }
 
 }  // namespace
@@ -159,13 +163,12 @@ TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<
     for (const EncodedFile& file : files) {
         refuse_binary(file.path, file.bytes, "write the case with writeFormat ascii");
     }
-    const RawTile comments = read_comments(boundary);
+    const FileTileBuilder comments = read_comments(boundary);
     const std::optional<Lattice> known = comments.lattice ? comments.lattice : lattice;
     if (!known) {
         throw BadFile(boundary.path + ": the file names no lattice; pass --lattice AX,AY,BX,BY");
     }
-    ExtrudedMesh extruded{*known, comments.kind.value_or(MeshKind::kVoronoi), {}, {0}, {}, {}, {},
-                          {}};
+    ExtrudedMesh extruded{.lattice = *known, .kind = comments.kind.value_or(MeshKind::kVoronoi)};
     read_points(file_named(files, "points"), extruded);
     read_faces(file_named(files, "faces"), extruded);
     extruded.owner = read_labels(file_named(files, "owner"));

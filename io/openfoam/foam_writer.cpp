@@ -7,7 +7,7 @@
 #include "io/openfoam/foam_case.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/kind_word.hpp"
 
 namespace pcvt {
 namespace {
@@ -48,9 +48,9 @@ std::string encode_faces(const ExtrudedMesh& extruded) {
     for (int f = 0; f < extruded.n_faces(); ++f) {
         append_number(text, extruded.face_size(f));
         char before = '(';
-        for (int c = extruded.face_begin[f]; c < extruded.face_begin[f + 1]; ++c) {
+        for (const int v : extruded.faces[f]) {
             text += before;
-            append_number(text, extruded.corners[c]);
+            append_number(text, v);
             before = ' ';
         }
         text += ")\n";

@@ -29,8 +29,8 @@ std::string two_digits(double value) {
 
 double face_area(const Tile& tile, int face) {
     Polygon polygon;
-    for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
-        polygon.push_back(tile.points[tile.corners[c]]);
+    for (const int v : tile.faces[face]) {
+        polygon.push_back(tile.points[v]);
     }
     return polygon_area(polygon);
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "io/pictures/cell_colours.hpp"
 #include "io/pictures/svg_canvas.hpp"
@@ -80,10 +81,8 @@ std::string stroke(const std::string& colour, double width) {
 std::string fill(const std::string& colour) { return " fill=\"" + colour + "\""; }
 
 void add_face(const Tile& tile, int face, SvgPath& path) {
-    for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
-        const Vec2& point = tile.points[tile.corners[c]];
-        c == tile.face_begin[face] ? path.move(point) : path.line(point);
-    }
+    path.move(tile.points[tile.faces[face].front()]);
+    for (const int v : tile.faces[face].subspan(1)) path.line(tile.points[v]);
     path.close();
 }
 
@@ -91,9 +90,9 @@ void add_face(const Tile& tile, int face, SvgPath& path) {
 bool holds_site(const Tile& tile, int face) {
     if (tile.whole_sides.empty()) return true;
     const Vec2& site = tile.site_points[face];
-    const Vec2* from = &tile.points[tile.corners[tile.face_begin[face + 1] - 1]];
-    for (int c = tile.face_begin[face]; c < tile.face_begin[face + 1]; ++c) {
-        const Vec2& to = tile.points[tile.corners[c]];
+    const Vec2* from = &tile.points[tile.faces[face].back()];
+    for (const int v : tile.faces[face]) {
+        const Vec2& to = tile.points[v];
         if (cross(to - *from, site - *from) < 0) return false;
         from = &to;
     }
@@ -130,12 +129,13 @@ SvgPath grain_boundaries(const Drawing& drawing) {
     std::map<std::pair<int, int>, SiteId> site_at;
     SvgPath path(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) {
-        int v = tile.corners[tile.face_begin[f + 1] - 1];
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; v = tile.corners[c++]) {
-            const int w = tile.corners[c];
-            const auto [edge, is_new] = site_at.try_emplace(std::minmax(v, w), tile.face_site[f]);
+        int v = tile.faces[f].back();
+        for (const int w : tile.faces[f]) {
+            const int from = std::exchange(v, w);
+            const auto [edge, is_new] =
+                site_at.try_emplace(std::minmax(from, w), tile.face_site[f]);
             if (is_new || edge->second == tile.face_site[f]) continue;
-            path.move(tile.points[v]).line(tile.points[w]);
+            path.move(tile.points[from]).line(tile.points[w]);
         }
     }
     return path;

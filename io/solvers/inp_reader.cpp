@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/numbered_tile.hpp"
+#include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 namespace {
@@ -71,18 +71,17 @@ struct Tie {
 class InpParser {
    public:
     InpParser(const std::string& name, std::string_view text)
-        : scanner_(name, text),
-          tile_{{name, 1, {}, {}, {}, {0}, {}, {}, {}, {}, {}}, {}, {}, {}, {}, {}, {}} {}
+        : scanner_(name, text), file_{.name = name, .index_base = 1} {}
 
-    NumberedTile parse() {
+    FileTileBuilder parse() {
         while (scanner_.next()) parse_line();
         if (n_pending_ > 0)
             scanner_.throw_bad_file("the last equation is not whole; write the file again");
         if (controls_[0] && controls_[1]) tie_nodes();
         remove_controls();
         // Cell sets count in a file of pcvt alone, and only if its nodes have no sites.
-        if (!tile_.raw.kind || !tile_.raw.sites.empty()) tile_.triangle_sites.clear();
-        return std::move(tile_);
+        if (!file_.kind || !file_.sites.empty()) file_.numbered.triangle_sites.clear();
+        return std::move(file_);
     }
 
    private:
@@ -108,12 +107,12 @@ class InpParser {
         if (words.size() < 3 || words[0] != "**" || words[1] != "pcvt") return;
         const Words values(words.begin() + 3, words.end());
         if (words[2] == "kind") {
-            tile_.raw.take_kind(scanner_, values);
+            file_.take_kind(scanner_, values);
         } else if (words[2] == "lattice") {
-            tile_.raw.take_lattice(scanner_, values);
+            file_.take_lattice(scanner_, values);
         } else if (words[2] == "sites") {
             for (const std::string_view word : values) {
-                tile_.raw.sites.push_back(scanner_.integer(word));
+                file_.sites.push_back(scanner_.integer(word));
             }
         } else {
             scanner_.throw_bad_file("pcvt does not know " + in_quotes(words[2]) +
@@ -163,7 +162,7 @@ class InpParser {
         const int number = scanner_.integer(fields[0]);
         if (set_ == "CONTROL_1") controls_[0] = number;
         if (set_ == "CONTROL_2") controls_[1] = number;
-        tile_.nodes.push_back(
+        file_.numbered.nodes.push_back(
             {number, scanner_.line(), {scanner_.number(fields[1]), scanner_.number(fields[2])}});
     }
 
@@ -172,14 +171,15 @@ class InpParser {
         std::vector<int> nodes;
         for (std::size_t k = 1; k < fields.size(); ++k)
             nodes.push_back(scanner_.integer(fields[k]));
-        tile_.triangles.push_back({scanner_.integer(fields[0]), scanner_.line(), nodes});
+        file_.numbered.triangles.push_back({scanner_.integer(fields[0]), scanner_.line(), nodes});
     }
 
     void parse_cell(const Words& fields) {
         const int cell =
             scanner_.integer(std::string_view(set_).substr(std::string_view(kCellSet).size()));
         for (const std::string_view field : fields) {
-            tile_.triangle_sites.push_back({scanner_.integer(field), scanner_.line(), cell});
+            file_.numbered.triangle_sites.push_back(
+                {scanner_.integer(field), scanner_.line(), cell});
         }
     }
 
@@ -208,7 +208,7 @@ class InpParser {
     }
 
     [[noreturn]] void throw_bad_file(int line, const std::string& complaint) const {
-        throw BadFile(tile_.raw.name + ":" + std::to_string(line) + ": " + complaint);
+        throw BadFile(file_.name + ":" + std::to_string(line) + ": " + complaint);
     }
 
     /// Refuses every equation of another form than encode_inp() writes, because a solver obeys it.
@@ -255,7 +255,7 @@ class InpParser {
                 throw_bad_file(tie.line, "the master node " + std::to_string(tie.master) +
                                              " is tied itself; tie both to one node");
             }
-            tile_.links.push_back({node, tie.master, tie.line, tie.translation});
+            file_.numbered.links.push_back({node, tie.master, tie.line, tie.translation});
         }
     }
 
@@ -266,15 +266,16 @@ class InpParser {
     }
 
     void remove_controls() {
-        const auto is_control = [&](const NumberedTile::Node& node) {
+        const auto is_control = [&](const NumberedItems::Node& node) {
             return node.number == controls_[0] || node.number == controls_[1];
         };
-        tile_.nodes.erase(std::remove_if(tile_.nodes.begin(), tile_.nodes.end(), is_control),
-                          tile_.nodes.end());
+        file_.numbered.nodes.erase(
+            std::remove_if(file_.numbered.nodes.begin(), file_.numbered.nodes.end(), is_control),
+            file_.numbered.nodes.end());
     }
 
     LineScanner scanner_;
-    NumberedTile tile_;
+    FileTileBuilder file_;
     Handler handler_ = nullptr;
     /// The name of the set that the current card fills; empty if it has none.
     std::string set_;
@@ -289,7 +290,7 @@ class InpParser {
 TileFile decode_inp(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     const EncodedFile& inp = files.front();
     refuse_binary(inp.path, inp.bytes, "give an Abaqus or CalculiX input");
-    return finish(InpParser(inp.path, inp.bytes).parse(), lattice);
+    return finish(InpParser(inp.path, inp.bytes).parse(), lattice, Precision::kDouble);
 }
 
 }  // namespace pcvt

@@ -8,7 +8,7 @@
 #include "io/bytes/text.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/fixed_width_numbers.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/kind_word.hpp"
 #include "io/tiles/seam_segments.hpp"
 #include "io/tiles/solver_nodes.hpp"
 #include "io/tiles/triangle_elements.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/numbered_tile.hpp"
+#include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 namespace {
@@ -56,24 +56,23 @@ struct CurveLink {
 class MshParser {
    public:
     MshParser(const std::string& name, std::string_view text)
-        : scanner_(name, text),
-          tile_{{name, 1, {}, {}, {}, {0}, {}, {}, {}, {}, {}}, {}, {}, {}, {}, {}, {}} {}
+        : scanner_(name, text), file_{.name = name, .index_base = 1} {}
 
-    NumberedTile parse() {
+    FileTileBuilder parse() {
         if (!next_filled() || scanner_.words() != Words{"$MeshFormat"}) {
             throw BadFile(name() + ": does not begin with $MeshFormat; give a file in MSH 4.1");
         }
         do parse_section();
         while (next_filled());
         // Sites count in a file of pcvt alone, and node sites determine the cells of triangles.
-        if (!is_ours_ || !tile_.node_sites.empty()) tile_.triangle_sites.clear();
-        if (!is_ours_) tile_.node_sites.clear();
+        if (!is_ours_ || !file_.numbered.node_sites.empty()) file_.numbered.triangle_sites.clear();
+        if (!is_ours_) file_.numbered.node_sites.clear();
         if (is_ours_) collect_edges();
-        return std::move(tile_);
+        return std::move(file_);
     }
 
    private:
-    const std::string& name() const { return tile_.raw.name; }
+    const std::string& name() const { return file_.name; }
 
     /// Advances to the next line that is not blank; returns false at the end of the text.
     bool next_filled() {
@@ -127,10 +126,10 @@ class MshParser {
         } else if (section == "$Periodic") {
             parse_periodic();
         } else if (section == "$NodeData") {
-            parse_data(end, tile_.node_sites);
+            parse_data(end, file_.numbered.node_sites);
             return;
         } else if (section == "$ElementData") {
-            parse_data(end, tile_.triangle_sites);
+            parse_data(end, file_.numbered.triangle_sites);
             return;
         } else {
             while (row().front() != end) continue;
@@ -158,9 +157,9 @@ class MshParser {
             is_ours_ = true;
             const Words values(words.begin() + 2, words.end());
             if (words[1] == "kind") {
-                tile_.raw.take_kind(scanner_, values);
+                file_.take_kind(scanner_, values);
             } else if (words[1] == "lattice") {
-                tile_.raw.take_lattice(scanner_, values);
+                file_.take_lattice(scanner_, values);
             } else {
                 scanner_.throw_bad_file("pcvt does not know " + in_quotes(words[1]) +
                                         "; remove the line");
@@ -175,16 +174,17 @@ class MshParser {
             if (integer(2) != 0)
                 scanner_.throw_bad_file("nodes with parameters; save without them");
             const int n = count(3);
-            const std::size_t first = tile_.nodes.size();
+            const std::size_t first = file_.numbered.nodes.size();
             for (int k = 0; k < n; ++k) {
                 row(1);
-                tile_.nodes.push_back({integer(0), scanner_.line(), Vec2::Zero()});
+                file_.numbered.nodes.push_back({integer(0), scanner_.line(), Vec2::Zero()});
             }
             for (int k = 0; k < n; ++k) {
                 row(3);
                 if (number(2) != 0)
                     scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
-                tile_.nodes[first + static_cast<std::size_t>(k)].point = {number(0), number(1)};
+                file_.numbered.nodes[first + static_cast<std::size_t>(k)].point = {number(0),
+                                                                                   number(1)};
             }
         }
     }
@@ -211,11 +211,15 @@ class MshParser {
         if (type == kTriangle || type == kTriangle6) {
             std::vector<int> nodes;
             for (std::size_t k = 1; k <= n; ++k) nodes.push_back(integer(k));
-            tile_.triangles.push_back({integer(0), scanner_.line(), std::move(nodes)});
+            file_.numbered.triangles.push_back({integer(0), scanner_.line(), std::move(nodes)});
         } else if (type != kPoint && curve >= 0) {
             std::optional<int> middle;
             if (type == kLine3) middle = integer(3);
-            lines_.push_back({curve, integer(1), integer(2), middle, scanner_.line()});
+            lines_.push_back({.curve = curve,
+                              .from = integer(1),
+                              .to = integer(2),
+                              .middle = middle,
+                              .line = scanner_.line()});
         }
     }
 
@@ -232,7 +236,7 @@ class MshParser {
         row(1);
         for (int n = count(0); n > 0; --n) {
             row(2);
-            tile_.links.push_back({integer(0), integer(1), scanner_.line(), translation});
+            file_.numbered.links.push_back({integer(0), integer(1), scanner_.line(), translation});
             if (!of_curves) continue;
             CurveLink& link = curves_[slave];
             link.translation = translation;
@@ -254,7 +258,7 @@ class MshParser {
     }
 
     /// Reads the view named "cell_id"; skips the others.
-    void parse_data(const std::string& end, std::vector<NumberedTile::SiteOf>& sites) {
+    void parse_data(const std::string& end, std::vector<NumberedItems::SiteOf>& sites) {
         // The first string tag is the name.
         std::string view;
         for (int n = (row(1), count(0)); n > 0; --n) {
@@ -291,15 +295,15 @@ class MshParser {
                               ": $Periodic has no master for an end of this line; write the file "
                               "again with pcvt");
             }
-            tile_.edges.push_back({{element.from, element.to, from->second, to->second},
-                                   element.middle,
-                                   element.line,
-                                   -curve->second.translation});
+            file_.numbered.edges.push_back({{element.from, element.to, from->second, to->second},
+                                            element.middle,
+                                            element.line,
+                                            -curve->second.translation});
         }
     }
 
     LineScanner scanner_;
-    NumberedTile tile_;
+    FileTileBuilder file_;
     std::vector<LineElement> lines_;
     std::map<int, CurveLink> curves_;
     bool is_ours_ = false;
@@ -310,7 +314,7 @@ class MshParser {
 TileFile decode_msh(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     const EncodedFile& msh = files.front();
     refuse_binary(msh.path, msh.bytes, "save it as ASCII, MSH 4.1");
-    return finish(MshParser(msh.path, msh.bytes).parse(), lattice);
+    return finish(MshParser(msh.path, msh.bytes).parse(), lattice, Precision::kDouble);
 }
 
 }  // namespace pcvt

@@ -6,7 +6,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/kind_word.hpp"
 #include "io/tiles/seam_segments.hpp"
 #include "io/tiles/solver_nodes.hpp"
 #include "io/tiles/triangle_elements.hpp"
@@ -101,7 +101,7 @@ void append_entities(std::string& text, const Tile& tile, const Seam& seam) {
     }
     // The surface, with all curves as its boundary.
     text += "1 ";
-    append_bounds(text, tile, tile.corners);
+    append_bounds(text, tile, tile.faces.corners);
     append_words(text, {1, seam.surface_group(), n});
     for (int k = 0; k < n; ++k) append_words(text, {k + 1});
     text.back() = '\n';

@@ -8,8 +8,8 @@
 #include "io/bytes/char_set.hpp"
 #include "io/bytes/text.hpp"
 #include "io/bytes/xml_scanner.hpp"
+#include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
-#include "io/tiles/raw_tile.hpp"
 
 namespace pcvt {
 namespace {
@@ -25,10 +25,10 @@ struct Array {
     int line;
     std::string type;
     /// 1 if the file gives no number.
-    int n_components;
-    std::vector<double> values;
+    int n_components = 1;
+    std::vector<double> values = {};
     /// The line of each value.
-    std::vector<int> lines;
+    std::vector<int> lines = {};
 
     std::size_t size() const { return values.size(); }
     int integer(std::size_t k) const { return static_cast<int>(values[k]); }
@@ -134,8 +134,8 @@ class VtuArrays {
             scanner_.throw_bad_file(scanner_.line(),
                                     "the array " + key + " is binary; export it as ASCII");
         }
-        Array array{
-            scanner_.line(), std::string(scanner_.attribute("type").value_or("")), 1, {}, {}};
+        Array array{.line = scanner_.line(),
+                    .type = std::string(scanner_.attribute("type").value_or(""))};
         const auto components = scanner_.attribute("NumberOfComponents");
         if (components) array.n_components = integer(*components, scanner_.line());
         // VTK may nest elements with ranges in an array; its numbers are its own text alone.
@@ -187,17 +187,17 @@ class VtuArrays {
 class VtuTile {
    public:
     VtuTile(const std::string& name, const VtuArrays& arrays)
-        : arrays_(arrays), raw_{name, 0, {}, {}, {}, {0}, {}, {}, {}, {}, {}} {}
+        : arrays_(arrays), file_{.name = name, .index_base = 0} {}
 
-    RawTile make(const std::optional<Lattice>& lattice, Precision precision) {
+    FileTileBuilder make(const std::optional<Lattice>& lattice, Precision precision) {
         take_points();
         take_faces();
         if (const Array* periods = arrays_.find("FieldData/PeriodicLattice"))
             take_lattice(*periods);
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
-        if (type_ == kVtkQuadraticTriangle) remove_midside_nodes(raw_, lattice, precision);
-        return std::move(raw_);
+        if (type_ == kVtkQuadraticTriangle) remove_midside_nodes(file_, lattice, precision);
+        return std::move(file_);
     }
 
    private:
@@ -212,7 +212,7 @@ class VtuTile {
                 throw_bad_file(points.lines[k + 2],
                                "z is not 0; lay the tile into the plane z = 0");
             }
-            raw_.points.emplace_back(points.values[k], points.values[k + 1]);
+            file_.points.emplace_back(points.values[k], points.values[k + 1]);
         }
     }
 
@@ -233,7 +233,7 @@ class VtuTile {
             std::vector<int> face;
             for (std::size_t c = begin; c < end; ++c) face.push_back(corners.integer(c));
             require_nodes(face, corners.lines[begin]);
-            raw_.add_face(face, corners.lines[begin]);
+            file_.add_face(face, corners.lines[begin]);
             begin = end;
         }
         if (begin != corners.size()) {
@@ -272,7 +272,7 @@ class VtuTile {
         arrays_.get("FieldData/PeriodicLattice", 2, 2, false);
         const std::vector<double>& n = array.values;
         try {
-            raw_.lattice.emplace(Vec2(n[0], n[1]), Vec2(n[2], n[3]));
+            file_.lattice.emplace(Vec2(n[0], n[1]), Vec2(n[2], n[3]));
         } catch (const InvalidInput& fault) {
             throw_bad_file(array.line, fault.what());
         }
@@ -291,7 +291,7 @@ class VtuTile {
                                                     " does not exist; correct the id");
             }
             if (orbit != v) {
-                raw_.vertex_pairs.push_back({orbit, v, offset});
+                file_.vertex_pairs.push_back({orbit, v, offset});
             } else if (offset != Offset{}) {
                 throw_bad_file(offsets.lines[2 * k],
                                "a point has an offset to itself; write the file again with pcvt");
@@ -304,19 +304,19 @@ class VtuTile {
     void take_kind_and_sites() {
         const bool of_points = arrays_.find("PointData/CellId") != nullptr;
         const bool of_faces = arrays_.find("CellData/CellId") != nullptr && !of_points;
-        raw_.kind = type_ == kVtkPolygon       ? MeshKind::kVoronoi
-                    : of_faces && raw_.lattice ? MeshKind::kGrains
-                                               : MeshKind::kDelaunay;
-        const bool owned = faces_have_sites(*raw_.kind);
+        file_.kind = type_ == kVtkPolygon        ? MeshKind::kVoronoi
+                     : of_faces && file_.lattice ? MeshKind::kGrains
+                                                 : MeshKind::kDelaunay;
+        const bool owned = faces_have_sites(*file_.kind);
         const std::string key = owned ? "CellData/CellId" : "PointData/CellId";
-        if (arrays_.find(key) == nullptr || !raw_.lattice) return;
+        if (arrays_.find(key) == nullptr || !file_.lattice) return;
         const Array& sites =
             arrays_.get(key, owned ? arrays_.n_cells() : arrays_.n_points(), 1, true);
-        for (std::size_t k = 0; k < sites.size(); ++k) raw_.sites.push_back(sites.integer(k));
+        for (std::size_t k = 0; k < sites.size(); ++k) file_.sites.push_back(sites.integer(k));
     }
 
     const VtuArrays& arrays_;
-    RawTile raw_;
+    FileTileBuilder file_;
     std::optional<int> type_;
 };
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/tiles/raw_tile.hpp"
+#include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 
@@ -19,16 +19,17 @@ struct MidsideNode {
 
 /// The edges of six-node triangles by rising ends. Node 3 + k of a face lies between its corners k
 /// and k + 1.
-/// @pre each face of `raw` has six corners that exist.
+/// @pre each face of `file` has six corners that exist.
 /// @throws BadFile  with the line: an edge has two middle nodes, or a node is in the middle of two
 ///                  edges or a corner as well.
-std::vector<MidsideNode> file_midside_nodes(const RawTile& raw);
+std::vector<MidsideNode> file_midside_nodes(const FileTileBuilder& file);
 
 /// Makes a tile of six-node triangles one of three-node triangles: the middle nodes go, with their
 /// pairs and sites, once they are proved to lie in the middle of their edges, and, where pairs are
 /// stored, to be paired over the seam, each within 4 ulps of the largest coordinate.
 /// @param lattice  stands in for one that the file lacks.
 /// @throws BadFile  with the line, also what file_midside_nodes() refuses.
-void remove_midside_nodes(RawTile& raw, const std::optional<Lattice>& lattice, Precision precision);
+void remove_midside_nodes(FileTileBuilder& file, const std::optional<Lattice>& lattice,
+                          Precision precision);
 
 }  // namespace pcvt

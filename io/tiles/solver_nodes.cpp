@@ -13,9 +13,9 @@ SolverNodes solver_nodes(const Tile& tile) {
 }
 
 std::vector<int> element_nodes(const Tile& tile, const SolverNodes& nodes, int f) {
-    const auto begin = tile.face_begin[f];
-    const auto end = tile.face_begin[f + 1];
-    std::vector<int> element(tile.corners.begin() + begin, tile.corners.begin() + end);
+    const auto begin = tile.faces.begin[f];
+    const auto end = tile.faces.begin[f + 1];
+    std::vector<int> element(tile.faces.corners.begin() + begin, tile.faces.corners.begin() + end);
     const std::vector<int>& middles = nodes.middles.of_corner;
     if (!middles.empty()) {
         element.insert(element.end(), middles.begin() + begin, middles.begin() + end);

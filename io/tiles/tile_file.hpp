@@ -9,6 +9,9 @@
 
 namespace pcvt {
 
+/// Offsets beyond this are refused, so that sums of offsets stay integers.
+inline constexpr int kLargestOffset = 1 << 28;
+
 /// A tile as read from a file, before any of it is believed.
 struct TileFile {
     Tile tile;

@@ -6,7 +6,7 @@ namespace pcvt {
 namespace {
 
 int corner_nearest_to_centroid(const Tile& tile, int f) {
-    const int* corners = &tile.corners[tile.face_begin[f]];
+    const auto corners = tile.faces[f];
     const Vec2 centroid =
         (tile.points[corners[0]] + tile.points[corners[1]] + tile.points[corners[2]]) / 3;
     int nearest = corners[0];

@@ -23,7 +23,7 @@ constexpr double kUlps = 4;
 
 void require_indices(const ExtrudedMesh& extruded) {
     // Check the points of the faces.
-    for (const int p : extruded.corners) {
+    for (const int p : extruded.faces.corners) {
         if (p >= 0 && p < extruded.n_points()) continue;
         throw_violation(kOrder, "a face names point " + to_string(p) + "; there are " +
                                     to_string(extruded.n_points()));
@@ -37,9 +37,9 @@ void require_indices(const ExtrudedMesh& extruded) {
                                     to_string(extruded.n_faces()) + " faces");
     }
     const int n_cells = last_cell + 1;
-    if (static_cast<int>(extruded.face_begin.size()) != extruded.n_faces() + 1) {
-        throw_violation(kOrder, "there are " + to_string(extruded.face_begin.size() - 1) +
-                                    " faces and " + to_string(extruded.n_faces()) + " owners");
+    if (extruded.faces.n_faces() != extruded.n_faces()) {
+        throw_violation(kOrder, "there are " + to_string(extruded.faces.n_faces()) + " faces and " +
+                                    to_string(extruded.n_faces()) + " owners");
     }
     if (extruded.n_inner_faces() > extruded.n_faces())
         throw_violation(kOrder, "there are more neighbours than faces");
@@ -105,12 +105,6 @@ const ExtrudedPatch& patch_named(const ExtrudedMesh& extruded, const std::string
     throw_violation(kOrder, "there is no empty patch " + name);
 }
 
-std::span<const int> points_of(const ExtrudedMesh& extruded, int f) {
-    return std::span(extruded.corners)
-        .subspan(static_cast<std::size_t>(extruded.face_begin[f]),
-                 static_cast<std::size_t>(extruded.face_size(f)));
-}
-
 /// Whether `lid` has the points above the points of `face`, in the same cyclic order.
 bool stands_above(std::span<const int> lid, const std::vector<int>& face, int above) {
     const auto first = std::find(lid.begin(), lid.end(), face.front() + above);
@@ -148,18 +142,17 @@ void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
     // Read each face from the back lid and compare the front lid with it.
     std::vector<int> face;
     for (std::size_t cell = 0; cell < back.size(); ++cell) {
-        const std::span<const int> points = points_of(extruded, back[cell]);
+        const std::span<const int> points = extruded.faces[back[cell]];
         if (points.size() < 3)
             throw_violation(kPlanes, "a face of the back has fewer than 3 points");
         face.assign(points.begin(), points.end());
         std::reverse(face.begin() + 1, face.end());
         const bool low = std::all_of(face.begin(), face.end(), [&](int p) { return p < above; });
-        if (!low || !stands_above(points_of(extruded, front[cell]), face, above)) {
+        if (!low || !stands_above(extruded.faces[front[cell]], face, above)) {
             throw_violation(kPlanes,
                             "cell " + to_string(cell) + " is not a prism between back and front");
         }
-        tile.corners.insert(tile.corners.end(), face.begin(), face.end());
-        tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
+        tile.faces.add(face);
     }
 }
 
@@ -175,7 +168,7 @@ WallFoot wall_foot(const ExtrudedMesh& extruded, int f) {
     const int above = extruded.n_points() / 2;
     if (extruded.face_size(f) == 4) {
         std::array<int, 4> p{};
-        std::copy_n(extruded.corners.begin() + extruded.face_begin[f], 4, p.begin());
+        std::copy_n(extruded.faces[f].begin(), 4, p.begin());
         if (p[0] < above && p[2] == p[1] + above && p[3] == p[0] + above) {
             return {p[0], p[1], true};
         }
@@ -190,17 +183,17 @@ WallFoot wall_foot(const ExtrudedMesh& extruded, int f) {
 /// Records which sides of the tile have a wall above them.
 class Walls {
    public:
-    explicit Walls(const Tile& tile) : tile_(tile), built_(tile.corners.size(), false) {}
+    explicit Walls(const Tile& tile) : tile_(tile), built_(tile.faces.corners.size(), false) {}
 
     /// @param f  the face of the wall, for the message.
     void build(int cell, int v, int w, int f) {
-        int from = tile_.corners[tile_.face_begin[cell + 1] - 1];
-        for (int c = tile_.face_begin[cell]; c < tile_.face_begin[cell + 1]; ++c) {
-            if (from == v && tile_.corners[c] == w && !built_[c]) {
+        int from = tile_.faces[cell].back();
+        for (int c = tile_.faces.begin[cell]; c < tile_.faces.begin[cell + 1]; ++c) {
+            if (from == v && tile_.faces.corners[c] == w && !built_[c]) {
                 built_[c] = true;
                 return;
             }
-            from = tile_.corners[c];
+            from = tile_.faces.corners[c];
         }
         throw_violation(kOrder, "face " + to_string(f) + " does not lie on a free side of cell " +
                                     to_string(cell) + ", or its normal points inwards");
@@ -210,7 +203,7 @@ class Walls {
         const auto missing = std::find(built_.begin(), built_.end(), false);
         if (missing == built_.end()) return;
         throw_violation(kOrder, "a cell is open: no face lies on the side that ends at point " +
-                                    to_string(tile_.corners[missing - built_.begin()]));
+                                    to_string(tile_.faces.corners[missing - built_.begin()]));
     }
 
    private:
@@ -248,7 +241,8 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
                                         to_string(partner.first_face + k) +
                                         " do not begin at matching points");
         }
-        tile.edge_pairs.push_back({here.v, here.w, there.w, there.v, patch.offset});
+        tile.edge_pairs.push_back(
+            {.v0 = here.v, .v1 = here.w, .w0 = there.w, .w1 = there.v, .offset = patch.offset});
     }
 }
 
@@ -261,7 +255,7 @@ Tile extruded_base(const ExtrudedMesh& extruded) {
     require_inner_order(extruded);
     require_planes(extruded);
     // Read the faces of the tile.
-    Tile tile{extruded.lattice, extruded.kind, {}, {0}, {}, {}, {}, {}, {}};
+    Tile tile{.lattice = extruded.lattice, .kind = extruded.kind};
     for (int v = 0; v < extruded.n_points() / 2; ++v)
         tile.points.emplace_back(extruded.points[v].head<2>());
     read_faces(extruded, tile);

@@ -24,12 +24,12 @@ bool edge_less(const Side& s, const Side& t) {
 
 std::vector<Side> sides_by_edge(const Tile& tile) {
     std::vector<Side> sides;
-    sides.reserve(tile.corners.size());
+    sides.reserve(tile.faces.corners.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
-        int from = tile.corners[tile.face_begin[f + 1] - 1];
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            sides.push_back({from, tile.corners[c], f});
-            from = tile.corners[c];
+        int from = tile.faces[f].back();
+        for (const int v : tile.faces[f]) {
+            sides.push_back({from, v, f});
+            from = v;
         }
     }
     bucket_sort(
@@ -84,8 +84,7 @@ class ExtrudedFaces {
 
     void add_lids(const Tile& tile, bool front) {
         for (int f = 0; f < tile.n_faces(); ++f) {
-            std::vector<int> points(tile.corners.begin() + tile.face_begin[f],
-                                    tile.corners.begin() + tile.face_begin[f + 1]);
+            std::vector<int> points(tile.faces[f].begin(), tile.faces[f].end());
             if (front) {
                 for (int& p : points) p += above_;
             } else {
@@ -97,8 +96,7 @@ class ExtrudedFaces {
 
    private:
     void add(const std::vector<int>& points, int owner) {
-        mesh_.corners.insert(mesh_.corners.end(), points.begin(), points.end());
-        mesh_.face_begin.push_back(static_cast<int>(mesh_.corners.size()));
+        mesh_.faces.add(points);
         mesh_.owner.push_back(owner);
     }
 
@@ -121,13 +119,21 @@ void add_seam(const std::vector<EdgePair>& pairs, std::size_t begin, std::size_t
     const int n = static_cast<int>(end - begin);
     const int patch = static_cast<int>(extruded.patches.size());
     ExtrudedFaces faces(extruded);
-    extruded.patches.push_back(
-        {seam_name(offset), extruded.n_faces(), n, patch + 1, offset, translation});
+    extruded.patches.push_back({.name = seam_name(offset),
+                                .first_face = extruded.n_faces(),
+                                .n_faces = n,
+                                .partner = patch + 1,
+                                .offset = offset,
+                                .separation = translation});
     for (std::size_t k = begin; k < end; ++k) {
         faces.add_wall(pairs[k].v0, pairs[k].v1, face_beside(sides, pairs[k].v0, pairs[k].v1));
     }
-    extruded.patches.push_back(
-        {seam_name(-offset), extruded.n_faces(), n, patch, -offset, Vec2(-translation)});
+    extruded.patches.push_back({.name = seam_name(-offset),
+                                .first_face = extruded.n_faces(),
+                                .n_faces = n,
+                                .partner = patch,
+                                .offset = -offset,
+                                .separation = -translation});
     for (std::size_t k = begin; k < end; ++k) {
         faces.add_answering_wall(pairs[k].w1, pairs[k].w0,
                                  face_beside(sides, pairs[k].w1, pairs[k].w0));
@@ -136,9 +142,8 @@ void add_seam(const std::vector<EdgePair>& pairs, std::size_t begin, std::size_t
 
 void add_seams(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
     std::vector<EdgePair> pairs;
-    for (EdgePair pair : tile.edge_pairs) {
-        if (pair.offset < Offset{}) pair = {pair.w1, pair.w0, pair.v1, pair.v0, -pair.offset};
-        pairs.push_back(pair);
+    for (const EdgePair& pair : tile.edge_pairs) {
+        pairs.push_back(pair.offset < Offset{} ? pair.reversed() : pair);
     }
     std::sort(pairs.begin(), pairs.end(), [](const EdgePair& s, const EdgePair& t) {
         return std::tie(s.offset, s) < std::tie(t.offset, t);
@@ -154,7 +159,7 @@ void add_seams(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& e
 }  // namespace
 
 ExtrudedMesh extruded_mesh(const Tile& tile) {
-    ExtrudedMesh extruded{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}};
+    ExtrudedMesh extruded{.lattice = tile.lattice, .kind = tile.kind};
     add_points(tile, extruded);
     const std::vector<Side> sides = sides_by_edge(tile);
     ExtrudedFaces faces(extruded);
@@ -164,8 +169,12 @@ ExtrudedMesh extruded_mesh(const Tile& tile) {
     }
     add_seams(tile, sides, extruded);
     for (const bool front : {false, true}) {
-        extruded.patches.push_back({front ? "front" : "back", extruded.n_faces(), tile.n_faces(),
-                                    -1, Offset{}, Vec2(0, 0)});
+        extruded.patches.push_back({.name = front ? "front" : "back",
+                                    .first_face = extruded.n_faces(),
+                                    .n_faces = tile.n_faces(),
+                                    .partner = -1,
+                                    .offset = {},
+                                    .separation = Vec2(0, 0)});
         faces.add_lids(tile, front);
     }
     return extruded;

@@ -36,19 +36,18 @@ struct ExtrudedMesh {
     Lattice lattice;
     MeshKind kind;
     /// Positions, length units.
-    std::vector<Eigen::Vector3d> points;
-    /// Face f has the points corners[face_begin[f]] ... corners[face_begin[f + 1] - 1].
-    std::vector<int> face_begin{0};
-    std::vector<int> corners;
+    std::vector<Eigen::Vector3d> points = {};
+    /// On these points.
+    Faces faces = {};
     /// The cell behind each face, and the cell in front of each inner face.
-    std::vector<int> owner;
-    std::vector<int> neighbour;
-    std::vector<ExtrudedPatch> patches;
+    std::vector<int> owner = {};
+    std::vector<int> neighbour = {};
+    std::vector<ExtrudedPatch> patches = {};
 
     int n_points() const { return static_cast<int>(points.size()); }
     int n_faces() const { return static_cast<int>(owner.size()); }
     int n_inner_faces() const { return static_cast<int>(neighbour.size()); }
-    int face_size(int f) const { return face_begin[f + 1] - face_begin[f]; }
+    int face_size(int f) const { return faces.size(f); }
 };
 
 /// Extrudes `tile` by one mean spacing sqrt(area / n_faces).

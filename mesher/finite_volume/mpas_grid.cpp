@@ -264,7 +264,7 @@ MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin) {
     return grid;
 }
 
-void fill_mesh_density(const std::vector<double>& site_densities, MpasGrid& grid) {
+void fill_mesh_density(std::span<const double> site_densities, MpasGrid& grid) {
     const double largest = *std::max_element(site_densities.begin(), site_densities.end());
     for (std::size_t f = 0; f < grid.mesh_density.size(); ++f) {
         grid.mesh_density[f] = site_densities[f % site_densities.size()] / largest;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "mesher/mesh/periodic_mesh.hpp"
 
 namespace pcvt {
@@ -67,6 +69,6 @@ MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin);
 
 /// Sets mesh_density from the density of each site. The grid may contain several copies of the
 /// sites: cell k n_sites + i belongs to site i.
-void fill_mesh_density(const std::vector<double>& site_densities, MpasGrid& grid);
+void fill_mesh_density(std::span<const double> site_densities, MpasGrid& grid);
 
 }  // namespace pcvt

@@ -52,11 +52,13 @@ class Guards {
     }
 
     GuardedCells build() {
-        GuardedCells guarded{
-            {cells_.lattice, cells_.kind, cells_.vertices, {0}, {}, {}, {}, {}, cells_.site},
-            {},
-            {},
-            {}};
+        GuardedCells guarded{{.lattice = cells_.lattice,
+                              .kind = cells_.kind,
+                              .vertices = cells_.vertices,
+                              .site = cells_.site},
+                             {},
+                             {},
+                             {}};
         for (int f = 0; f < cells_.n_faces(); ++f) {
             for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
                 add_edge(c, guarded);

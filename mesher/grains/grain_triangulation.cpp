@@ -284,7 +284,10 @@ void GrainTriangulation::move(const std::vector<int>& star, const Vec2& p) {
 }
 
 PeriodicMesh GrainTriangulation::mesh(const PeriodicMesh& cells) const {
-    PeriodicMesh mesh{lattice_, MeshKind::kGrains, vertices_, {0}, {}, {}, {}, opposite_, {}};
+    PeriodicMesh mesh{.lattice = lattice_,
+                      .kind = MeshKind::kGrains,
+                      .vertices = vertices_,
+                      .opposite = opposite_};
     for (int t = 0; t < n_triangles(); ++t) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             mesh.corner_vertex.push_back(corners_[h].vertex);

@@ -51,7 +51,7 @@ class BoxCutter {
     BoxCut cut() {
         cut_edges();
         const std::vector<int> sides = cell_sides(cells_);
-        BoxCut box{{lattice_, MeshKind::kVoronoi, {}, {0}, {}, {}, {}, {}, {}}, 0};
+        BoxCut box{{.lattice = lattice_, .kind = MeshKind::kVoronoi}, 0};
         for (int f = 0; f < cells_.n_faces(); ++f) {
             for (const BoxPolygon& piece : pieces_of(f)) {
                 add_piece(f, piece, box.pieces);

@@ -4,6 +4,9 @@
 
 namespace pcvt {
 
+/// No cell is cut, or cells are cut along the parallelogram of the period vectors.
+enum class Outline { kWhole, kBox };
+
 /// Computes the `whole` outline: for each face, the offset at which it is placed in the tile.
 ///
 /// Example usage:

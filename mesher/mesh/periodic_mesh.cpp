@@ -60,9 +60,9 @@ void link_faces(PeriodicMesh& mesh) {
     mesh.opposite = match_edges(halfedges);
 }
 
-PeriodicMesh repeated(const PeriodicMesh& mesh, int columns, int rows) {
-    PeriodicMesh cover{
-        mesh.lattice.repeated(columns, rows), mesh.kind, {}, {0}, {}, {}, {}, {}, {}};
+PeriodicMesh repeated(PeriodicMesh mesh, int columns, int rows) {
+    if (columns == 1 && rows == 1) return mesh;
+    PeriodicMesh cover{.lattice = mesh.lattice.repeated(columns, rows), .kind = mesh.kind};
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) append_copy(mesh, {i, j}, columns, rows, cover);
     }

@@ -21,16 +21,16 @@ struct PeriodicMesh {
     Lattice lattice;
     MeshKind kind;
     /// The positions of the representatives, length units.
-    std::vector<Vec2> vertices;
+    std::vector<Vec2> vertices = {};
     /// n_faces + 1 entries; the corners of a face are in counter-clockwise order.
-    std::vector<int> face_begin;
-    std::vector<int> corner_vertex;
-    std::vector<Offset> corner_offset;
-    std::vector<int> corner_face;
+    std::vector<int> face_begin = {0};
+    std::vector<int> corner_vertex = {};
+    std::vector<Offset> corner_offset = {};
+    std::vector<int> corner_face = {};
     /// The halfedge on the other side of the edge; an involution without fixed points.
-    std::vector<int> opposite;
+    std::vector<int> opposite = {};
     /// The site of each face for cells and grains; the site of each vertex for Delaunay triangles.
-    std::vector<SiteId> site;
+    std::vector<SiteId> site = {};
     /// The position of the site of each face in the frame of the face, for cells; empty for others.
     std::vector<Vec2> site_points = {};
 
@@ -62,6 +62,6 @@ void link_faces(PeriodicMesh& mesh);
 
 /// Returns the mesh of columns x rows copies of the domain, periodic in mesh.lattice.repeated().
 /// Face f of copy (i, j) becomes face (j columns + i) n_faces + f and keeps the id of its site.
-PeriodicMesh repeated(const PeriodicMesh& mesh, int columns, int rows);
+PeriodicMesh repeated(PeriodicMesh mesh, int columns, int rows);
 
 }  // namespace pcvt

@@ -72,7 +72,7 @@ class Shrinking {
     }
 
     PeriodicMesh result() {
-        PeriodicMesh mesh{mesh_.lattice, mesh_.kind, {}, {0}, {}, {}, {}, {}, mesh_.site};
+        PeriodicMesh mesh{.lattice = mesh_.lattice, .kind = mesh_.kind, .site = mesh_.site};
         mesh.site_points = mesh_.site_points;
         mesh.whole_sides = mesh_.whole_sides;
         std::vector<int> number(position_.size(), -1);

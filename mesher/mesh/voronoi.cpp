@@ -134,7 +134,7 @@ std::vector<int> outgoing_halfedges(const TorusTriangulation& t) {
 PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     DualVertices dual = dual_vertices(delaunay);
-    PeriodicMesh mesh{delaunay.sites().lattice(), MeshKind::kVoronoi, {}, {0}, {}, {}, {}, {}, {}};
+    PeriodicMesh mesh{.lattice = delaunay.sites().lattice(), .kind = MeshKind::kVoronoi};
     // Number the merged vertices.
     std::vector<int> vertex_of(dual.position.size(), -1);
     for (int k = 0; k < t.n_triangles(); ++k) {
@@ -164,7 +164,7 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
 
 PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
-    PeriodicMesh mesh{delaunay.sites().lattice(), MeshKind::kDelaunay, {}, {0}, {}, {}, {}, {}, {}};
+    PeriodicMesh mesh{.lattice = delaunay.sites().lattice(), .kind = MeshKind::kDelaunay};
     for (SiteId s = 0; s < t.n_sites(); ++s) {
         mesh.vertices.push_back(delaunay.sites().position(s));
         mesh.site.push_back(s);

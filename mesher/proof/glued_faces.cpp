@@ -44,25 +44,23 @@ class Gluing {
 
    private:
     void collect_faces() {
-        faces_.face_begin.push_back(0);
-        faces_.corners.reserve(tile_.corners.size());
-        faces_.face_of.reserve(tile_.corners.size());
+        faces_.corners.reserve(tile_.faces.corners.size());
+        faces_.face_of.reserve(tile_.faces.corners.size());
         std::vector<int> corners;
         for (int f = 0; f < tile_.n_faces(); ++f) {
             distinct_corners(f, corners);
             if (corners.size() < 3) continue;
             const int face = faces_.n_faces();
             faces_.file_face.push_back(f);
-            faces_.corners.insert(faces_.corners.end(), corners.begin(), corners.end());
+            faces_.add(corners);
             faces_.face_of.resize(faces_.corners.size(), face);
-            faces_.face_begin.push_back(faces_.n_halfedges());
         }
     }
 
     void distinct_corners(int f, std::vector<int>& corners) {
         corners.clear();
-        for (int c = tile_.face_begin[f]; c < tile_.face_begin[f + 1]; ++c) {
-            const int v = orbits_.first_copy[tile_.corners[c]];
+        for (const int corner : tile_.faces[f]) {
+            const int v = orbits_.first_copy[corner];
             if (corners.empty() || corners.back() != v) corners.push_back(v);
         }
         while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
@@ -87,9 +85,9 @@ class Gluing {
         const int s = orbits_.representative[to];
         const Offset offset = orbits_.offset[to] - orbits_.offset[from];
         if (std::tie(r, s, offset) < std::make_tuple(s, r, -offset)) {
-            return {r, s, offset, false, h};
+            return {.low = r, .high = s, .offset = offset, .reversed = false, .halfedge = h};
         }
-        return {s, r, -offset, true, h};
+        return {.low = s, .high = r, .offset = -offset, .reversed = true, .halfedge = h};
     }
 
     void match_sides() {

@@ -11,14 +11,12 @@ namespace pcvt {
 ///   const GluedFaces faces = glue_faces(tile, proven_orbits(proof), Precision::kDouble);
 ///   const int neighbour = faces.face_of[faces.opposite[h]];
 ///
-/// A halfedge has the index of the corner that it leaves.
-struct GluedFaces {
+/// A halfedge has the index of the corner that it leaves. Corners are vertex indices; coincident
+/// vertices are replaced by the first of them.
+struct GluedFaces : Faces {
     /// The index of each face in the file. Faces with fewer than three distinct corners are left
     /// out.
     std::vector<int> file_face;
-    std::vector<int> face_begin;
-    /// Vertex indices; coincident vertices are replaced by the first of them.
-    std::vector<int> corners;
     std::vector<int> face_of;
     /// The halfedge on the other side of the edge, inside the tile or across the seam; an
     /// involution.
@@ -26,11 +24,8 @@ struct GluedFaces {
     /// The opposite halfedge is this one plus the translation; (0, 0) inside the tile.
     std::vector<Offset> across;
 
-    int n_faces() const { return static_cast<int>(file_face.size()); }
     int n_halfedges() const { return static_cast<int>(corners.size()); }
-    int next(int h) const {
-        return h + 1 == face_begin[face_of[h] + 1] ? face_begin[face_of[h]] : h + 1;
-    }
+    int next(int h) const { return h + 1 == begin[face_of[h] + 1] ? begin[face_of[h]] : h + 1; }
     bool on_seam(int h) const { return across[h] != Offset{}; }
 };
 

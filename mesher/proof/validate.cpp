@@ -35,9 +35,9 @@ double position_tolerance(const Tile& tile, Precision precision) {
 }
 
 void require_arrays(const Tile& tile) {
-    if (tile.face_begin.size() < 2) throw_violation(kFaceLaw, "the tile has no face");
-    if (tile.face_begin.front() != 0 ||
-        tile.face_begin.back() != static_cast<int>(tile.corners.size())) {
+    if (tile.faces.begin.size() < 2) throw_violation(kFaceLaw, "the tile has no face");
+    if (tile.faces.begin.front() != 0 ||
+        tile.faces.begin.back() != static_cast<int>(tile.faces.corners.size())) {
         throw_violation(kFaceLaw, "the faces do not cover the list of corners");
     }
     for (int v = 0; v < tile.n_vertices(); ++v) {
@@ -56,8 +56,7 @@ void require_arrays(const Tile& tile) {
 
 void require_known_vertices(const Tile& tile) {
     for (int f = 0; f < tile.n_faces(); ++f) {
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            const int v = tile.corners[c];
+        for (const int v : tile.faces[f]) {
             if (v >= 0 && v < tile.n_vertices()) continue;
             throw_violation(kFaceLaw, "face " + to_string(f) + " names vertex " + to_string(v) +
                                           "; there are " + to_string(tile.n_vertices()));
@@ -78,7 +77,7 @@ void require_true_copies(const Tile& tile) {
 /// Checks that each vertex, or another copy of it, belongs to a face.
 void require_vertices_in_use(const Tile& tile, const VertexOrbits& orbits) {
     std::vector<bool> used(tile.points.size(), false);
-    for (const int v : tile.corners) used[orbits.first_copy[v]] = true;
+    for (const int v : tile.faces.corners) used[orbits.first_copy[v]] = true;
     for (int v = 0; v < tile.n_vertices(); ++v) {
         if (used[orbits.first_copy[v]]) continue;
         throw_violation(kFaceLaw, "vertex " + to_string(v) + " belongs to no face");
@@ -97,9 +96,7 @@ void require_distinct_vertices(const Tile& tile, const VertexOrbits& orbits) {
 
 void take_face(const Tile& tile, const GluedFaces& faces, int f, Polygon& polygon) {
     polygon.clear();
-    for (int h = faces.face_begin[f]; h < faces.face_begin[f + 1]; ++h) {
-        polygon.push_back(tile.points[faces.corners[h]]);
-    }
+    for (const int v : faces[f]) polygon.push_back(tile.points[v]);
 }
 
 /// Returns the sum of the areas, computed by W. Kahan's compensated summation.
@@ -233,9 +230,11 @@ void collect_edges(const GluedFaces& faces, TileProof& proof) {
         // Store each pair once, from the side with the positive translation.
         if (faces.across[h] < Offset{}) continue;
         const int g = faces.opposite[h];
-        proof.edge_pairs.push_back({faces.corners[h], faces.corners[faces.next(h)],
-                                    faces.corners[faces.next(g)], faces.corners[g],
-                                    faces.across[h]});
+        proof.edge_pairs.push_back({.v0 = faces.corners[h],
+                                    .v1 = faces.corners[faces.next(h)],
+                                    .w0 = faces.corners[faces.next(g)],
+                                    .w1 = faces.corners[g],
+                                    .offset = faces.across[h]});
     }
     std::sort(proof.edge_pairs.begin(), proof.edge_pairs.end());
 }

@@ -40,10 +40,12 @@ void require_true_pair(const VertexPair& pair, std::size_t index, const VertexOr
 /// The edge pair seen from its side with the positive translation, on the first copies of vertices.
 EdgePair normal_form(const EdgePair& pair, const TileProof& proof) {
     const auto first = [&](int v) { return proof.first_copy[v]; };
-    const EdgePair moved{first(pair.v0), first(pair.v1), first(pair.w0), first(pair.w1),
-                         pair.offset};
-    if (pair.offset >= Offset{}) return moved;
-    return {moved.w1, moved.w0, moved.v1, moved.v0, -moved.offset};
+    const EdgePair moved{.v0 = first(pair.v0),
+                         .v1 = first(pair.v1),
+                         .w0 = first(pair.w0),
+                         .w1 = first(pair.w1),
+                         .offset = pair.offset};
+    return pair.offset >= Offset{} ? moved : moved.reversed();
 }
 
 std::string in_words(const EdgePair& pair) {

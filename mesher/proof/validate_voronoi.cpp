@@ -23,7 +23,7 @@ bool continues_fan(const Tile& tile, const std::vector<int>& first_copy, int f) 
     if (tile.face_site[f] != tile.face_site[f - 1]) return false;
     if (tile.face_size(f) != 3 || tile.face_size(f - 1) != 3) return false;
     const auto corner = [&](int face, int k) {
-        return first_copy[tile.corners[tile.face_begin[face] + k]];
+        return first_copy[tile.faces[face][static_cast<std::size_t>(k)]];
     };
     return corner(f, 0) == corner(f - 1, 0) && corner(f, 1) == corner(f - 1, 2);
 }
@@ -31,18 +31,18 @@ bool continues_fan(const Tile& tile, const std::vector<int>& first_copy, int f) 
 /// Returns the tile with each fan of triangles joined to the polygon that it divides; `file_face`
 /// receives the first face of each polygon.
 Tile join_fans(const Tile& tile, const TileProof& proof, std::vector<int>& file_face) {
-    Tile cells{tile.lattice, MeshKind::kVoronoi, tile.points, {}, {}, {}, {}, {}, {}};
+    Tile cells{.lattice = tile.lattice, .kind = MeshKind::kVoronoi, .points = tile.points};
     for (int f = 0; f < tile.n_faces(); ++f) {
         const bool joins = continues_fan(tile, proof.first_copy, f);
         if (!joins) {
-            cells.face_begin.push_back(static_cast<int>(cells.corners.size()));
+            if (f > 0) cells.faces.close();
             file_face.push_back(f);
         }
-        for (int c = tile.face_begin[f] + (joins ? 2 : 0); c < tile.face_begin[f + 1]; ++c) {
-            cells.corners.push_back(tile.corners[c]);
+        for (int c = tile.faces.begin[f] + (joins ? 2 : 0); c < tile.faces.begin[f + 1]; ++c) {
+            cells.faces.corners.push_back(tile.faces.corners[c]);
         }
     }
-    cells.face_begin.push_back(static_cast<int>(cells.corners.size()));
+    cells.faces.close();
     return cells;
 }
 
@@ -61,9 +61,7 @@ class ProvenFaces {
 
     Polygon polygon(int f) const {
         Polygon corners;
-        for (int h = faces_.face_begin[f]; h < faces_.face_begin[f + 1]; ++h) {
-            corners.push_back(from(h));
-        }
+        for (const int v : faces_[f]) corners.push_back(tile_.points[v]);
         return corners;
     }
     std::string name(int f) const { return "face " + to_string(joined_[faces_.file_face[f]]); }
@@ -170,7 +168,7 @@ double require_delaunay_edges(const ProvenFaces& faces, double tolerance, double
 void require_triangles(const ProvenFaces& faces) {
     const GluedFaces& glued = faces.glued();
     for (int f = 0; f < glued.n_faces(); ++f) {
-        const int size = glued.face_begin[f + 1] - glued.face_begin[f];
+        const int size = glued.size(f);
         if (size == 3) continue;
         throw_violation(kDelaunayLaw,
                         faces.name(f) + " has " + to_string(size) + " corners, not 3");

@@ -21,11 +21,11 @@ bool same(const Edge& e, const Edge& f) { return e.low == f.low && e.high == f.h
 /// Every corner's edge, sorted.
 std::vector<Edge> sorted_edges(const Tile& tile) {
     std::vector<Edge> edges;
-    edges.reserve(tile.corners.size());
+    edges.reserve(tile.faces.corners.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            const int next = c + 1 == tile.face_begin[f + 1] ? tile.face_begin[f] : c + 1;
-            edges.push_back(edge(tile.corners[c], tile.corners[next], c));
+        for (int c = tile.faces.begin[f]; c < tile.faces.begin[f + 1]; ++c) {
+            const int next = c + 1 == tile.faces.begin[f + 1] ? tile.faces.begin[f] : c + 1;
+            edges.push_back(edge(tile.faces.corners[c], tile.faces.corners[next], c));
         }
     }
     std::sort(edges.begin(), edges.end());
@@ -53,7 +53,7 @@ MidsideNodes midside_nodes(const Tile& tile) {
     const std::vector<Edge> edges = sorted_edges(tile);
     const std::vector<int> first = first_corners(edges);
     MidsideNodes nodes;
-    nodes.of_corner.resize(tile.corners.size());
+    nodes.of_corner.resize(tile.faces.corners.size());
     for (std::size_t c = 0; c < first.size(); ++c) {
         nodes.of_corner[c] = first[c] == static_cast<int>(c)
                                  ? tile.n_vertices() + static_cast<int>(nodes.points.size())

@@ -33,7 +33,7 @@ struct OpenMeshProperties {
     /// The site of a cell, or of the cell that a grain's triangle lies in; -1 in a mesh of Delaunay
     /// triangles.
     OpenMesh::FPropHandleT<int> face_site;
-    /// Where the site of a cell stands; zero in a triangle mesh. `.om` does not keep it.
+    /// The position of a cell's site; NaN where it is not known. `.om` does not keep it.
     OpenMesh::FPropHandleT<OpenMesh::Vec3d> site_point;
     /// The sides of the whole cell that a piece or a grain's triangle is part of; else 0. `.om`
     /// does not keep it.

@@ -1,218 +1,299 @@
 #include "mesher/tile/openmesh_tile.hpp"
 
-#include <algorithm>
-#include <numeric>
-#include <tuple>
+#include <cmath>
+#include <limits>
+#include <string>
 
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
 namespace {
 
-using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::Vec2i;
 using OpenMesh::Vec3d;
 using OpenMesh::VertexHandle;
+using std::to_string;
 
-/// One vertex of a tile: an orbit and where it stands.
-struct Placed {
-    int orbit;
-    Offset offset;
-    friend auto operator<=>(const Placed&, const Placed&) = default;
-};
-
-/// The vertices of the placed faces, numbered in the order in which the faces' corners meet them.
-struct PlacedVertices {
-    std::vector<Placed> vertices;
-    std::vector<int> of_corner;
-};
-
-PlacedVertices place_vertices(const PeriodicMesh& periodic, const std::vector<Offset>& placement) {
-    std::vector<Placed> corners;
-    corners.reserve(periodic.corner_vertex.size());
-    for (int f = 0; f < periodic.n_faces(); ++f) {
-        for (int c = periodic.face_begin[f]; c < periodic.face_begin[f + 1]; ++c) {
-            corners.push_back(
-                {periodic.corner_vertex[c], placement[f] + periodic.corner_offset[c]});
-        }
-    }
-    std::vector<int> order(corners.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(),
-              [&](int c, int d) { return std::tie(corners[c], c) < std::tie(corners[d], d); });
-    // The first corner at each vertex, for every corner; then numbers by rising first corner.
-    std::vector<int> first(corners.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const bool same = k > 0 && corners[order[k]] == corners[order[k - 1]];
-        first[order[k]] = same ? first[order[k - 1]] : order[k];
-    }
-    PlacedVertices placed{{}, std::vector<int>(corners.size())};
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-        if (first[c] == static_cast<int>(c)) {
-            placed.of_corner[c] = static_cast<int>(placed.vertices.size());
-            placed.vertices.push_back(corners[c]);
-        } else {
-            placed.of_corner[c] = placed.of_corner[first[c]];
-        }
-    }
-    return placed;
-}
+/// The position of a site that the tile does not state.
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 Vec2i to_vec2i(Offset o) { return {o.i, o.j}; }
 Offset to_offset(const Vec2i& v) { return {v[0], v[1]}; }
 
-template <class Mesh>
-void add_vertices(OpenMeshTileOf<Mesh>& tile, const PeriodicMesh& periodic,
-                  const PlacedVertices& placed) {
-    Mesh& mesh = tile.mesh;
-    const OpenMeshProperties& id = tile.identification;
-    std::vector<int> representative(periodic.vertices.size(), -1);
-    for (const Placed& vertex : placed.vertices) {
-        const Vec2 p = periodic.vertices[vertex.orbit] + tile.lattice.translation(vertex.offset);
-        const VertexHandle v = mesh.add_vertex(Vec3d(p.x(), p.y(), 0));
-        int& first = representative[vertex.orbit];
-        if (first < 0) first = v.idx();
-        mesh.property(id.orbit, v) = first;
-        mesh.property(id.orbit_offset, v) = to_vec2i(vertex.offset - placed.vertices[first].offset);
-        const bool is_site = periodic.kind == MeshKind::kDelaunay;
-        mesh.property(id.vertex_site, v) = is_site ? periodic.site[vertex.orbit] : -1;
-    }
+[[noreturn]] void refuse_arrays(const std::string& complaint) {
+    throw InvalidInput("no OpenMesh structure holds the tile: " + complaint);
 }
 
-/// Adds the faces and returns, for each corner, the halfedge that leaves it along its face.
+[[noreturn]] void refuse_mesh(const std::string& complaint) {
+    throw InvalidInput("the OpenMesh structure is no tile: " + complaint);
+}
+
+/// Turns arrays into a mesh.
 template <class Mesh>
-std::vector<HalfedgeHandle> add_faces(OpenMeshTileOf<Mesh>& tile, const PeriodicMesh& periodic,
-                                      const PlacedVertices& placed) {
-    Mesh& mesh = tile.mesh;
-    std::vector<HalfedgeHandle> halfedge(periodic.corner_vertex.size());
-    std::vector<VertexHandle> corners;
-    for (int f = 0; f < periodic.n_faces(); ++f) {
-        corners.clear();
-        const int begin = periodic.face_begin[f];
-        const int end = periodic.face_begin[f + 1];
-        for (int c = begin; c < end; ++c) corners.emplace_back(placed.of_corner[c]);
-        const FaceHandle face = mesh.add_face(corners);
-        if (!face.is_valid()) throw InternalError("the faces of the tile do not form a disc");
-        HalfedgeHandle h = mesh.halfedge_handle(face);
-        while (mesh.from_vertex_handle(h) != corners.front()) h = mesh.next_halfedge_handle(h);
-        for (int c = begin; c < end; ++c) {
-            halfedge[c] = h;
-            h = mesh.next_halfedge_handle(h);
+class MeshBuilder {
+   public:
+    MeshBuilder(const Tile& arrays, OpenMeshTileOf<Mesh>& built)
+        : arrays_(arrays), mesh_(built.mesh), id_(built.identification) {
+        built.order = arrays.order;
+    }
+
+    void build() {
+        mesh_.reserve(arrays_.points.size(), arrays_.faces.corners.size(),
+                      static_cast<std::size_t>(arrays_.n_faces()));
+        add_vertices();
+        add_faces();
+        note_orbits();
+        match_boundary();
+    }
+
+   private:
+    void add_vertices() {
+        for (int v = 0; v < arrays_.n_vertices(); ++v) {
+            const Vec2& p = arrays_.points[v];
+            const VertexHandle vertex = mesh_.add_vertex(Vec3d(p.x(), p.y(), 0));
+            mesh_.property(id_.orbit, vertex) = v;
+            mesh_.property(id_.orbit_offset, vertex) = Vec2i(0, 0);
+            mesh_.property(id_.vertex_site, vertex) =
+                arrays_.vertex_site.empty() ? -1 : arrays_.vertex_site[v];
         }
     }
-    return halfedge;
-}
 
-template <class Mesh>
-void note_face_sites(OpenMeshTileOf<Mesh>& tile, const PeriodicMesh& periodic,
-                     const std::vector<Offset>& placement) {
-    const OpenMeshProperties& id = tile.identification;
-    const bool owned = faces_have_sites(periodic.kind);
-    for (const auto face : tile.mesh.faces()) {
-        const int f = face.idx();
-        Vec2 p(0, 0);
-        if (!periodic.site_points.empty()) {
-            p = periodic.site_points[f] + tile.lattice.translation(placement[f]);
+    void add_faces() {
+        std::vector<VertexHandle> corners;
+        for (int f = 0; f < arrays_.n_faces(); ++f) {
+            corners.clear();
+            for (const int v : arrays_.faces[f]) {
+                require_vertex(v);
+                corners.emplace_back(v);
+            }
+            require_size(f);
+            const auto face = mesh_.add_face(corners);
+            if (!face.is_valid()) {
+                refuse_arrays("face " + to_string(f) + " and those before it form no surface");
+            }
+            const bool placed = !arrays_.site_points.empty();
+            const Vec2 p = placed ? arrays_.site_points[f] : Vec2(kUnknown, kUnknown);
+            mesh_.property(id_.site_point, face) = Vec3d(p.x(), p.y(), 0);
+            mesh_.property(id_.face_site, face) =
+                arrays_.face_site.empty() ? -1 : arrays_.face_site[f];
+            mesh_.property(id_.whole_sides, face) =
+                arrays_.whole_sides.empty() ? 0 : arrays_.whole_sides[f];
         }
-        tile.mesh.property(id.face_site, face) = owned ? periodic.site[f] : -1;
-        tile.mesh.property(id.site_point, face) = Vec3d(p.x(), p.y(), 0);
-        tile.mesh.property(id.whole_sides, face) =
-            periodic.whole_sides.empty() ? 0 : periodic.whole_sides[f];
     }
-}
+
+    /// OpenMesh would cut larger faces of a triangle mesh into triangles.
+    void require_size(int f) const {
+        const int size = arrays_.face_size(f);
+        if (size == 3 || (size > 3 && Mesh::is_polymesh())) return;
+        refuse_arrays("face " + to_string(f) + " has " + to_string(size) + " corners");
+    }
+
+    void note_orbits() {
+        for (const VertexPair& pair : arrays_.vertex_pairs) {
+            require_vertex(pair.v);
+            require_vertex(pair.w);
+            mesh_.property(id_.orbit, VertexHandle(pair.w)) = pair.v;
+            mesh_.property(id_.orbit_offset, VertexHandle(pair.w)) = to_vec2i(pair.offset);
+        }
+    }
+
+    void match_boundary() {
+        for (const auto h : mesh_.halfedges()) {
+            mesh_.property(id_.partner, h) = -1;
+            mesh_.property(id_.partner_offset, h) = Vec2i(0, 0);
+        }
+        for (const EdgePair& pair : arrays_.edge_pairs) {
+            const HalfedgeHandle here = free_side(pair.v1, pair.v0);
+            const HalfedgeHandle there = free_side(pair.w0, pair.w1);
+            link(here, there, pair.offset);
+            link(there, here, -pair.offset);
+        }
+        for (const auto h : mesh_.halfedges()) {
+            if (!mesh_.is_boundary(h) || mesh_.property(id_.partner, h) >= 0) continue;
+            refuse_arrays("the pairs lack the boundary edge " + edge(h));
+        }
+    }
+
+    void link(HalfedgeHandle from, HalfedgeHandle to, Offset offset) {
+        mesh_.property(id_.partner, from) = to.idx();
+        mesh_.property(id_.partner_offset, from) = to_vec2i(offset);
+    }
+
+    /// The halfedge from v to w, on the boundary and in no pair yet.
+    HalfedgeHandle free_side(int v, int w) const {
+        require_vertex(v);
+        require_vertex(w);
+        const HalfedgeHandle h = mesh_.find_halfedge(VertexHandle(v), VertexHandle(w));
+        if (!h.is_valid() || !mesh_.is_boundary(h)) {
+            refuse_arrays("a pair names the edge from " + to_string(w) + " to " + to_string(v) +
+                          ", which is not on the boundary");
+        }
+        if (mesh_.property(id_.partner, h) >= 0)
+            refuse_arrays("two pairs name the edge " + edge(h));
+        return h;
+    }
+
+    /// The edge of a boundary halfedge, as its face sees it.
+    std::string edge(HalfedgeHandle h) const {
+        return "from " + to_string(mesh_.to_vertex_handle(h).idx()) + " to " +
+               to_string(mesh_.from_vertex_handle(h).idx());
+    }
+
+    void require_vertex(int v) const {
+        if (v >= 0 && v < arrays_.n_vertices()) return;
+        refuse_arrays("vertex " + to_string(v) + " does not exist");
+    }
+
+    const Tile& arrays_;
+    Mesh& mesh_;
+    const OpenMeshProperties& id_;
+};
 
 template <class Mesh>
-void match_boundary(OpenMeshTileOf<Mesh>& tile, const PeriodicMesh& periodic,
-                    const std::vector<HalfedgeHandle>& halfedge, const PlacedVertices& placed) {
-    Mesh& mesh = tile.mesh;
-    const OpenMeshProperties& id = tile.identification;
-    for (const auto h : mesh.halfedges()) {
-        mesh.property(id.partner, h) = -1;
-        mesh.property(id.partner_offset, h) = Vec2i(0, 0);
-    }
-    for (std::size_t c = 0; c < halfedge.size(); ++c) {
-        const HalfedgeHandle boundary = mesh.opposite_halfedge_handle(halfedge[c]);
-        if (!mesh.is_boundary(boundary)) continue;
-        const HalfedgeHandle across = halfedge[periodic.opposite[c]];
-        // `boundary` starts where halfedge[c] ends, on the orbit that `across` leaves.
-        const int from = mesh.from_vertex_handle(boundary).idx();
-        const int partner_to = mesh.from_vertex_handle(across).idx();
-        mesh.property(id.partner, boundary) = mesh.opposite_halfedge_handle(across).idx();
-        mesh.property(id.partner_offset, boundary) =
-            to_vec2i(placed.vertices[partner_to].offset - placed.vertices[from].offset);
-    }
-}
-
-template <class Mesh>
-OpenMeshTile assemble(const PeriodicMesh& periodic, const std::vector<Offset>& placement) {
+OpenMeshTile build_mesh(const Tile& arrays) {
     // Built in place: OpenMesh's meshes copy when they are moved.
-    OpenMeshTile any(std::in_place_type<OpenMeshTileOf<Mesh>>, periodic.lattice, periodic.kind);
-    auto& tile = std::get<OpenMeshTileOf<Mesh>>(any);
-    const PlacedVertices placed = place_vertices(periodic, placement);
-    tile.mesh.reserve(placed.vertices.size(), periodic.corner_vertex.size(), placement.size());
-    add_vertices(tile, periodic, placed);
-    const auto halfedge = add_faces(tile, periodic, placed);
-    note_face_sites(tile, periodic, placement);
-    match_boundary(tile, periodic, halfedge, placed);
+    OpenMeshTile any(std::in_place_type<OpenMeshTileOf<Mesh>>, arrays.lattice, arrays.kind);
+    MeshBuilder<Mesh>(arrays, std::get<OpenMeshTileOf<Mesh>>(any)).build();
     return any;
 }
 
+/// Turns a mesh into arrays.
 template <class Mesh>
-void flatten_seam(const OpenMeshTileOf<Mesh>& tile, Tile& flat) {
-    const Mesh& mesh = tile.mesh;
-    const OpenMeshProperties& id = tile.identification;
-    for (const auto v : mesh.vertices()) {
-        const int orbit = mesh.property(id.orbit, v);
-        if (orbit == v.idx()) continue;
-        flat.vertex_pairs.push_back({orbit, v.idx(), to_offset(mesh.property(id.orbit_offset, v))});
-    }
-    for (const auto h : mesh.halfedges()) {
-        const Offset offset = to_offset(mesh.property(id.partner_offset, h));
-        // Of a pair the side whose translation is positive: the other one has the negative.
-        if (mesh.property(id.partner, h) < 0 || offset < Offset{}) continue;
-        const HalfedgeHandle partner(mesh.property(id.partner, h));
-        flat.edge_pairs.push_back({mesh.to_vertex_handle(h).idx(), mesh.from_vertex_handle(h).idx(),
-                                   mesh.from_vertex_handle(partner).idx(),
-                                   mesh.to_vertex_handle(partner).idx(), offset});
-    }
-}
+class ArrayBuilder {
+   public:
+    explicit ArrayBuilder(const OpenMeshTileOf<Mesh>& source)
+        : mesh_(source.mesh),
+          id_(source.identification),
+          arrays_{.lattice = source.lattice, .kind = source.kind, .order = source.order} {}
 
-template <class Mesh>
-Tile flatten_mesh(const OpenMeshTileOf<Mesh>& tile) {
-    const Mesh& mesh = tile.mesh;
-    const OpenMeshProperties& id = tile.identification;
-    Tile flat{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}, {}};
-    flat.order = tile.order;
-    for (const auto v : mesh.vertices()) {
-        flat.points.emplace_back(mesh.point(v)[0], mesh.point(v)[1]);
-        if (tile.kind == MeshKind::kDelaunay)
-            flat.vertex_site.push_back(mesh.property(id.vertex_site, v));
+    Tile build() {
+        require_plain_mesh();
+        take_vertices();
+        take_faces();
+        take_orbits();
+        take_partners();
+        return std::move(arrays_);
     }
-    for (const auto f : mesh.faces()) {
-        for (const auto v : mesh.fv_ccw_range(f)) flat.corners.push_back(v.idx());
-        flat.face_begin.push_back(static_cast<int>(flat.corners.size()));
-        if (tile.kind == MeshKind::kDelaunay) continue;
-        flat.face_site.push_back(mesh.property(id.face_site, f));
-        const int whole_sides = mesh.property(id.whole_sides, f);
-        if (whole_sides > 0) flat.whole_sides.push_back(whole_sides);
-        if (tile.kind != MeshKind::kVoronoi) continue;
-        const Vec3d& site = mesh.property(id.site_point, f);
-        flat.site_points.emplace_back(site[0], site[1]);
+
+   private:
+    /// Handles are indices only where nothing is deleted.
+    void require_plain_mesh() const {
+        if (mesh_.n_faces() == 0) refuse_mesh("it has no face");
+        const auto deleted = [&](const auto& handles) {
+            for (const auto handle : handles) {
+                if (mesh_.status(handle).deleted()) return true;
+            }
+            return false;
+        };
+        if ((mesh_.has_face_status() && deleted(mesh_.all_faces())) ||
+            (mesh_.has_vertex_status() && deleted(mesh_.all_vertices())) ||
+            (mesh_.has_edge_status() && deleted(mesh_.all_edges()))) {
+            refuse_mesh("elements are deleted; call garbage_collection()");
+        }
     }
-    flatten_seam(tile, flat);
-    return flat;
-}
+
+    void take_vertices() {
+        arrays_.points.reserve(mesh_.n_vertices());
+        for (const auto v : mesh_.vertices()) {
+            arrays_.points.emplace_back(mesh_.point(v)[0], mesh_.point(v)[1]);
+        }
+        if (arrays_.kind != MeshKind::kDelaunay) return;
+        for (const auto v : mesh_.vertices()) {
+            const int site = mesh_.property(id_.vertex_site, v);
+            if (site >= 0) arrays_.vertex_site.push_back(site);
+        }
+        require_all_or_none(arrays_.vertex_site.size(), mesh_.n_vertices(), "vertices have sites");
+    }
+
+    void take_faces() {
+        for (const auto f : mesh_.faces()) {
+            for (const auto v : mesh_.fv_ccw_range(f)) arrays_.faces.corners.push_back(v.idx());
+            arrays_.faces.close();
+            if (!faces_have_sites(arrays_.kind)) continue;
+            const int site = mesh_.property(id_.face_site, f);
+            if (site >= 0) arrays_.face_site.push_back(site);
+            const int whole_sides = mesh_.property(id_.whole_sides, f);
+            if (whole_sides > 0) arrays_.whole_sides.push_back(whole_sides);
+            const Vec3d& point = mesh_.property(id_.site_point, f);
+            if (arrays_.kind == MeshKind::kVoronoi && !std::isnan(point[0])) {
+                arrays_.site_points.emplace_back(point[0], point[1]);
+            }
+        }
+        const std::size_t n = mesh_.n_faces();
+        require_all_or_none(arrays_.face_site.size(), n, "faces have sites");
+        require_all_or_none(arrays_.whole_sides.size(), n, "faces have a number of whole sides");
+        require_all_or_none(arrays_.site_points.size(), n, "faces have the position of a site");
+    }
+
+    void require_all_or_none(std::size_t found, std::size_t all, const std::string& what) const {
+        if (found == 0 || found == all) return;
+        refuse_mesh("only " + to_string(found) + " of " + to_string(all) + " " + what);
+    }
+
+    void take_orbits() {
+        for (const auto v : mesh_.vertices()) {
+            const int orbit = mesh_.property(id_.orbit, v);
+            if (orbit < 0 || orbit >= static_cast<int>(mesh_.n_vertices()) ||
+                mesh_.property(id_.orbit, VertexHandle(orbit)) != orbit) {
+                refuse_mesh("vertex " + to_string(v.idx()) + " has the orbit " + to_string(orbit) +
+                            ", which is no representative");
+            }
+            if (orbit == v.idx()) continue;
+            arrays_.vertex_pairs.push_back(
+                {orbit, v.idx(), to_offset(mesh_.property(id_.orbit_offset, v))});
+        }
+    }
+
+    void take_partners() {
+        for (const auto h : mesh_.halfedges()) {
+            if (!mesh_.is_boundary(h)) continue;
+            const HalfedgeHandle partner = checked_partner(h);
+            const Offset offset = to_offset(mesh_.property(id_.partner_offset, h));
+            // Of a pair the side whose translation is positive: the other one has the negative.
+            if (offset < Offset{}) continue;
+            arrays_.edge_pairs.push_back({.v0 = mesh_.to_vertex_handle(h).idx(),
+                                          .v1 = mesh_.from_vertex_handle(h).idx(),
+                                          .w0 = mesh_.from_vertex_handle(partner).idx(),
+                                          .w1 = mesh_.to_vertex_handle(partner).idx(),
+                                          .offset = offset});
+        }
+    }
+
+    /// The partner of a boundary halfedge, which answers it.
+    HalfedgeHandle checked_partner(HalfedgeHandle h) const {
+        const HalfedgeHandle partner(mesh_.property(id_.partner, h));
+        const bool exists = partner.idx() >= 0 &&
+                            partner.idx() < static_cast<int>(mesh_.n_halfedges()) && partner != h;
+        const Offset offset = to_offset(mesh_.property(id_.partner_offset, h));
+        if (!exists || mesh_.property(id_.partner, partner) != h.idx() ||
+            to_offset(mesh_.property(id_.partner_offset, partner)) != -offset ||
+            offset == Offset{}) {
+            refuse_mesh("boundary halfedge " + to_string(h.idx()) + " has the partner " +
+                        to_string(partner.idx()) + ", which does not answer it");
+        }
+        return partner;
+    }
+
+    const Mesh& mesh_;
+    const OpenMeshProperties& id_;
+    Tile arrays_;
+};
 
 }  // namespace
 
-OpenMeshTile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& placement) {
-    if (periodic.kind == MeshKind::kVoronoi) return assemble<CellMesh>(periodic, placement);
-    return assemble<TriangleMesh>(periodic, placement);
+OpenMeshTile openmesh_tile(const Tile& tile) {
+    if (!tile.copies.empty()) refuse_arrays("it has copies of vertices");
+    if (tile.kind == MeshKind::kVoronoi) return build_mesh<CellMesh>(tile);
+    return build_mesh<TriangleMesh>(tile);
 }
 
-Tile flatten(const OpenMeshTile& tile) {
-    return std::visit([](const auto& any) { return flatten_mesh(any); }, tile);
+Tile tile(const OpenMeshTile& mesh) {
+    return std::visit(
+        []<class Mesh>(const OpenMeshTileOf<Mesh>& source) {
+            return ArrayBuilder<Mesh>(source).build();
+        },
+        mesh);
 }
 
 }  // namespace pcvt

@@ -3,7 +3,6 @@
 #include <type_traits>
 #include <variant>
 
-#include "mesher/mesh/periodic_mesh.hpp"
 #include "mesher/tile/openmesh_properties.hpp"
 #include "mesher/tile/tile.hpp"
 
@@ -11,13 +10,17 @@ namespace pcvt {
 
 /// An open disc: one OpenMesh mesh of one fundamental domain whose boundary halfedges are matched.
 ///
+/// Example usage:
+///   const OpenMeshTile any = openmesh_tile(make_tile(cells, whole_outline(cells, {0, 0})));
+///   const auto& tile = std::get<CellTile>(any);
+///   for (const auto h : tile.mesh.halfedges()) {
+///       const int partner = tile.mesh.property(tile.identification.partner, h);
+///   }
+///
 /// Laws, tested by number:
 ///   (1) The partner of a partner is the halfedge itself, and no halfedge is its own partner.
 ///   (2) A partner runs the other way: its from-vertex is the translate of the to-vertex.
-///   (3) Positions are representative + translation, so the two sides of the seam agree to the
-///       rounding of one addition.
-///   (4) V - E + F = 1 as it stands and 0 after gluing.
-///   (5) The face areas sum to lattice.area().
+///   (3) Handles are the indices of the arrays: vertex v, face f.
 template <class Mesh>
 struct OpenMeshTileOf {
     static constexpr MeshKind kUsualKind =
@@ -33,7 +36,7 @@ struct OpenMeshTileOf {
 
     Lattice lattice;
     MeshKind kind;
-    /// 2: the triangles have a node in the middle of each edge as well (second_order.hpp).
+    /// As Tile::order.
     int order = 1;
     Mesh mesh;
     OpenMeshProperties identification;
@@ -43,13 +46,19 @@ using CellTile = OpenMeshTileOf<CellMesh>;
 using TriangleTile = OpenMeshTileOf<TriangleMesh>;
 using OpenMeshTile = std::variant<CellTile, TriangleTile>;
 
-/// The tile of the faces of `periodic`, face f in the image placement[f].
-///
-/// Each site of a Delaunay tile is a vertex; faces of a tile of cells, or of grains, know theirs.
-/// @throws InternalError if the placed faces do not form a disc.
-OpenMeshTile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& placement);
+/// Converts arrays to an OpenMesh structure: polygons for Voronoi cells, triangles for the other
+/// kinds.
+/// @throws InvalidInput if OpenMesh cannot hold the faces, because they do not form a surface (then
+///         OpenMesh writes a line to std::cerr, too), name vertices that do not exist, or are no
+///         triangles where the kind has them; if the pairs do not match each boundary edge with
+///         exactly one other; or if the tile has copies of vertices.
+OpenMeshTile openmesh_tile(const Tile& tile);
 
-/// The tile as plain arrays, for writers and for the proof.
-Tile flatten(const OpenMeshTile& tile);
+/// Converts an OpenMesh structure to arrays. openmesh_tile() and tile() are inverse to each other
+/// for tiles whose edge pairs are in the order of make_tile().
+/// @throws InvalidInput with the handle, if the properties contradict each other: a boundary
+///         halfedge without a partner, or whose partner has another one or another offset; an orbit
+///         that is no vertex or not its own representative; a mesh with deleted elements.
+Tile tile(const OpenMeshTile& mesh);
 
 }  // namespace pcvt

@@ -5,6 +5,7 @@
 
 #include "mesher/lattice/sites.hpp"
 #include "mesher/mesh/mesh_kind.hpp"
+#include "mesher/tile/faces.hpp"
 
 namespace pcvt {
 
@@ -24,6 +25,11 @@ struct EdgePair {
     int w0;
     int w1;
     Offset offset;
+
+    /// The same gluing with the sides exchanged: w1 -> w0 is glued to v1 -> v0.
+    constexpr EdgePair reversed() const {
+        return {.v0 = w1, .v1 = w0, .w0 = v1, .w1 = v0, .offset = -offset};
+    }
     friend constexpr auto operator<=>(const EdgePair&, const EdgePair&) = default;
 };
 
@@ -40,20 +46,18 @@ struct Tile {
     Lattice lattice;
     MeshKind kind;
     /// One position a vertex, length units.
-    std::vector<Vec2> points;
-    /// Face f has the corners corners[face_begin[f]] ... corners[face_begin[f + 1] - 1],
-    /// vertex indices, counter-clockwise.
-    std::vector<int> face_begin;
-    std::vector<int> corners;
+    std::vector<Vec2> points = {};
+    /// On these points, counter-clockwise.
+    Faces faces = {};
     /// Cells and grains: one site a face. Delaunay triangles: empty.
-    std::vector<SiteId> face_site;
+    std::vector<SiteId> face_site = {};
     /// Delaunay triangles: one site a vertex. Else: empty.
-    std::vector<SiteId> vertex_site;
+    std::vector<SiteId> vertex_site = {};
     /// One pair for each vertex w that is not the representative v of its orbit, by rising w.
     /// The representative is the vertex of the orbit with the smallest index, so v < w.
-    std::vector<VertexPair> vertex_pairs;
+    std::vector<VertexPair> vertex_pairs = {};
     /// Each identified pair of boundary edges once: n_boundary_edges / 2 entries.
-    std::vector<EdgePair> edge_pairs;
+    std::vector<EdgePair> edge_pairs = {};
     /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
     std::vector<Vec2> site_points = {};
     /// Files whose faces do not share all of their vertices: for each of the last vertices the
@@ -66,8 +70,8 @@ struct Tile {
     int order = 1;
 
     int n_vertices() const { return static_cast<int>(points.size()); }
-    int n_faces() const { return static_cast<int>(face_begin.size()) - 1; }
-    int face_size(int f) const { return face_begin[f + 1] - face_begin[f]; }
+    int n_faces() const { return faces.n_faces(); }
+    int face_size(int f) const { return faces.size(f); }
 };
 
 }  // namespace pcvt

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <compare>
 #include <numeric>
-#include <span>
 #include <vector>
 
 #include "mesher/base/bucket_sort.hpp"
@@ -11,22 +10,16 @@
 namespace pcvt {
 namespace {
 
-std::span<const int> face(const Tile& tile, int f) {
-    return std::span(tile.corners)
-        .subspan(static_cast<std::size_t>(tile.face_begin[f]),
-                 static_cast<std::size_t>(tile.face_size(f)));
-}
-
 /// The faces by rising corners.
 /// @pre every face has corners, and all of them exist.
 std::vector<int> faces_in_order(const Tile& tile) {
     std::vector<int> order(static_cast<std::size_t>(tile.n_faces()));
     std::iota(order.begin(), order.end(), 0);
     bucket_sort(
-        order, tile.n_vertices(), [&](int f) { return face(tile, f).front(); },
+        order, tile.n_vertices(), [&](int f) { return tile.faces[f].front(); },
         [&](int f, int g) {
-            const auto a = face(tile, f);
-            const auto b = face(tile, g);
+            const auto a = tile.faces[f];
+            const auto b = tile.faces[g];
             return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
         });
     return order;
@@ -36,18 +29,18 @@ bool can_be_ordered(const Tile& tile) {
     for (int f = 0; f < tile.n_faces(); ++f) {
         if (tile.face_size(f) < 1) return false;
     }
-    return std::all_of(tile.corners.begin(), tile.corners.end(),
+    return std::all_of(tile.faces.corners.begin(), tile.faces.corners.end(),
                        [&](int v) { return v >= 0 && v < tile.n_vertices(); });
 }
 
 bool same_faces(const Tile& s, const Tile& t) {
-    if (s.face_begin == t.face_begin && s.corners == t.corners) return true;
+    if (s.faces == t.faces) return true;
     if (s.n_faces() != t.n_faces() || !can_be_ordered(s) || !can_be_ordered(t)) return false;
     const std::vector<int> of_s = faces_in_order(s);
     const std::vector<int> of_t = faces_in_order(t);
     return std::equal(of_s.begin(), of_s.end(), of_t.begin(), [&](int f, int g) {
-        const auto a = face(s, f);
-        const auto b = face(t, g);
+        const auto a = s.faces[f];
+        const auto b = t.faces[g];
         return std::equal(a.begin(), a.end(), b.begin(), b.end());
     });
 }

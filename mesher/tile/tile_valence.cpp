@@ -13,8 +13,8 @@ std::vector<int> cell_sides(const Tile& cells) {
     std::vector<Vec2> polygon;
     for (int f = 0; f < cells.n_faces(); ++f) {
         polygon.clear();
-        for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
-            polygon.push_back(cells.points[cells.corners[c]]);
+        for (const int v : cells.faces[f]) {
+            polygon.push_back(cells.points[v]);
         }
         sides[f] = count_sides(polygon, shortest);
     }
@@ -24,7 +24,7 @@ std::vector<int> cell_sides(const Tile& cells) {
 std::vector<int> vertex_valences(const Tile& triangles) {
     // A triangle that meets an orbit at two of its corners lies there twice.
     std::vector<int> valence(triangles.n_vertices(), 0);
-    for (const int v : triangles.corners) ++valence[v];
+    for (const int v : triangles.faces.corners) ++valence[v];
     for (const VertexPair& pair : triangles.vertex_pairs) valence[pair.v] += valence[pair.w];
     for (const VertexPair& pair : triangles.vertex_pairs) valence[pair.w] = valence[pair.v];
     return valence;

@@ -45,16 +45,20 @@ auto from_geometry(const Make& make) {
 }
 
 void note_orbits(TileArrays& arrays) {
-    const Tile& flat = arrays.proved.flat;
-    arrays.offset.resize(flat.points.size());
-    for (int v = 0; v < flat.n_vertices(); ++v) arrays.orbit.push_back(v);
-    for (const VertexPair& pair : flat.vertex_pairs) {
+    const Tile& tile = arrays.built.tile;
+    arrays.offset.resize(tile.points.size());
+    for (int v = 0; v < tile.n_vertices(); ++v) arrays.orbit.push_back(v);
+    for (const VertexPair& pair : tile.vertex_pairs) {
         arrays.orbit[pair.w] = pair.v;
         arrays.offset[pair.w] = pair.offset;
     }
-    for (const EdgePair& pair : flat.edge_pairs) {
-        arrays.edge_pairs.push_back(
-            {pair.v0, pair.v1, pair.w0, pair.w1, pair.offset.i, pair.offset.j});
+    for (const EdgePair& pair : tile.edge_pairs) {
+        arrays.edge_pairs.push_back({.v0 = pair.v0,
+                                     .v1 = pair.v1,
+                                     .w0 = pair.w0,
+                                     .w1 = pair.w1,
+                                     .i = pair.offset.i,
+                                     .j = pair.offset.j});
     }
 }
 
@@ -111,8 +115,10 @@ const TileArrays& Result::arrays(const Layout& layout) const {
     job.outline = layout.outline;
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
-        TileArrays made{
-            from_geometry([&] { return build_tile(job, computed_.cvt, layout.kind); }), {}, {}, {}};
+        TileArrays made{from_geometry([&] { return proved_tile(job, computed_.cvt, layout.kind); }),
+                        {},
+                        {},
+                        {}};
         note_orbits(made);
         return made;
     });
@@ -166,25 +172,25 @@ pcvt_mesh Result::mesh(MeshKind kind) const {
 }
 
 pcvt_tile Result::tile(const Layout& layout) const {
-    const TileArrays& tile = arrays(layout);
-    const Tile& flat = tile.proved.flat;
+    const TileArrays& made = arrays(layout);
+    const Tile& tile = made.built.tile;
     pcvt_tile view{};
-    copy_lattice(flat.lattice, view.lattice);
-    view.points = numbers(flat.points);
-    view.face_begin = numbers(flat.face_begin);
-    view.corners = numbers(flat.corners);
-    view.face_site = numbers(flat.face_site);
-    view.site_points = numbers(flat.site_points);
-    view.vertex_site = numbers(flat.vertex_site);
-    view.vertex_orbit = numbers(tile.orbit);
-    view.vertex_offset = numbers(tile.offset);
-    view.edge_pairs = tile.edge_pairs.data();
+    copy_lattice(tile.lattice, view.lattice);
+    view.points = numbers(tile.points);
+    view.face_begin = numbers(tile.faces.begin);
+    view.corners = numbers(tile.faces.corners);
+    view.face_site = numbers(tile.face_site);
+    view.site_points = numbers(tile.site_points);
+    view.vertex_site = numbers(tile.vertex_site);
+    view.vertex_orbit = numbers(made.orbit);
+    view.vertex_offset = numbers(made.offset);
+    view.edge_pairs = made.edge_pairs.data();
     view.kind = kind_number(layout.kind);
     view.outline = outline_number(layout.outline);
-    view.n_vertices = flat.n_vertices();
-    view.n_faces = flat.n_faces();
-    view.n_corners = static_cast<std::int32_t>(flat.corners.size());
-    view.n_edge_pairs = static_cast<std::int32_t>(tile.edge_pairs.size());
+    view.n_vertices = tile.n_vertices();
+    view.n_faces = tile.n_faces();
+    view.n_corners = static_cast<std::int32_t>(tile.faces.corners.size());
+    view.n_edge_pairs = static_cast<std::int32_t>(made.edge_pairs.size());
     return view;
 }
 
@@ -197,12 +203,12 @@ void Result::write(const std::string& path, const Layout& layout, const std::str
     job.report = report;
     job.force = force;
     const std::vector<JobFile> files = plan_files(job);
-    const bool has_tile = !files.empty() && files.front().content == JobContent::kTile;
+    const bool has_tile = !files.empty() && files.front().format->needs_tile();
     if (!has_tile) {
         write_job(job, computed_, {});
         return;
     }
-    write_job(job, computed_, std::span(&arrays(layout).proved, 1));
+    write_job(job, computed_, std::span(&arrays(layout).built, 1));
 }
 
 }  // namespace pcvt::abi

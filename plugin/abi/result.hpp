@@ -35,7 +35,7 @@ struct Layout {
 
 /// A tile and the arrays that its view borrows.
 struct TileArrays {
-    ProvedTile proved;
+    BuiltTile built;
     std::vector<int> orbit;
     std::vector<Offset> offset;
     std::vector<pcvt_edge_pair> edge_pairs;

@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "io/bytes/text.hpp"
-#include "io/mpas/mpas_reader.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/density/density_centroid.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
@@ -82,7 +81,7 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
 
 const TileFormat& readable_format(const std::string& path) {
     const TileFormat* format = find_tile_format(path);
-    if (format == nullptr || format->decode == nullptr) {
+    if (format == nullptr || !format->is_readable()) {
         throw BadFile(path + ": not a format that is read back; give one of " +
                       readable_extensions());
     }
@@ -90,8 +89,7 @@ const TileFormat& readable_format(const std::string& path) {
 }
 
 /// The file and those of its companions that stand beside it.
-TileFile read_tile(const std::string& path, const std::optional<Lattice>& lattice) {
-    const TileFormat& format = readable_format(path);
+std::vector<EncodedFile> read_files(const TileFormat& format, const std::string& path) {
     const std::vector<std::string> paths = format.paths(path);
     std::vector<EncodedFile> files = {{paths[0], read_whole_file(paths[0])}};
     for (std::size_t p = 1; p < paths.size(); ++p) {
@@ -99,7 +97,7 @@ TileFile read_tile(const std::string& path, const std::optional<Lattice>& lattic
             files.push_back({paths[p], read_whole_file(paths[p])});
         }
     }
-    return format.decode(files, lattice);
+    return files;
 }
 
 void compare_lattice(const Lattice& stated, const Lattice& asked) {
@@ -143,17 +141,13 @@ std::string pairs_text(const TileFile& file) {
     return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
 }
 
-bool is_mpas(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    return extension == ".nc" || extension == ".NC";
-}
-
 /// The proof of an MPAS file as a line.
-std::string prove_mpas(const std::string& path, const Question& question) {
+std::string prove_grid(GridReader* read, const TileFormat& format, const std::string& path,
+                       const Question& question) {
     if (question.cvt_tolerance) {
         throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
     }
-    const MpasGrid grid = decode_mpas(path, read_whole_file(path));
+    const MpasGrid grid = read(read_files(format, path));
     if (question.lattice) {
         compare_lattice(Lattice::rectangle(grid.x_period, grid.y_period), *question.lattice);
     }
@@ -165,10 +159,10 @@ std::string prove_mpas(const std::string& path, const Question& question) {
            figure(proof.areas) + ", TRiSK identity within " + figure(proof.trisk) + "\n";
 }
 
-/// The proof of one file as a line.
-std::string prove(const std::string& path, const Question& question) {
-    if (is_mpas(path)) return prove_mpas(path, question);
-    const TileFile file = read_tile(path, question.lattice);
+/// The proof of a tile as a line.
+std::string prove_one_tile(const TileFormat& format, const std::string& path,
+                           const Question& question) {
+    const TileFile file = decode_tile(format, read_files(format, path), question.lattice);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
     const TileProof proof = prove_tile(file.tile, file.precision);
     if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
@@ -183,6 +177,15 @@ std::string prove(const std::string& path, const Question& question) {
     return line + "\n";
 }
 
+/// The proof of one file as a line.
+std::string prove(const std::string& path, const Question& question) {
+    const TileFormat& format = readable_format(path);
+    if (const auto* read = std::get_if<GridReader*>(&format.read)) {
+        return prove_grid(*read, format, path, question);
+    }
+    return prove_one_tile(format, path, question);
+}
+
 /// @returns false where the file is refuted.
 bool check(const std::string& path, const Question& question) {
     try {
@@ -190,7 +193,8 @@ bool check(const std::string& path, const Question& question) {
         return true;
     } catch (const NotATile& error) {
         std::fprintf(stderr, "%s: not %s: %s\n", path.c_str(),
-                     is_mpas(path) ? "an MPAS mesh" : "a periodic tile", error.what());
+                     find_tile_format(path)->reads_grid() ? "an MPAS mesh" : "a periodic tile",
+                     error.what());
     } catch (const InvalidInput&) {
         std::fprintf(stderr, "%s\n", describe_failure(std::current_exception()).line.c_str());
     }

@@ -6,7 +6,6 @@
 #include "mesher/mesh/voronoi.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
-#include "plugin/job/job_proof.hpp"
 #include "plugin/job/job_report.hpp"
 #include "plugin/job/job_staging.hpp"
 #include "plugin/job/job_start.hpp"
@@ -81,7 +80,7 @@ std::optional<Minimum> minimum_of(const CvtResult& result) {
     return stability(sites);
 }
 
-RunSummary describe(const Computation& job_result, std::span<const ProvedTile> tiles) {
+RunSummary describe(const Computation& job_result, std::span<const BuiltTile> tiles) {
     const CvtResult& result = job_result.cvt;
     RunSummary outcome;
     outcome.stop = result.stop;
@@ -102,7 +101,7 @@ RunSummary describe(const Computation& job_result, std::span<const ProvedTile> t
     outcome.valences = histogram(cell_sides(periodic_mesh(result.delaunay, MeshKind::kVoronoi)));
     const auto hexagons = outcome.valences.find(6);
     outcome.n_hexagons = hexagons == outcome.valences.end() ? 0 : hexagons->second;
-    for (const ProvedTile& tile : tiles) outcome.tiles.push_back(tile.figures);
+    for (const BuiltTile& tile : tiles) outcome.tiles.push_back(tile.figures);
     return outcome;
 }
 
@@ -117,12 +116,12 @@ void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
     if (!job.report.empty()) OutputSet::require_writable(job.report, job.force);
 }
 
-std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
-                                    const Monitor& monitor) {
-    std::vector<ProvedTile> tiles;
+std::vector<BuiltTile> build_tiles(const Job& job, const CvtResult& result,
+                                   const Monitor& monitor) {
+    std::vector<BuiltTile> tiles;
     tiles.reserve(job.meshes.size());
     for (const MeshKind kind : job.meshes) {
-        tiles.push_back(build_tile(job, result, kind));
+        tiles.push_back(proved_tile(job, result, kind));
         monitor.between_stages();
     }
     return tiles;
@@ -130,7 +129,7 @@ std::vector<ProvedTile> build_tiles(const Job& job, const CvtResult& result,
 
 /// Stages every file and then, last, commits them all: the one moment that cannot be cancelled.
 void write(const Job& job, const std::vector<JobFile>& files, const Computation& result,
-           std::span<const ProvedTile> tiles, const Monitor& monitor, Stopwatch& watch,
+           std::span<const BuiltTile> tiles, const Monitor& monitor, Stopwatch& watch,
            RunSummary& outcome) {
     OutputSet outputs;
     stage_files(
@@ -175,7 +174,7 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
     Stopwatch watch;
     Monitor monitor(callback, watch);
     const Computation result = compute(job, monitor, watch);
-    const std::vector<ProvedTile> tiles = build_tiles(job, result.cvt, monitor);
+    const std::vector<BuiltTile> tiles = build_tiles(job, result.cvt, monitor);
     RunSummary outcome = describe(result, tiles);
     watch.stop(&JobSeconds::build);
     write(job, files, result, tiles, monitor, watch, outcome);
@@ -217,7 +216,7 @@ Points wrapped_sites(const CvtResult& result) {
     return points;
 }
 
-RunSummary write_job(const Job& job, const Computation& result, std::span<const ProvedTile> tiles) {
+RunSummary write_job(const Job& job, const Computation& result, std::span<const BuiltTile> tiles) {
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
     require_all_writable(job, files);

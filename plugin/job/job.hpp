@@ -12,16 +12,13 @@
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/energy/stability.hpp"
 #include "mesher/search/lattice_stability.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/build_tile.hpp"
 
 namespace pcvt {
 
 /// Where the sites begin when none are given: at random, from coarse to fine, at the best exact
 /// lattice for their number, at the best state of a global search.
 enum class Start { kRandom, kCoarse, kLattice, kBest };
-
-/// No cell is cut, or cells are cut along the parallelogram of the period vectors.
-enum class Outline { kWhole, kBox };
 
 /// The most that Job::short_edges can be: an edge of a regular hexagon has 0.62 h.
 inline constexpr double kLongestShortEdge = 0.5;
@@ -89,44 +86,10 @@ struct JobSeconds {
     double total = 0;
 };
 
-/// A corner of a cell or piece that is too sharp for the angles of its grains.
-struct SharpGrainCorner {
-    SiteId site;
-    Vec2 point;
-    /// Degrees.
-    double angle;
-};
-
-struct GrainFigures {
-    int n_triangles;
-    /// Degrees, of all angles but those in the sharp corners.
-    double smallest_angle;
-    std::vector<SharpGrainCorner> sharp_corners;
-};
-
-/// What there is to tell of one tile: its seam, its outline, its grains.
-struct TileFigures {
-    MeshKind kind;
-    int n_boundary_edges;
-    int n_edge_pairs;
-    /// The box outline: its corner, and the shortest edge that the cut has made, in units of h.
-    std::optional<Vec2> box_origin;
-    std::optional<double> box_shortest_edge;
-    std::optional<GrainFigures> grains;
-};
-
 /// The best exact lattice for the number of sites.
 struct PatternOutcome {
     LatticePattern lattice;
     LatticeStability stability;
-};
-
-/// One mesh of a job, laid out and proved.
-struct ProvedTile {
-    OpenMeshTile mesh;
-    /// The same as plain arrays.
-    Tile flat;
-    TileFigures figures;
 };
 
 /// What a job computes before it makes tiles and files.
@@ -205,9 +168,9 @@ std::optional<Computation> compute_job(const Job& job, const JobCallback& callba
 /// The optimised sites, 2 x n, wrapped into the reduced domain at the origin: what `.txt` files
 /// hold.
 Points wrapped_sites(const CvtResult& result);
-/// Writes job.outputs and job.report; tiles[k] is the one of job.meshes[k], and need not be there
-/// where no output is a tile.
-RunSummary write_job(const Job& job, const Computation& result, std::span<const ProvedTile> tiles);
+/// Writes job.outputs and job.report; tiles[k], proved, is the one of job.meshes[k], and need not
+/// be there where no output is a tile.
+RunSummary write_job(const Job& job, const Computation& result, std::span<const BuiltTile> tiles);
 
 /// The stop as contract words: "converged", "iteration-limit", "stalled", "cancelled".
 const char* stop_name(Stop stop);

@@ -90,12 +90,12 @@ void check_density(const Job& job) {
 void check_order(const Job& job, const std::vector<JobFile>& files) {
     if (job.order == 1 || files.empty()) return;
     const bool held = std::any_of(files.begin(), files.end(), [](const JobFile& file) {
-        return file.format != nullptr && file.format->second_order;
+        return file.format->highest_order > 1;
     });
     if (held) return;
     throw InvalidInput(
-        "none of the files asked for holds the mid-side nodes of order 2; add one of "
-        ".msh, .inp, .vtu, or take order 1");
+        "none of the files asked for holds the mid-side nodes of order 2; add one of " +
+        second_order_extensions() + ", or take order 1");
 }
 
 void check_job(const Job& job) {

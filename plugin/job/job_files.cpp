@@ -1,24 +1,14 @@
 #include "plugin/job/job_files.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "io/tiles/triangle_elements.hpp"
-#include "mesher/finite_volume/mpas_grid.hpp"
 #include "plugin/job/distinct_paths.hpp"
 
 namespace pcvt {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower_case_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 [[noreturn]] void refuse_extension(const std::string& path) {
     const std::string extension = lower_case_extension(path);
@@ -39,61 +29,63 @@ const char* kind_suffix(MeshKind kind) {
     return "";
 }
 
-/// Pieces of cells are slivers where the box cuts a cell near its corner.
-void require_whole_cells(const Job& job, MeshKind kind, const std::string& path) {
-    if (job.outline == Outline::kWhole || kind != MeshKind::kVoronoi) return;
-    throw InvalidInput("-o " + path +
-                       ": cells that the box cuts are too thin for finite volumes; take the whole "
-                       "outline, or the mesh grains");
-}
-
-/// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
-void require_mpas_grid(const Job& job, const std::string& path) {
-    if (job.short_edges > 0) {
-        throw InvalidInput("-o " + path +
-                           ": MPAS needs every Voronoi edge; leave --short-edges out");
+/// @param kind  of the mesh that goes into the file; any one where the format needs no tile.
+void check_format(const Job& job, const TileFormat& format, MeshKind kind,
+                  const std::string& path) {
+    if (format.check != nullptr) {
+        try {
+            format.check({.lattice = job.lattice.repeated(job.columns, job.rows),
+                          .kind = kind,
+                          .outline = job.outline,
+                          .short_edges = job.short_edges});
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("-o " + path + ": " + error.what());
+        }
     }
-    try {
-        rectangular_periods(job.lattice.repeated(job.columns, job.rows));
-    } catch (const InvalidInput& error) {
-        throw InvalidInput("-o " + path + ": " + error.what());
-    }
+    if (format.needs_tile() && !format.holds_polygons) require_triangles(kind, "-o " + path);
 }
 
 void add_output(const Job& job, const std::string& path, std::vector<JobFile>& files) {
-    const std::string extension = lower_case_extension(path);
-    if (extension == ".txt" || extension == ".nc") {
-        if (extension == ".nc") require_mpas_grid(job, path);
-        files.push_back({{path}, extension == ".nc" ? JobContent::kMpasGrid : JobContent::kSites});
-        return;
-    }
     const TileFormat* format = find_tile_format(path);
     if (format == nullptr) refuse_extension(path);
+    if (!format->needs_tile()) {
+        check_format(job, *format, MeshKind::kVoronoi, path);
+        files.push_back({format->paths(path), format});
+        return;
+    }
     for (std::size_t m = 0; m < job.meshes.size(); ++m) {
-        if (format->whole_cells_only) require_whole_cells(job, job.meshes[m], path);
-        if (format->triangles_only) require_triangles(job.meshes[m], "-o " + path);
+        check_format(job, *format, job.meshes[m], path);
         const std::string suffix = job.meshes.size() > 1 ? kind_suffix(job.meshes[m]) : "";
         const std::string name = with_suffix(path, suffix);
-        files.push_back({format->paths(name), JobContent::kTile, format, static_cast<int>(m),
+        files.push_back({format->paths(name), format, static_cast<int>(m),
                          format->is_folder ? name : std::string()});
     }
+}
+
+/// The extensions of the formats that `keep` takes.
+template <class Keep>
+std::string extensions(const std::string& separator, const Keep& keep) {
+    std::string all;
+    for (const TileFormat& format : tile_formats()) {
+        if (!keep(format)) continue;
+        if (!all.empty()) all += separator;
+        all += format.extension;
+    }
+    return all;
 }
 
 }  // namespace
 
 std::string output_extensions() {
-    std::string all;
-    for (const TileFormat& format : tile_formats()) all += format.extension + " ";
-    return all + ".nc .txt";
+    return extensions(" ", [](const TileFormat&) { return true; });
 }
 
 std::string readable_extensions() {
-    std::string all;
-    for (const TileFormat& format : tile_formats()) {
-        if (format.decode == nullptr) continue;
-        all += format.extension + " ";
-    }
-    return all + ".nc";
+    return extensions(" ", [](const TileFormat& format) { return format.is_readable(); });
+}
+
+std::string second_order_extensions() {
+    return extensions(", ", [](const TileFormat& format) { return format.highest_order > 1; });
 }
 
 std::string without_slash(const std::string& path) {

@@ -8,18 +8,14 @@
 
 namespace pcvt {
 
-/// What a file holds: one of the job's tiles, the sites, or the C-grid of the torus.
-enum class JobContent { kTile, kSites, kMpasGrid };
-
-/// One file that a job was asked for, with the companions that its format writes beside it.
+/// One output of a job, with the companions that its format writes beside it.
 struct JobFile {
     /// The path itself first, then the companions; of a folder the files in it.
     std::vector<std::string> paths;
-    JobContent content;
-    /// Tiles: their format and their index into job.meshes; else nullptr and -1.
-    const TileFormat* format = nullptr;
+    const TileFormat* format;
+    /// Formats of tiles: the index into job.meshes; else -1.
     int mesh = -1;
-    /// Empty unless the files stand in a folder of their own.
+    /// Empty unless the files lie in a folder of their own.
     std::string folder = {};
 };
 
@@ -31,6 +27,8 @@ std::vector<JobFile> plan_files(const Job& job);
 /// Extensions with a blank between them: of what a job writes, and of what `pcvt check` reads.
 std::string output_extensions();
 std::string readable_extensions();
+/// Likewise of the formats that hold nodes in the middle of edges, with commas.
+std::string second_order_extensions();
 
 /// `path` without the slash that shells append to the name of a case folder: t.foam/ -> t.foam.
 std::string without_slash(const std::string& path);

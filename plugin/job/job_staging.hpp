@@ -17,7 +17,7 @@ namespace pcvt {
 ///                       staging.
 /// @throws the fault of the first file in the list that has one.
 void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
-                 std::span<const ProvedTile> tiles, const std::function<void()>& between_files,
+                 std::span<const BuiltTile> tiles, const std::function<void()>& between_files,
                  OutputSet& outputs);
 
 }  // namespace pcvt

@@ -2,22 +2,33 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
+#include "mesher/tile/tile_builder.hpp"
 
 namespace pcvt {
 namespace {
 
-OpenMeshTile example(const TileFormat& format) {
+Tile example(const TileFormat& format) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 7, 5)));
-    const PeriodicMesh mesh = format.triangles_only ? triangle_mesh(delaunay) : cell_mesh(delaunay);
+    const PeriodicMesh mesh = format.holds_polygons ? cell_mesh(delaunay) : triangle_mesh(delaunay);
     return make_tile(mesh, whole_outline(mesh, Vec2(0, 0)));
 }
 
+std::vector<TileFormat> formats_of_tiles() {
+    std::vector<TileFormat> formats;
+    std::copy_if(tile_formats().begin(), tile_formats().end(), std::back_inserter(formats),
+                 [](const TileFormat& format) { return format.needs_tile(); });
+    return formats;
+}
+
 TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
-    for (const char* name :
-         {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".msh", ".inp", ".vtu", ".foam"}) {
+    for (const char* name : {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".msh", ".inp", ".vtu",
+                             ".foam", ".nc", ".txt"}) {
         ASSERT_NE(find_tile_format(std::string("a.b/c") + name), nullptr) << name;
         EXPECT_EQ(find_tile_format(std::string("a.b/c") + name)->extension, name);
     }
@@ -28,9 +39,9 @@ TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
 }
 
 TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
-    for (const TileFormat& format : tile_formats()) {
-        const OpenMeshTile tile = example(format);
-        const std::string path = "dir/tile" + format.extension;
+    for (const TileFormat& format : formats_of_tiles()) {
+        const Tile tile = example(format);
+        const std::string path = "dir/tile" + std::string(format.extension);
         std::vector<std::string> written;
         for (const EncodedFile& file : encode_tile(format, tile, path)) {
             written.push_back(file.path);
@@ -42,21 +53,32 @@ TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
 }
 
 TEST(TileFormats, EveryFormatReadsItsOwnFilesButThePicture) {
-    for (const TileFormat& format : tile_formats()) {
-        const OpenMeshTile tile = example(format);
-        ASSERT_EQ(format.decode == nullptr, format.extension == ".svg");
-        if (!format.decode) continue;
-        const TileFile file = format.decode(encode_tile(format, tile, "t" + format.extension), {});
+    for (const TileFormat& format : formats_of_tiles()) {
+        const Tile tile = example(format);
+        ASSERT_EQ(!format.is_readable(), format.extension == ".svg");
+        if (!format.is_readable()) continue;
+        const TileFile file = decode_tile(format, encode_tile(format, tile, "t"), {});
         EXPECT_NE(file.has_vertex_pairs, format.is_folder) << format.extension;
         EXPECT_TRUE(file.has_vertex_pairs || file.has_edge_pairs) << format.extension;
         EXPECT_EQ(file.tile.lattice.b(), Vec2(0.37, 0.81)) << format.extension;
     }
 }
 
+TEST(TileFormats, SitesAndGridsOfTheTorusAreRowsAsWell) {
+    const TileFormat& sites = *find_tile_format("s.txt");
+    EXPECT_TRUE(std::holds_alternative<SiteWriter*>(sites.write));
+    EXPECT_FALSE(sites.is_readable());
+    const TileFormat& grid = *find_tile_format("g.Nc");
+    EXPECT_TRUE(std::holds_alternative<TorusWriter*>(grid.write));
+    EXPECT_TRUE(grid.reads_grid());
+    const Lattice oblique({1, 0}, {0.37, 0.81});
+    EXPECT_THROW(grid.check({oblique, MeshKind::kVoronoi, Outline::kWhole, 0}), InvalidInput);
+}
+
 TEST(TileFormats, TheSameTileGivesTheSameBytes) {
-    for (const TileFormat& format : tile_formats()) {
-        const auto first = encode_tile(format, example(format), "t" + format.extension);
-        const auto second = encode_tile(format, example(format), "t" + format.extension);
+    for (const TileFormat& format : formats_of_tiles()) {
+        const auto first = encode_tile(format, example(format), "t");
+        const auto second = encode_tile(format, example(format), "t");
         ASSERT_EQ(first.size(), second.size());
         for (std::size_t k = 0; k < first.size(); ++k) {
             EXPECT_EQ(first[k].bytes, second[k].bytes) << first[k].path;

@@ -5,7 +5,7 @@ namespace {
 
 /// The vertices of the (columns + 1) x (rows + 1) grid and their identification, without faces.
 Tile grid_vertices(const Lattice& lattice, MeshKind kind, int columns, int rows) {
-    Tile tile{lattice, kind, {}, {0}, {}, {}, {}, {}, {}};
+    Tile tile{.lattice = lattice, .kind = kind};
     const auto id = [columns](int i, int j) { return j * (columns + 1) + i; };
     for (int j = 0; j <= rows; ++j) {
         for (int i = 0; i <= columns; ++i) {
@@ -37,8 +37,7 @@ Tile grid_vertices(const Lattice& lattice, MeshKind kind, int columns, int rows)
 
 void add_face(Tile& tile, std::vector<int> corners) {
     if (!tile.lattice.right_handed()) corners = {corners.rbegin(), corners.rend()};
-    tile.corners.insert(tile.corners.end(), corners.begin(), corners.end());
-    tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
+    tile.faces.add(corners);
 }
 
 }  // namespace

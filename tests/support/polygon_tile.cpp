@@ -1,6 +1,7 @@
 #include "tests/support/polygon_tile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcvt::testing {
@@ -16,16 +17,16 @@ Vec2 rounded(const Vec2& p) { return p.cast<float>().cast<double>(); }
 }  // namespace
 
 Tile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons) {
-    Tile tile{lattice, MeshKind::kVoronoi, {}, {0}, {}, {}, {}, {}, {}};
+    Tile tile{.lattice = lattice, .kind = MeshKind::kVoronoi};
     for (const Polygon& polygon : polygons) {
         for (const Vec2& corner : polygon) {
             int v = 0;
             while (v < tile.n_vertices() && (tile.points[v] - corner).norm() > 1e-9) ++v;
             if (v == tile.n_vertices()) tile.points.push_back(corner);
-            tile.corners.push_back(v);
+            tile.faces.corners.push_back(v);
         }
         tile.face_site.push_back(tile.n_faces());
-        tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
+        tile.faces.close();
     }
     return tile;
 }
@@ -61,18 +62,17 @@ Tile square_tiled(const SquareTiled& surface) {
 }
 
 Tile float_fans(const Tile& tile) {
-    Tile fans{tile.lattice, tile.kind, {}, {0}, {}, {}, {}, {}, {}};
+    Tile fans{.lattice = tile.lattice, .kind = tile.kind};
     std::vector<int> first_copy(tile.points.size(), -1);
     for (int f = 0; f < tile.n_faces(); ++f) {
         const int base = fans.n_vertices();
         for (int k = 0; k < tile.face_size(f); ++k) {
-            const int v = tile.corners[tile.face_begin[f] + k];
+            const int v = tile.faces.corners[tile.faces.begin[f] + k];
             if (first_copy[v] < 0) first_copy[v] = fans.n_vertices();
             fans.points.push_back(rounded(tile.points[v]));
         }
         for (int k = 1; k + 1 < tile.face_size(f); ++k) {
-            for (const int corner : {0, k, k + 1}) fans.corners.push_back(base + corner);
-            fans.face_begin.push_back(static_cast<int>(fans.corners.size()));
+            fans.faces.add(std::array{base, base + k, base + k + 1});
             if (!tile.face_site.empty()) fans.face_site.push_back(tile.face_site[f]);
         }
     }

@@ -54,11 +54,11 @@ Tile scrambled_grid(const Lattice& lattice, std::mt19937& random) {
     }
     for (EdgePair& e : result.edge_pairs) {
         e = {name[e.v0], name[e.v1], name[e.w0], name[e.w1], e.offset};
-        if (random() % 2) e = {e.w1, e.w0, e.v1, e.v0, -e.offset};
+        if (random() % 2) e = e.reversed();
     }
-    for (int& v : result.corners) v = name[v];
+    for (int& v : result.faces.corners) v = name[v];
     for (int f = 0; f < result.n_faces(); ++f) {
-        const auto begin = result.corners.begin() + result.face_begin[f];
+        const auto begin = result.faces.corners.begin() + result.faces.begin[f];
         std::rotate(begin, begin + random() % 3, begin + result.face_size(f));
     }
     return result;

@@ -12,8 +12,8 @@ inline void expect_same_tile(const Tile& actual, const Tile& expected) {
     EXPECT_EQ(actual.lattice.b(), expected.lattice.b());
     EXPECT_EQ(actual.kind, expected.kind);
     EXPECT_EQ(actual.points, expected.points);
-    EXPECT_EQ(actual.face_begin, expected.face_begin);
-    EXPECT_EQ(actual.corners, expected.corners);
+    EXPECT_EQ(actual.faces.begin, expected.faces.begin);
+    EXPECT_EQ(actual.faces.corners, expected.faces.corners);
     EXPECT_EQ(actual.face_site, expected.face_site);
     EXPECT_EQ(actual.vertex_site, expected.vertex_site);
     EXPECT_TRUE(actual.vertex_pairs == expected.vertex_pairs);

@@ -90,7 +90,7 @@ TEST(Gltf, TrianglesOfACellKeepItsSiteAndItsArea) {
         const Tile back = read(glb(tile)).tile;
         std::vector<double> area(tile.n_faces());
         for (int f = 0; f < back.n_faces(); ++f) {
-            const auto corner = [&](int k) { return back.points[back.corners[3 * f + k]]; };
+            const auto corner = [&](int k) { return back.points[back.faces.corners[3 * f + k]]; };
             const Vec2 u = corner(1) - corner(0);
             const Vec2 v = corner(2) - corner(0);
             area[back.face_site[f]] += (u.x() * v.y() - u.y() * v.x()) / 2;
@@ -103,8 +103,8 @@ TEST(Gltf, TrianglesOfACellKeepItsSiteAndItsArea) {
 TEST(Gltf, TriangleTilesKeepTheirFacesAndSites) {
     const Tile tile = triangle_grid_tile(kOblique, 5, 6);
     const Tile back = read(glb(tile)).tile;
-    EXPECT_EQ(back.corners, tile.corners);
-    EXPECT_EQ(back.face_begin, tile.face_begin);
+    EXPECT_EQ(back.faces.corners, tile.faces.corners);
+    EXPECT_EQ(back.faces.begin, tile.faces.begin);
     EXPECT_EQ(back.vertex_site, tile.vertex_site);
     EXPECT_TRUE(back.face_site.empty());
 }
@@ -114,7 +114,7 @@ TEST(Gltf, TrianglesOfAGrainShareTheirVertices) {
     const Tile back = read(glb(tile)).tile;
     EXPECT_EQ(back.face_site, tile.face_site);
     // Each grain has four vertices, and each vertex belongs to one grain.
-    EXPECT_EQ(std::set<int>(back.corners.begin(), back.corners.end()).size(), 4 * 30U);
+    EXPECT_EQ(std::set<int>(back.faces.corners.begin(), back.faces.corners.end()).size(), 4 * 30U);
     EXPECT_EQ(back.n_vertices(), 4 * 30);
 }
 
@@ -192,8 +192,8 @@ TEST(Gltf, ManyCellsHaveVerticesOfTheirOwn) {
     const auto ids = testing::accessor_floats(file, attributes["_CELL_ID"], 1);
     const auto points = testing::accessor_floats(file, attributes["POSITION"], 3);
     const auto& copies = file.json["nodes"][0]["extras"]["periodic"]["vertexCopies"];
-    ASSERT_EQ(ids.size(), tile.corners.size());
-    ASSERT_EQ(copies.size(), tile.corners.size() - tile.points.size());
+    ASSERT_EQ(ids.size(), tile.faces.corners.size());
+    ASSERT_EQ(copies.size(), tile.faces.corners.size() - tile.points.size());
     for (std::size_t k = 0; k < copies.size(); ++k) {
         const std::size_t v = copies[k];
         EXPECT_EQ(points[3 * v], points[3 * (tile.points.size() + k)]);

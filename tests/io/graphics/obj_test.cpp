@@ -53,15 +53,11 @@ std::string with(const std::string& piece, const std::string& other) {
 
 /// A row of cells with 5, 3 and 4 corners: not a tile, but a writer must sort its faces.
 Tile cells_to_be_sorted() {
-    return {kSquare,
-            MeshKind::kVoronoi,
-            {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0.5, 1.5}, {0, 1}},
-            {0, 5, 8, 12},
-            {0, 1, 6, 7, 8, 1, 2, 6, 2, 3, 4, 5},
-            {7, 8, 9},
-            {},
-            {},
-            {}};
+    return {.lattice = kSquare,
+            .kind = MeshKind::kVoronoi,
+            .points = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0.5, 1.5}, {0, 1}},
+            .faces = {.begin = {0, 5, 8, 12}, .corners = {0, 1, 6, 7, 8, 1, 2, 6, 2, 3, 4, 5}},
+            .face_site = {7, 8, 9}};
 }
 
 TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
@@ -116,7 +112,7 @@ TEST(Obj, PlainObjOfOtherProgramsIsRead) {
         "usemtl m\r\nf 1 2/1 3//1\r\nf -4/1/1 -2 4",
         Lattice({2, 0}, {0, 3}));
     EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
-    EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
+    EXPECT_THAT(file.tile.faces.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
     EXPECT_EQ(file.tile.lattice.b(), Vec2(0, 3));
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
     EXPECT_TRUE(file.tile.vertex_site.empty());

@@ -75,16 +75,16 @@ TEST(Ply, ListsBecomeWiderOnlyForFacesThatNeedIt) {
     Tile tile = testing::grid_tile(kSquare, 1, 1);
     EXPECT_THAT(encode_ply(tile, "")[0].bytes, HasSubstr("property list uchar int vertex_indices"));
     tile.points.clear();
-    tile.corners.clear();
+    tile.faces.corners.clear();
     tile.vertex_pairs.clear();
     for (int v = 0; v < 256; ++v) {
         tile.points.emplace_back(std::cos(v * M_PI / 128), std::sin(v * M_PI / 128));
-        tile.corners.push_back(v);
+        tile.faces.corners.push_back(v);
     }
-    tile.face_begin = {0, 256};
+    tile.faces.begin = {0, 256};
     const auto files = encode_ply(tile, "");
     EXPECT_THAT(files[0].bytes, HasSubstr("property list int int vertex_indices"));
-    EXPECT_EQ(decode_ply(files, std::nullopt).tile.corners, tile.corners);
+    EXPECT_EQ(decode_ply(files, std::nullopt).tile.faces.corners, tile.faces.corners);
 }
 
 TEST(Ply, PlainPlyOfOtherProgramsIsRead) {
@@ -98,7 +98,7 @@ TEST(Ply, PlainPlyOfOtherProgramsIsRead) {
         Lattice({2, 0}, {0, 3}));
     EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
     EXPECT_EQ(file.tile.points[2], Vec2(0, 2));
-    EXPECT_THAT(file.tile.corners, ElementsAre(0, 1, 2));
+    EXPECT_THAT(file.tile.faces.corners, ElementsAre(0, 1, 2));
     EXPECT_EQ(file.precision, Precision::kSingle);
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
 }

@@ -80,8 +80,8 @@ TEST(Svg, FitsTheCanvasAtAnyScaleAndAspect) {
 TEST(Svg, TheYAxisPointsUpwards) {
     Tile tile = grid_tile(Lattice::rectangle(1, 1), 1, 1);
     const std::vector<Vec2> points = path_points(svg(tile));
-    ASSERT_EQ(tile.points[tile.corners[0]], Vec2(0, 0));
-    ASSERT_EQ(tile.points[tile.corners[2]], Vec2(1, 1));
+    ASSERT_EQ(tile.points[tile.faces.corners[0]], Vec2(0, 0));
+    ASSERT_EQ(tile.points[tile.faces.corners[2]], Vec2(1, 1));
     EXPECT_GT(points[2].x(), points[0].x());
     EXPECT_LT(points[2].y(), points[0].y());
 }
@@ -137,8 +137,8 @@ TEST(Svg, MarksTheSitesThatAreNotRegular) {
     EXPECT_THAT(regular, Not(HasSubstr("stroke=\"" + hex(side_colour(6)))));
     Tile tile = triangle_grid_tile(Lattice::rectangle(1, 1), 3, 3);
     // Flip the diagonal of the first square.
-    tile.corners[2] = 4;
-    tile.corners[3] = 1;
+    tile.faces.corners[2] = 4;
+    tile.faces.corners[3] = 1;
     const std::string picture = svg(tile);
     EXPECT_THAT(picture, HasSubstr("valence 5: 2<"));
     EXPECT_THAT(picture, HasSubstr("valence 7: 2<"));

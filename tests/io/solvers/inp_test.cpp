@@ -105,7 +105,7 @@ TEST(Inp, MeshesOfOtherProgramsAreRead) {
         "10\n*Equation\n2\n10,1,1.,20,1,-1.\n"
         "*Material, name=Steel\n*Elastic\n210000., 0.3\n",
         kSquare);
-    EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
+    EXPECT_THAT(file.tile.faces.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
     EXPECT_NO_THROW(prove_tile(file.tile, file.precision));
 }

@@ -81,7 +81,7 @@ TEST(Msh, MeshesOfOtherProgramsAreRead) {
         "$ElementData\n1\n\"stress\"\n1\n0\n3\n0\n1\n1\n9 0.5\n$EndElementData\n",
         kSquare);
     EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
-    EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 3, 0, 2, 1));
+    EXPECT_THAT(file.tile.faces.corners, ::testing::ElementsAre(0, 1, 3, 0, 2, 1));
     EXPECT_EQ(file.tile.points[2], Vec2(1, 0));
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
     EXPECT_NO_THROW(prove_tile(file.tile, file.precision));

@@ -71,7 +71,7 @@ TEST(Vtu, GridsOfOtherProgramsAreRead) {
         kSquare);
     EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
     EXPECT_EQ(file.precision, Precision::kSingle);
-    EXPECT_THAT(file.tile.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
+    EXPECT_THAT(file.tile.faces.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
     EXPECT_FALSE(file.has_vertex_pairs);
     EXPECT_NO_THROW(prove_tile(file.tile, file.precision));
 }

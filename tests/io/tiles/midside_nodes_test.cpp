@@ -16,21 +16,21 @@ namespace {
 using ::testing::HasSubstr;
 
 /// Two triangles with the corners 0 to 3 of the unit square and the middle nodes 4 to 8.
-RawTile two_triangles() {
-    RawTile raw{"t", 0, {}, {}, {}, {0}, {}, {}, {}, {}, {}};
-    raw.lattice = Lattice::rectangle(1, 1);
-    raw.points = {{0, 0},   {1, 0},     {0, 1},   {1, 1},  {0.5, 0},
-                  {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 0.5}};
-    raw.add_face({0, 1, 3, 4, 5, 6}, 10);
-    raw.add_face({0, 3, 2, 6, 7, 8}, 11);
-    raw.vertex_pairs = {
+FileTileBuilder two_triangles() {
+    FileTileBuilder file{.name = "t", .index_base = 0};
+    file.lattice = Lattice::rectangle(1, 1);
+    file.points = {{0, 0},   {1, 0},     {0, 1},   {1, 1},  {0.5, 0},
+                   {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 0.5}};
+    file.add_face({0, 1, 3, 4, 5, 6}, 10);
+    file.add_face({0, 3, 2, 6, 7, 8}, 11);
+    file.vertex_pairs = {
         {0, 1, {1, 0}}, {0, 2, {0, 1}}, {0, 3, {1, 1}}, {4, 7, {0, 1}}, {8, 5, {1, 0}}};
-    return raw;
+    return file;
 }
 
-std::string fault_of(RawTile raw) {
+std::string fault_of(FileTileBuilder file) {
     try {
-        remove_midside_nodes(raw, std::nullopt, Precision::kDouble);
+        remove_midside_nodes(file, std::nullopt, Precision::kDouble);
     } catch (const BadFile& fault) {
         return fault.what();
     }
@@ -38,33 +38,36 @@ std::string fault_of(RawTile raw) {
 }
 
 TEST(FileMidsideNodes, TheyGoAndTheTileStays) {
-    RawTile raw = two_triangles();
-    remove_midside_nodes(raw, std::nullopt, Precision::kDouble);
-    EXPECT_EQ(raw.points.size(), 4U);
-    EXPECT_THAT(raw.corners, ::testing::ElementsAre(0, 1, 3, 0, 3, 2));
-    EXPECT_EQ(raw.vertex_pairs.size(), 3U);
-    EXPECT_EQ(finish(raw, std::nullopt, Precision::kDouble).tile.order, 2);
+    FileTileBuilder file = two_triangles();
+    remove_midside_nodes(file, std::nullopt, Precision::kDouble);
+    EXPECT_EQ(file.points.size(), 4U);
+    EXPECT_THAT(file.faces.corners, ::testing::ElementsAre(0, 1, 3, 0, 3, 2));
+    EXPECT_EQ(file.vertex_pairs.size(), 3U);
+    EXPECT_EQ(finish(file, std::nullopt, Precision::kDouble).tile.order, 2);
 }
 
 TEST(FileMidsideNodes, FaultsNameTheirLine) {
-    RawTile raw = two_triangles();
-    raw.points[6].x() += 1e-14;
-    EXPECT_THAT(fault_of(raw), HasSubstr("t:10: node 6 is not in the middle of its edge; "));
-    raw = two_triangles();
-    raw.corners[9] = 8;
-    EXPECT_THAT(fault_of(raw), HasSubstr("t:11: the edge from node 0 to node 3 has two middle"));
-    raw = two_triangles();
-    raw.corners[3] = 2;
-    EXPECT_THAT(fault_of(raw), HasSubstr("t:10: node 2 is in the middle of an edge and has a sec"));
-    raw = two_triangles();
-    raw.vertex_pairs.pop_back();
-    EXPECT_THAT(fault_of(raw), HasSubstr(" lies on the boundary, but has no partner; "));
-    raw = two_triangles();
-    raw.vertex_pairs.back().offset = {1, 1};
-    EXPECT_THAT(fault_of(raw), HasSubstr("node 8 and node 5 are paired, but are not translates; "));
-    raw = two_triangles();
-    raw.vertex_pairs.push_back({0, 6, {0, 0}});
-    EXPECT_THAT(fault_of(raw), HasSubstr("node 0 and node 6 are paired, but are not translates; "));
+    FileTileBuilder file = two_triangles();
+    file.points[6].x() += 1e-14;
+    EXPECT_THAT(fault_of(file), HasSubstr("t:10: node 6 is not in the middle of its edge; "));
+    file = two_triangles();
+    file.faces.corners[9] = 8;
+    EXPECT_THAT(fault_of(file), HasSubstr("t:11: the edge from node 0 to node 3 has two middle"));
+    file = two_triangles();
+    file.faces.corners[3] = 2;
+    EXPECT_THAT(fault_of(file),
+                HasSubstr("t:10: node 2 is in the middle of an edge and has a sec"));
+    file = two_triangles();
+    file.vertex_pairs.pop_back();
+    EXPECT_THAT(fault_of(file), HasSubstr(" lies on the boundary, but has no partner; "));
+    file = two_triangles();
+    file.vertex_pairs.back().offset = {1, 1};
+    EXPECT_THAT(fault_of(file),
+                HasSubstr("node 8 and node 5 are paired, but are not translates; "));
+    file = two_triangles();
+    file.vertex_pairs.push_back({0, 6, {0, 0}});
+    EXPECT_THAT(fault_of(file),
+                HasSubstr("node 0 and node 6 are paired, but are not translates; "));
 }
 
 /// The pieces of a text exchanged, one after the other.

@@ -7,7 +7,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/tile_builder.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
 
@@ -21,7 +21,7 @@ std::vector<Tile> tiles() {
         for (const int n : {1, 2, 3, 17}) {
             const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
             for (const PeriodicMesh& mesh : {cell_mesh(delaunay), triangle_mesh(delaunay)}) {
-                all.push_back(flatten(make_tile(mesh, whole_outline(mesh, Vec2(0, 0)))));
+                all.push_back(make_tile(mesh, whole_outline(mesh, Vec2(0, 0))));
             }
         }
     }

@@ -9,7 +9,7 @@
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/proof/validate.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/tile_builder.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
 
@@ -23,13 +23,13 @@ Tile random_tile(const Lattice& lattice, int n, MeshKind kind) {
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 4)));
     const PeriodicMesh mesh =
         kind == MeshKind::kVoronoi ? cell_mesh(delaunay) : triangle_mesh(delaunay);
-    return flatten(make_tile(mesh, whole_outline(mesh, Vec2(0, 0))));
+    return make_tile(mesh, whole_outline(mesh, Vec2(0, 0)));
 }
 
 std::vector<Eigen::Vector3d> face_points(const ExtrudedMesh& extruded, int f) {
     std::vector<Eigen::Vector3d> points;
-    for (int c = extruded.face_begin[f]; c < extruded.face_begin[f + 1]; ++c) {
-        points.push_back(extruded.points[extruded.corners[c]]);
+    for (const int v : extruded.faces[f]) {
+        points.push_back(extruded.points[v]);
     }
     return points;
 }
@@ -38,8 +38,7 @@ std::vector<Eigen::Vector3d> face_points(const ExtrudedMesh& extruded, int f) {
 std::vector<std::vector<int>> turned_faces(const Tile& tile) {
     std::vector<std::vector<int>> faces;
     for (int f = 0; f < tile.n_faces(); ++f) {
-        std::vector<int> face(tile.corners.begin() + tile.face_begin[f],
-                              tile.corners.begin() + tile.face_begin[f + 1]);
+        std::vector<int> face(tile.faces[f].begin(), tile.faces[f].end());
         std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
         faces.push_back(face);
     }
@@ -121,9 +120,10 @@ TEST(ExtrudedMesh, BrokenPlanesAreRefused) {
                 HasSubstr("law (1) of extruded meshes"));
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.points[3].z() = 1e-15; }),
                 HasSubstr("law (1) of extruded meshes"));
-    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { std::swap(s.corners[1], s.corners[2]); }),
-                HasSubstr("not an upright wall"));
-    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.corners.back() = s.corners[0]; }),
+    EXPECT_THAT(
+        fault_after([](ExtrudedMesh& s) { std::swap(s.faces.corners[1], s.faces.corners[2]); }),
+        HasSubstr("not an upright wall"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.faces.corners.back() = s.faces.corners[0]; }),
                 HasSubstr("not a prism"));
 }
 
@@ -138,15 +138,18 @@ TEST(ExtrudedMesh, FacesOutOfOrderAreRefused) {
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.owner[s.patches[0].first_face] = 12; }),
                 HasSubstr("12 and 12 faces for 13 cells"));
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) {
-                    s.face_begin[s.face_begin.size() - 13] -= 4;
-                    s.face_begin[s.face_begin.size() - 14] = s.face_begin[s.face_begin.size() - 13];
+                    s.faces.begin[s.faces.begin.size() - 13] -= 4;
+                    s.faces.begin[s.faces.begin.size() - 14] =
+                        s.faces.begin[s.faces.begin.size() - 13];
                 }),
                 HasSubstr("law ("));
-    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.corners[5] = -1; }), HasSubstr("point -1"));
+    EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.faces.corners[5] = -1; }),
+                HasSubstr("point -1"));
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) {
-                    std::rotate(s.corners.begin(), s.corners.begin() + 1, s.corners.begin() + 4);
-                    std::swap(s.corners[0], s.corners[1]);
-                    std::swap(s.corners[2], s.corners[3]);
+                    std::rotate(s.faces.corners.begin(), s.faces.corners.begin() + 1,
+                                s.faces.corners.begin() + 4);
+                    std::swap(s.faces.corners[0], s.faces.corners[1]);
+                    std::swap(s.faces.corners[2], s.faces.corners[3]);
                 }),
                 HasSubstr("law ("));
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) { --s.patches[1].n_faces; }), HasSubstr("patch"));
@@ -160,7 +163,8 @@ TEST(ExtrudedMesh, FalseSeamsAreRefused) {
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.patches[0].partner = 2; }),
                 HasSubstr("do not match each other"));
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) {
-                    const auto first = s.corners.begin() + s.face_begin[s.patches[0].first_face];
+                    const auto first =
+                        s.faces.corners.begin() + s.faces.begin[s.patches[0].first_face];
                     std::rotate(first, first + 1, first + 4);
                 }),
                 HasSubstr("do not begin at matching points"));
@@ -169,7 +173,7 @@ TEST(ExtrudedMesh, FalseSeamsAreRefused) {
 TEST(ExtrudedMesh, SwappedFacesOfASeamAreRefused) {
     ExtrudedMesh extruded = extruded_mesh(testing::grid_tile(Lattice::rectangle(1, 1), 4, 3));
     const auto first =
-        extruded.corners.begin() + extruded.face_begin[extruded.patches[0].first_face];
+        extruded.faces.corners.begin() + extruded.faces.begin[extruded.patches[0].first_face];
     std::swap_ranges(first, first + 4, first + 4);
     std::swap(extruded.owner[extruded.patches[0].first_face],
               extruded.owner[extruded.patches[0].first_face + 1]);

@@ -18,7 +18,7 @@
 #include "mesher/mesh/short_edges.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/proof/validate.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/tile_builder.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/nearest_site.hpp"
 #include "tests/support/special_sites.hpp"
@@ -68,7 +68,7 @@ void expect_torus(const PeriodicMesh& cells, const std::vector<Offset>& placemen
         area[f] += polygon_area({p, q, r});
         ASSERT_EQ(grains.triangles.site[t], cells.site[f]);
     }
-    const Tile flat = flatten(make_tile(grains.triangles, at));
+    const Tile flat = make_tile(grains.triangles, at);
     const TileProof proof = prove_tile(flat, Precision::kDouble);
     compare_vertex_pairs(flat, proof);
     compare_edge_pairs(flat, proof);

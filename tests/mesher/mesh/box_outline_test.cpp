@@ -11,7 +11,7 @@
 #include "mesher/mesh/short_edges.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/proof/validate.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/tile_builder.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
 
@@ -21,7 +21,7 @@ namespace {
 using testing::lattices;
 
 Tile box_tile(const PeriodicMesh& pieces) {
-    return flatten(make_tile(pieces, std::vector<Offset>(std::size_t(pieces.n_faces()))));
+    return make_tile(pieces, std::vector<Offset>(std::size_t(pieces.n_faces())));
 }
 
 Polygon face(const PeriodicMesh& mesh, int f) {

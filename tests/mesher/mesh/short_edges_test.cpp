@@ -9,7 +9,7 @@
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/proof/validate.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/tile_builder.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
 
@@ -38,7 +38,7 @@ int count_short(const PeriodicMesh& mesh, double shortest) {
 void expect_torus(const PeriodicMesh& mesh, const PeriodicMesh& before) {
     ASSERT_EQ(mesh.n_vertices() - mesh.n_corners() / 2 + mesh.n_faces(), 0);
     ASSERT_EQ(mesh.site, before.site);
-    const Tile flat = flatten(make_tile(mesh, whole_outline(mesh, {0, 0})));
+    const Tile flat = make_tile(mesh, whole_outline(mesh, {0, 0}));
     const TileProof proof = prove_tile(flat, Precision::kDouble);
     compare_vertex_pairs(flat, proof);
     compare_edge_pairs(flat, proof);

@@ -19,9 +19,10 @@ const Lattice kSkewed({1, 0}, {7, 1});
 
 /// Returns a unit square whose lower side is split at x = `cut`.
 Tile split_square(double cut) {
-    Tile tile{Lattice::rectangle(1, 1), MeshKind::kVoronoi, {}, {0, 5}, {}, {0}, {}, {}, {}};
+    Tile tile{.lattice = Lattice::rectangle(1, 1), .kind = MeshKind::kVoronoi};
     tile.points = {{0, 0}, {cut, 0}, {1, 0}, {1, 1}, {0, 1}};
-    tile.corners = {0, 1, 2, 3, 4};
+    tile.faces.add(std::vector{0, 1, 2, 3, 4});
+    tile.face_site = {0};
     return tile;
 }
 
@@ -52,9 +53,9 @@ TEST(VertexValences, FlippedEdgeMovesOneTriangleFromTwoSitesToTwoOthers) {
     // Flip the diagonal of the parallelogram (1, 1) with the vertices 6, 7, 12, 11, all off the
     // seam.
     const int first = 3 * 2 * 5;
-    ASSERT_EQ(tile.corners[first], 6);
+    ASSERT_EQ(tile.faces.corners[first], 6);
     const std::vector<int> flipped = {6, 7, 11, 7, 12, 11};
-    std::copy(flipped.begin(), flipped.end(), tile.corners.begin() + first);
+    std::copy(flipped.begin(), flipped.end(), tile.faces.corners.begin() + first);
     const std::vector<int> valence = vertex_valences(tile);
     EXPECT_EQ(valence[6], 5);
     EXPECT_EQ(valence[12], 5);

@@ -98,20 +98,20 @@ TEST(ProveTileFaces, NeedFiniteCoordinates) {
 
 TEST(ProveTileFaces, NeedThreeDistinctCornersThatExist) {
     Tile tile = grid_tile(kUnit, 2, 2);
-    tile.corners[1] = tile.corners[0];
+    tile.faces.corners[1] = tile.faces.corners[0];
     EXPECT_THAT(refusal(tile),
                 AllOf(HasSubstr("law (1)"), HasSubstr("face 0"), HasSubstr("twice")));
-    tile.corners[1] = tile.corners[3];
+    tile.faces.corners[1] = tile.faces.corners[3];
     EXPECT_THAT(refusal(tile),
                 AllOf(HasSubstr("law (1)"), HasSubstr("meets vertex 3 more than once")));
     for (const int v : {-1, 9}) {
-        tile.corners[1] = v;
+        tile.faces.corners[1] = v;
         EXPECT_THAT(refusal(tile), HasSubstr("names vertex " + std::to_string(v)));
     }
     tile = grid_tile(kUnit, 2, 2);
     tile.points.push_back({0.3, 0.3});
     EXPECT_THAT(refusal(tile), HasSubstr("vertex 9 belongs to no face"));
-    tile.face_begin = {0, 2, 8, 12, 16};
+    tile.faces.begin = {0, 2, 8, 12, 16};
     EXPECT_THAT(refusal(tile), HasSubstr("face 0 has 2 corners"));
 }
 
@@ -170,11 +170,11 @@ TEST(ProveTileSeam, LatticeScaledByOneInABillionIsRefused) {
 }
 
 void erase_face(Tile& tile, int f) {
-    const auto begin = tile.corners.begin() + tile.face_begin[f];
+    const auto begin = tile.faces.corners.begin() + tile.faces.begin[f];
     const int size = tile.face_size(f);
-    tile.corners.erase(begin, begin + size);
-    tile.face_begin.erase(tile.face_begin.begin() + f);
-    for (std::size_t g = f; g < tile.face_begin.size(); ++g) tile.face_begin[g] -= size;
+    tile.faces.corners.erase(begin, begin + size);
+    tile.faces.begin.erase(tile.faces.begin.begin() + f);
+    for (std::size_t g = f; g < tile.faces.begin.size(); ++g) tile.faces.begin[g] -= size;
 }
 
 TEST(ProveTileSeam, MissingFaceIsRefusedInsideAndAtTheBoundary) {
@@ -185,14 +185,11 @@ TEST(ProveTileSeam, MissingFaceIsRefusedInsideAndAtTheBoundary) {
     }
 }
 
-void append_face(Tile& tile, const std::vector<int>& corners) {
-    tile.corners.insert(tile.corners.end(), corners.begin(), corners.end());
-    tile.face_begin.push_back(static_cast<int>(tile.corners.size()));
-}
+void append_face(Tile& tile, const std::vector<int>& corners) { tile.faces.add(corners); }
 
 TEST(ProveTileSeam, DoubledFaceIsRefused) {
     Tile tile = grid_tile(kUnit, 4, 4);
-    append_face(tile, {tile.corners.begin() + 20, tile.corners.begin() + 24});
+    append_face(tile, {tile.faces.corners.begin() + 20, tile.faces.corners.begin() + 24});
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("face 5"),
                                      HasSubstr("face 16"), HasSubstr("same direction")));
 }
@@ -206,27 +203,28 @@ TEST(ProveTileSeam, FaceOnItsImageIsRefused) {
 
 TEST(ProveTileSeam, TurnedFaceIsRefused) {
     Tile tile = grid_tile(kUnit, 4, 4);
-    std::reverse(tile.corners.begin() + 20, tile.corners.begin() + 24);
+    std::reverse(tile.faces.corners.begin() + 20, tile.faces.corners.begin() + 24);
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("face 5")));
 }
 
 TEST(ProveTileSeam, SwappedCornersAreRefused) {
     Tile tile = grid_tile(kUnit, 4, 4);
-    std::swap(tile.corners[20], tile.corners[21]);
+    std::swap(tile.faces.corners[20], tile.faces.corners[21]);
     EXPECT_THAT(refusal(tile), HasSubstr("law (2)"));
 }
 
 TEST(ProveTileSeam, EdgeSplitOnOneSideOnlyIsRefused) {
     for (const double height : {0.0, 0.25, 1.0}) {
         Tile tile = grid_tile(kUnit, 1, 4);
-        const auto corner = std::find_if(tile.corners.begin(), tile.corners.end(),
+        const auto corner = std::find_if(tile.faces.corners.begin(), tile.faces.corners.end(),
                                          [&](int v) { return tile.points[v] == Vec2(0, height); });
         tile.points.push_back({0.5, height});
         // Add a corner to the face whose last edge (height 1) or first edge is split.
-        const auto face = (corner - tile.corners.begin()) / 4;
+        const auto face = (corner - tile.faces.corners.begin()) / 4;
         const int place = height == 1.0 ? 3 : 1;
-        tile.corners.insert(tile.corners.begin() + 4 * face + place, tile.n_vertices() - 1);
-        for (int f = static_cast<int>(face) + 1; f <= 4; ++f) ++tile.face_begin[f];
+        tile.faces.corners.insert(tile.faces.corners.begin() + 4 * face + place,
+                                  tile.n_vertices() - 1);
+        for (int f = static_cast<int>(face) + 1; f <= 4; ++f) ++tile.faces.begin[f];
         EXPECT_THAT(refusal(tile), HasSubstr("law (2)")) << height;
     }
 }
@@ -341,7 +339,7 @@ TEST(ProveTileInSinglePrecision, VertexTenTolerancesOffIsRefused) {
 
 void break_at_random(Tile& tile, std::mt19937& random) {
     const int f = static_cast<int>(random() % tile.n_faces());
-    const auto begin = tile.corners.begin() + tile.face_begin[f];
+    const auto begin = tile.faces.corners.begin() + tile.faces.begin[f];
     const int size = tile.face_size(f);
     switch (random() % 6) {
         case 0:

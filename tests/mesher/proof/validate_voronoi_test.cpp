@@ -79,8 +79,8 @@ std::vector<Centroid> images_of_centroids(const Tile& tile, int reach) {
     std::vector<Centroid> images;
     for (int f = 0; f < tile.n_faces(); ++f) {
         Polygon polygon;
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            polygon.push_back(tile.points[tile.corners[c]]);
+        for (const int v : tile.faces[f]) {
+            polygon.push_back(tile.points[v]);
         }
         for (int i = -reach; i <= reach; ++i) {
             for (int j = -reach; j <= reach; ++j) {
@@ -98,8 +98,8 @@ double brute_force_excess(const Tile& tile) {
     const std::vector<Centroid> own = images_of_centroids(tile, 0);
     double excess = 0;
     for (int f = 0; f < tile.n_faces(); ++f) {
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            const Vec2& corner = tile.points[tile.corners[c]];
+        for (int c = tile.faces.begin[f]; c < tile.faces.begin[f + 1]; ++c) {
+            const Vec2& corner = tile.points[tile.faces.corners[c]];
             for (const Centroid& image : images) {
                 excess = std::max(
                     excess, (corner - own[f].position).norm() - (corner - image.position).norm());

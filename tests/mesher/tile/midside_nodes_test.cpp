@@ -7,7 +7,7 @@
 
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/tile/tile_builder.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
@@ -16,7 +16,7 @@ namespace {
 Tile triangles(const Lattice& lattice, int n) {
     const PeriodicMesh mesh =
         triangle_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, 3))));
-    return flatten(make_tile(mesh, whole_outline(mesh, {0, 0})));
+    return make_tile(mesh, whole_outline(mesh, {0, 0}));
 }
 
 // Law 1.
@@ -26,7 +26,7 @@ TEST(MidsideNodes, EachEdgeHasOneNodeThatItsFacesShare) {
     std::map<std::set<int>, int> node_of;
     for (int c = 0; c < 3 * tile.n_faces(); ++c) {
         const int next = c % 3 == 2 ? c - 2 : c + 1;
-        const std::set<int> ends{tile.corners[c], tile.corners[next]};
+        const std::set<int> ends{tile.faces.corners[c], tile.faces.corners[next]};
         const int node = node_of.emplace(ends, nodes.of_corner[c]).first->second;
         EXPECT_EQ(node, nodes.of_corner[c]);
     }
@@ -61,7 +61,8 @@ TEST(MidsideNodes, NodesStandInTheMiddleOfTheirEdges) {
     const MidsideNodes nodes = midside_nodes(tile);
     for (int c = 0; c < 3 * tile.n_faces(); ++c) {
         const int next = c % 3 == 2 ? c - 2 : c + 1;
-        const Vec2 middle = (tile.points[tile.corners[c]] + tile.points[tile.corners[next]]) / 2;
+        const Vec2 middle =
+            (tile.points[tile.faces.corners[c]] + tile.points[tile.faces.corners[next]]) / 2;
         EXPECT_LT((nodes.points[nodes.of_corner[c] - tile.n_vertices()] - middle).norm(), 1e-15);
     }
     for (std::size_t k = 0; k < tile.edge_pairs.size(); ++k) {

@@ -1,108 +1,68 @@
 #include "mesher/tile/openmesh_tile.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
-#include <random>
+#include <functional>
 
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/valence.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/mesh/voronoi.hpp"
-#include "mesher/proof/validate.hpp"
-#include "mesher/tile/tile_valence.hpp"
+#include "mesher/tile/build_tile.hpp"
+#include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
-#include "tests/support/special_sites.hpp"
+#include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::lattices;
-using testing::random_lattice;
 
-OpenMeshTile tile_of(const PeriodicMesh& mesh, const Vec2& origin = {0, 0}) {
-    return make_tile(mesh, whole_outline(mesh, origin));
+/// Every kind in every outline that it has.
+std::vector<Tile> tiles_of(const PeriodicDelaunay& delaunay) {
+    std::vector<Tile> tiles;
+    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
+        for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+            if (kind == MeshKind::kDelaunay && outline == Outline::kBox) continue;
+            tiles.push_back(build_tile(delaunay, {.kind = kind, .outline = outline}).tile);
+        }
+    }
+    return tiles;
 }
 
-/// Laws 3 to 5, by the proof that also stands behind `pcvt check`.
-void expect_proof(const PeriodicMesh& mesh, const Vec2& origin = {0, 0}) {
-    const Tile flat = flatten(tile_of(mesh, origin));
-    const TileProof proof = prove_tile(flat, Precision::kDouble);
-    compare_vertex_pairs(flat, proof);
-    compare_edge_pairs(flat, proof);
-    ASSERT_EQ(flat.n_faces(), mesh.n_faces());
-    ASSERT_EQ(proof.n_orbits, mesh.n_vertices());
+void expect_same_arrays(const Tile& tile) {
+    const Tile back = pcvt::tile(openmesh_tile(tile));
+    testing::expect_same_tile(back, tile);
+    EXPECT_EQ(back.site_points, tile.site_points);
+    EXPECT_EQ(back.whole_sides, tile.whole_sides);
+    EXPECT_EQ(back.order, tile.order);
 }
 
-void expect_proofs(const Sites& sites, const Vec2& origin = {0, 0}) {
-    const PeriodicDelaunay delaunay(sites);
-    expect_proof(cell_mesh(delaunay), origin);
-    expect_proof(triangle_mesh(delaunay), origin);
-}
-
-TEST(Tile, IsProvedFromOneSiteOnOnEveryLattice) {
+TEST(OpenMeshTile, OfEveryKindAndOutlineGivesTheArraysBack) {
     for (const auto& [name, lattice] : lattices()) {
-        for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 30, 300}) {
+        for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 40}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
-            expect_proofs(Sites(lattice, uniform_points(lattice, n, 1)));
+            const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 7)));
+            for (const Tile& tile : tiles_of(delaunay)) expect_same_arrays(tile);
         }
     }
 }
 
-TEST(Tile, IsProvedWhereSitesAreCocircularOrOnTheSeam) {
-    for (const auto& [name, sites] : testing::special_sites()) {
-        SCOPED_TRACE(name);
-        expect_proofs(sites);
-    }
+TEST(OpenMeshTile, KeepsWhatFilesLeaveOut) {
+    Tile cells = testing::grid_tile(Lattice::rectangle(1, 1), 3, 2);
+    cells.edge_pairs = pcvt::tile(openmesh_tile(cells)).edge_pairs;
+    expect_same_arrays(cells);
+    cells.site_points.clear();
+    expect_same_arrays(cells);
+    cells.face_site.clear();
+    expect_same_arrays(cells);
+    Tile grains =
+        build_tile(PeriodicDelaunay(Sites(cells.lattice, uniform_points(cells.lattice, 3, 1))),
+                   {.kind = MeshKind::kGrains, .order = 2, .columns = 2})
+            .tile;
+    expect_same_arrays(grains);
 }
 
-Sites sites_on_a_circle(int n) {
-    Points points(2, n);
-    for (int k = 0; k < n; ++k) {
-        const double angle = 2 * M_PI * k / n;
-        points.col(k) << 0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle);
-    }
-    return {Lattice::rectangle(1, 1), points};
-}
-
-// Merging may spread one vertex over more than the smallest cells near it.
-TEST(Tile, OfThousandsOfSitesOnACircleIsProvedOrRefused) {
-    expect_proofs(sites_on_a_circle(300));
-    for (const int n : {2900, 3000, 5000}) {
-        try {
-            expect_proofs(sites_on_a_circle(n));
-        } catch (const NotATile& error) {
-            FAIL() << n << ": " << error.what();
-        } catch (const InvalidInput&) {
-        }
-    }
-}
-
-// "Faces whose centre lies in the domain" is no disc in 4 to 10 % of such cases.
-TEST(Tile, IsADiscForRandomSmallInputs) {
-    std::mt19937_64 random(5);
-    for (int k = 0; k < 1500; ++k) {
-        const Lattice lattice = random_lattice(random);
-        const Points points = uniform_points(lattice, 1 + k % 15, random());
-        SCOPED_TRACE("input " + std::to_string(k));
-        expect_proofs(Sites(lattice, points), points.col(0) * (k % 3));
-        if (HasFatalFailure()) return;
-    }
-}
-
-TEST(Tile, IsProvedWhenRepeated) {
-    for (const auto& [name, lattice] : lattices()) {
-        for (const auto& [columns, rows] : {std::pair(2, 3), std::pair(4, 1), std::pair(1, 2)}) {
-            SCOPED_TRACE(name);
-            const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 5, 6)));
-            const PeriodicMesh cells = repeated(cell_mesh(delaunay), columns, rows);
-            ASSERT_EQ(cells.n_faces(), 5 * columns * rows);
-            ASSERT_EQ(cells.site[7], 2);
-            expect_proof(cells);
-            expect_proof(repeated(triangle_mesh(delaunay), columns, rows));
-        }
-    }
-}
-
-// Laws 1 and 2 on the OpenMesh structure itself.
+// Laws 1 and 2.
 template <class Mesh>
 void expect_matched_boundary(const OpenMeshTileOf<Mesh>& tile) {
     const Mesh& mesh = tile.mesh;
@@ -128,66 +88,86 @@ void expect_matched_boundary(const OpenMeshTileOf<Mesh>& tile) {
     ASSERT_GT(n_boundary, 0);
 }
 
-TEST(Seam, PartnerOfPartnerIsItselfAndRunsTheOtherWay) {
+TEST(OpenMeshTile, PartnerOfPartnerIsItselfAndRunsTheOtherWay) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 40}) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
             const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 7)));
-            expect_matched_boundary(std::get<CellTile>(tile_of(cell_mesh(delaunay))));
-            expect_matched_boundary(std::get<TriangleTile>(tile_of(triangle_mesh(delaunay))));
+            for (const Tile& tile : tiles_of(delaunay)) {
+                std::visit([](const auto& any) { expect_matched_boundary(any); },
+                           openmesh_tile(tile));
+            }
         }
     }
 }
 
-TEST(Seam, PositionsAreRepresentativePlusTranslation) {
-    const Lattice lattice({1, 0}, {0.37, 0.81});
-    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 20, 8)));
-    const Tile flat = flatten(tile_of(cell_mesh(delaunay)));
-    ASSERT_FALSE(flat.vertex_pairs.empty());
-    for (const VertexPair& pair : flat.vertex_pairs) {
-        EXPECT_LT(pair.v, pair.w);
-        const Vec2 expected = flat.points[pair.v] + lattice.translation(pair.offset);
-        EXPECT_LT((flat.points[pair.w] - expected).cwiseAbs().maxCoeff(), 0x1p-51);
+std::string fault_of_arrays(const std::function<void(Tile&)>& damage) {
+    Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    damage(tile);
+    try {
+        openmesh_tile(tile);
+    } catch (const InvalidInput& fault) {
+        return fault.what();
     }
+    return "";
 }
 
-TEST(Outline, StaysCompact) {
-    const Lattice unit = Lattice::rectangle(1, 1);
-    const PeriodicDelaunay delaunay(Sites(unit, uniform_points(unit, 1000, 9)));
-    const Tile flat = flatten(tile_of(cell_mesh(delaunay), {-0.5, 0.25}));
-    for (const Vec2& p : flat.points) {
-        EXPECT_GT((p - Vec2(-0.5, 0.25)).minCoeff(), -0.15);
-        EXPECT_LT((p - Vec2(-0.5, 0.25)).maxCoeff(), 1.15);
-    }
+TEST(OpenMeshTile, RefusesArraysThatItCannotHold) {
+    EXPECT_EQ(fault_of_arrays([](Tile&) {}), "");
+    EXPECT_THAT(fault_of_arrays([](Tile& t) { t.faces.corners[1] = 99; }),
+                HasSubstr("vertex 99 does not exist"));
+    EXPECT_THAT(fault_of_arrays([](Tile& t) { t.edge_pairs.pop_back(); }),
+                HasSubstr("the pairs lack the boundary edge from "));
+    EXPECT_THAT(fault_of_arrays([](Tile& t) { t.edge_pairs.push_back(t.edge_pairs[0]); }),
+                HasSubstr("two pairs name the edge from "));
+    EXPECT_THAT(fault_of_arrays([](Tile& t) { t.edge_pairs[0].v0 = 4; }),
+                HasSubstr("which is not on the boundary"));
+    EXPECT_THAT(fault_of_arrays([](Tile& t) { t.kind = MeshKind::kGrains; }),
+                HasSubstr("face 0 has 4 corners"));
+    EXPECT_THAT(fault_of_arrays([](Tile& t) { t.copies = {0}; }), HasSubstr("copies"));
+    ::testing::internal::CaptureStderr();
+    EXPECT_THAT(fault_of_arrays([](Tile& t) { t.faces.add(t.faces[0]); }),
+                HasSubstr("face 4 and those before it form no surface"));
+    ::testing::internal::GetCapturedStderr();
 }
 
-TEST(Tile, CellsHaveTheirSidesOnTheTorus) {
-    for (const auto& [name, lattice] : lattices()) {
-        const PeriodicMesh cells =
-            cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, 25, 11))));
-        EXPECT_EQ(cell_sides(flatten(tile_of(cells))), cell_sides(cells)) << name;
+std::string fault_of_mesh(const std::function<void(CellTile&)>& damage) {
+    OpenMeshTile any = openmesh_tile(testing::grid_tile(Lattice::rectangle(1, 1), 2, 2));
+    damage(std::get<CellTile>(any));
+    try {
+        pcvt::tile(any);
+    } catch (const InvalidInput& fault) {
+        return fault.what();
     }
+    return "";
 }
 
-TEST(Tile, FacesAndVerticesKnowTheirSites) {
-    const Lattice lattice({1, 0}, {7, 1});
-    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 12, 10)));
-    const Tile cells = flatten(tile_of(cell_mesh(delaunay)));
-    const Tile moved = flatten(tile_of(cell_mesh(delaunay), {40, -30}));
-    for (int f = 0; f < cells.n_faces(); ++f) {
-        EXPECT_EQ(cells.face_site[f], f);
-        const Vec2 from_corner =
-            cells.site_points[f] - cells.points[cells.corners[cells.face_begin[f]]];
-        const Vec2 there = moved.site_points[f] - moved.points[moved.corners[moved.face_begin[f]]];
-        EXPECT_LT(from_corner.norm(), 1);
-        EXPECT_LT((there - from_corner).norm(), 1e-13);
+OpenMesh::HalfedgeHandle boundary_of(const CellTile& tile) {
+    for (const auto h : tile.mesh.halfedges()) {
+        if (tile.mesh.is_boundary(h)) return h;
     }
-    const Tile triangles = flatten(tile_of(triangle_mesh(delaunay)));
-    for (int v = 0; v < triangles.n_vertices(); ++v) {
-        const Vec2 d = triangles.points[v] - delaunay.sites().position(triangles.vertex_site[v]);
-        const Vec2 u = lattice.to_lattice(d);
-        EXPECT_LT((u - u.array().round().matrix()).norm(), 1e-13);
-    }
+    return OpenMesh::HalfedgeHandle();
+}
+
+TEST(OpenMeshTile, RefusesPropertiesThatContradictEachOther) {
+    EXPECT_EQ(fault_of_mesh([](CellTile&) {}), "");
+    EXPECT_THAT(fault_of_mesh([](CellTile& t) {
+                    t.mesh.property(t.identification.partner, boundary_of(t)) = -1;
+                }),
+                HasSubstr("which does not answer it"));
+    EXPECT_THAT(fault_of_mesh([](CellTile& t) {
+                    t.mesh.property(t.identification.partner_offset, boundary_of(t))[0] += 1;
+                }),
+                HasSubstr("which does not answer it"));
+    EXPECT_THAT(fault_of_mesh([](CellTile& t) {
+                    t.mesh.property(t.identification.orbit, OpenMesh::VertexHandle(8)) = 7;
+                }),
+                HasSubstr("vertex 8 has the orbit 7, which is no representative"));
+    EXPECT_THAT(fault_of_mesh([](CellTile& t) {
+                    t.mesh.property(t.identification.face_site, OpenMesh::FaceHandle(1)) = -1;
+                }),
+                HasSubstr("only 3 of 4 faces have sites"));
+    EXPECT_THAT(fault_of_mesh([](CellTile& t) { t.mesh.clean(); }), HasSubstr("it has no face"));
 }
 
 }  // namespace

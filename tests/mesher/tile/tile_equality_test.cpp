@@ -19,12 +19,9 @@ const Lattice kOblique({1, 0}, {0.37, 0.81});
 /// The tile with its faces from the last to the first.
 Tile faces_reversed(const Tile& tile) {
     Tile reversed = tile;
-    reversed.face_begin = {0};
-    reversed.corners.clear();
+    reversed.faces = {};
     for (int f = tile.n_faces() - 1; f >= 0; --f) {
-        reversed.corners.insert(reversed.corners.end(), tile.corners.begin() + tile.face_begin[f],
-                                tile.corners.begin() + tile.face_begin[f + 1]);
-        reversed.face_begin.push_back(static_cast<int>(reversed.corners.size()));
+        reversed.faces.add(tile.faces[f]);
     }
     return reversed;
 }
@@ -32,7 +29,7 @@ Tile faces_reversed(const Tile& tile) {
 TEST(SameGeometry, TheOrderOfFacesDoesNotMatter) {
     for (const Tile& tile : {grid_tile(kOblique, 5, 6), triangle_grid_tile(kOblique, 3, 2)}) {
         const Tile reversed = faces_reversed(tile);
-        EXPECT_NE(reversed.corners, tile.corners);
+        EXPECT_NE(reversed.faces.corners, tile.faces.corners);
         EXPECT_TRUE(same_geometry(tile, tile));
         EXPECT_TRUE(same_geometry(reversed, tile));
         EXPECT_TRUE(same_geometry(tile, reversed));
@@ -43,9 +40,9 @@ TEST(SameGeometry, NoNumberMayDiffer) {
     const Tile tile = grid_tile(kOblique, 5, 6);
     for (const bool in_order : {true, false}) {
         const Tile same = in_order ? tile : faces_reversed(tile);
-        for (std::size_t c = 0; c < same.corners.size(); ++c) {
+        for (std::size_t c = 0; c < same.faces.corners.size(); ++c) {
             Tile other = same;
-            other.corners[c] = (other.corners[c] + 1) % other.n_vertices();
+            other.faces.corners[c] = (other.faces.corners[c] + 1) % other.n_vertices();
             EXPECT_FALSE(same_geometry(other, tile)) << c;
         }
         for (std::size_t v = 0; v < same.points.size(); ++v) {
@@ -63,15 +60,15 @@ TEST(SameGeometry, NoNumberMayDiffer) {
 TEST(SameGeometry, FacesMayBeNeitherRepeatedNorRegroupedNorLacking) {
     const Tile tile = grid_tile(kOblique, 5, 6);
     Tile repeated = tile;
-    std::copy_n(tile.corners.begin(), tile.face_begin[1],
-                repeated.corners.begin() + tile.face_begin[7]);
+    std::copy_n(tile.faces.corners.begin(), tile.faces.begin[1],
+                repeated.faces.corners.begin() + tile.faces.begin[7]);
     EXPECT_FALSE(same_geometry(repeated, tile));
     Tile regrouped = tile;
-    ++regrouped.face_begin[3];
+    ++regrouped.faces.begin[3];
     EXPECT_FALSE(same_geometry(regrouped, tile));
     Tile lacking = tile;
-    lacking.face_begin.pop_back();
-    lacking.corners.resize(static_cast<std::size_t>(lacking.face_begin.back()));
+    lacking.faces.begin.pop_back();
+    lacking.faces.corners.resize(static_cast<std::size_t>(lacking.faces.begin.back()));
     EXPECT_FALSE(same_geometry(lacking, tile));
 }
 
@@ -79,11 +76,11 @@ TEST(SameGeometry, FacesOutOfTheirListsAreNoFacesOfATile) {
     const Tile tile = grid_tile(kOblique, 2, 2);
     for (const int v : {-1, tile.n_vertices()}) {
         Tile outside = tile;
-        outside.corners.back() = v;
+        outside.faces.corners.back() = v;
         EXPECT_FALSE(same_geometry(outside, tile));
     }
     Tile hollow = tile;
-    hollow.face_begin[1] = 0;
+    hollow.faces.begin[1] = 0;
     EXPECT_FALSE(same_geometry(hollow, tile));
 }
 

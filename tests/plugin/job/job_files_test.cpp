@@ -20,7 +20,7 @@ TEST(JobFiles, CompanionsFollowTheirFile) {
     ASSERT_EQ(files.size(), 2U);
     EXPECT_THAT(files[0].paths, ElementsAre("t.obj", "t.mtl", "t.seam.json"));
     EXPECT_THAT(files[1].paths, ElementsAre("s.txt"));
-    EXPECT_EQ(files[1].format, nullptr);
+    EXPECT_FALSE(files[1].format->needs_tile());
 }
 
 TEST(JobFiles, EachMeshHasASeparateFileAndTheSitesHaveOne) {
@@ -43,7 +43,7 @@ TEST(JobFiles, ACaseIsAFolderAndTheCGridOneForAllMeshes) {
     ASSERT_EQ(files.size(), 3U);
     EXPECT_EQ(files[0].folder, "t-delaunay.foam");
     EXPECT_EQ(files[0].paths.front(), "t-delaunay.foam/constant/polyMesh/points");
-    EXPECT_EQ(files[2].content, JobContent::kMpasGrid);
+    EXPECT_TRUE(files[2].format->reads_grid());
     EXPECT_THAT(files[2].paths, ElementsAre("t.nc"));
 }
 

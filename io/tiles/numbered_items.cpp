@@ -1,10 +1,11 @@
-#include "io/tiles/numbered_tile.hpp"
+#include "io/tiles/numbered_items.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
 
 namespace pcvt {
@@ -68,50 +69,50 @@ Offset offset_of(const Lattice& lattice, const Vec2& translation, const std::str
 
 class Resolver {
    public:
-    Resolver(NumberedTile& numbered, const std::optional<Lattice>& lattice)
-        : numbered_(numbered), raw_(numbered.raw) {
-        if (!raw_.lattice) raw_.lattice = lattice;
-        sort_by_number(numbered.nodes, raw_.name, "node");
-        sort_by_number(numbered.triangles, raw_.name, "element");
+    Resolver(FileTileBuilder& file, const std::optional<Lattice>& lattice)
+        : numbered_(file.numbered), file_(file) {
+        if (!file_.lattice) file_.lattice = lattice;
+        sort_by_number(numbered_.nodes, file_.name, "node");
+        sort_by_number(numbered_.triangles, file_.name, "element");
     }
 
     void resolve() {
-        for (const NumberedTile::Node& node : numbered_.nodes) raw_.points.push_back(node.point);
-        for (const NumberedTile::Triangle& triangle : numbered_.triangles) {
+        for (const NumberedItems::Node& node : numbered_.nodes) file_.points.push_back(node.point);
+        for (const NumberedItems::Triangle& triangle : numbered_.triangles) {
             std::vector<int> corners;
             for (const int number : triangle.nodes) corners.push_back(node(number, triangle.line));
-            raw_.add_face(corners, triangle.line);
+            file_.add_face(corners, triangle.line);
         }
         take_sites();
-        if (raw_.lattice) take_pairs();
+        if (file_.lattice) take_pairs();
         if (is_second_order()) {
             require_middles_of_edges();
-            remove_midside_nodes(raw_, std::nullopt, Precision::kDouble);
+            remove_midside_nodes(file_, std::nullopt, Precision::kDouble);
         }
     }
 
    private:
     int node(int number, int line) const {
-        return place(numbered_.nodes, number, raw_.name, line, "node");
+        return place(numbered_.nodes, number, file_.name, line, "node");
     }
 
     /// All triangles have six nodes; refused where only some have.
     bool is_second_order() const {
         const auto& triangles = numbered_.triangles;
         const auto other =
-            std::find_if(triangles.begin(), triangles.end(), [&](const NumberedTile::Triangle& t) {
+            std::find_if(triangles.begin(), triangles.end(), [&](const NumberedItems::Triangle& t) {
                 return t.nodes.size() != triangles.front().nodes.size();
             });
         if (other != triangles.end()) {
-            throw_bad_file(raw_.name, other->line,
+            throw_bad_file(file_.name, other->line,
                            "triangles of two orders; give a mesh of one order");
         }
         return !triangles.empty() && triangles.front().nodes.size() == 6;
     }
 
     void require_middles_of_edges() const {
-        const std::vector<MidsideNode> edges = file_midside_nodes(raw_);
-        for (const NumberedTile::Edge& edge : numbered_.edges) {
+        const std::vector<MidsideNode> edges = file_midside_nodes(file_);
+        for (const NumberedItems::Edge& edge : numbered_.edges) {
             const auto [low, high] =
                 std::minmax({node(edge.nodes[0], edge.line), node(edge.nodes[1], edge.line)});
             const auto found =
@@ -124,50 +125,52 @@ class Resolver {
                 continue;
             }
             throw_bad_file(
-                raw_.name, edge.line,
+                file_.name, edge.line,
                 "the line is no edge of a triangle with its middle node; correct its nodes");
         }
     }
 
     void take_sites() {
-        if (!raw_.sites.empty()) return;
+        if (!file_.sites.empty()) return;
         const bool of_nodes = !numbered_.node_sites.empty();
         const auto& sites = of_nodes ? numbered_.node_sites : numbered_.triangle_sites;
-        raw_.sites.assign(sites.size(), -1);
-        for (const NumberedTile::SiteOf& item : sites) {
-            const int owner =
-                of_nodes ? node(item.number, item.line)
-                         : place(numbered_.triangles, item.number, raw_.name, item.line, "element");
-            if (owner >= static_cast<int>(sites.size()) || raw_.sites[owner] >= 0) {
-                throw_bad_file(raw_.name, item.line, "the sites are unclear; give each item one");
+        file_.sites.assign(sites.size(), -1);
+        for (const NumberedItems::SiteOf& item : sites) {
+            const int owner = of_nodes ? node(item.number, item.line)
+                                       : place(numbered_.triangles, item.number, file_.name,
+                                               item.line, "element");
+            if (owner >= static_cast<int>(sites.size()) || file_.sites[owner] >= 0) {
+                throw_bad_file(file_.name, item.line, "the sites are unclear; give each item one");
             }
-            raw_.sites[owner] = item.site;
+            file_.sites[owner] = item.site;
         }
     }
 
     void take_pairs() {
-        for (const NumberedTile::Link& link : numbered_.links) {
-            raw_.vertex_pairs.push_back(
+        for (const NumberedItems::Link& link : numbered_.links) {
+            file_.vertex_pairs.push_back(
                 {node(link.master, link.line), node(link.slave, link.line),
-                 offset_of(*raw_.lattice, link.translation, raw_.name, link.line)});
+                 offset_of(*file_.lattice, link.translation, file_.name, link.line)});
         }
-        for (const NumberedTile::Edge& edge : numbered_.edges) {
+        for (const NumberedItems::Edge& edge : numbered_.edges) {
             const auto at = [&](int k) { return node(edge.nodes[k], edge.line); };
-            raw_.edge_pairs.push_back(
-                {at(0), at(1), at(2), at(3),
-                 offset_of(*raw_.lattice, edge.translation, raw_.name, edge.line)});
+            file_.edge_pairs.push_back(
+                {.v0 = at(0),
+                 .v1 = at(1),
+                 .w0 = at(2),
+                 .w1 = at(3),
+                 .offset = offset_of(*file_.lattice, edge.translation, file_.name, edge.line)});
         }
     }
 
-    NumberedTile& numbered_;
-    RawTile& raw_;
+    NumberedItems& numbered_;
+    FileTileBuilder& file_;
 };
 
 }  // namespace
 
-TileFile finish(NumberedTile numbered, const std::optional<Lattice>& lattice) {
-    Resolver(numbered, lattice).resolve();
-    return finish(std::move(numbered.raw), lattice, Precision::kDouble);
+void resolve_numbers(FileTileBuilder& builder, const std::optional<Lattice>& lattice) {
+    Resolver(builder, lattice).resolve();
 }
 
 }  // namespace pcvt

@@ -1,42 +1,15 @@
-#include "plugin/job/job_proof.hpp"
+#include "io/file_proof.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
-#include "io/mpas/mpas_reader.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
+#include "mesher/proof/generated_tile.hpp"
 #include "mesher/tile/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
-
-/// The proof compares positions within this many ulps of the largest coordinate.
-constexpr double kUlps = 4;
-/// A tile whose smallest feature is this many times that rounding keeps its laws.
-constexpr double kResolved = 1e3;
-
-double shortest_edge(const Tile& tile) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (int f = 0; f < tile.n_faces(); ++f) {
-        Vec2 from = tile.points[tile.corners[tile.face_begin[f + 1] - 1]];
-        for (int c = tile.face_begin[f]; c < tile.face_begin[f + 1]; ++c) {
-            const Vec2 to = tile.points[tile.corners[c]];
-            shortest = std::min(shortest, (to - from).norm());
-            from = to;
-        }
-    }
-    return shortest;
-}
-
-bool fits_single_precision(const Tile& tile) {
-    double largest = 0;
-    for (const Vec2& point : tile.points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
-    const double smallest = std::min({shortest_edge(tile), reduce(tile.lattice).reduced.a().norm(),
-                                      std::sqrt(tile.lattice.area() / tile.n_faces())});
-    return kResolved * kUlps * largest * double(std::numeric_limits<float>::epsilon()) <= smallest;
-}
 
 std::vector<EdgePair> sorted(std::vector<EdgePair> pairs) {
     std::sort(pairs.begin(), pairs.end());
@@ -64,17 +37,6 @@ void prove_with_pairs(const TileFile& file) {
 
 }  // namespace
 
-TileProof verify_generated_tile(const Tile& tile) {
-    try {
-        TileProof proof = prove_tile(tile, Precision::kDouble);
-        compare_vertex_pairs(tile, proof);
-        compare_edge_pairs(tile, proof);
-        return proof;
-    } catch (const NotATile& error) {
-        throw InternalError(std::string("the tile breaks a law of tiles: ") + error.what());
-    }
-}
-
 void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& files) {
     for (const EncodedFile& file : files) {
         if (outputs.holds(file.path, file.bytes)) continue;
@@ -82,12 +44,12 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
     }
 }
 
-void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                 const Tile& original, const Vec2& origin) {
+void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+                      const Tile& original, const Vec2& origin) {
     const std::string& path = files.front().path;
     Precision precision = Precision::kDouble;
     try {
-        const TileFile file = format.decode(files, std::nullopt);
+        const TileFile file = decode_tile(format, files, std::nullopt);
         precision = file.precision;
         if (!is_the_same(file, original)) prove_with_pairs(file);
     } catch (const NotATile& error) {
@@ -100,11 +62,11 @@ void prove_files(const TileFormat& format, const std::vector<EncodedFile>& files
     }
 }
 
-void prove_mpas_grid_file(const EncodedFile& file) {
+void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& files) {
     try {
-        prove_mpas_grid(decode_mpas(file.path, file.bytes));
+        prove_mpas_grid(std::get<GridReader*>(format.read)(files));
     } catch (const InvalidInput& error) {
-        throw InternalError(file.path + " breaks a law of C-grids: " + error.what());
+        throw InternalError(files.front().path + " breaks a law of C-grids: " + error.what());
     }
 }
 

@@ -1,4 +1,4 @@
-#include "plugin/job/job_proof.hpp"
+#include "io/file_proof.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +9,8 @@
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
+#include "mesher/proof/generated_tile.hpp"
+#include "mesher/tile/tile_builder.hpp"
 
 namespace pcvt {
 namespace {
@@ -19,44 +21,44 @@ using ::testing::HasSubstr;
 Tile cells(const Lattice& lattice, int n) {
     const CvtResult result = compute_cvt(lattice, uniform_points(lattice, n, 0), {});
     const PeriodicMesh mesh = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
-    return flatten(make_tile(mesh, whole_outline(mesh, Vec2::Zero())));
+    return make_tile(mesh, whole_outline(mesh, Vec2::Zero()));
 }
 
 const TileFormat& glb() { return *find_tile_format("t.glb"); }
 
 std::string refusal(const Tile& tile, const Vec2& origin) {
     try {
-        prove_files(glb(), encode_glb(tile, "t.glb"), tile, origin);
+        prove_tile_files(glb(), encode_glb(tile, "t.glb"), tile, origin);
     } catch (const InvalidInput& error) {
         return error.what();
     }
     return "";
 }
 
-TEST(JobProof, AFaithfulFileIsProved) {
+TEST(FileProof, AFaithfulFileIsProved) {
     const Tile tile = cells(Lattice::rectangle(1, 1), 8);
     EXPECT_NO_THROW(verify_generated_tile(tile));
-    EXPECT_NO_THROW(prove_files(glb(), encode_glb(tile, "t.glb"), tile, Vec2::Zero()));
+    EXPECT_NO_THROW(prove_tile_files(glb(), encode_glb(tile, "t.glb"), tile, Vec2::Zero()));
 }
 
-TEST(JobProof, ABrokenFileOfATileThatFitsIsAFaultOfPcvt) {
+TEST(FileProof, ABrokenFileOfATileThatFitsIsAFaultOfPcvt) {
     const Tile tile = cells(Lattice::rectangle(1, 1), 8);
     Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-3;
-    EXPECT_THROW(prove_files(glb(), encode_glb(moved, "t.glb"), tile, Vec2::Zero()), InternalError);
+    EXPECT_THROW(prove_tile_files(glb(), encode_glb(moved, "t.glb"), tile, Vec2::Zero()),
+                 InternalError);
     Tile unpaired = tile;
     unpaired.vertex_pairs.pop_back();
-    EXPECT_THROW(prove_files(glb(), encode_glb(unpaired, "t.glb"), tile, Vec2::Zero()),
+    EXPECT_THROW(prove_tile_files(glb(), encode_glb(unpaired, "t.glb"), tile, Vec2::Zero()),
                  InternalError);
 }
 
 void prove(const std::string& path, const Tile& written, const Tile& proved) {
     const TileFormat& format = *find_tile_format(path);
-    const OpenMeshTile no_mesh(std::in_place_type<CellTile>, written.lattice);
-    prove_files(format, format.encode(no_mesh, written, path), proved, Vec2::Zero());
+    prove_tile_files(format, encode_tile(format, written, path), proved, Vec2::Zero());
 }
 
-TEST(JobProof, AFileIsComparedInEveryNumberBeforeItsProofIsSkipped) {
+TEST(FileProof, AFileIsComparedInEveryNumberBeforeItsProofIsSkipped) {
     const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
     Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-12;
@@ -65,13 +67,14 @@ TEST(JobProof, AFileIsComparedInEveryNumberBeforeItsProofIsSkipped) {
         EXPECT_THROW(prove(path, moved, tile), InternalError) << path;
     }
     Tile turned = tile;
-    std::reverse(turned.corners.begin(), turned.corners.begin() + turned.face_begin[1]);
+    std::reverse(turned.faces.corners.begin(),
+                 turned.faces.corners.begin() + turned.faces.begin[1]);
     for (const char* path : {"t.obj", "t.ply", "t.vtu"}) {
         EXPECT_THROW(prove(path, turned, tile), InternalError) << path;
     }
 }
 
-TEST(JobProof, StoredPairsAreComparedToo) {
+TEST(FileProof, StoredPairsAreComparedToo) {
     const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
     Tile unpaired = tile;
     unpaired.edge_pairs.pop_back();
@@ -83,7 +86,7 @@ TEST(JobProof, StoredPairsAreComparedToo) {
     }
 }
 
-TEST(JobProof, ATileTooFineForFloatsIsRefusedWithTheAdviceThatHelps) {
+TEST(FileProof, ATileTooFineForFloatsIsRefusedWithTheAdviceThatHelps) {
     const Tile thin = cells(Lattice::rectangle(1, 1e-4), 1);
     EXPECT_NO_THROW(verify_generated_tile(thin));
     EXPECT_THAT(refusal(thin, {0, 0}), EndsWith("take another format"));

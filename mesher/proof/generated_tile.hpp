@@ -1,0 +1,15 @@
+#pragma once
+
+#include "mesher/proof/validate.hpp"
+
+namespace pcvt {
+
+/// Proves a tile that pcvt has generated, in double precision and with its stored pairs.
+/// @throws InternalError  the tile breaks a law: a fault of pcvt.
+TileProof verify_generated_tile(const Tile& tile);
+
+/// Whether single precision resolves the smallest feature of a proved tile, so that the tile keeps
+/// its laws there.
+bool fits_single_precision(const Tile& tile);
+
+}  // namespace pcvt

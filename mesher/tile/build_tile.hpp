@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesher/delaunay/periodic_delaunay.hpp"
+#include "mesher/mesh/outline.hpp"
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// How a tile is made from a tessellation; h = sqrt(area / number of sites).
+struct TileOptions {
+    MeshKind kind = MeshKind::kVoronoi;
+    /// Delaunay triangles have no box outline.
+    Outline outline = Outline::kWhole;
+    /// Voronoi edges shorter than this are removed from cells and grains, units of h; 0: none, but
+    /// for the shortest ones of grains (mesher/grains/grains.hpp).
+    double short_edges = 0;
+    /// Edges of grains, length units; 0: h / 3.
+    double grain_size = 0;
+    /// The number of parts of each edge of the cells; excludes grain_size. 0: none.
+    int grain_per_edge = 0;
+    /// Of grains, as Tile::order.
+    int order = 1;
+    /// The tile covers columns x rows domains and is a tile of that lattice.
+    int columns = 1;
+    int rows = 1;
+    /// Corner of the domain, length units.
+    Vec2 origin = Vec2::Zero();
+    /// Moves the box outline to where its shortest edge is longest, instead of to `origin`.
+    bool finds_origin = true;
+};
+
+/// A corner of a cell or piece that is too sharp for the angles of its grains.
+struct SharpGrainCorner {
+    SiteId site;
+    Vec2 point;
+    /// Degrees.
+    double angle;
+};
+
+struct GrainFigures {
+    int n_triangles;
+    /// Degrees, of all angles but those in the sharp corners.
+    double smallest_angle;
+    std::vector<SharpGrainCorner> sharp_corners;
+};
+
+/// Numbers of one tile: its seam, its outline, its grains.
+struct TileFigures {
+    MeshKind kind;
+    int n_boundary_edges = 0;
+    int n_edge_pairs = 0;
+    /// The box outline: its corner, and the shortest edge that the cut has made, in units of h.
+    std::optional<Vec2> box_origin = {};
+    std::optional<double> box_shortest_edge = {};
+    std::optional<GrainFigures> grains = {};
+};
+
+struct BuiltTile {
+    Tile tile;
+    TileFigures figures;
+};
+
+/// Builds a tile from a tessellation.
+///
+/// Example usage:
+///   BuiltTile grains = build_tile(result.delaunay, {.kind = MeshKind::kGrains, .columns = 2});
+///   verify_generated_tile(grains.tile);
+///
+/// Repeats the tessellation, removes short edges, lays the faces out in the outline, and meshes the
+/// grains. The tile is not proved yet: verify_generated_tile() does that.
+/// @throws InvalidInput   the cells are so small that their corners coincide.
+/// @throws LimitExceeded  grains too fine, or a piece of a cell too thin for them.
+BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& options);
+
+}  // namespace pcvt

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/mesh/periodic_mesh.hpp"
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// Makes the tile of the faces of `periodic`, face f in the image placement[f].
+///
+/// Example usage:
+///   const PeriodicMesh cells = cell_mesh(delaunay);
+///   const Tile tile = make_tile(cells, whole_outline(cells, {0, 0}));
+///
+/// Vertices are numbered in the order in which the corners of the faces meet them. The edge pairs
+/// are in the order of the corners whose edges have positive offsets. Laws, tested by number:
+///   (1) The partner of a boundary edge runs the other way: its ends are the translates of the
+///   ends. (2) Positions are representative + translation, so the two sides of the seam agree to
+///   the
+///       rounding of one addition.
+///   (3) V - E + F = 1, and 0 after gluing.
+///   (4) The face areas sum to lattice.area().
+/// @pre the placed faces form a disc, as whole_outline() and cut_along_box() promise; prove_tile()
+///      refuses other tiles.
+/// @throws InternalError if `placement` does not have one entry for each face.
+Tile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& placement);
+
+}  // namespace pcvt

@@ -1,0 +1,47 @@
+#include "mesher/tile/build_tile.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesher/proof/generated_tile.hpp"
+#include "tests/support/lattices.hpp"
+
+namespace pcvt {
+namespace {
+
+PeriodicDelaunay delaunay_of(const Lattice& lattice, int n) {
+    return PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, 3)));
+}
+
+TEST(BuildTile, EveryKindAndOutlineIsProved) {
+    for (const auto& [name, lattice] : testing::lattices()) {
+        SCOPED_TRACE(name);
+        const PeriodicDelaunay delaunay = delaunay_of(lattice, 6);
+        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
+            for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+                const BuiltTile built = build_tile(delaunay, {.kind = kind, .outline = outline});
+                const TileProof proof = verify_generated_tile(built.tile);
+                EXPECT_EQ(built.figures.n_boundary_edges, proof.n_boundary_edges);
+                EXPECT_EQ(built.figures.box_origin.has_value(), outline == Outline::kBox);
+                EXPECT_EQ(built.figures.grains.has_value(), kind == MeshKind::kGrains);
+            }
+        }
+    }
+}
+
+TEST(BuildTile, RepetitionsCoverTheRepeatedLattice) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    const BuiltTile built =
+        build_tile(delaunay_of(lattice, 5), {.kind = MeshKind::kDelaunay, .columns = 2, .rows = 3});
+    EXPECT_EQ(built.tile.n_faces(), 2 * 5 * 6);
+    EXPECT_EQ(built.tile.lattice.b(), lattice.repeated(2, 3).b());
+    EXPECT_NO_THROW(verify_generated_tile(built.tile));
+}
+
+TEST(BuildTile, OnlyGrainsHaveTheOrderTwo) {
+    const PeriodicDelaunay delaunay = delaunay_of(Lattice::rectangle(1, 1), 4);
+    EXPECT_EQ(build_tile(delaunay, {.kind = MeshKind::kGrains, .order = 2}).tile.order, 2);
+    EXPECT_EQ(build_tile(delaunay, {.kind = MeshKind::kVoronoi, .order = 2}).tile.order, 1);
+}
+
+}  // namespace
+}  // namespace pcvt
