@@ -14,16 +14,17 @@
  *     pcvt_free(result);
  *
  * Rules for the whole interface:
- *   (1) Each call but those that return text, a number or nothing returns a status: 0 or positive
- * as stated below, negative for an error, which pcvt_last_error() then explains. (2) No exception,
- * signal, exit or output leaves the library, and neither the locale nor the floating-point
- * environment of the host is changed or matters. Callbacks are called in the floating-point
- * environment of the host. (3) A result never changes. Views of it borrow its memory: they hold
- * until pcvt_free(). (4) Same options, same result to the last bit, for any number of threads. (5)
- * Positions are x, y in length units. Sites are numbered from 0 in the order of the input, all else
- * from 0 as well. An offset i, j means the translation i a + j b, where a, b are the period vectors
- * of the options (in a tile: of its own `lattice`). (6) While the major version is 0, the library
- * and a host belong together only with the same minor version; PCVT_ABI_VERSION tells the host's.
+ *   (1) A call that does not return text, a number or nothing returns a status: 0 or positive as
+ *       stated below, negative for an error, which pcvt_last_error() then explains.
+ *   (2) No exception, signal, exit or output leaves the library. It neither uses nor changes the
+ *       locale and the floating-point environment of the host, and calls callbacks in the latter.
+ *   (3) A result never changes. Its views borrow its memory and are valid until pcvt_free().
+ *   (4) The same options give the same result to the last bit, for any number of threads.
+ *   (5) Positions are x, y in length units. Sites are numbered from 0 in the order of the input,
+ *       everything else from 0 as well. An offset i, j means the translation i a + j b, with a, b
+ *       the period vectors of the options, or in a tile of its own `lattice`.
+ *   (6) While the major version is 0, a host needs a library of the same minor version;
+ *       PCVT_ABI_VERSION is the version of the host.
  */
 #ifndef PCVT_H
 #define PCVT_H
@@ -48,20 +49,20 @@ extern "C" {
 typedef int32_t pcvt_status;
 enum {
     PCVT_OK = 0,
-    /** The progress callback asked for it; there is no result. */
+    /** The progress callback cancelled the run; there is no result. */
     PCVT_CANCELLED = 1,
-    /** There is a result, but the tolerance was not reached: the iteration limit came first, or
-     *  double precision gives no more. Not for max_iterations = 0. */
+    /** There is a result, but the run ended above the tolerance: at the iteration limit, or at the
+     *  limit of double precision. Not for max_iterations = 0. */
     PCVT_NOT_CONVERGED = 2,
-    /** A null pointer, a value out of its range or not finite, an unknown or unavailable choice. */
+    /** A null pointer, a value that is out of range or not finite, or an unknown choice. */
     PCVT_ERROR_ARGUMENT = -1,
-    /** A struct of a size or with fields that this library does not know, or another version. */
+    /** A struct of an unknown size or with unknown fields, or another version. */
     PCVT_ERROR_ABI = -2,
     /** A density that is not finite and positive, or a callback that threw. */
     PCVT_ERROR_DOMAIN = -3,
-    /** No memory, or a limit of pcvt. */
+    /** Out of memory, or a limit of pcvt. */
     PCVT_ERROR_MEMORY = -4,
-    /** Coincident sites, or sites whose cells are too small to be told apart. */
+    /** Coincident sites, or sites whose cells are too small. */
     PCVT_ERROR_GEOMETRY = -5,
     /** A file could not be written. */
     PCVT_ERROR_IO = -6,
@@ -85,8 +86,7 @@ enum {
     PCVT_SOLVER_NEWTON = 3
 };
 
-/** What a mesh or a tile is made of: Voronoi cells, Delaunay triangles, triangles inside of cells.
- */
+/** The faces of a mesh or tile: Voronoi cells, Delaunay triangles, triangles inside of cells. */
 enum { PCVT_VORONOI = 0, PCVT_DELAUNAY = 1, PCVT_GRAINS = 2 };
 
 /** The boundary of a tile: no cell is cut, or cut along the period parallelogram. */
@@ -111,19 +111,19 @@ typedef int (*pcvt_progress_callback)(const pcvt_progress* progress, void* data)
 
 /** A density at many points, called only on the thread that called pcvt_generate().
  *
- *  It must be periodic, finite and positive, and give the same value for the same point each time.
+ *  It must be periodic, finite and positive, and a function of the point alone.
  *  @param points  n_points pairs x, y; anywhere in the plane.
  *  @param values  n_points numbers, to be filled.
- *  @returns       0; anything else ends the run with PCVT_ERROR_DOMAIN.
+ *  @returns       0; any other number ends the run with PCVT_ERROR_DOMAIN.
  */
 typedef int (*pcvt_density_callback)(const double* points, size_t n_points, double* values,
                                      void* data);
 
-/** What to generate. Fill it with pcvt_options_init(), then change what should differ. */
+/** The options of a run. pcvt_options_init() fills in the defaults, given here in brackets. */
 typedef struct pcvt_options {
     size_t struct_size;
     double lattice[4]; /**< ax, ay, bx, by: any two independent period vectors [1, 0, 0, 1] */
-    double origin[2];  /**< corner of the domain round which tiles are laid out [0, 0] */
+    double origin[2];  /**< corner of the domain of the tiles [0, 0] */
     const double*
         sites;       /**< n_sites pairs x, y, anywhere in the plane; NULL: drawn from seed [NULL] */
     int32_t n_sites; /**< at least 1, at most 2^28 [0: an error] */
@@ -137,8 +137,8 @@ typedef struct pcvt_options {
     int32_t columns;        /**< a tile covers columns x rows domains, at least 1 [1] */
     int32_t rows;           /**< [1] */
     int32_t grain_order; /**< of the triangles of PCVT_GRAINS: 1, or 2 with mid-side nodes [0: 1] */
-    double grain_size;   /**< of these triangles, length units [0: pcvt chooses] */
-    double short_edges;  /**< tiles lose cell edges shorter than this times h [0: none] */
+    double grain_size;   /**< edge length of these triangles [0: pcvt chooses] */
+    double short_edges;  /**< removes cell edges shorter than this times h [0: none] */
     int64_t budget;      /**< evaluations of PCVT_START_BEST [0: pcvt chooses] */
     const char* density_source; /**< expression in x, y, u, v, or the name of a .png file [NULL] */
     double density_range[2];    /**< of the image; 0, 0: pcvt chooses [0, 0] */
@@ -146,8 +146,8 @@ typedef struct pcvt_options {
     void* density_data;
     pcvt_progress_callback progress; /**< [NULL] */
     void* progress_data;
-    int32_t grain_per_edge; /**< cut each edge of the cells into so many parts in place of
-                               grain_size, triangles inside to match [0: no] */
+    int32_t grain_per_edge; /**< number of parts of each cell edge, which the triangles inside
+                               match; replaces grain_size [0: grain_size applies] */
     int32_t reserved;       /**< [0] */
 } pcvt_options;
 
@@ -160,11 +160,10 @@ typedef struct pcvt_sites {
     int32_t reserved;
 } pcvt_sites;
 
-/** The cells or the triangles on the torus: each face and each vertex stands once for all its
- * images.
+/** The cells or the triangles on the torus: one face and one vertex for all of its images.
  *
- *  Face f has the corners face_begin[f] ... face_begin[f + 1] - 1, counter-clockwise. Corner c of
- * it lies at vertices[corner_vertex[c]] + the translation of corner_offset[c].
+ *  Face f has the corners face_begin[f] ... face_begin[f + 1] - 1, counter-clockwise. Its corner c
+ *  lies at vertices[corner_vertex[c]] + the translation of corner_offset[c].
  */
 typedef struct pcvt_mesh {
     double lattice[4];            /**< as in the options */
@@ -174,7 +173,7 @@ typedef struct pcvt_mesh {
     const int32_t* corner_offset; /**< n_corners pairs i, j */
     const int32_t* opposite;      /**< the corner that the same edge leaves on the face across */
     const int32_t* site;          /**< the site of each face (cells) or vertex (triangles) */
-    const double* site_points;    /**< where the site of each cell stands, x, y; triangles: NULL */
+    const double* site_points;    /**< position of the site of each cell, x, y; triangles: NULL */
     int32_t kind;                 /**< PCVT_VORONOI or PCVT_DELAUNAY */
     int32_t n_vertices;
     int32_t n_faces;
@@ -182,7 +181,7 @@ typedef struct pcvt_mesh {
 } pcvt_mesh;
 
 /** The boundary edge v0 -> v1 of a tile (its face on the left) is glued to w0 -> w1 (its face on
- * the right): position(w_k) = position(v_k) + i a + j b for k = 0 and 1. */
+ *  the right): position(w_k) = position(v_k) + i a + j b for k = 0 and 1. */
 typedef struct pcvt_edge_pair {
     int32_t v0, v1;
     int32_t w0, w1;
@@ -192,7 +191,7 @@ typedef struct pcvt_edge_pair {
 /** A tile: a mesh of one fundamental domain as an open disc, with the pairing of its boundary.
  *
  *  For each vertex v: position(v) = position(vertex_orbit[v]) + the translation of
- * vertex_offset[v]. Each boundary edge belongs to exactly one of the edge pairs.
+ *  vertex_offset[v]. Each boundary edge belongs to exactly one of the edge pairs.
  */
 typedef struct pcvt_tile {
     double lattice[4];            /**< columns a, rows b */
@@ -200,7 +199,7 @@ typedef struct pcvt_tile {
     const int32_t* face_begin;    /**< n_faces + 1 numbers: face f has corners face_begin[f] ... */
     const int32_t* corners;       /**< n_corners vertices, face after face, counter-clockwise */
     const int32_t* face_site;     /**< the site of each face; of Delaunay triangles: NULL */
-    const double* site_points;    /**< where that site stands, x, y; of Delaunay triangles: NULL */
+    const double* site_points;    /**< position of that site, x, y; of Delaunay triangles: NULL */
     const int32_t* vertex_site;   /**< the site at each vertex of Delaunay triangles, else NULL */
     const int32_t* vertex_orbit;  /**< the smallest vertex on the same orbit */
     const int32_t* vertex_offset; /**< n_vertices pairs i, j */
@@ -213,7 +212,7 @@ typedef struct pcvt_tile {
     int32_t n_edge_pairs;
 } pcvt_tile;
 
-/** Figures of a run. */
+/** Statistics of a run. */
 typedef struct pcvt_statistics {
     double energy;       /**< sum over the cells of the integral of density |p - x_i|^2 */
     double energy_bound; /**< 5 area^2 / (18 sqrt(3) n) for uniform density, else NaN */
@@ -229,16 +228,16 @@ typedef struct pcvt_statistics {
     int32_t iterations;
     int32_t evaluations;
     int32_t n_threads;
-    int32_t n_mirrors; /**< -1 where the triangulation was built without mirrors */
+    int32_t n_mirrors; /**< -1 if the triangulation was built without mirrors */
 } pcvt_statistics;
 
-/** What to write; all zero but struct_size is the default. */
+/** The options of pcvt_write(). Zero in all fields but struct_size is the default. */
 typedef struct pcvt_write_options {
     size_t struct_size;
-    const char* report; /**< also write the figures of the run to this .json file [NULL: no] */
+    const char* report; /**< also write the statistics of the run to this .json file [NULL: no] */
     int32_t kind;       /**< [PCVT_VORONOI] */
     int32_t outline;    /**< [PCVT_WHOLE] */
-    int32_t replace;    /**< not 0: files that exist are replaced [0] */
+    int32_t replace;    /**< not 0: replace existing files [0] */
     int32_t reserved;   /**< 0 */
 } pcvt_write_options;
 
@@ -254,31 +253,32 @@ PCVT_API const char* pcvt_version(void);
 /** A status in a few English words. Any thread, any time. */
 PCVT_API const char* pcvt_status_text(pcvt_status status);
 
-/** Why the last call of this thread that returns a status did not return PCVT_OK: one line, ""
- * after PCVT_OK. The text holds until the next such call of this thread. Any thread, any time. */
+/** The reason why this thread's last call with a status did not return PCVT_OK, in one line; ""
+ * after PCVT_OK. The text is valid until the next such call of this thread. Any thread, any time.
+ */
 PCVT_API const char* pcvt_last_error(void);
 
-/** Fills the defaults; fields that this library does not know become zero.
+/** Fills in the defaults; fields that this library does not know become zero.
  *  @param struct_size  sizeof(pcvt_options) of the host.
  *  @param abi_version  PCVT_ABI_VERSION of the host.
- *  @returns PCVT_ERROR_ABI where the two do not fit this library; *options is not touched then.
+ *  @returns PCVT_ERROR_ABI if the two do not fit this library; *options does not change then.
  *  Any thread, any time, on options of its own. */
 PCVT_API pcvt_status pcvt_options_init(pcvt_options* options, size_t struct_size,
                                        uint32_t abi_version);
 
 /** Generates a periodic centroidal Voronoi tessellation.
  *  @param result  the result for PCVT_OK and PCVT_NOT_CONVERGED, to be freed; else NULL.
- *  Any thread, any number of calls at once. It starts threads of its own and ends them before it
- *  returns; callbacks are called on the calling thread alone, and may call this library. */
+ *  Any thread, any number of calls at once. The call starts threads and ends them before it
+ * returns. It calls callbacks on the calling thread alone; callbacks may call this library. */
 PCVT_API pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** result);
 
-/** Frees a result; its views end. NULL is ignored. Any thread, once no other call uses the result.
+/** Frees a result and ends its views. Ignores NULL. Any thread, once no other call uses the result.
  */
 PCVT_API void pcvt_free(pcvt_result* result);
 
 /*  The views. `view_size` is sizeof(*view) of the host: fields that only the host knows become
- * zero, those that only the library knows are left out. What a view needs is computed when it is
- * first asked for. Any thread, any number of calls on one result at once. */
+ * zero, fields that only the library knows are left out. The first call computes the contents of a
+ * view. Any thread, any number of calls on one result at once. */
 
 PCVT_API pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size);
 
@@ -294,9 +294,9 @@ PCVT_API pcvt_status pcvt_get_mesh(const pcvt_result* result, int32_t kind, pcvt
 PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int32_t outline,
                                    pcvt_tile* view, size_t view_size);
 
-/** Writes a tile, or the sites where the extension is .txt. The files appear complete and proved to
- * be a periodic tile, or not at all.
- *  @param path     decides the format by its extension; NULL: only the report.
+/** Writes a tile, or the sites for the extension .txt. Either all files appear, complete and proved
+ *  to be a periodic tile, or none.
+ *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  Any thread, any number of calls on one result at once. */
 PCVT_API pcvt_status pcvt_write(const pcvt_result* result, const char* path,

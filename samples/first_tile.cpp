@@ -13,8 +13,8 @@ int main() {
     const pcvt::Points points = pcvt::uniform_points(lattice, 30, /*seed=*/7);
 
     const pcvt::CvtResult result = pcvt::compute_cvt(lattice, points, {});
-    std::printf("energy %.9g, %.6f of the hexagonal bound, after %d evaluations\n", result.energy,
-                result.energy / result.energy_bound, result.evaluations);
+    std::printf("energy %.9g, %.6f of the hexagonal bound, after %d evaluations\n",
+                result.run.energy, result.run.energy / result.energy_bound, result.run.evaluations);
 
     const pcvt::PeriodicMesh cells = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kVoronoi);
     const pcvt::Tile arrays = pcvt::make_tile(cells, pcvt::whole_outline(cells, {0, 0}));

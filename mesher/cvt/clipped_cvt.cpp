@@ -306,8 +306,9 @@ ClippedCvt compute_clipped_cvt(const Lattice& lattice, const Points& points,
     const double spacing = std::sqrt(lattice.area() / double(points.cols())) / unit;
     const double value_unit = std::pow(unit, 4);
     ClippedObjective objective(domain_of(lattice, unit), points / unit, spacing);
-    OptimizerOptions optimizer{
-        options.tolerance, options.max_iterations, kLargestMove * spacing, {}};
+    OptimizerOptions optimizer{.tolerance = options.tolerance,
+                               .max_iterations = options.max_iterations,
+                               .max_move = kLargestMove * spacing};
     if (options.progress) {
         optimizer.progress = [&](Progress progress) {
             progress.value *= value_unit;
@@ -315,13 +316,9 @@ ClippedCvt compute_clipped_cvt(const Lattice& lattice, const Points& points,
         };
     }
     Workers workers(1);
-    const OptimizerResult run = minimize_lbfgs(objective, optimizer, workers);
-    return {.sites = unit * objective.point(),
-            .stop = run.stop,
-            .iterations = run.iterations,
-            .evaluations = run.evaluations,
-            .energy = run.evaluation.value * value_unit,
-            .residual = run.evaluation.residual};
+    RunStatistics run = minimize_lbfgs(objective, optimizer, workers).run;
+    run.energy *= value_unit;
+    return {unit * objective.point(), run};
 }
 
 }  // namespace pcvt

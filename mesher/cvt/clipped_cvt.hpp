@@ -59,13 +59,8 @@ struct ClippedCvtOptions {
 struct ClippedCvt {
     /// 2 x n, length units, in the order of the input.
     Points sites;
-    Stop stop;
-    int iterations;
-    int evaluations;
-    /// length^4.
-    double energy;
-    /// max |x_i - g_i| / h.
-    double residual;
+    /// Energy in length^4, residual max |x_i - g_i| / h.
+    RunStatistics run;
 };
 
 /// Computes the standard CVT that the paper compares with, by L-BFGS on the clipped energy. The

@@ -10,9 +10,6 @@
 #include "mesher/energy/hessian.hpp"
 #include "mesher/energy/long_waves.hpp"
 #include "mesher/energy/residuals.hpp"
-#include "mesher/optimize/lbfgs.hpp"
-#include "mesher/optimize/lbfgs_newton.hpp"
-#include "mesher/optimize/lloyd.hpp"
 
 namespace pcvt {
 namespace {
@@ -106,90 +103,66 @@ class CvtObjective final : public Objective {
     std::unique_ptr<LongWaves> long_waves_;
 };
 
-OptimizerResult minimize_by(Solver solver, Objective& objective, const OptimizerOptions& options,
-                            Workers& workers) {
-    switch (solver) {
-        case Solver::kLbfgs:
-            return minimize_lbfgs_newton(objective, options, NewtonStart::kNear, workers);
-        case Solver::kNewton:
-            return minimize_lbfgs_newton(objective, options, NewtonStart::kAtOnce, workers);
-        case Solver::kPlainLbfgs:
-            return minimize_lbfgs(objective, options, workers);
-        case Solver::kLloyd:
-            return minimize_lloyd(objective, options);
-    }
-    throw InternalError("no such solver");
+OptimizerOptions optimizer_options(const MovingDelaunay& delaunay, const CvtOptions& options) {
+    return {.tolerance = options.tolerance,
+            .max_iterations = options.max_iterations,
+            .max_move = kLargestMove * delaunay.spacing(),
+            .progress = options.progress,
+            .precondition_below =
+                solver_row(options.solver).preconditions ? options.precondition_below : 0};
 }
 
 /// Minimises the energy of a density and fills in `figures`.
-OptimizerResult minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
-                         const CvtOptions& options, std::optional<DensityFigures>& figures) {
+RunStatistics minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
+                       const CvtOptions& options, std::optional<DensityFigures>& figures) {
     Workers workers(options.n_threads);
-    const bool plain = options.solver == Solver::kPlainLbfgs;
-    DensityCvtOptions weighted{
-        .lloyd = options.solver == Solver::kLloyd,
-        .optimizer = {.tolerance = options.tolerance,
-                      .max_iterations = options.max_iterations,
-                      .max_move = kLargestMove * delaunay.spacing(),
-                      .progress = options.progress,
-                      .precondition_below = plain ? 0 : options.precondition_below}};
-    if (plain) weighted.newton.reset();
-    if (options.solver == Solver::kNewton) weighted.newton = NewtonStart::kAtOnce;
-    DensityCvtResult result =
-        minimize_density_energy(delaunay, workers, lattice, density, weighted);
+    const DensityCvtResult result = minimize_density_energy(
+        delaunay, workers, lattice, density,
+        {solver_row(options.solver).minimize_density, optimizer_options(delaunay, options)});
     figures = result.figures;
-    return std::move(result.run);
+    return result.run;
 }
 
-OptimizerResult minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
+RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.n_threads, n_tasks));
     CvtObjective objective(delaunay, workers);
-    const bool plain = options.solver == Solver::kPlainLbfgs;
-    OptimizerOptions optimizer{.tolerance = options.tolerance,
-                               .max_iterations = options.max_iterations,
-                               .max_move = kLargestMove * delaunay.spacing(),
-                               .precondition_below = plain ? 0 : options.precondition_below};
+    const double value_unit = std::pow(delaunay.unit(), 4);
+    OptimizerOptions optimizer = optimizer_options(delaunay, options);
     if (options.progress) {
         optimizer.progress = [&](Progress progress) {
-            progress.value *= std::pow(delaunay.unit(), 4);
+            progress.value *= value_unit;
             return options.progress(progress);
         };
     }
-    return minimize_by(options.solver, objective, optimizer, workers);
+    RunStatistics run = solver_row(options.solver).minimize(objective, optimizer, workers).run;
+    run.energy *= value_unit;
+    return run;
 }
 
 /// Triangulates the sites and frees the points, which are not needed afterwards.
-MovingDelaunay triangulate(const Lattice& lattice, Points points) {
-    return MovingDelaunay(Sites(lattice, points));
+MovingDelaunay triangulate(const Lattice& lattice, Points points, Numbering numbering) {
+    return MovingDelaunay(Sites(lattice, points), numbering);
 }
 
 }  // namespace
 
 CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options) {
     // Build the triangulation.
-    MovingDelaunay delaunay = triangulate(lattice, std::move(points));
+    MovingDelaunay delaunay = triangulate(lattice, std::move(points), options.numbering);
     require_distinct(delaunay);
-    const double value_unit = std::pow(delaunay.unit(), 4);
     // Minimise the energy.
     std::optional<DensityFigures> figures;
-    const OptimizerResult run =
-        options.density ? minimize(delaunay, lattice, *options.density, options, figures)
-                        : minimize(delaunay, options);
+    const RunStatistics run = options.density
+                                  ? minimize(delaunay, lattice, *options.density, options, figures)
+                                  : minimize(delaunay, options);
     // Convert the result to the caller's order and units.
     const DelaunayCounts counts = delaunay.counts();
     auto [sites, triangulation] = delaunay.release();
     const double bound = hexagonal_bound(lattice.area(), sites.n_sites());
     return {.delaunay = {std::move(sites), std::move(triangulation)},
-            .stop = run.stop,
-            .iterations = run.iterations,
-            .evaluations = run.evaluations,
-            .hessians = run.hessians,
-            .cg_products = run.cg_products,
-            .energy = figures ? run.evaluation.value : run.evaluation.value * value_unit,
+            .run = run,
             .energy_bound = bound,
-            .residual = run.evaluation.residual,
-            .rms_residual = run.evaluation.rms_residual,
             .counts = counts,
             .density = figures};
 }

@@ -1,15 +1,11 @@
 #pragma once
 
 #include "mesher/cvt/density_cvt.hpp"
+#include "mesher/cvt/solvers.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/delaunay/periodic_delaunay.hpp"
-#include "mesher/optimize/objective.hpp"
 
 namespace pcvt {
-
-/// `kLbfgs` switches to Newton's method near a minimum, and `kNewton` uses Newton's method from the
-/// start (lbfgs_newton.hpp). `kPlainLbfgs` and `kLloyd` are the paper's methods.
-enum class Solver { kLbfgs, kLloyd, kNewton, kPlainLbfgs };
 
 struct CvtOptions {
     Solver solver = Solver::kLbfgs;
@@ -22,6 +18,9 @@ struct CvtOptions {
     double precondition_below = 3e-4;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
+    /// The numbers of the result's sites. By columns, neighbours have numbers near to each other,
+    /// which suits meshes and the matrices of solvers.
+    Numbering numbering = Numbering::kAsGiven;
     /// `nullopt`: rho = 1.
     std::optional<Density> density = {};
     ProgressCallback progress;
@@ -30,20 +29,10 @@ struct CvtOptions {
 /// A periodic tessellation and the figures of the run that computed it.
 struct CvtResult {
     PeriodicDelaunay delaunay;
-    Stop stop;
-    int iterations;
-    int evaluations;
-    /// Hessians that Newton's method assembled and its products with them; `evaluations` counts
-    /// neither.
-    int hessians;
-    int cg_products;
-    /// F of Eq. 3, length^4; with a density, density x length^4.
-    double energy;
+    /// The energy is F of Eq. 3.
+    RunStatistics run;
     /// 5 A^2 / (18 sqrt(3) n), the hexagonal lower bound for rho = 1, length^4.
     double energy_bound;
-    /// Maximum and root mean square of |x_i - g_i| / h.
-    double residual;
-    double rms_residual;
     DelaunayCounts counts;
     /// Set for runs with a density.
     std::optional<DensityFigures> density = {};

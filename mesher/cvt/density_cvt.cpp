@@ -10,9 +10,6 @@
 #include "mesher/energy/gersho_scaling.hpp"
 #include "mesher/energy/long_waves.hpp"
 #include "mesher/energy/residuals.hpp"
-#include "mesher/optimize/lbfgs.hpp"
-#include "mesher/optimize/lbfgs_newton.hpp"
-#include "mesher/optimize/lloyd.hpp"
 
 namespace pcvt {
 namespace {
@@ -213,26 +210,15 @@ class Rounds {
         if (round.progress) {
             round.progress = [&](const Progress& progress) { return report(progress); };
         }
-        const int iterations = total_.iterations;
-        const int evaluations = total_.evaluations;
-        const int hessians = total_.hessians;
-        const int cg_products = total_.cg_products;
-        total_ = minimize(round);
-        total_.iterations += iterations;
-        total_.evaluations += evaluations;
-        total_.hessians += hessians;
-        total_.cg_products += cg_products;
+        RunStatistics run = options_.minimize(objective_, round, workers_).run;
+        run.add_counts(total_);
+        total_ = run;
         first_ = false;
         return total_.stop == Stop::kConverged || total_.stop == Stop::kStalled;
     }
-    OptimizerResult& total() { return total_; }
+    const RunStatistics& total() const { return total_; }
 
    private:
-    OptimizerResult minimize(const OptimizerOptions& round) {
-        if (options_.lloyd) return minimize_lloyd(objective_, round);
-        if (!options_.newton) return minimize_lbfgs(objective_, round, workers_);
-        return minimize_lbfgs_newton(objective_, round, *options_.newton, workers_);
-    }
     bool report(Progress progress) const {
         if (!first_ && progress.iteration == 0) return true;
         if (!first_) {
@@ -247,7 +233,7 @@ class Rounds {
     Workers& workers_;
     const DensityCvtOptions& options_;
     double value_unit_;
-    OptimizerResult total_{};
+    RunStatistics total_;
     bool first_ = true;
 };
 
@@ -281,13 +267,13 @@ DensityCvtResult minimize_density_energy(MovingDelaunay& delaunay, Workers& work
     DensityObjective objective(delaunay, workers, lattice, cut, unit, !cut_u && !cut_v);
     Rounds rounds(objective, workers, options, area_unit * delaunay.unit() * delaunay.unit());
     const RuleCheck check = run_rounds(objective, rounds, options.optimizer);
-    DensityCvtResult result{std::move(rounds.total()), objective.figures()};
+    DensityCvtResult result{rounds.total(), objective.figures()};
     result.figures.n_rough_cells = check.n_rough;
     result.figures.quadrature_error = check.largest_error;
     result.figures.mass *= area_unit;
     result.figures.mass_deviation = result.figures.mass / integral(lattice, density) - 1;
     result.figures.expected_energy *= area_unit * delaunay.unit() * delaunay.unit();
-    result.run.evaluation.value *= area_unit * delaunay.unit() * delaunay.unit();
+    result.run.energy *= area_unit * delaunay.unit() * delaunay.unit();
     return result;
 }
 

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <optional>
-
+#include "mesher/cvt/solvers.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/density/density.hpp"
-#include "mesher/optimize/lbfgs_newton.hpp"
-#include "mesher/optimize/objective.hpp"
 
 namespace pcvt {
 
@@ -32,19 +29,16 @@ struct DensityFigures {
 };
 
 struct DensityCvtOptions {
-    /// Uses Lloyd's iteration instead of the other methods.
-    bool lloyd = false;
-    /// When Newton's method alternates with L-BFGS (lbfgs_newton.hpp); `nullopt`: never. An
-    /// evaluation costs far more than a product with the Hessian, so Newton's method pays for any
-    /// number of sites (measured up to 10^5, where it halves the number of evaluations). It is used
-    /// only where h is at most an eighth of a period: in longer cells the quadrature rules on the
-    /// edges would not resolve the density.
-    std::optional<NewtonStart> newton = NewtonStart::kNearForAnyNumber;
+    /// A solver of the table in solvers.hpp. The Hessian is available only where h is at most an
+    /// eighth of a period: in longer cells the quadrature rules on the edges would not resolve the
+    /// density.
+    Minimize minimize = solver_row(Solver::kLbfgs).minimize_density;
     OptimizerOptions optimizer;
 };
 
 struct DensityCvtResult {
-    OptimizerResult run;
+    /// Energy in density x length^4.
+    RunStatistics run;
     DensityFigures figures;
 };
 

@@ -65,7 +65,7 @@ class LoggedFlips final : public FlipObserver {
 
 }  // namespace
 
-MovingDelaunay::MovingDelaunay(const Sites& sites)
+MovingDelaunay::MovingDelaunay(const Sites& sites, Numbering numbering)
     : lattice_(sites.lattice()),
       reduction_(sites.reduction()),
       gram_(gram_of(reduction_.reduced)),
@@ -74,9 +74,10 @@ MovingDelaunay::MovingDelaunay(const Sites& sites)
       frame_(frame_of(reduction_.reduced, unit_)),
       triangulation_(0, {}) {
     SpatialSort columns = spatial_sort(sites.coordinates(), gram_);
-    order_ = columns.order;
-    coordinates_ = in_order(sites.coordinates(), order_);
+    coordinates_ = in_order(sites.coordinates(), columns.order);
+    if (numbering == Numbering::kAsGiven) order_ = columns.order;
     std::iota(columns.order.begin(), columns.order.end(), 0);
+    if (numbering == Numbering::kByColumns) order_ = columns.order;
     build(columns);
 }
 

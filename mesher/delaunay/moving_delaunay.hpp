@@ -18,6 +18,10 @@ struct Suspects {
     std::vector<int> halfedges;
 };
 
+/// The numbers of sites: in the order of the input, or column by column across the domain
+/// (spatial_sort.hpp), so that neighbours have close numbers.
+enum class Numbering { kAsGiven, kByColumns };
+
 /// Statistics of a triangulation's builds and flips.
 struct DelaunayCounts {
     /// Mirrors that the last build inserted; nullopt if strips sufficed.
@@ -68,10 +72,11 @@ class MovingDelaunay {
    public:
     /// Builds from strips, or where these fail from mirrors. Cost: about half of a plain Euclidean
     /// Delaunay triangulation of the sites.
-    explicit MovingDelaunay(const Sites& sites);
+    /// @param numbering  of original_id() and release(). All other functions number by columns.
+    explicit MovingDelaunay(const Sites& sites, Numbering numbering = Numbering::kAsGiven);
 
     int n_sites() const { return static_cast<int>(order_.size()); }
-    /// The id of the site in the constructor's argument.
+    /// The id of the site in the constructor's argument; `site` itself for kByColumns.
     SiteId original_id(SiteId site) const { return order_[site]; }
     /// 2 x n, reduced basis, in [-1.5, 2.5).
     const Points& coordinates() const { return coordinates_; }
@@ -113,8 +118,8 @@ class MovingDelaunay {
     /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool untangle(const std::vector<int>& inverted, Suspects& suspects);
 
-    /// Returns the sites, in the order of the constructor's argument, and their triangulation. The
-    /// object must not be used afterwards.
+    /// Returns the sites, in the constructor's `numbering`, and their triangulation. The object
+    /// must not be used afterwards.
     std::pair<Sites, TorusTriangulation> release();
 
    private:

@@ -71,11 +71,4 @@ SpatialSort spatial_sort(const Points& coordinates, const Gram& gram) {
     return columns;
 }
 
-Points spatially_sorted(const Lattice& lattice, const Points& points) {
-    const Sites sites(lattice, points);
-    const Gram gram = gram_of(sites.reduction().reduced);
-    const SpatialSort columns = spatial_sort(sites.coordinates(), gram);
-    return points(Eigen::all, columns.order);
-}
-
 }  // namespace pcvt

@@ -27,9 +27,4 @@ struct SpatialSort {
 /// @param coordinates  2 x n, reduced basis, in [0, 1)^2.
 SpatialSort spatial_sort(const Points& coordinates, const Gram& gram);
 
-/// Returns the same points column by column. Neighbouring points then have close indices, which
-/// improves memory locality in meshes and in a solver's matrices.
-/// @param points  2 x n, length units.
-Points spatially_sorted(const Lattice& lattice, const Points& points);
-
 }  // namespace pcvt

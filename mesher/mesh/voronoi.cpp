@@ -7,6 +7,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/offset_disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
+#include "mesher/mesh/valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -34,21 +35,36 @@ struct DualVertices {
     OffsetDisjointSets merged;
 };
 
-DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
+std::vector<Vec2> dual_positions(const PeriodicDelaunay& delaunay) {
+    std::vector<Vec2> positions;
+    for (int k = 0; k < delaunay.triangulation().n_triangles(); ++k) {
+        positions.push_back(dual_vertex(delaunay, k));
+    }
+    return positions;
+}
+
+/// Calls visit(h, frame across h, dual edge of h as a vector) for one halfedge of each edge.
+template <class Visit>
+void for_each_dual_edge(const PeriodicDelaunay& delaunay, const std::vector<Vec2>& position,
+                        const Visit& visit) {
     const TorusTriangulation& t = delaunay.triangulation();
     const Lattice& reduced = delaunay.sites().reduction().reduced;
-    DualVertices dual{{}, OffsetDisjointSets(t.n_triangles())};
-    for (int k = 0; k < t.n_triangles(); ++k) dual.position.push_back(dual_vertex(delaunay, k));
-
-    const double shortest = kSameVertex * delaunay.sites().spacing();
     for (int h = 0; h < t.n_halfedges(); ++h) {
         const int o = t.opposite(h);
         if (o < h) continue;
         const Offset frame = t.frame_across(h);
-        const Vec2 across = dual.position[o / 3] + reduced.translation(frame);
-        if ((across - dual.position[h / 3]).norm() < shortest)
-            dual.merged.join(h / 3, o / 3, frame);
+        const Vec2 across = position[o / 3] + reduced.translation(frame);
+        visit(h, frame, Vec2(across - position[h / 3]));
     }
+}
+
+DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    DualVertices dual{dual_positions(delaunay), OffsetDisjointSets(t.n_triangles())};
+    const double shortest = kSameVertex * delaunay.sites().spacing();
+    for_each_dual_edge(delaunay, dual.position, [&](int h, Offset frame, const Vec2& edge) {
+        if (edge.norm() < shortest) dual.merged.join(h / 3, t.opposite(h) / 3, frame);
+    });
     return dual;
 }
 
@@ -160,6 +176,18 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
     finish(mesh, delaunay.sites().reduction());
     require_simple_cells(mesh);
     return mesh;
+}
+
+std::vector<int> cell_sides(const PeriodicDelaunay& delaunay) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const double shortest = kShortEdge * delaunay.sites().spacing();
+    std::vector<int> sides(static_cast<std::size_t>(t.n_sites()));
+    for_each_dual_edge(delaunay, dual_positions(delaunay), [&](int h, Offset, const Vec2& edge) {
+        if (!(edge.norm() > shortest)) return;
+        ++sides[t.corner(h).site];
+        ++sides[t.corner(TorusTriangulation::next(h)).site];
+    });
+    return sides;
 }
 
 PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay) {

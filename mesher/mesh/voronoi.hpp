@@ -25,6 +25,10 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay);
 /// Builds the Delaunay triangles; the vertices are the sites, in their order.
 PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay);
 
+/// The number of sides of each site's cell, equal to cell_sides() of a cell_mesh but without
+/// building it: counts the dual edges longer than kShortEdge h (valence.hpp).
+std::vector<int> cell_sides(const PeriodicDelaunay& delaunay);
+
 /// Calls cell_mesh for `kVoronoi` and triangle_mesh for `kDelaunay`.
 PeriodicMesh periodic_mesh(const PeriodicDelaunay& delaunay, MeshKind kind);
 

@@ -34,8 +34,8 @@ class LbfgsNewton {
     bool lbfgs(const ProgressTest& stop_when);
     bool newton(int most_truncated);
 
-    bool stalled() const { return result_.stop == Stop::kStalled; }
-    double rms_residual() const { return result_.evaluation.rms_residual; }
+    bool stalled() const { return result_.run.stop == Stop::kStalled; }
+    double rms_residual() const { return result_.run.rms_residual; }
     OptimizerResult take() { return std::move(result_); }
 
    private:
@@ -52,8 +52,8 @@ class LbfgsNewton {
 /// the last leg is not reported twice.
 OptimizerOptions LbfgsNewton::leg_options() const {
     OptimizerOptions leg = options_;
-    const int iterations = result_.iterations;
-    const int evaluations = result_.evaluations;
+    const int iterations = result_.run.iterations;
+    const int evaluations = result_.run.evaluations;
     if (leg.max_iterations >= 0) leg.max_iterations -= iterations;
     if (options_.progress && evaluations > 0) {
         leg.progress = [this, iterations, evaluations](Progress progress) {
@@ -67,12 +67,9 @@ OptimizerOptions LbfgsNewton::leg_options() const {
 }
 
 bool LbfgsNewton::add(OptimizerResult leg) {
-    leg.iterations += result_.iterations;
-    leg.evaluations += result_.evaluations;
-    leg.hessians += result_.hessians;
-    leg.cg_products += result_.cg_products;
+    leg.run.add_counts(result_.run);
     result_ = std::move(leg);
-    if (result_.stop == Stop::kConverged) return result_.evaluation.residual <= options_.tolerance;
+    if (result_.run.stop == Stop::kConverged) return result_.run.residual <= options_.tolerance;
     return !stalled();
 }
 

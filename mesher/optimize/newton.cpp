@@ -130,8 +130,8 @@ OptimizerResult Newton::minimize() {
         if (!stop && (truncated_in_a_row_ > most_truncated_ || !advance())) stop = Stop::kStalled;
     }
     OptimizerResult result = run_.finish(*stop, std::move(here_));
-    result.hessians = hessians_;
-    result.cg_products = cg_products_;
+    result.run.hessians = hessians_;
+    result.run.cg_products = cg_products_;
     return result;
 }
 

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "mesher/optimize/run_statistics.hpp"
+
 namespace pcvt {
 
 struct BlockMatrix;
@@ -62,8 +64,6 @@ class Objective {
     virtual void hessian(BlockMatrix& /*hessian*/) const {}
 };
 
-enum class Stop { kConverged, kIterationLimit, kStalled, kCancelled };
-
 /// One iteration in the history of a run.
 struct Progress {
     int iteration = 0;
@@ -97,14 +97,8 @@ struct OptimizerOptions {
 
 /// How and why a run ended; the objective holds the point itself.
 struct OptimizerResult {
-    Stop stop = Stop::kStalled;
-    int iterations = 0;
-    int evaluations = 0;
+    RunStatistics run;
     Evaluation evaluation;
-    /// Newton's method: the numbers of Hessians and of products with them, which are not counted as
-    /// evaluations.
-    int hessians = 0;
-    int cg_products = 0;
 };
 
 }  // namespace pcvt

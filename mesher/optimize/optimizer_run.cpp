@@ -23,8 +23,11 @@ bool OptimizerRun::evaluate(const Eigen::VectorXf& direction, double t, Evaluati
 
 std::optional<Stop> OptimizerRun::before_iteration(const Evaluation& evaluation) {
     ++iterations_;
-    const Progress progress{iterations_, evaluations_, evaluation.value, evaluation.residual,
-                            evaluation.rms_residual};
+    const Progress progress{.iteration = iterations_,
+                            .evaluations = evaluations_,
+                            .value = evaluation.value,
+                            .residual = evaluation.residual,
+                            .rms_residual = evaluation.rms_residual};
     if (options_.progress && !options_.progress(progress)) return Stop::kCancelled;
     if (evaluation.residual <= options_.tolerance) return Stop::kConverged;
     if (options_.max_iterations >= 0 && iterations_ >= options_.max_iterations) {
@@ -36,12 +39,13 @@ std::optional<Stop> OptimizerRun::before_iteration(const Evaluation& evaluation)
 }
 
 OptimizerResult OptimizerRun::finish(Stop stop, Evaluation evaluation) const {
-    OptimizerResult result;
-    result.stop = stop;
-    result.iterations = iterations_;
-    result.evaluations = evaluations_;
-    result.evaluation = std::move(evaluation);
-    return result;
+    const RunStatistics run{.stop = stop,
+                            .iterations = iterations_,
+                            .evaluations = evaluations_,
+                            .energy = evaluation.value,
+                            .residual = evaluation.residual,
+                            .rms_residual = evaluation.rms_residual};
+    return {run, std::move(evaluation)};
 }
 
 bool OptimizerRun::stalled(const Evaluation& evaluation) {

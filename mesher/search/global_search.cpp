@@ -129,9 +129,9 @@ void Search::optimise(Trial& trial, int most_evaluations, double tolerance) {
     try {
         const CvtResult result = compute_cvt(period_, std::move(trial.state.points),
                                              optimiser(most_evaluations, tolerance));
-        trial.ended = result.stop != Stop::kCancelled;
-        trial.evaluations = result.evaluations;
-        trial.state.energy = result.energy;
+        trial.ended = result.run.stop != Stop::kCancelled;
+        trial.evaluations = result.run.evaluations;
+        trial.state.energy = result.run.energy;
         trial.state.points = positions(result.delaunay.sites());
     } catch (const DuplicateSites&) {
     }

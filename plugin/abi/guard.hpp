@@ -11,25 +11,26 @@
 
 namespace pcvt::abi {
 
-/// A struct of a size, or with fields, that this library does not know.
+/// A struct of an unknown size, or with unknown fields.
 class AbiMismatch : public Error {
    public:
     using Error::Error;
 };
 
-/// A callback of the host broke its promise.
+/// A callback of the host violated its contract.
 class CallbackFault : public Error {
    public:
     using Error::Error;
 };
 
-/// Arguments in order, but their geometry is not: a cell is too small, a tile cannot be told apart.
+/// Valid arguments with a bad geometry: a cell or a tile is too small for its numbers.
 class BadGeometry : public Error {
    public:
     using Error::Error;
 };
 
-/// Another floating-point environment while this object lives: rounding, traps, flags, denormals.
+/// Enters another floating-point environment while this object lives: rounding, traps, flags,
+/// denormals.
 class FloatEnvironment {
    public:
     explicit FloatEnvironment(const std::fenv_t* entered) {
@@ -40,7 +41,7 @@ class FloatEnvironment {
     FloatEnvironment(const FloatEnvironment&) = delete;
     FloatEnvironment& operator=(const FloatEnvironment&) = delete;
 
-    /// The one that was left, and will be entered again.
+    /// The environment that the destructor restores.
     const std::fenv_t& left() const { return left_; }
 
    private:
@@ -48,8 +49,8 @@ class FloatEnvironment {
 };
 
 /// Calls a callback of the host in the host's floating-point environment.
-/// @param name  what the callback is called in a message.
-/// @throws CallbackFault where it throws. Only the end of a thread passes through.
+/// @param name  of the callback, for the message.
+/// @throws CallbackFault if the callback throws. Only the end of a thread passes through.
 template <class Callback>
 int call_host(const char* name, const std::fenv_t& host, const Callback& callback) {
     const FloatEnvironment environment(&host);
@@ -64,11 +65,12 @@ int call_host(const char* name, const std::fenv_t& host, const Callback& callbac
     }
 }
 
-/// The text of the last error of this thread; cut where it is very long.
+/// The text of the last error of this thread, at most 1023 bytes of it.
 const char* last_error();
 void set_last_error(const char* text);
 
-/// Notes the exception as this thread's last error. Laws, tested by number:
+/// Stores the text of an exception as this thread's last error and returns its status. Laws, tested
+/// by number:
 ///   (1) AbiMismatch                                  PCVT_ERROR_ABI
 ///   (2) CallbackFault, BadDensity                    PCVT_ERROR_DOMAIN
 ///   (3) DuplicateSites, BadGeometry                  PCVT_ERROR_GEOMETRY
@@ -79,8 +81,11 @@ void set_last_error(const char* text);
 /// @pre exception is not null.
 pcvt_status note_failure(const std::exception_ptr& exception);
 
-/// Runs call(environment of the host) in the default floating-point environment and turns what it
-/// throws into a status. Only the end of a thread (pthread_exit, pthread_cancel) passes through.
+/// Runs call(environment of the host) in the default floating-point environment and turns
+/// exceptions into a status. Only the end of a thread (pthread_exit, pthread_cancel) passes
+/// through.
+///
+///   return guarded([&](const std::fenv_t& host) { return generate(options, result, host); });
 template <class Call>
 pcvt_status guarded(const Call& call) {
     const FloatEnvironment environment(FE_DFL_ENV);

@@ -5,6 +5,9 @@
 #include <limits>
 #include <thread>
 
+#include "mesher/base/choices.hpp"
+#include "plugin/job/job_start.hpp"
+
 namespace pcvt::abi {
 namespace {
 
@@ -18,28 +21,28 @@ void require_finite(const char* name, const double* values, int n) {
     }
 }
 
-[[noreturn]] void refuse_unknown(const char* name, std::int32_t value) {
+/// The row of a table of choices that has this number in pcvt.h.
+template <class Table>
+const auto& chosen_row(const char* name, std::int32_t value, const Table& table) {
+    if (const auto* row = find_abi_value(table, value)) return *row;
     throw InvalidInput(std::string(name) + " " + std::to_string(value) +
                        " is unknown; take one of pcvt.h");
 }
+
+// The numbers of the published interface never change.
+static_assert(mesh_kind_row(MeshKind::kVoronoi).abi_value == PCVT_VORONOI);
+static_assert(mesh_kind_row(MeshKind::kDelaunay).abi_value == PCVT_DELAUNAY);
+static_assert(mesh_kind_row(MeshKind::kGrains).abi_value == PCVT_GRAINS);
+static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
+static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
+static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
 
 std::optional<Start> start(const pcvt_options& options) {
     if (options.sites != nullptr && options.start != PCVT_START_DEFAULT) {
         throw InvalidInput("start is for drawn sites, but sites gives them; leave one out");
     }
-    switch (options.start) {
-        case PCVT_START_DEFAULT:
-            return std::nullopt;
-        case PCVT_START_RANDOM:
-            return Start::kRandom;
-        case PCVT_START_COARSE:
-            return Start::kCoarse;
-        case PCVT_START_LATTICE:
-            return Start::kLattice;
-        case PCVT_START_BEST:
-            return Start::kBest;
-    }
-    refuse_unknown("start", options.start);
+    if (options.start == PCVT_START_DEFAULT) return std::nullopt;
+    return chosen_row("start", options.start, start_rows()).start;
 }
 
 int budget(const pcvt_options& options) {
@@ -54,16 +57,8 @@ int budget(const pcvt_options& options) {
 }
 
 Solver solver(std::int32_t value) {
-    switch (value) {
-        case PCVT_SOLVER_DEFAULT:
-        case PCVT_SOLVER_LBFGS:
-            return Solver::kLbfgs;
-        case PCVT_SOLVER_LLOYD:
-            return Solver::kLloyd;
-        case PCVT_SOLVER_NEWTON:
-            return Solver::kNewton;
-    }
-    refuse_unknown("solver", value);
+    if (value == PCVT_SOLVER_DEFAULT) return Job().solver;
+    return chosen_row("solver", value, kSolvers).solver;
 }
 
 void read_grains(const pcvt_options& options, Job& job) {
@@ -115,7 +110,7 @@ void check_tail(const char* name, const void* begin, std::size_t size, std::size
     const char* bytes = static_cast<const char*>(begin);
     if (std::any_of(bytes + known, bytes + size, [](char byte) { return byte != 0; })) {
         throw AbiMismatch(std::string(name) +
-                          " asks for what this pcvt does not know; take a newer one");
+                          " has fields that this pcvt does not know; take a newer one");
     }
 }
 
@@ -141,22 +136,12 @@ pcvt_options default_options() {
     return options;
 }
 
-MeshKind tile_kind(std::int32_t kind) {
-    switch (kind) {
-        case PCVT_VORONOI:
-            return MeshKind::kVoronoi;
-        case PCVT_DELAUNAY:
-            return MeshKind::kDelaunay;
-        case PCVT_GRAINS:
-            return MeshKind::kGrains;
-    }
-    refuse_unknown("kind", kind);
-}
+MeshKind tile_kind(std::int32_t kind) { return chosen_row("kind", kind, kMeshKinds).kind; }
 
 Outline tile_outline(std::int32_t outline) {
     if (outline == PCVT_WHOLE) return Outline::kWhole;
     if (outline == PCVT_BOX) return Outline::kBox;
-    refuse_unknown("outline", outline);
+    throw InvalidInput("outline " + std::to_string(outline) + " is unknown; take one of pcvt.h");
 }
 
 Job make_job(const pcvt_options& options) {

@@ -7,15 +7,16 @@
 
 namespace pcvt::abi {
 
-/// No struct of this interface will ever be larger: a larger size is a wild number.
+/// The largest size of a struct that is accepted; a larger number cannot be the size of one.
 inline constexpr std::size_t kLargestStruct = 1 << 16;
 
 /// @throws AbiMismatch unless `size` lies between `known` and kLargestStruct.
 void check_struct_size(const char* name, std::size_t size, std::size_t known);
-/// @throws AbiMismatch unless the bytes of a struct behind the first `known` ones are all zero.
+/// @throws AbiMismatch unless all bytes of a struct after the first `known` ones are zero.
 void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known);
 
-/// What the host gave, in our version of the struct.
+/// The struct of the host, in this library's version.
+///   const pcvt_options options = read_struct("pcvt_options", given);
 /// @throws AbiMismatch as the two above; InvalidInput for a null pointer.
 template <class Struct>
 Struct read_struct(const char* name, const Struct* given) {
@@ -32,12 +33,12 @@ void check_version(std::uint32_t host);
 
 pcvt_options default_options();
 
-/// The job that the options describe; the sites are copied.
+/// The job that the options describe. Copies the sites.
 /// @throws InvalidInput, LimitExceeded naming the field.
 Job make_job(const pcvt_options& options);
 
-/// The kind and the outline of numbers of the interface.
-/// @throws InvalidInput for what is unknown.
+/// The kind and the outline of a number of the interface.
+/// @throws InvalidInput for an unknown number.
 MeshKind tile_kind(std::int32_t kind);
 Outline tile_outline(std::int32_t outline);
 

@@ -19,7 +19,7 @@ struct pcvt_result {
 namespace pcvt::abi {
 namespace {
 
-/// Whether the host wants to go on.
+/// Whether the host wants the run to continue.
 bool report_progress(const pcvt_options& options, double energy_bound, const Progress& progress,
                      const std::fenv_t& host) {
     const pcvt_progress view{.struct_size = sizeof view,
@@ -43,8 +43,8 @@ JobCallback job_callback(const pcvt_options& options, const Job& job, const std:
 }
 
 pcvt_status status_of(const Job& job, const CvtResult& cvt) {
-    if (cvt.stop == Stop::kConverged || job.max_iterations == 0) return PCVT_OK;
-    set_last_error(cvt.stop == Stop::kStalled
+    if (cvt.run.stop == Stop::kConverged || job.max_iterations == 0) return PCVT_OK;
+    set_last_error(cvt.run.stop == Stop::kStalled
                        ? "not converged: double precision gives no more; take a larger tolerance"
                        : "not converged: the iteration limit came first");
     return PCVT_NOT_CONVERGED;
@@ -62,7 +62,7 @@ pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std:
         return PCVT_CANCELLED;
     }
     const pcvt_status status = status_of(job, computed->cvt);
-    // The callback ends with this call.
+    // The callback may not be called after this call.
     if (job.density) job.density = Density{};
     *result = new pcvt_result{{std::move(job), *std::move(computed)}};
     return status;
@@ -73,7 +73,7 @@ const Result& content(const pcvt_result* result) {
     return result->content;
 }
 
-/// Hands a view out, in the size that the host knows.
+/// Fills a view, in the size that the host knows.
 template <class View, class Look>
 pcvt_status give(const char* name, View* view, std::size_t size, const Look& look) {
     return guarded([&](const std::fenv_t&) {
@@ -125,7 +125,7 @@ const char* pcvt_status_text(pcvt_status status) {
         case PCVT_ERROR_MEMORY:
             return "out of memory, or a limit of pcvt";
         case PCVT_ERROR_GEOMETRY:
-            return "the sites cannot be told apart";
+            return "sites coincide, or their cells are too small";
         case PCVT_ERROR_IO:
             return "a file could not be written";
         case PCVT_ERROR_INTERNAL:

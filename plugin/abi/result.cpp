@@ -136,19 +136,19 @@ pcvt_statistics Result::statistics() const {
     const std::vector<int>& valences =
         valences_.get([&] { return counts_by_sides(periodic(MeshKind::kVoronoi)); });
     const CvtResult& cvt = computed_.cvt;
-    return {.energy = cvt.energy,
+    return {.energy = cvt.run.energy,
             .energy_bound = energy_bound(job_, cvt),
-            .residual = cvt.residual,
-            .rms_residual = cvt.rms_residual,
+            .residual = cvt.run.residual,
+            .rms_residual = cvt.run.rms_residual,
             .seconds_build = computed_.seconds.build,
             .seconds_optimize = computed_.seconds.optimize,
             .valences = numbers(valences),
             .n_valences = static_cast<std::int32_t>(valences.size()),
             .n_hexagons = valences.size() > 6 ? valences[6] : 0,
-            .stop = stop_number(cvt.stop),
+            .stop = stop_number(cvt.run.stop),
             .n_sites = static_cast<std::int32_t>(sites_.cols()),
-            .iterations = cvt.iterations,
-            .evaluations = computed_.evaluations,
+            .iterations = cvt.run.iterations,
+            .evaluations = cvt.run.evaluations,
             .n_threads = job_.n_threads,
             .n_mirrors = cvt.counts.n_mirrors.value_or(-1)};
 }

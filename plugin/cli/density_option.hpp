@@ -6,10 +6,13 @@
 
 namespace pcvt::cli {
 
-/// The density that --density and --density-range ask for.
-/// @param range    empty where it was not given.
-/// @param lattice  whose coordinates u and v are.
-/// @throws InvalidInput, BadFile, BadDensity in the words of the user; LimitExceeded.
+/// The density of --density and --density-range.
+///
+///   job.density = density_option("1 + 9 * u", "", job.lattice);
+///
+/// @param range    empty if the option is not given.
+/// @param lattice  defines the coordinates u and v.
+/// @throws InvalidInput, BadFile, BadDensity naming the options; LimitExceeded.
 Density density_option(const std::string& density, const std::string& range,
                        const Lattice& lattice);
 

@@ -5,12 +5,12 @@
 
 namespace pcvt::cli {
 
-/// How the command ends. What is thrown decides it (laws, tested by number):
+/// How the command ends. An exception decides it (laws, tested by number):
 ///   (1) InvalidInput, with BadFile, DuplicateSites, NotATile   kBadInput
 ///   (2) OutputError                                            kNotWritten
 ///   (3) LimitExceeded, bad_alloc, length_error                 kLimit
 ///   (4) everything else, InternalError among it                kFault
-/// kNotConverged, kInterrupted and kTerminated are no exceptions but ends of a run.
+/// kNotConverged, kInterrupted and kTerminated are not exceptions, but ends of a run.
 enum class ExitCode {
     kDone = 0,
     kFault = 1,
@@ -22,17 +22,20 @@ enum class ExitCode {
     kTerminated = 143,
 };
 
-/// What the command says of an exception, and the code that it ends with.
+/// The message of an exception, and the exit code of the command.
+///
+///   const Failure failure = describe_failure(std::current_exception());
+///   std::fprintf(stderr, "%s\n", failure.line.c_str());
 struct Failure {
     ExitCode code;
-    /// One line without its end. Faults of a file begin with the file, all others with "pcvt: ".
+    /// One line without a line end. Faults of a file begin with its name, all others with "pcvt: ".
     std::string line;
 };
 
 /// @pre exception is not null.
 Failure describe_failure(const std::exception_ptr& exception);
 
-/// The texts for a top-level `--help`: one line a code.
+/// The text for a top-level `--help`: one line for each code.
 std::string exit_code_help();
 
 }  // namespace pcvt::cli

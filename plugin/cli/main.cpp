@@ -24,7 +24,7 @@ constexpr const char* kExamples =
     "  pcvt study fig11 -o results/\n"
     "  pcvt check tile.obj tile.glb\n\n";
 
-/// The parser of the whole command line and what it fills.
+/// The parser of the whole command line and the options that it fills.
 struct CommandLine {
     CLI::App app{"Periodic centroidal Voronoi tessellations of the flat torus, as seamless tiles",
                  "pcvt"};
@@ -58,7 +58,7 @@ void describe(CommandLine& line) {
     app.footer(std::string(kExamples) + exit_code_help());
 }
 
-/// The command that was given; the whole where there was none.
+/// The parser of the command that was given; that of the whole line if none was given.
 const CLI::App& chosen(const CommandLine& line) {
     for (const CLI::App* command : {line.mesh, line.pattern, line.study, line.check}) {
         if (command->parsed()) return *command;
@@ -66,7 +66,7 @@ const CLI::App& chosen(const CommandLine& line) {
     return line.app;
 }
 
-/// Its name with a blank behind it.
+/// The name of the command and a blank, or nothing.
 std::string command_name(const CommandLine& line) {
     return &chosen(line) == &line.app ? "" : chosen(line).get_name() + " ";
 }

@@ -14,7 +14,7 @@
 namespace pcvt::cli {
 namespace {
 
-/// What the display divides energies by.
+/// The energy that the display divides energies by.
 double expected_energy(const Job& job, int n) {
     const double bound = hexagonal_bound(job.lattice.area(), n);
     if (!job.density) return bound;
@@ -32,7 +32,7 @@ RunSummary run_watched(const Job& job, bool quiet) {
     });
 }
 
-/// Faults of single sites, told by their lines: too far away, coincident.
+/// Runs the job. Reports sites that are too far away or coincident by their lines in the file.
 RunSummary run_file(const Job& job, const SiteFile& file, bool quiet) {
     const Lattice reduced = reduce(job.lattice).reduced;
     for (std::size_t s = 0; s < file.lines.size(); ++s) {
@@ -48,11 +48,11 @@ RunSummary run_file(const Job& job, const SiteFile& file, bool quiet) {
     }
 }
 
-void print_summary(const Job& job, const RunSummary& outcome) {
+void print_summary(const Job& job, const RunSummary& summary) {
     try {
-        print(summary(job, outcome));
+        print(summary_text(job, summary));
     } catch (const OutputError& error) {
-        if (outcome.files.empty() && job.report.empty()) throw;
+        if (summary.files.empty() && job.report.empty()) throw;
         throw OutputError(std::string(error.what()) + "; the files are written");
     }
 }
@@ -62,28 +62,28 @@ ExitCode cancelled() {
     return cancel_signal() == SIGTERM ? ExitCode::kTerminated : ExitCode::kInterrupted;
 }
 
-ExitCode not_converged(const RunSummary& outcome, double tolerance) {
+ExitCode not_converged(const RunSummary& summary, double tolerance) {
     std::fprintf(stderr,
                  "pcvt: not converged (%s, residual %.3g, tolerance %.3g); the files are written\n",
-                 stop_name(outcome.stop), outcome.residual, tolerance);
+                 stop_name(summary.run.stop), summary.run.residual, tolerance);
     return ExitCode::kNotConverged;
 }
 
 }  // namespace
 
 ExitCode run_mesh(Job job, const MeshOptions& options) {
-    RunSummary outcome;
+    RunSummary summary;
     if (options.input.empty()) {
-        outcome = run_watched(job, options.quiet);
+        summary = run_watched(job, options.quiet);
     } else {
         const SiteFile file = read_sites(options.input);
         job.points = file.points;
-        outcome = run_file(job, file, options.quiet);
+        summary = run_file(job, file, options.quiet);
     }
-    if (outcome.stop == Stop::kCancelled) return cancelled();
-    if (!options.quiet) print_summary(job, outcome);
-    if (options.strict && outcome.stop != Stop::kConverged) {
-        return not_converged(outcome, job.tolerance);
+    if (summary.run.stop == Stop::kCancelled) return cancelled();
+    if (!options.quiet) print_summary(job, summary);
+    if (options.strict && summary.run.stop != Stop::kConverged) {
+        return not_converged(summary, job.tolerance);
     }
     return ExitCode::kDone;
 }

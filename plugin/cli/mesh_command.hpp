@@ -6,8 +6,8 @@
 namespace pcvt::cli {
 
 /// `pcvt mesh`: reads the sites, runs the job, shows progress and prints the summary.
-/// @param job  as make_job gave it.
-/// @throws whatever describe_failure knows.
+/// @param job  from make_job, with the same options.
+/// @throws the exceptions of describe_failure.
 ExitCode run_mesh(Job job, const MeshOptions& options);
 
 }  // namespace pcvt::cli

@@ -4,13 +4,16 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <thread>
 
 #include "plugin/cli/density_option.hpp"
 #include "plugin/cli/option_values.hpp"
+#include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_density.hpp"
 #include "plugin/job/job_files.hpp"
+#include "plugin/job/job_start.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -19,6 +22,15 @@ constexpr int kMostIterations = std::numeric_limits<int>::max();
 constexpr int kMostThreads = 1024;
 constexpr int kMostPerEdge = 1000;
 constexpr int kLargestBudget = 2'000'000'000;
+
+/// The outlines as the other choices: a word and PCVT_WHOLE or PCVT_BOX of pcvt.h.
+struct OutlineRow {
+    Outline outline;
+    const char* word;
+    int abi_value;
+};
+constexpr std::array kOutlines{OutlineRow{Outline::kWhole, "whole", 0},
+                               OutlineRow{Outline::kBox, "box", 1}};
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -35,10 +47,35 @@ constexpr const char* kExamples =
     "  pcvt mesh --sites 2000 --density '1 + 99 * exp(-((v - 0.5) / 0.1)^2)' -o ridge.svg\n"
     "      a graded mesh, fine along the line v = 0.5\n";
 
-CLI::Option* add(CLI::App& app, const char* name, std::string& value, const char* form,
-                 const std::string& description) {
-    return app.add_option(name, value, description)->type_name(form);
+void add(CLI::App& app, const char* name, std::string& value, const std::string& form,
+         const std::string& description) {
+    app.add_option(name, value, description)->type_name(form);
 }
+
+/// The words of a table as the form of an option: "whole|box".
+template <class Table>
+std::string form_of(const Table& table) {
+    return listed_words(table, "|", "|");
+}
+
+std::string start_help() {
+    std::string text = "where the sites of --sites begin";
+    for (const StartRow& row : start_rows()) {
+        if (*row.help != '\0') text += std::string("; ") + row.word + ": " + row.help;
+    }
+    return text + " [coarse from N = 1000 on,\nelse random]";
+}
+
+std::string solver_help() {
+    std::string text;
+    for (const SolverRow& row : kSolvers) {
+        if (*row.help != '\0') text += (text.empty() ? "" : "; ") + std::string(row.help);
+    }
+    return text + " [" + solver_row(Job().solver).word + "]";
+}
+
+/// The suffixes of file names: "-voronoi, -delaunay, -grains".
+std::string mesh_suffixes() { return "-" + listed_words(kMeshKinds, ", -", ", -"); }
 
 void add_site_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Sites and lattice");
@@ -59,14 +96,10 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
 
 void add_solver_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Optimisation");
-    add(app, "--start", options.start, "random|coarse|lattice|best",
-        "where the sites of --sites begin; coarse: few sites first, then\n"
-        "between them more; lattice: at the exact lattice with the lowest\n"
-        "energy; best: after a global search [coarse from N = 1000 on,\nelse random]");
+    add(app, "--start", options.start, form_of(start_rows()), start_help());
     add(app, "--budget", options.budget, "E",
         "evaluations that --start best may spend [the least of 2000 N, 2e5\nand 8e7 / N]");
-    add(app, "--solver", options.solver, "lbfgs|lloyd|newton",
-        "lbfgs is finished by newton where that pays [lbfgs]");
+    add(app, "--solver", options.solver, form_of(kSolvers), solver_help());
     add(app, "--tolerance", options.tolerance, "T",
         "converged once max |x_i - g_i| / h <= T, h = sqrt(area / n) [1e-6]");
     add(app, "--max-iterations", options.max_iterations, "K",
@@ -80,11 +113,12 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Output");
     app.add_option("--mesh", options.meshes,
                    "repeatable [voronoi]; grains: triangles inside of cells; with\n"
-                   "several, -voronoi, -delaunay, -grains precede the extension")
+                   "several, " +
+                       mesh_suffixes() + " precede the extension")
         ->type_name("KIND")
-        ->option_text("voronoi|delaunay|grains")
+        ->option_text(form_of(kMeshKinds))
         ->allow_extra_args(false);
-    add(app, "--outline", options.outline, "whole|box",
+    add(app, "--outline", options.outline, form_of(kOutlines),
         "whole: no cell is cut; box: cut along the period vectors, where\n"
         "the shortest edge comes out longest unless --origin is given [whole]");
     add(app, "--size", options.size, "H", "length of the edges of grains [h / 3]");
@@ -107,7 +141,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     app.add_flag("--quiet", options.quiet, "no summary and no progress");
 }
 
-/// Where the lattice comes from: --period, --lattice or the unit square.
+/// The lattice of --period or --lattice, or the unit square.
 Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
     const bool period = app.count("--period") > 0;
     const bool vectors = app.count("--lattice") > 0;
@@ -142,18 +176,11 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
     if (from_file && options.input != "-") job.inputs.push_back(options.input);
 }
 
-MeshKind mesh_kind(const std::string& name) {
-    if (name == "voronoi") return MeshKind::kVoronoi;
-    if (name == "delaunay") return MeshKind::kDelaunay;
-    if (name == "grains") return MeshKind::kGrains;
-    throw InvalidInput("--mesh " + name + ": unknown; take voronoi, delaunay or grains");
-}
-
 void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--mesh") == 0) return;
     job.meshes.clear();
     for (const std::string& name : options.meshes) {
-        const MeshKind kind = mesh_kind(name);
+        const MeshKind kind = chosen_row("--mesh", name, kMeshKinds).kind;
         if (std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end()) {
             throw InvalidInput("--mesh " + name + " is given twice; remove one");
         }
@@ -161,40 +188,31 @@ void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
     }
 }
 
-/// Options with one choice so far, and the solver.
 void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
-    const auto choose = [&app](const char* name, const std::string& value,
-                               std::initializer_list<const char*> known, const char* choices) {
-        if (app.count(name) == 0) return;
-        if (std::find(known.begin(), known.end(), value) == known.end()) {
-            throw InvalidInput(std::string(name) + " " + value + ": unknown; take " + choices);
-        }
-    };
-    choose("--start", options.start, {"random", "coarse", "lattice", "best"},
-           "random, coarse, lattice or best");
-    choose("--solver", options.solver, {"lbfgs", "lloyd", "newton"}, "lbfgs, lloyd or newton");
-    choose("--outline", options.outline, {"whole", "box"}, "whole or box");
-    if (options.outline == "box") job.outline = Outline::kBox;
-    if (options.start == "random") job.start = Start::kRandom;
-    if (options.start == "coarse") job.start = Start::kCoarse;
-    if (options.start == "lattice") job.start = Start::kLattice;
-    if (options.start == "best") job.start = Start::kBest;
-    if (options.solver == "lloyd") job.solver = Solver::kLloyd;
-    if (options.solver == "newton") job.solver = Solver::kNewton;
+    if (app.count("--start") > 0) {
+        job.start = chosen_row("--start", options.start, start_rows()).start;
+    }
+    if (app.count("--solver") > 0) {
+        job.solver = chosen_row("--solver", options.solver, kSolvers).solver;
+    }
+    if (app.count("--outline") > 0) {
+        job.outline = chosen_row("--outline", options.outline, kOutlines).outline;
+    }
 }
 
 void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
-    for (const char* name : {"--size", "--per-edge", "--order"}) {
-        const bool grains =
-            std::find(job.meshes.begin(), job.meshes.end(), MeshKind::kGrains) != job.meshes.end();
-        if (app.count(name) == 0 || grains) continue;
+    const auto require_mesh = [&](const char* name, bool MeshKindRow::*property) {
+        if (app.count(name) == 0 || has_mesh(job, property)) return;
         throw InvalidInput(std::string(name) + " is for grains; add --mesh grains or leave it out");
-    }
+    };
+    require_mesh("--size", &MeshKindRow::grain_size);
+    require_mesh("--per-edge", &MeshKindRow::grain_size);
+    require_mesh("--order", &MeshKindRow::order_2);
     if (app.count("--size") > 0) job.grain_size = positive_number("--size", options.size);
     if (app.count("--per-edge") > 0) {
         job.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
         if (job.grain_size > 0) {
-            throw InvalidInput("--per-edge stands in place of --size; leave one of them out");
+            throw InvalidInput("--per-edge replaces --size; leave one of them out");
         }
     }
     if (app.count("--order") > 0) job.order = whole_number("--order", options.order, 1, 2);
@@ -238,7 +256,7 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
             throw InvalidInput("--short-edges " + options.short_edges +
                                ": such edges are not short; take at most 0.5");
         }
-        if (job.meshes == std::vector<MeshKind>{MeshKind::kDelaunay}) {
+        if (!has_mesh(job, &MeshKindRow::short_edges)) {
             throw InvalidInput(
                 "--short-edges is for cells and grains; take --mesh voronoi or leave it out");
         }

@@ -11,7 +11,7 @@ class App;
 
 namespace pcvt::cli {
 
-/// The options of `pcvt mesh` as they were typed; empty where they were not.
+/// The options of `pcvt mesh` as the user typed them; empty if not given.
 struct MeshOptions {
     std::string sites;
     std::string seed;
@@ -41,12 +41,15 @@ struct MeshOptions {
     bool quiet = false;
 };
 
-/// Gives `app` the options, its description and its examples; parsing fills `options`.
+/// Adds the options and the examples to `app`; parsing fills `options`.
+///
+///   add_mesh_options(app, options);
+///   app.parse(argc, argv);
+///   const Job job = make_job(app, options);
 void add_mesh_options(CLI::App& app, MeshOptions& options);
 
-/// The job that the options describe, without the sites of a file: those are still to be read from
-/// `options.input`.
-/// @param app  the one that add_mesh_options was given, after parsing.
+/// The job that the options describe, without the sites of `options.input`, which it does not read.
+/// @param app  that of add_mesh_options, after parsing.
 /// @throws InvalidInput, LimitExceeded naming the option.
 Job make_job(const CLI::App& app, const MeshOptions& options);
 

@@ -17,7 +17,7 @@ namespace {
     throw InvalidInput(option + " " + (text.empty() ? "''" : text) + ": " + what);
 }
 
-/// The value of a string of digits, at most 2^64 - 1; more digits count as that.
+/// The value of a string of digits; 2^64 - 1 if it is larger than that.
 /// @returns false where `text` is no string of digits.
 bool read_digits(std::string_view text, std::uint64_t& value) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
@@ -31,7 +31,7 @@ bool read_digits(std::string_view text, std::uint64_t& value) {
     return true;
 }
 
-/// One number, or its fault with the option's name before it.
+/// One number. Puts the option's name in front of the message of a fault.
 double number(const std::string& option, const std::string& text, std::string_view word) {
     try {
         return parse_number(word);
@@ -56,7 +56,7 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
     return values;
 }
 
-/// The lattice, or its fault with the option's name before it.
+/// The lattice. Puts the option's name in front of the message of a fault.
 Lattice make_lattice(const std::string& option, const std::string& text, const Vec2& a,
                      const Vec2& b) {
     try {

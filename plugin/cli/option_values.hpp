@@ -3,15 +3,29 @@
 #include <cstdint>
 #include <string>
 
+#include "mesher/base/choices.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/lattice/lattice.hpp"
 
 namespace pcvt::cli {
 
-// Values of options, read strictly and independently of the locale. Each throws InvalidInput
-// "OPTION VALUE: what; what to do".
+// Values of options, read strictly and independently of the locale:
+//
+//   job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
+//   job.solver = chosen_row("--solver", options.solver, kSolvers).solver;
+//
+// Each function throws InvalidInput "OPTION VALUE: what is wrong; what to do".
 
-/// A whole number from `lowest` on.
-/// @throws LimitExceeded where it is a whole number above `highest`.
+/// The row of a table of choices (mesher/base/choices.hpp) that a word names.
+template <class Table>
+const auto& chosen_row(const std::string& option, const std::string& word, const Table& table) {
+    if (const auto* row = find_word(table, word)) return *row;
+    throw InvalidInput(option + " " + word + ": unknown; take " +
+                       listed_words(table, ", ", " or "));
+}
+
+/// A whole number, at least `lowest`.
+/// @throws LimitExceeded if it is above `highest`.
 int whole_number(const std::string& option, const std::string& text, int lowest, int highest);
 
 /// 0 ... 2^64 - 1.
@@ -34,7 +48,7 @@ struct Repetition {
     int rows;
 };
 
-/// "IxJ", whole numbers from 1 on.
+/// "IxJ", whole numbers, at least 1.
 Repetition repetition(const std::string& option, const std::string& text);
 
 }  // namespace pcvt::cli

@@ -16,7 +16,8 @@ constexpr const char* kExamples =
     "  pcvt pattern --sites 10\n"
     "      only the summary: basis, energy, and whether the lattice is a minimum\n";
 
-/// Options of `pcvt mesh` that mean nothing where the sites are computed and stay where they are.
+/// Options of `pcvt mesh` that do not apply, because pattern computes the sites and does not move
+/// them.
 constexpr const char* kForeign[] = {"--seed",      "--input",          "--start",  "--solver",
                                     "--tolerance", "--max-iterations", "--strict", "--budget",
                                     "--density",   "--density-range"};

@@ -4,12 +4,12 @@
 
 namespace pcvt::cli {
 
-/// Gives `app` the options of `pcvt pattern`: those of `pcvt mesh` that choose the lattice and the
+/// Adds the options of `pcvt pattern` to `app`: the options of `pcvt mesh` for the lattice and the
 /// output.
 void add_pattern_options(CLI::App& app, MeshOptions& options);
 
-/// The job of `pcvt pattern`: run_mesh with the best lattice as sites and without an optimiser.
-/// @param app  the one that add_pattern_options was given, after parsing.
+/// The job of `pcvt pattern` for run_mesh: the best lattice as sites, no optimisation.
+/// @param app  that of add_pattern_options, after parsing.
 /// @throws InvalidInput, LimitExceeded naming the option.
 Job make_pattern_job(const CLI::App& app, const MeshOptions& options);
 

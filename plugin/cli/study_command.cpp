@@ -14,7 +14,7 @@
 namespace pcvt::cli {
 namespace {
 
-/// Before so much is done the time left is only a guess.
+/// The share of the work after which the time left is shown.
 constexpr double kLeastShare = 0.02;
 
 std::string progress_text(const StudyProgress& progress, double seconds) {

@@ -5,10 +5,10 @@
 
 namespace pcvt::cli {
 
-/// `pcvt study`: does or merges the runs, shows progress, writes the files and prints the main
+/// `pcvt study`: computes or merges the runs, shows progress, writes the files and prints the main
 /// table.
-/// @param request  as make_study_request gave it.
-/// @throws whatever describe_failure knows.
+/// @param request  from make_study_request, with the same options.
+/// @throws the exceptions of describe_failure.
 ExitCode run_study_command(const StudyRequest& request, const StudyOptions& options);
 
 }  // namespace pcvt::cli

@@ -26,12 +26,12 @@ constexpr const char* kExamples =
     "      the folder results gets fig11.csv, fig11-patterns.csv, fig11-runs.csv, fig11.svg\n"
     "      and fig11-shares.svg\n"
     "  pcvt study fig11 --sites 8,9,12 --runs 1000 --seed 7 -o mine.csv -o mine.svg\n"
-    "      other numbers of sites; mine-patterns.csv, ... stand beside mine.csv\n"
+    "      other numbers of sites; writes mine-patterns.csv, ... beside mine.csv\n"
     "  pcvt study fig11 --shard 2/4 -o part2.csv\n"
     "  pcvt study fig11 --merge part1.csv part2.csv part3.csv part4.csv -o results/\n"
     "      four machines share the runs; the merged files are those of the unsplit study\n";
 
-/// One line a study, with what it runs.
+/// Two lines for each study: its description and its defaults.
 std::string recipes_help() {
     std::string text = "Studies, with the defaults of --sites and --runs:\n";
     for (const StudyRecipe& recipe : study_recipes()) {
@@ -75,7 +75,7 @@ void refuse_beside_merge(const CLI::App& app) {
     for (const char* name : {"--sites", "--runs", "--seed", "--shard"}) {
         if (app.count(name) > 0) {
             throw InvalidInput(std::string(name) +
-                               " is told by the files that --merge reads; remove it");
+                               " comes from the files that --merge reads; remove it");
         }
     }
 }

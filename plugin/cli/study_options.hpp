@@ -11,7 +11,7 @@ class App;
 
 namespace pcvt::cli {
 
-/// The options of `pcvt study` as they were typed; empty where they were not.
+/// The options of `pcvt study` as the user typed them; empty if not given.
 struct StudyOptions {
     std::string name;
     std::string sites;
@@ -25,19 +25,24 @@ struct StudyOptions {
     bool quiet = false;
 };
 
-/// Gives `app` the options, its description and its examples; parsing fills `options`.
+/// Adds the options and the examples to `app`; parsing fills `options`.
+///
+///   add_study_options(app, options);
+///   app.parse(argc, argv);
+///   const StudyRequest request = make_study_request(app, options);
 void add_study_options(CLI::App& app, StudyOptions& options);
 
-/// What is to be done.
+/// The study to compute or to merge.
 struct StudyRequest {
     Study study;
     StudyShard shard;
-    /// Not empty: the study comes from these files, and `study` has only the name.
+    /// If not empty, the study comes from these files, and `study` has only the name.
     std::vector<std::string> merge;
     int n_threads = 1;
 };
 
-/// @param app  the one that add_study_options was given, after parsing.
+/// The study that the options describe.
+/// @param app  that of add_study_options, after parsing.
 /// @throws InvalidInput, LimitExceeded naming the option.
 StudyRequest make_study_request(const CLI::App& app, const StudyOptions& options);
 

@@ -18,25 +18,13 @@ std::string line(const char* label, const std::string& text) {
     return head + text + "\n";
 }
 
-std::string valence_text(const RunSummary& outcome) {
-    std::string text = std::to_string(outcome.n_hexagons) + " of " +
-                       std::to_string(outcome.n_sites) + " cells; sides";
-    for (const auto& [sides, count] : outcome.valences) {
+std::string valence_text(const RunSummary& summary) {
+    std::string text = std::to_string(summary.n_hexagons) + " of " +
+                       std::to_string(summary.n_sites) + " cells; sides";
+    for (const auto& [sides, count] : summary.valences) {
         text += " " + std::to_string(sides) + ":" + std::to_string(count);
     }
     return text;
-}
-
-const char* kind_text(MeshKind kind) {
-    switch (kind) {
-        case MeshKind::kVoronoi:
-            return "voronoi";
-        case MeshKind::kDelaunay:
-            return "delaunay";
-        case MeshKind::kGrains:
-            return "grains";
-    }
-    return "";
 }
 
 std::string grain_text(const GrainFigures& grains) {
@@ -46,10 +34,10 @@ std::string grain_text(const GrainFigures& grains) {
            (n_sharp == 0 ? "" : " but in " + std::to_string(n_sharp) + " sharp corners of pieces");
 }
 
-std::string tile_lines(const RunSummary& outcome) {
+std::string tile_lines(const RunSummary& summary) {
     std::string text;
-    for (const TileFigures& tile : outcome.tiles) {
-        text += line("seam", std::string(kind_text(tile.kind)) + ", " +
+    for (const TileFigures& tile : summary.tiles) {
+        text += line("seam", std::string(mesh_kind_row(tile.kind).word) + ", " +
                                  std::to_string(tile.n_boundary_edges) + " boundary edges in " +
                                  std::to_string(tile.n_edge_pairs) + " pairs");
         if (tile.box_origin) {
@@ -70,7 +58,7 @@ std::string stability_text(const LatticeStability& stability) {
     return verdict + "; smallest eigenvalue " + figure(*stability.smallest) + " of the largest";
 }
 
-/// The best exact lattice, and what it is worth.
+/// The best exact lattice, its energy and its stability.
 std::string pattern_lines(const PatternOutcome& pattern) {
     const LatticePattern& lattice = pattern.lattice;
     return line("pattern", vector_text(lattice.basis.a()) + " " + vector_text(lattice.basis.b()) +
@@ -80,13 +68,14 @@ std::string pattern_lines(const PatternOutcome& pattern) {
            line("stability", stability_text(pattern.stability));
 }
 
-std::string energy_text(const RunSummary& outcome) {
-    std::string text = figure(outcome.energy);
-    if (outcome.energy_bound) {
-        text += ", " + figure(outcome.energy / *outcome.energy_bound) + " of the hexagonal bound";
+std::string energy_text(const RunSummary& summary) {
+    std::string text = figure(summary.run.energy);
+    if (summary.energy_bound) {
+        text +=
+            ", " + figure(summary.run.energy / *summary.energy_bound) + " of the hexagonal bound";
     }
-    if (outcome.density) {
-        text += ", " + figure(outcome.energy / outcome.density->expected_energy) +
+    if (summary.density) {
+        text += ", " + figure(summary.run.energy / summary.density->expected_energy) +
                 " of what many cells of this density tend to";
     }
     return text;
@@ -109,28 +98,28 @@ std::string density_lines(const DensityFigures& density) {
 
 }  // namespace
 
-std::string summary(const Job& job, const RunSummary& outcome) {
+std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
-    text += line("sites", std::to_string(outcome.n_sites));
+    text += line("sites", std::to_string(summary.n_sites));
     text += line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
-    text += line("stop", std::string(stop_name(outcome.stop)) + " after " +
-                             std::to_string(outcome.iterations) + " iterations, " +
-                             std::to_string(outcome.evaluations) + " evaluations");
-    if (outcome.hessians > 0) {
-        text += line("newton", std::to_string(outcome.hessians) + " Hessians, " +
-                                   std::to_string(outcome.cg_products) + " products with them");
+    text += line("stop", std::string(stop_name(summary.run.stop)) + " after " +
+                             std::to_string(summary.run.iterations) + " iterations, " +
+                             std::to_string(summary.run.evaluations) + " evaluations");
+    if (summary.run.hessians > 0) {
+        text += line("newton", std::to_string(summary.run.hessians) + " Hessians, " +
+                                   std::to_string(summary.run.cg_products) + " products with them");
     }
-    text += line("energy", energy_text(outcome));
-    text += line("residual", figure(outcome.residual));
-    if (outcome.minimum) text += line("minimum", minimum_name(*outcome.minimum));
-    text += line("hexagons", valence_text(outcome));
-    if (!outcome.found.empty()) text += line("found", outcome.found);
-    if (outcome.pattern) text += pattern_lines(*outcome.pattern);
-    if (outcome.density) text += density_lines(*outcome.density);
-    text += tile_lines(outcome);
-    for (const std::string& file : outcome.files) text += line("file", file);
+    text += line("energy", energy_text(summary));
+    text += line("residual", figure(summary.run.residual));
+    if (summary.minimum) text += line("minimum", minimum_name(*summary.minimum));
+    text += line("hexagons", valence_text(summary));
+    if (!summary.start.found.empty()) text += line("found", summary.start.found);
+    if (summary.start.pattern) text += pattern_lines(*summary.start.pattern);
+    if (summary.density) text += density_lines(*summary.density);
+    text += tile_lines(summary);
+    for (const std::string& file : summary.files) text += line("file", file);
     if (!job.report.empty()) text += line("report", job.report);
-    text += line("seconds", figure(outcome.seconds.total));
+    text += line("seconds", figure(summary.seconds.total));
     return text;
 }
 

@@ -6,7 +6,7 @@
 
 namespace pcvt::cli {
 
-/// What `pcvt mesh` prints on standard output when it is done.
-std::string summary(const Job& job, const RunSummary& outcome);
+/// The text that `pcvt mesh` prints on standard output at the end: one "label value" a line.
+std::string summary_text(const Job& job, const RunSummary& summary);
 
 }  // namespace pcvt::cli

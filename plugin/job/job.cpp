@@ -21,7 +21,7 @@ class Stopwatch {
    public:
     explicit Stopwatch(const JobSeconds& before = {}) : seconds_(before) {}
 
-    /// The time since the last stop belongs to `stage`.
+    /// Adds the time since the last stop to `stage`.
     void stop(double JobSeconds::*stage) {
         const Clock::time_point now = Clock::now();
         const double lap = std::chrono::duration<double>(now - last_).count();
@@ -37,13 +37,13 @@ class Stopwatch {
     JobSeconds seconds_;
 };
 
-/// Stands between the optimiser and the callback; remembers the last progress.
+/// Passes progress from the optimiser to the callback, and remembers the last one.
 class Monitor {
    public:
     Monitor(const JobCallback& callback, Stopwatch& watch) : callback_(callback), watch_(watch) {}
 
     bool iteration(const Progress& progress) {
-        // The first call comes when the first triangulation stands and is evaluated.
+        // The first call comes once the first triangulation is built and evaluated.
         if (!built_) watch_.stop(&JobSeconds::build);
         built_ = true;
         last_ = progress;
@@ -68,6 +68,7 @@ CvtResult tessellate(const Job& job, JobStart& start, Monitor& monitor) {
     options.tolerance = job.tolerance;
     options.max_iterations = job.max_iterations;
     options.n_threads = job.n_threads;
+    options.numbering = start.numbering;
     options.density = job.density;
     options.progress = [&monitor](const Progress& progress) { return monitor.iteration(progress); };
     return compute_cvt(job.lattice, std::move(start.points), options);
@@ -76,33 +77,25 @@ CvtResult tessellate(const Job& job, JobStart& start, Monitor& monitor) {
 std::optional<Minimum> minimum_of(const CvtResult& result) {
     const Sites& sites = result.delaunay.sites();
     const bool few = sites.n_sites() <= kMostSitesForStability;
-    if (result.stop != Stop::kConverged || result.density || !few) return {};
+    if (result.run.stop != Stop::kConverged || result.density || !few) return {};
     return stability(sites);
 }
 
-RunSummary describe(const Computation& job_result, std::span<const BuiltTile> tiles) {
-    const CvtResult& result = job_result.cvt;
-    RunSummary outcome;
-    outcome.stop = result.stop;
-    outcome.n_sites = result.delaunay.sites().n_sites();
-    outcome.iterations = result.iterations;
-    outcome.evaluations = job_result.evaluations;
-    outcome.pattern = job_result.pattern;
-    outcome.found = job_result.found;
-    outcome.hessians = result.hessians;
-    outcome.cg_products = result.cg_products;
-    outcome.energy = result.energy;
-    if (!result.density) outcome.energy_bound = result.energy_bound;
-    outcome.density = result.density;
-    outcome.residual = result.residual;
-    outcome.rms_residual = result.rms_residual;
-    outcome.minimum = minimum_of(result);
-    outcome.n_mirrors = result.counts.n_mirrors;
-    outcome.valences = histogram(cell_sides(periodic_mesh(result.delaunay, MeshKind::kVoronoi)));
-    const auto hexagons = outcome.valences.find(6);
-    outcome.n_hexagons = hexagons == outcome.valences.end() ? 0 : hexagons->second;
-    for (const BuiltTile& tile : tiles) outcome.tiles.push_back(tile.figures);
-    return outcome;
+RunSummary summarize(const Computation& computation, std::span<const BuiltTile> tiles) {
+    const CvtResult& cvt = computation.cvt;
+    RunSummary summary;
+    summary.run = cvt.run;
+    summary.n_sites = cvt.delaunay.sites().n_sites();
+    if (!cvt.density) summary.energy_bound = cvt.energy_bound;
+    summary.minimum = minimum_of(cvt);
+    summary.n_mirrors = cvt.counts.n_mirrors;
+    summary.valences = histogram(cell_sides(cvt.delaunay));
+    const auto hexagons = summary.valences.find(6);
+    summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
+    summary.density = cvt.density;
+    for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
+    summary.start = computation.start;
+    return summary;
 }
 
 void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
@@ -127,31 +120,31 @@ std::vector<BuiltTile> build_tiles(const Job& job, const CvtResult& result,
     return tiles;
 }
 
-/// Stages every file and then, last, commits them all: the one moment that cannot be cancelled.
+/// Stages every file and then commits them all. The commit cannot be cancelled.
 void write(const Job& job, const std::vector<JobFile>& files, const Computation& result,
            std::span<const BuiltTile> tiles, const Monitor& monitor, Stopwatch& watch,
-           RunSummary& outcome) {
+           RunSummary& summary) {
     OutputSet outputs;
     stage_files(
         job, files, result, tiles, [&] { monitor.between_stages(); }, outputs);
     for (const JobFile& file : files) {
         if (file.folder.empty()) {
-            outcome.files.insert(outcome.files.end(), file.paths.begin(), file.paths.end());
+            summary.files.insert(summary.files.end(), file.paths.begin(), file.paths.end());
         } else {
-            outcome.files.push_back(file.folder);
+            summary.files.push_back(file.folder);
         }
     }
     watch.stop(&JobSeconds::write);
     if (!job.report.empty()) {
-        outcome.seconds = watch.seconds();
-        outputs.stage(job.report, encode_job_report(job, outcome));
+        summary.seconds = watch.seconds();
+        outputs.stage(job.report, encode_job_report(job, summary));
     }
     monitor.between_stages();
     outputs.commit(job.force);
     watch.stop(&JobSeconds::write);
 }
 
-/// Asked here and not when a file is written: a host's density is gone by then.
+/// Evaluated before any file is written, because a host's density ends with its call.
 std::vector<double> site_densities(const Job& job, const CvtResult& result) {
     if (!job.density) return {};
     return densities_at(*job.density, job.lattice, wrapped_sites(result));
@@ -163,11 +156,10 @@ Computation compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
     watch.stop(&JobSeconds::optimize);
     CvtResult cvt = tessellate(job, start, monitor);
     watch.stop(&JobSeconds::optimize);
-    if (cvt.stop == Stop::kCancelled) throw Cancelled{};
-    const int evaluations = start.evaluations + cvt.evaluations;
+    if (cvt.run.stop == Stop::kCancelled) throw Cancelled{};
+    cvt.run.evaluations += start.evaluations;
     std::vector<double> densities = site_densities(job, cvt);
-    return {std::move(cvt),           std::move(densities),   evaluations,
-            std::move(start.pattern), std::move(start.found), watch.seconds()};
+    return {std::move(cvt), std::move(start.figures), std::move(densities), watch.seconds()};
 }
 
 RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
@@ -175,11 +167,11 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
     Monitor monitor(callback, watch);
     const Computation result = compute(job, monitor, watch);
     const std::vector<BuiltTile> tiles = build_tiles(job, result.cvt, monitor);
-    RunSummary outcome = describe(result, tiles);
+    RunSummary summary = summarize(result, tiles);
     watch.stop(&JobSeconds::build);
-    write(job, files, result, tiles, monitor, watch, outcome);
-    outcome.seconds = watch.seconds();
-    return outcome;
+    write(job, files, result, tiles, monitor, watch, summary);
+    summary.seconds = watch.seconds();
+    return summary;
 }
 
 }  // namespace
@@ -222,10 +214,10 @@ RunSummary write_job(const Job& job, const Computation& result, std::span<const 
     require_all_writable(job, files);
     Stopwatch watch(result.seconds);
     const JobCallback no_callback;
-    RunSummary outcome = describe(result, tiles);
-    write(job, files, result, tiles, Monitor(no_callback, watch), watch, outcome);
-    outcome.seconds = watch.seconds();
-    return outcome;
+    RunSummary summary = summarize(result, tiles);
+    write(job, files, result, tiles, Monitor(no_callback, watch), watch, summary);
+    summary.seconds = watch.seconds();
+    return summary;
 }
 
 RunSummary run_job(const Job& job, const JobCallback& callback) {

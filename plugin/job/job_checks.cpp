@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mesher/mesh/voronoi.hpp"
+#include "mesher/base/choices.hpp"
+#include "plugin/job/job_start.hpp"
 
 namespace pcvt {
 namespace {
@@ -12,10 +13,10 @@ namespace {
 /// Offsets of a tile stay below this, so that their sums and differences fit an int.
 constexpr double kLargestOffset = 1 << 28;
 
-/// Coordinates of the origin are rounded by this many ulps at most on their way into a file.
+/// Coordinates of the origin are rounded by at most this many ulps on their way into a file.
 constexpr double kUlps = 4;
 
-/// So many squares of the size of grains: three triangles each stay below the end of int.
+/// The most squares of the size of a grain: three triangles for each of them fit an int.
 constexpr double kMostGrainSquares = 1 << 27;
 
 Reduction reduce_repeated(const Job& job) {
@@ -28,7 +29,7 @@ Reduction reduce_repeated(const Job& job) {
     }
 }
 
-/// The origin must leave the offsets in their integers, and vertices that differ must stay apart.
+/// Requires that the offsets fit their integers, and that different vertices stay different.
 void check_origin(const Job& job, const Reduction& repeated, double n_sites) {
     const Vec2 periods = repeated.reduced.to_lattice(job.origin);
     double largest = 1;
@@ -41,10 +42,6 @@ void check_origin(const Job& job, const Reduction& repeated, double n_sites) {
         throw InvalidInput(
             "the origin is so far away that the tile would lose its digits; give a nearer one");
     }
-}
-
-bool asks_for(const Job& job, MeshKind kind) {
-    return std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end();
 }
 
 void check_grains(const Job& job) {
@@ -64,22 +61,22 @@ void check_grains(const Job& job) {
 
 void check_meshes(const Job& job) {
     if (job.meshes.empty()) {
-        throw InvalidInput("no mesh is asked for; take voronoi, delaunay or grains");
+        throw InvalidInput("no mesh is given; take " + listed_words(kMeshKinds, ", ", " or "));
     }
-    if (job.outline == Outline::kBox && asks_for(job, MeshKind::kDelaunay)) {
+    const bool all_cut = std::all_of(job.meshes.begin(), job.meshes.end(),
+                                     [](MeshKind kind) { return mesh_kind_row(kind).box_outline; });
+    if (job.outline == Outline::kBox && !all_cut) {
         throw InvalidInput(
             "the box outline would cut Delaunay triangles, and cut ones are none; "
             "take the mesh grains with the box outline, or the whole outline");
     }
     if (job.order != 1 && job.order != 2) throw InvalidInput("the order of grains is 1 or 2");
-    if (asks_for(job, MeshKind::kGrains)) check_grains(job);
+    if (has_mesh(job, &MeshKindRow::grain_size)) check_grains(job);
 }
 
-/// Starts and solvers that know no density.
 void check_density(const Job& job) {
     if (!job.density) return;
-    const Start start = job.start.value_or(Start::kRandom);
-    if (start == Start::kLattice || start == Start::kBest) {
+    if (job.start && !start_row(*job.start).with_density) {
         throw InvalidInput(
             "a lattice knows no density; leave the start out, or take coarse or random");
     }
@@ -87,15 +84,19 @@ void check_density(const Job& job) {
 
 }  // namespace
 
+bool has_mesh(const Job& job, bool MeshKindRow::*property) {
+    return std::any_of(job.meshes.begin(), job.meshes.end(),
+                       [property](MeshKind kind) { return mesh_kind_row(kind).*property; });
+}
+
 void check_order(const Job& job, const std::vector<JobFile>& files) {
     if (job.order == 1 || files.empty()) return;
     const bool held = std::any_of(files.begin(), files.end(), [](const JobFile& file) {
         return file.format->highest_order > 1;
     });
     if (held) return;
-    throw InvalidInput(
-        "none of the files asked for holds the mid-side nodes of order 2; add one of " +
-        second_order_extensions() + ", or take order 1");
+    throw InvalidInput("no output holds the mid-side nodes of order 2; add one of " +
+                       second_order_extensions() + ", or take order 1");
 }
 
 void check_job(const Job& job) {

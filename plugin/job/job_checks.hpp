@@ -6,8 +6,13 @@
 
 namespace pcvt {
 
-/// Formats without nodes in the middle of edges hold the corners alone, but one must have them.
-/// @throws InvalidInput where a job of order 2 has files, and none holds it.
+/// Whether some mesh of the job has a property of the table of mesh kinds:
+///   if (!has_mesh(job, &MeshKindRow::order_2)) throw InvalidInput("--order is for grains");
+bool has_mesh(const Job& job, bool MeshKindRow::*property);
+
+/// Requires a file that holds the mid-side nodes of a job of order 2. The files of other formats
+/// hold its corners alone.
+/// @throws InvalidInput if the job has files, and none of them holds mid-side nodes.
 void check_order(const Job& job, const std::vector<JobFile>& files);
 
 }  // namespace pcvt

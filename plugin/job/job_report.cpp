@@ -19,31 +19,18 @@ std::optional<Report::Pattern> report_pattern(const std::optional<PatternOutcome
                            .smallest_eigenvalue = stability.smallest};
 }
 
-const char* solver_name(Solver solver) {
-    switch (solver) {
-        case Solver::kLloyd:
-            return "lloyd";
-        case Solver::kNewton:
-            return "newton";
-        case Solver::kLbfgs:
-        case Solver::kPlainLbfgs:
-            return "lbfgs";
-    }
-    return "";
-}
-
-/// Over all tiles of the run.
-std::optional<double> shortest_box_edge(const RunSummary& outcome) {
+/// The shortest over all tiles of the run.
+std::optional<double> shortest_box_edge(const RunSummary& summary) {
     std::optional<double> shortest;
-    for (const TileFigures& tile : outcome.tiles) {
+    for (const TileFigures& tile : summary.tiles) {
         if (!tile.box_shortest_edge) continue;
         shortest = std::min(shortest.value_or(*tile.box_shortest_edge), *tile.box_shortest_edge);
     }
     return shortest;
 }
 
-std::optional<Report::Grains> report_grains(const RunSummary& outcome) {
-    for (const TileFigures& tile : outcome.tiles) {
+std::optional<Report::Grains> report_grains(const RunSummary& summary) {
+    for (const TileFigures& tile : summary.tiles) {
         if (!tile.grains) continue;
         Report::Grains grains{tile.grains->n_triangles, tile.grains->smallest_angle, {}};
         for (const SharpGrainCorner& corner : tile.grains->sharp_corners) {
@@ -54,9 +41,9 @@ std::optional<Report::Grains> report_grains(const RunSummary& outcome) {
     return std::nullopt;
 }
 
-std::optional<Report::Density> report_density(const Job& job, const RunSummary& outcome) {
-    if (!outcome.density) return std::nullopt;
-    const DensityFigures& figures = *outcome.density;
+std::optional<Report::Density> report_density(const Job& job, const RunSummary& summary) {
+    if (!summary.density) return std::nullopt;
+    const DensityFigures& figures = *summary.density;
     return Report::Density{.name = job.density_name,
                            .least = figures.least,
                            .greatest = figures.greatest,
@@ -71,36 +58,36 @@ std::optional<Report::Density> report_density(const Job& job, const RunSummary& 
 
 }  // namespace
 
-std::string encode_job_report(const Job& job, const RunSummary& outcome) {
-    const JobSeconds& seconds = outcome.seconds;
+std::string encode_job_report(const Job& job, const RunSummary& summary) {
+    const JobSeconds& seconds = summary.seconds;
     return encode_report({
         .version = version(),
-        .sites = outcome.n_sites,
+        .sites = summary.n_sites,
         .lattice = job.lattice,
         .seed = job.seed,
-        .solver = solver_name(job.solver),
+        .solver = solver_row(job.solver).word,
         .start = start_name(job),
-        .stop = stop_name(outcome.stop),
-        .iterations = outcome.iterations,
-        .evaluations = outcome.evaluations,
-        .hessians = outcome.hessians,
-        .cg_products = outcome.cg_products,
-        .energy = outcome.energy,
-        .energy_bound = outcome.energy_bound,
-        .residual = outcome.residual,
-        .minimum = outcome.minimum ? std::optional<std::string>(minimum_name(*outcome.minimum))
+        .stop = stop_name(summary.run.stop),
+        .iterations = summary.run.iterations,
+        .evaluations = summary.run.evaluations,
+        .hessians = summary.run.hessians,
+        .cg_products = summary.run.cg_products,
+        .energy = summary.run.energy,
+        .energy_bound = summary.energy_bound,
+        .residual = summary.run.residual,
+        .minimum = summary.minimum ? std::optional<std::string>(minimum_name(*summary.minimum))
                                    : std::nullopt,
-        .hexagons = outcome.n_hexagons,
-        .valences = outcome.valences,
-        .mirrors = outcome.n_mirrors,
+        .hexagons = summary.n_hexagons,
+        .valences = summary.valences,
+        .mirrors = summary.n_mirrors,
         .threads = job.n_threads,
         .seconds = {seconds.build, seconds.optimize, seconds.write, seconds.total},
-        .files = outcome.files,
-        .found = outcome.found,
-        .pattern = report_pattern(outcome.pattern),
-        .box_shortest_edge = shortest_box_edge(outcome),
-        .grains = report_grains(outcome),
-        .density = report_density(job, outcome),
+        .files = summary.files,
+        .found = summary.start.found,
+        .pattern = report_pattern(summary.start.pattern),
+        .box_shortest_edge = shortest_box_edge(summary),
+        .grains = report_grains(summary),
+        .density = report_density(job, summary),
     });
 }
 

@@ -6,7 +6,7 @@
 
 namespace pcvt {
 
-/// The JSON report of a run, its keys in the order that the report promises.
-std::string encode_job_report(const Job& job, const RunSummary& outcome);
+/// The JSON report of a run, its keys in the order of io/run_files/report.hpp.
+std::string encode_job_report(const Job& job, const RunSummary& summary);
 
 }  // namespace pcvt

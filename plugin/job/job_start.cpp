@@ -1,100 +1,108 @@
 #include "plugin/job/job_start.hpp"
 
+#include <array>
+
 #include "mesher/cvt/coarse_start.hpp"
-#include "mesher/delaunay/spatial_sort.hpp"
 #include "mesher/density/density_survey.hpp"
 #include "mesher/search/global_search.hpp"
 
 namespace pcvt {
 namespace {
 
-/// Below this random sites cost nothing, and the paper's statistics want them.
-constexpr int kFewestForCoarse = 1000;
-
-Start chosen_start(const Job& job) {
-    if (job.start) return *job.start;
-    // With a density that jumps, what the coarse cells miss makes higher minima.
-    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0 && !job.density;
-    return coarse ? Start::kCoarse : Start::kRandom;
-}
-
-JobStart drawn_start(const Job& job) {
+JobStart random_start(const Job& job, const JobCallback& /*callback*/) {
     JobStart start;
     start.points = job.density ? graded_points(job.lattice, *job.density, job.n_sites, job.seed)
                                : uniform_points(job.lattice, job.n_sites, job.seed);
     return start;
 }
 
-JobStart refined_start(const Job& job, const JobCallback& callback) {
+JobStart coarse_job_start(const Job& job, const JobCallback& callback) {
     JobStart start;
-    start.points =
-        coarse_start(job.lattice, job.n_sites, {job.seed, job.n_threads, job.density, callback});
+    start.points = coarse_start(job.lattice, job.n_sites,
+                                {.seed = job.seed,
+                                 .n_threads = job.n_threads,
+                                 .density = job.density,
+                                 .progress = callback});
     start.precondition_below = kPreconditionAfterCoarse;
     start.cancelled = start.points.cols() == 0;
     return start;
 }
 
-JobStart lattice_start(const Job& job) {
+JobStart lattice_start(const Job& job, const JobCallback& /*callback*/) {
     const LatticePattern pattern = best_lattice(job.lattice, job.n_sites);
     JobStart start;
     start.points = pattern_points(pattern);
-    start.pattern = PatternOutcome{pattern, lattice_stability(pattern)};
+    start.figures.pattern = PatternOutcome{pattern, lattice_stability(pattern)};
     return start;
 }
 
 JobStart best_start(const Job& job, const JobCallback& callback) {
     const int budget = job.budget > 0 ? job.budget : default_search_budget(job.n_sites);
-    SearchResult result =
-        search_minimum(job.lattice, job.n_sites, {job.seed, budget, job.n_threads, callback});
+    SearchResult result = search_minimum(
+        job.lattice, job.n_sites,
+        {.seed = job.seed, .budget = budget, .n_threads = job.n_threads, .progress = callback});
     JobStart start;
     start.points = std::move(result.points);
-    start.pattern = PatternOutcome{result.lattice, lattice_stability(result.lattice)};
-    start.found = std::move(result.found);
+    start.figures.pattern = PatternOutcome{result.lattice, lattice_stability(result.lattice)};
+    start.figures.found = std::move(result.found);
     start.evaluations = result.evaluations;
     start.cancelled = result.cancelled;
     return start;
 }
 
-JobStart found_start(const Job& job, const JobCallback& callback) {
-    switch (chosen_start(job)) {
-        case Start::kRandom:
-            return drawn_start(job);
-        case Start::kLattice:
-            return lattice_start(job);
-        case Start::kBest:
-            return best_start(job, callback);
-        case Start::kCoarse:
-            return refined_start(job, callback);
-    }
-    throw InternalError("no such start");
+/// In the order of the enumerators.
+constexpr std::array kStarts{StartRow{.start = Start::kRandom,
+                                      .word = "random",
+                                      .abi_value = 1,
+                                      .with_density = true,
+                                      .help = "",
+                                      .make = random_start},
+                             StartRow{.start = Start::kCoarse,
+                                      .word = "coarse",
+                                      .abi_value = 2,
+                                      .with_density = true,
+                                      .help = "few sites first, then\nbetween them more",
+                                      .make = coarse_job_start},
+                             StartRow{.start = Start::kLattice,
+                                      .word = "lattice",
+                                      .abi_value = 3,
+                                      .with_density = false,
+                                      .help = "at the exact lattice with the lowest\nenergy",
+                                      .make = lattice_start},
+                             StartRow{.start = Start::kBest,
+                                      .word = "best",
+                                      .abi_value = 4,
+                                      .with_density = false,
+                                      .help = "after a global search",
+                                      .make = best_start}};
+
+/// For fewer sites the time of random starts does not matter, and the paper's statistics are of
+/// random starts.
+constexpr int kFewestForCoarse = 1000;
+
+Start chosen_start(const Job& job) {
+    if (job.start) return *job.start;
+    // Where a density jumps, the coarse cells miss detail, and the minima become higher.
+    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0 && !job.density;
+    return coarse ? Start::kCoarse : Start::kRandom;
 }
 
 }  // namespace
 
+std::span<const StartRow> start_rows() { return kStarts; }
+
+const StartRow& start_row(Start start) { return kStarts[static_cast<std::size_t>(start)]; }
+
 JobStart job_start(const Job& job, const JobCallback& callback) {
+    if (job.points.cols() == 0) return start_row(chosen_start(job)).make(job, callback);
     JobStart start;
-    if (job.points.cols() > 0) {
-        start.points = job.points;
-        return start;
-    }
-    start = found_start(job, callback);
-    if (!start.cancelled) start.points = spatially_sorted(job.lattice, start.points);
+    start.points = job.points;
+    start.numbering = Numbering::kAsGiven;
     return start;
 }
 
 const char* start_name(const Job& job) {
-    if (job.points.cols() > 0) return "file";
-    switch (chosen_start(job)) {
-        case Start::kRandom:
-            return "random";
-        case Start::kCoarse:
-            return "coarse";
-        case Start::kLattice:
-            return "lattice";
-        case Start::kBest:
-            return "best";
-    }
-    return "";
+    return job.points.cols() > 0 ? "file" : start_row(chosen_start(job)).word;
 }
 
 }  // namespace pcvt

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "plugin/job/job.hpp"
 
 namespace pcvt {
@@ -8,21 +10,43 @@ namespace pcvt {
 struct JobStart {
     /// 2 x n, length units.
     Points points;
+    /// Sites of the user keep their numbers; all others are numbered by columns.
+    Numbering numbering = Numbering::kByColumns;
     /// For CvtOptions.
     double precondition_below = CvtOptions().precondition_below;
-    /// The best lattice for n, where the start looked for it.
-    std::optional<PatternOutcome> pattern;
-    /// Of the global search: how it found the place, and what it spent.
-    std::string found;
+    StartFigures figures;
+    /// Of the global search.
     int evaluations = 0;
     bool cancelled = false;
 };
 
-/// Sites that the user gave keep their numbers; all others are numbered column by column.
+/// A start as options, reports and runs know it.
+struct StartRow {
+    Start start;
+    /// In options and reports.
+    const char* word;
+    /// PCVT_START_... of pcvt.h.
+    int abi_value;
+    /// Whether it can follow a density.
+    bool with_density;
+    /// For the command's help, with its line breaks; may be empty.
+    const char* help;
+    JobStart (*make)(const Job& job, const JobCallback& callback);
+};
+
+/// All starts, in the order of the enumerators.
+std::span<const StartRow> start_rows();
+const StartRow& start_row(Start start);
+
+/// The sites that a job begins with.
+///
+///   JobStart start = job_start(job, callback);
+///   if (!start.cancelled) use(start.points);
+///
 /// @param callback  as run_job's; called by the coarse start and the global search.
 JobStart job_start(const Job& job, const JobCallback& callback);
 
-/// The start as contract words: "file", "random", "coarse", "lattice", "best".
+/// The start of a job in reports: "file" if the user gave the sites, else its word.
 const char* start_name(const Job& job);
 
 }  // namespace pcvt

@@ -26,7 +26,7 @@ void require(pcvt_status status) {
     if (status < 0) throw std::runtime_error(pcvt_last_error());
 }
 
-/// How far a run is, for MeshLab's bar: by the logarithm of the residual, never backwards.
+/// The progress for MeshLab's bar, by the logarithm of the residual; never decreases.
 struct ProgressBar {
     vcg::CallBackPos* callback;
     double tolerance;
@@ -48,7 +48,7 @@ int show_progress(const pcvt_progress* progress, void* data) {
     return bar.callback(bar.percent, text.data()) ? 0 : 1;
 }
 
-/// @throws std::runtime_error with the reason where there is no result.
+/// @throws std::runtime_error with the reason if there is no result.
 Result generate(const TileRequest& request, vcg::CallBackPos* callback) {
     pcvt_options options = request.options;
     ProgressBar bar{callback, options.tolerance};
@@ -81,7 +81,7 @@ std::string run_line(const pcvt_statistics& run) {
     return text.data();
 }
 
-/// How many edges of the seam each translation glues.
+/// The number of seam edges that each translation glues.
 std::string seam_line(const pcvt_tile& tile) {
     std::map<std::pair<int, int>, int> counts;
     for (int k = 0; k < tile.n_edge_pairs; ++k) {

@@ -8,9 +8,8 @@
 
 /// "Create Periodic CVT Tile": a new layer with the tile of a periodic CVT.
 ///
-/// The report of a run goes to MeshLab's log, and so does what went wrong. A run can be cancelled
-/// by a host whose progress callback returns false; MeshLab 2020.09 never does. Nothing is added
-/// then.
+/// The report of a run and its errors go to MeshLab's log. A host cancels a run by returning false
+/// from its progress callback, which MeshLab 2020.09 never does; then no layer is added.
 class FilterPcvt : public QObject, public MeshFilterInterface {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID MESH_FILTER_INTERFACE_IID)
@@ -25,7 +24,7 @@ class FilterPcvt : public QObject, public MeshFilterInterface {
     QString filterScriptFunctionName(FilterIDType filter) override;
     FilterClass getClass(QAction* action) override;
     FILTER_ARITY filterArity(QAction* action) const override;
-    /// Nothing: the layers that are there stay as they are.
+    /// Nothing: existing layers do not change.
     int postCondition(QAction* action) const override;
     void initParameterSet(QAction* action, MeshDocument& document,
                           RichParameterList& parameters) override;

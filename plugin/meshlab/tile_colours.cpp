@@ -8,7 +8,7 @@
 namespace pcvt::meshlab {
 namespace {
 
-/// Edges shorter than this, in units of h, are no sides.
+/// Edges shorter than this, in units of h, do not count as sides.
 constexpr double kShortEdge = 1e-5;
 constexpr int kFewest = 3;
 

@@ -9,10 +9,14 @@
 
 namespace pcvt::meshlab {
 
-/// A colour for each site. By sides it is that of the command's own files; edges count as sides
-/// that are longer than 1e-5 h and than options.short_edges h, h = sqrt(area / sites).
-/// @returns nothing for Colouring::kNone.
-/// @throws std::runtime_error where pcvt refuses.
+/// A colour for each site. Colours by sides are those of the command's files; edges count as sides
+/// if they are longer than 1e-5 h and than options.short_edges h, h = sqrt(area / sites).
+///
+///   const std::vector<vcg::Color4b> colours = site_colours(result, request);
+///   fill_layer(layer, tile, colours, request);
+///
+/// @returns an empty vector for Colouring::kNone.
+/// @throws std::runtime_error with the message of an error of pcvt.
 std::vector<vcg::Color4b> site_colours(const pcvt_result* result, const TileRequest& request);
 
 }  // namespace pcvt::meshlab

@@ -9,7 +9,7 @@
 namespace pcvt::meshlab {
 namespace {
 
-/// Their numbers in the list of the parameter "select".
+/// The values of the parameter "select".
 enum Selection { kSelectNothing, kSelectVertices, kSelectFaces, kSelectBoth };
 
 void add_sites(RichParameterList& list) {
@@ -71,8 +71,8 @@ double decimal_of(float value) {
     return number;
 }
 
-/// Numbers parted by commas or blanks.
-/// @throws std::invalid_argument with the text if there is anything else.
+/// Numbers between commas or blanks.
+/// @throws std::invalid_argument with any other text.
 std::vector<double> read_numbers(const std::string& text) {
     constexpr std::string_view kGaps = ", \t";
     std::vector<double> numbers;

@@ -9,22 +9,23 @@ namespace pcvt::meshlab {
 
 enum class Colouring { kNone, kByCell, kBySides };
 
-/// What the user of the filter asked for.
+/// The request of the filter's user.
 struct TileRequest {
     pcvt_options options{};
     std::string density;  ///< for options.density_source; empty: uniform
     int32_t kind = PCVT_VORONOI;
     int32_t outline = PCVT_WHOLE;
     Colouring colouring = Colouring::kBySides;
-    bool select_vertices = false;  ///< those on the seam
-    bool select_faces = false;     ///< those with an edge on the seam
+    bool select_vertices = false;  ///< on the seam
+    bool select_faces = false;     ///< with an edge on the seam
 };
 
 /// The parameters of the filter with their defaults, in the order of its dialog.
 void add_parameters(RichParameterList& parameters);
 
-/// A parameter of 32 bits becomes the double whose shortest decimal is the same: 1e-6 means 1e-6.
-/// @throws std::invalid_argument in words for the user; pcvt_generate() refuses the rest.
+/// The request of a dialog. A parameter of 32 bits becomes the double with the same shortest
+/// decimal: 1e-6 means 1e-6.
+/// @throws std::invalid_argument with a message for the user; pcvt_generate() finds other errors.
 TileRequest read_request(const RichParameterList& parameters);
 
 }  // namespace pcvt::meshlab

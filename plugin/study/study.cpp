@@ -15,7 +15,7 @@
 namespace pcvt {
 namespace {
 
-/// Between two looks at the callback each thread does so many runs.
+/// Runs of each thread between two calls of the callback.
 constexpr int kRunsPerLook = 8;
 constexpr const char* kRunsSuffix = "-runs";
 
@@ -59,7 +59,7 @@ void check_study(const Study& study, StudyShard shard) {
     }
 }
 
-/// The line that tells studies apart: "study fig11 --sites 4,6 --runs 5000 --seed 0".
+/// The line that identifies a study: "study fig11 --sites 4,6 --runs 5000 --seed 0".
 std::string study_line(const Study& study) {
     std::string line = "study " + study.name + " --sites ";
     for (std::size_t k = 0; k < study.sites.size(); ++k) {
@@ -76,7 +76,11 @@ std::vector<std::string> head_notes(const Study& study) {
 
 StudyTable empty_runs(const Study& study) {
     const StudyRecipe& recipe = find_study_recipe(study.name);
-    StudyTable table{kRunsSuffix, head_notes(study), {}, {"n", "run", "seed"}, {}};
+    StudyTable table{.suffix = kRunsSuffix,
+                     .notes = head_notes(study),
+                     .remarks = {},
+                     .columns = {"n", "run", "seed"},
+                     .rows = {}};
     table.notes.insert(table.notes.end(), recipe.notes.begin(), recipe.notes.end());
     table.columns.insert(table.columns.end(), recipe.columns.begin(), recipe.columns.end());
     return table;
@@ -107,7 +111,7 @@ Study parse_study(const std::string& file, const StudyTable& table) {
     }
     if (!table.notes[0].starts_with(head)) {
         throw BadFile(file + ": written by another version (" + table.notes[0] +
-                      "); make it anew with this one");
+                      "); make it again with this one");
     }
     try {
         LineScanner scanner(file, table.notes[0]);
@@ -126,7 +130,8 @@ Study parse_study(const std::string& file, const StudyTable& table) {
         check_study(study, {});
         return study;
     } catch (const std::exception&) {
-        throw BadFile(file + ": its first line tells no study; give files of pcvt study --shard");
+        throw BadFile(file +
+                      ": its first line describes no study; give files of pcvt study --shard");
     }
 }
 
@@ -142,7 +147,7 @@ std::string in_words(StudyTask task) {
     return "run " + std::to_string(task.run) + " of " + std::to_string(task.n) + " sites";
 }
 
-/// The rows by run; a run's rows all come from one file.
+/// The rows of each run; all rows of a run come from one file.
 using RowsByRun = std::map<StudyTask, std::vector<StudyRow>>;
 
 void collect(const NamedRuns& part, RowsByRun& rows) {
@@ -151,7 +156,7 @@ void collect(const NamedRuns& part, RowsByRun& rows) {
         const StudyTask task = task_of(part.file, part.table, row);
         if (own.insert(task).second && rows.contains(task)) {
             throw BadFile(part.file + ": " + in_words(task) +
-                          " stands in another file too; give each shard once");
+                          " is in another file too; give each shard once");
         }
         rows[task].push_back(row);
     }
@@ -220,7 +225,7 @@ MergedStudy merge_runs(const std::vector<NamedRuns>& parts) {
     for (const StudyTask task : all_tasks(study)) {
         const auto found = rows.find(task);
         if (found == rows.end()) {
-            throw InvalidInput(in_words(task) + " stands in no file; give the files of all shards");
+            throw InvalidInput(in_words(task) + " is in no file; give the files of all shards");
         }
         std::move(found->second.begin(), found->second.end(), std::back_inserter(merged.runs.rows));
         rows.erase(found);

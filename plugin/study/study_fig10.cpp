@@ -8,7 +8,7 @@
 namespace pcvt {
 namespace {
 
-/// Fewer sites are left out of the fit: at n = 1 eight mirrors are all neighbours there are.
+/// The fewest sites that the fit takes: at n = 1 all eight neighbours are mirrors.
 constexpr int kFewestFitted = 100;
 
 std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
@@ -70,8 +70,10 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         "shrunk_inner: sites that the paper calls inner, whose cell a mirror cuts all the same"};
     table.columns = {"n",       "mirrors",         "least",          "most",
                      "percent", "mirrors/sqrt(n)", "boundary_sites", "shrunk_inner"};
-    PlotSeries counts{PlotSeries::Mark::kDots, "mirrors", kPlotBlue, {}, {}};
-    PlotSeries shares{PlotSeries::Mark::kDots, "mirrors / n", kPlotBlue, {}, {}};
+    PlotSeries counts{
+        .mark = PlotSeries::Mark::kDots, .label = "mirrors", .colour = kPlotBlue, .points = {}};
+    PlotSeries shares{
+        .mark = PlotSeries::Mark::kDots, .label = "mirrors / n", .colour = kPlotBlue, .points = {}};
     std::vector<int> sites = study.sites;
     std::sort(sites.begin(), sites.end());
     for (const int n : study.sites) table.rows.push_back(row_of(runs, n));
@@ -84,9 +86,14 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         {"Mirrors against the number of sites", {"number of sites n", true}, {"mirrors", true}, {}},
         {"Their share", {"number of sites n", true}, {"percent of the sites", true}, {}}};
     if (const double c = fit(study, runs); c > 0) {
-        PlotSeries root{PlotSeries::Mark::kDashes, rounded(c, 3) + " √n", kPlotGrey, {}, {}};
-        PlotSeries share{
-            PlotSeries::Mark::kDashes, rounded(100 * c, 3) + " / √n", kPlotGrey, {}, {}};
+        PlotSeries root{.mark = PlotSeries::Mark::kDashes,
+                        .label = rounded(c, 3) + " √n",
+                        .colour = kPlotGrey,
+                        .points = {}};
+        PlotSeries share{.mark = PlotSeries::Mark::kDashes,
+                         .label = rounded(100 * c, 3) + " / √n",
+                         .colour = kPlotGrey,
+                         .points = {}};
         for (const int n : {sites.front(), sites.back()}) {
             root.points.emplace_back(n, c * std::sqrt(n));
             share.points.emplace_back(n, 100 * c / std::sqrt(n));

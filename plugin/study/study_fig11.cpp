@@ -13,9 +13,9 @@ namespace pcvt {
 namespace {
 
 constexpr double kTolerance = 1e-8;
-/// Energies this close to each other, relatively, are of one minimum: its first run is named.
+/// Relative difference of energies of the same minimum. Of its runs the first one is reported.
 constexpr double kSameEnergy = 1e-9;
-/// Of one n; the rest stands in the table.
+/// Panels for each n; the table has all patterns.
 constexpr std::size_t kMostPanels = 3;
 
 std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
@@ -23,12 +23,9 @@ std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
     const CvtResult result =
         compute_cvt(unit, uniform_points(unit, n, seed), plain_lbfgs(kTolerance));
     const int hexagons = count_hexagons(result);
-    StudyRow row{stop_name(result.stop),
-                 std::to_string(result.iterations),
-                 std::to_string(result.evaluations),
-                 in_full(result.energy),
-                 in_full(result.residual),
-                 std::to_string(hexagons)};
+    StudyRow row{stop_name(result.run.stop)};
+    for (std::string& cell : run_cells(result.run)) row.push_back(std::move(cell));
+    row.push_back(std::to_string(hexagons));
     const auto lattice = hexagons == n ? as_lattice(result) : std::nullopt;
     if (lattice) {
         for (const int entry : {lattice->form.a, lattice->form.b, lattice->form.d}) {
@@ -40,8 +37,8 @@ std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
     return {row};
 }
 
-/// Equal for lattices that are congruent: squared lengths and the product of the reduced basis in
-/// n-ths of the square's side, integers.
+/// Equal for congruent lattices: the squared lengths and the scalar product of the reduced basis,
+/// in n-ths of the square's side, hence integers.
 using Shape = std::array<std::int64_t, 3>;
 
 Shape shape_of(const LatticePattern& pattern) {
@@ -59,7 +56,7 @@ struct Pattern {
     std::string first_seed;
 };
 
-/// What the runs of one n came to.
+/// Statistics of the runs of one n.
 struct Tally {
     int n = 0;
     int runs = 0;
@@ -190,7 +187,7 @@ CellPanel pattern_panel(const Tally& tally, const Pattern& pattern) {
     return panel;
 }
 
-/// The best result where none has hexagons alone: the run once more.
+/// The panel of the best result where none has hexagons alone; repeats that run.
 CellPanel best_panel(const Tally& tally) {
     const Points start = uniform_points(unit_square(), tally.n, std::stoull(tally.best_seed));
     CellPanel panel = periodic_panel(compute_cvt(unit_square(), start, plain_lbfgs(kTolerance)));
@@ -217,7 +214,8 @@ std::string gallery(const std::vector<Tally>& tallies) {
 std::string share_plot(std::vector<Tally> tallies) {
     std::sort(tallies.begin(), tallies.end(),
               [](const Tally& s, const Tally& t) { return s.n < t.n; });
-    PlotSeries series{PlotSeries::Mark::kDots, "", kPlotBlue, {}, {}};
+    PlotSeries series{
+        .mark = PlotSeries::Mark::kDots, .label = "", .colour = kPlotBlue, .points = {}};
     for (const Tally& tally : tallies) {
         series.points.emplace_back(tally.n, 100 * tally.share());
         series.errors.push_back(100 * tally.standard_error());

@@ -9,7 +9,7 @@
 namespace pcvt {
 namespace {
 
-/// Shorter builds are repeated until they add up to so much.
+/// Shorter builds are repeated until their sum is at least this.
 constexpr double kLeastSeconds = 0.01;
 
 struct Method {
@@ -26,7 +26,7 @@ const Method kMethods[] = {
      [](const Sites& sites) { euclidean_delaunay(sites); }},
     {"strips_s", "strips", kPlotGreen, [](const Sites& sites) { MovingDelaunay delaunay(sites); }}};
 
-/// Seconds of the processor that one build takes: so others who share the machine count little.
+/// Processor seconds of one build: other processes on the machine have little influence on them.
 double seconds_of(const Method& method, const Sites& sites) {
     const auto used = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
     const double start = used();
@@ -71,8 +71,10 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
               {}};
     for (const Method& method : kMethods) {
         table.columns.emplace_back(method.column);
-        plot.series.push_back(
-            {PlotSeries::Mark::kLineAndDots, method.label, method.colour, {}, {}});
+        plot.series.push_back({.mark = PlotSeries::Mark::kLineAndDots,
+                               .label = method.label,
+                               .colour = method.colour,
+                               .points = {}});
     }
     table.columns.emplace_back("full_copies/mirrors");
     for (const int n : study.sites) {

@@ -2,6 +2,7 @@
 
 #include "io/bytes/text.hpp"
 #include "mesher/cvt/clipped_cvt.hpp"
+#include "plugin/job/job.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
@@ -33,17 +34,16 @@ Points parse_sites(const std::string& cell) {
     return sites;
 }
 
+StudyRow row_of(const std::string& panel, const RunStatistics& run, const Points& sites) {
+    StudyRow row{panel};
+    for (std::string& cell : run_cells(run)) row.push_back(std::move(cell));
+    row.push_back(site_cell(sites));
+    return row;
+}
+
 StudyRow periodic_row(const std::string& panel, const Points& start, const CvtOptions& options) {
     const CvtResult result = compute_cvt(unit_square(), start, options);
-    const Sites& sites = result.delaunay.sites();
-    Points points(2, sites.n_sites());
-    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
-    return {panel,
-            std::to_string(result.iterations),
-            std::to_string(result.evaluations),
-            in_full(result.energy),
-            in_full(result.residual),
-            site_cell(points)};
+    return row_of(panel, result.run, wrapped_sites(result));
 }
 
 std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
@@ -54,9 +54,7 @@ std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
     lloyd.tolerance = 0;
     lloyd.max_iterations = kLloydIterations;
     return {periodic_row("input", start, plain_lbfgs(0, 0)),
-            {"standard", std::to_string(standard.iterations), std::to_string(standard.evaluations),
-             in_full(standard.energy), in_full(standard.residual), site_cell(standard.sites)},
-            periodic_row("lloyd", start, lloyd),
+            row_of("standard", standard.run, standard.sites), periodic_row("lloyd", start, lloyd),
             periodic_row("lbfgs", start, plain_lbfgs(0, kLbfgsIterations))};
 }
 
@@ -67,7 +65,7 @@ std::string title_of(const std::string& panel, const std::string& iterations) {
     return "periodic CVT, " + iterations + " L-BFGS iterations";
 }
 
-/// The diagram of sites at rest.
+/// The diagram of the sites as given.
 CvtResult at_rest(const Points& sites) {
     return compute_cvt(unit_square(), sites, plain_lbfgs(0, 0));
 }

@@ -29,7 +29,8 @@ std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
 
 PlotSeries series_of(const StudyTable& runs, const std::vector<StudyRow>& rows,
                      const std::string& method, const char* colour) {
-    PlotSeries series{PlotSeries::Mark::kLine, method + " CVT", colour, {}, {}};
+    PlotSeries series{
+        .mark = PlotSeries::Mark::kLine, .label = method + " CVT", .colour = colour, .points = {}};
     for (const StudyRow& row : rows) {
         if (row[runs.column("method")] != method) continue;
         series.points.emplace_back(runs.number(row, "iteration"), runs.number(row, "energy"));
@@ -37,7 +38,7 @@ PlotSeries series_of(const StudyTable& runs, const std::vector<StudyRow>& rows,
     return series;
 }
 
-/// The same with F / F_hex - 1 in place of F.
+/// The plot with F / F_hex - 1 in place of F.
 Plot excess_plot(int n, const Plot& energies) {
     Plot plot{std::to_string(n) + " sites, above the hexagonal bound",
               {"iteration", false},
@@ -57,7 +58,7 @@ std::vector<StudyRow> first_run(const StudyTable& runs, int n) {
     return rows;
 }
 
-/// At how many iterations that both runs have the periodic energy lies below the standard one.
+/// A remark: at how many of the common iterations the periodic energy is the smaller one.
 std::string comparison(int n, const PlotSeries& standard, const PlotSeries& periodic) {
     std::size_t below = 0;
     const std::size_t common = std::min(standard.points.size(), periodic.points.size());
@@ -97,11 +98,10 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         excess.push_back(excess_plot(n, plot));
         const double longest =
             std::max(plot.series[0].points.back().x(), plot.series[1].points.back().x());
-        plot.series.push_back({PlotSeries::Mark::kDashes,
-                               "hexagonal bound",
-                               kPlotGrey,
-                               {Vec2(0, f_hex(n)), Vec2(longest, f_hex(n))},
-                               {}});
+        plot.series.push_back({.mark = PlotSeries::Mark::kDashes,
+                               .label = "hexagonal bound",
+                               .colour = kPlotGrey,
+                               .points = {Vec2(0, f_hex(n)), Vec2(longest, f_hex(n))}});
         plots.push_back(std::move(plot));
     }
     return {{table},

@@ -17,7 +17,7 @@ bool is_folder(const std::string& path) {
     return path.ends_with('/') || fs::is_directory(path, ignored);
 }
 
-/// Suffixes of all tables: those of the recipe, and the runs.
+/// The suffixes of the recipe's tables and of the runs.
 std::vector<std::string> table_suffixes(const StudyRecipe& recipe, StudyShard shard) {
     if (shard.count > 1) return {""};
     std::vector<std::string> suffixes = recipe.tables;

@@ -12,12 +12,12 @@ namespace pcvt {
 namespace {
 
 constexpr int kRegular = 6;
-/// Colours differ in between.
+/// Colours differ between these numbers of sides.
 constexpr int kFewestSides = 3;
 constexpr int kMostSides = 9;
 constexpr const char* kCutHexagon = "#dfd5bd";
 constexpr const char* kBorderCell = "#a9d6a5";
-/// Of the domain's size: what is left of a cell that only touches the domain is not drawn.
+/// Of the domain's size: smaller parts, of cells that only touch the domain, are not drawn.
 constexpr double kSliver = 1e-12;
 /// In periods: a site this near to the border is drawn on both sides.
 constexpr double kOnBorder = 1e-9;

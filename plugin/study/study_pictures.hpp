@@ -6,14 +6,16 @@
 
 namespace pcvt {
 
-/// The tessellation inside its domain: cells that cross the border come back at the other side. A
-/// cell has the colour of its number of sides; hexagons that the border cuts are a shade darker.
+/// The tessellation inside its domain; cells that cross the border reappear on the opposite side.
+/// The colour of a cell shows its number of sides; hexagons that the border cuts are a shade
+/// darker.
 CellPanel periodic_panel(const CvtResult& result);
 
-/// The clipped cells; those at the border are green, the others have the colour of their sides.
+/// The clipped cells. Cells at the border are green; the colour of others shows their number of
+/// sides.
 CellPanel clipped_panel(const Lattice& lattice, const Points& sites);
 
-/// The meaning of the colours that occur in the panels.
+/// Legend entries for the colours that occur in the panels.
 std::vector<LegendEntry> panel_legend(const std::vector<CellPanel>& panels);
 
 }  // namespace pcvt

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "mesher/mesh/valence.hpp"
 #include "mesher/mesh/voronoi.hpp"
 
 namespace pcvt {
@@ -20,8 +19,13 @@ CvtOptions plain_lbfgs(double tolerance, int max_iterations) {
 }
 
 int count_hexagons(const CvtResult& result) {
-    const std::vector<int> sides = cell_sides(periodic_mesh(result.delaunay, MeshKind::kVoronoi));
+    const std::vector<int> sides = cell_sides(result.delaunay);
     return static_cast<int>(std::count(sides.begin(), sides.end(), 6));
+}
+
+StudyRow run_cells(const RunStatistics& run) {
+    return {std::to_string(run.iterations), std::to_string(run.evaluations), in_full(run.energy),
+            in_full(run.residual)};
 }
 
 std::vector<StudyRow> rows_of(const StudyTable& table, int n) {

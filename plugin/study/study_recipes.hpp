@@ -19,11 +19,14 @@ Lattice unit_square();
 /// 5 / (18 sqrt(3) n), the paper's F_hex.
 double f_hex(int n);
 
-/// The paper's solver: L-BFGS and nothing else, so that statistics of its minima are its own.
+/// The paper's solver: L-BFGS alone, so that the statistics of minima are comparable.
 CvtOptions plain_lbfgs(double tolerance, int max_iterations = -1);
 
-/// Of a result, edges shorter than 1e-5 h not counted.
+/// The number of cells with six sides; edges shorter than 1e-5 h are not counted.
 int count_hexagons(const CvtResult& result);
+
+/// The cells "iterations", "evaluations", "energy", "residual" of a row.
+StudyRow run_cells(const RunStatistics& run);
 
 /// The rows of one n, in their order.
 std::vector<StudyRow> rows_of(const StudyTable& table, int n);

@@ -85,7 +85,7 @@ StudyTable decode_csv(const std::string& name, const std::string& text) {
                 throw BadFile(name + ":" + std::to_string(line_number) + ": " +
                               std::to_string(table.rows.back().size()) + " cells under " +
                               std::to_string(table.columns.size()) +
-                              " columns; the file is damaged, make it anew");
+                              " columns; the file is damaged, make it again");
             }
         }
     }

@@ -7,35 +7,39 @@ namespace pcvt {
 
 using StudyRow = std::vector<std::string>;
 
-/// Rows of text under named columns: what a study reads, writes and prints.
+/// Rows of text under named columns, as a study reads, writes and prints them.
+///
+///   const StudyTable runs = decode_csv("fig11-runs.csv", text);
+///   for (const StudyRow& row : runs.rows) sum += runs.number(row, "energy");
 struct StudyTable {
-    /// What precedes the extension of its file; empty for the main table.
+    /// Precedes the extension of its file; empty for the main table.
     std::string suffix;
     /// Comment lines at the head of the file, without "# ".
     std::vector<std::string> notes;
-    /// Findings, for the reader of the table; comment lines too.
+    /// Conclusions for the reader of the table; also comment lines.
     std::vector<std::string> remarks;
     std::vector<std::string> columns;
     std::vector<StudyRow> rows;
 
-    /// @throws InternalError if there is none of this name.
+    /// @throws InternalError if no column has this name.
     std::size_t column(const std::string& name) const;
-    /// The number in a cell. @throws InvalidInput if it holds none.
+    /// The number in a cell. @throws InvalidInput if the cell holds no number.
     double number(const StudyRow& row, const std::string& name) const;
 };
 
-/// Comma-separated, RFC 4180 but for LF and the comment lines: no cell may hold a comma, a quote or
-/// a line end (InternalError).
+/// Comma-separated values as in RFC 4180, except for LF and the comment lines.
+/// @throws InternalError if a cell holds a comma, a quote or a line end.
 std::string encode_csv(const StudyTable& table);
 
 /// Reads what encode_csv wrote; all comment lines become notes.
-/// @throws BadFile `name:line: what; what to do`.
+/// @throws BadFile "name:line: what is wrong; what to do".
 StudyTable decode_csv(const std::string& name, const std::string& text);
 
-/// SpatialSort aligned for the eye, the first `most_columns` of them; then the remarks.
+/// The first `most_columns` columns, aligned for readers, and then the remarks.
 std::string aligned_text(const StudyTable& table, std::size_t most_columns);
 
-/// Cells: shortest decimals that read back as the number, and so many significant digits at most.
+/// A number as a cell: the shortest decimals that read back as it, or at most `digits` significant
+/// digits.
 std::string in_full(double value);
 std::string rounded(double value, int digits);
 

@@ -10,13 +10,13 @@ namespace pcvt {
 namespace {
 
 constexpr double kTolerance = 1e-8;
-/// The standard CVT is there to compare with; the paper ran it once.
+/// The standard CVT is only a reference; the paper ran it once.
 constexpr int kStandardRuns = 10;
-/// Energies this close to each other, relatively, are of one minimum: its first run is named.
+/// Relative difference of energies of the same minimum. Of its runs the first one is reported.
 constexpr double kSameEnergy = 1e-9;
 constexpr int kDigits = 8;
 
-/// What the paper's Table I prints.
+/// A row of the paper's Table I.
 struct PaperRow {
     int n;
     double cvt;
@@ -29,18 +29,23 @@ constexpr PaperRow kPaper[] = {
     {168, 9.7361e-4, 9.5464e-4, 9.5461e-4}, {224, 7.2769e-4, 7.1598e-4, 7.1596e-4},
     {300, 5.4255e-4, 5.3481e-4, 5.3458e-4}};
 
+StudyRow row_of(const char* kind, const RunStatistics& run) {
+    return {kind,
+            stop_name(run.stop),
+            in_full(run.energy),
+            in_full(run.residual),
+            std::to_string(run.iterations),
+            std::to_string(run.evaluations)};
+}
+
 std::vector<StudyRow> run(int n, int run, std::uint64_t seed) {
     const Lattice unit = unit_square();
     const Points start = uniform_points(unit, n, seed);
     const CvtResult periodic = compute_cvt(unit, start, plain_lbfgs(kTolerance));
-    std::vector<StudyRow> rows{{"periodic", stop_name(periodic.stop), in_full(periodic.energy),
-                                in_full(periodic.residual), std::to_string(periodic.iterations),
-                                std::to_string(periodic.evaluations)}};
+    std::vector<StudyRow> rows{row_of("periodic", periodic.run)};
     if (run < kStandardRuns) {
         const ClippedCvt standard = compute_clipped_cvt(unit, start, {kTolerance});
-        rows.push_back({"standard", stop_name(standard.stop), in_full(standard.energy),
-                        in_full(standard.residual), std::to_string(standard.iterations),
-                        std::to_string(standard.evaluations)});
+        rows.push_back(row_of("standard", standard.run));
     }
     return rows;
 }
@@ -74,9 +79,9 @@ StudyRow row_of(const StudyTable& runs, int n) {
     std::string reached = "seed " + periodic.seed;
     double energy = periodic.energy;
     if (lattice.energy < energy * (1 - kSameEnergy)) {
-        // No random start got there: start from the lattice itself.
+        // No random start reached the lattice: start from the lattice itself.
         energy =
-            compute_cvt(unit_square(), pattern_points(lattice), plain_lbfgs(kTolerance)).energy;
+            compute_cvt(unit_square(), pattern_points(lattice), plain_lbfgs(kTolerance)).run.energy;
         reached = "lattice start";
     }
     StudyRow row{std::to_string(n),

@@ -26,7 +26,7 @@ Timed by_call(const Input& input, const Points& sites) {
     {
         CvtOptions options;
         options.max_iterations = kIterations;
-        energy = compute_cvt(input.lattice, sites, options).energy;
+        energy = compute_cvt(input.lattice, sites, options).run.energy;
     }
     return {cpu_seconds() - start, energy};
 }

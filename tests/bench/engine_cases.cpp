@@ -99,7 +99,7 @@ void add_mirror_run(const Input& input) {
     const auto body = [=](benchmark::State& state) {
         for ([[maybe_unused]] auto _ : state) {
             state.counters["evaluations"] =
-                mirror_run(input.lattice, input.sites(), kEnd).evaluations;
+                mirror_run(input.lattice, input.sites(), kEnd).run.evaluations;
         }
     };
     add_case("mirror_run", input, body)->Iterations(1);
@@ -143,7 +143,8 @@ void add_small_runs(const Input& input) {
                 CvtOptions options;
                 options.tolerance = 1e-8;
                 const Points points = uniform_points(input.lattice, input.n, seed);
-                converged += compute_cvt(input.lattice, points, options).stop == Stop::kConverged;
+                converged +=
+                    compute_cvt(input.lattice, points, options).run.stop == Stop::kConverged;
             }
             state.counters["converged"] = converged;
         }

@@ -1,7 +1,6 @@
 """Periodic CVT Tile: adds seamless tiles of Voronoi cells to Blender (Add > Mesh).
 
-The work is done by the Python module pcvt; the add-on brings it along, or finds it as
-preferences.py says.
+The Python module pcvt does the work. The add-on contains it, or finds it as in preferences.py.
 """
 
 import bpy

@@ -10,8 +10,8 @@ from .preferences import Missing, load_pcvt
 
 
 class ShownProgress:
-    """Blender's counter at the mouse, as the progress function of pcvt: how many of the digits that
-    the residual has to lose are lost."""
+    """The progress function of pcvt as Blender's counter at the mouse: the share of the digits by
+    which the residual must decrease."""
 
     def __init__(self, manager, tolerance):
         self.manager, self.tolerance = manager, tolerance
@@ -86,7 +86,7 @@ class AddPeriodicTile(bpy.types.Operator, AddObjectHelper):
         except Missing as missing:
             self.report({"ERROR"}, str(missing))
             return {"CANCELLED"}
-        from .tile_mesh import make_mesh  # It needs numpy, which load_pcvt() has found.
+        from .tile_mesh import make_mesh  # Needs numpy, which load_pcvt() has found.
         try:
             result = self.generate(pcvt, context.window_manager)
             mesh = make_mesh(result, self.kind,
@@ -95,18 +95,18 @@ class AddPeriodicTile(bpy.types.Operator, AddObjectHelper):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         object_data_add(context, mesh, operator=self)
-        self.tell(result.statistics)
+        self.report_end(result.statistics)
         return {"FINISHED"}
 
     def generate(self, pcvt, manager):
         density = self.density
-        if density.startswith("//"):  # Blender's sign for the folder of its file.
+        if density.startswith("//"):  # Blender's prefix for the folder of its file.
             density = bpy.path.abspath(density)
         with ShownProgress(manager, self.tolerance) as progress:
             return pcvt.mesh(self.sites, (self.period_a, self.period_b), density or None,
                              seed=self.seed, tolerance=self.tolerance, progress=progress)
 
-    def tell(self, figures):
+    def report_end(self, figures):
         if figures.stop == "converged":
             self.report({"INFO"}, f"{figures.n_hexagons} of {figures.n_sites} cells are hexagons")
         else:

@@ -1,12 +1,12 @@
-"""Which material each cell has. It knows arrays of pcvt, and nothing of Blender."""
+"""The material of each cell. Uses arrays of pcvt only, and nothing of Blender."""
 
 import numpy as np
 
-# The seven of Okabe and Ito that are not black: the colour-blind can tell them apart too.
+# The palette of Okabe and Ito without black, which colour-blind people can distinguish.
 CELLS = ["#56b4e9", "#e69f00", "#009e73", "#f0e442", "#0072b2", "#d55e00", "#cc79a7"]
 N_COLOURS = len(CELLS)
 
-# Edges shorter than this, in units of h = sqrt(area / n), are no sides.
+# Edges shorter than this, in units of h = sqrt(area / n), do not count as sides.
 SHORTEST_SIDE = 1e-5
 
 
@@ -15,7 +15,7 @@ def _cell_of_corner(cells):
 
 
 def sides_of_sites(cells):
-    """The number of sides of each site's cell, of `cells`, pcvt's mesh of cells on the torus."""
+    """The number of sides of each site's cell; `cells` is pcvt's mesh of cells on the torus."""
     n_cells, n_corners = len(cells.site), len(cells.corner_vertex)
     corner = cells.vertices[cells.corner_vertex] + cells.corner_offset @ cells.lattice
     following = np.arange(1, n_corners + 1)
@@ -29,7 +29,7 @@ def sides_of_sites(cells):
 
 
 def _neighbours(cells):
-    """For each site the set of the sites round it, without itself."""
+    """For each site the set of its neighbours, without itself."""
     cell = _cell_of_corner(cells)
     around = [set() for _ in cells.site]
     for one, other in zip(cells.site[cell].tolist(), cells.site[cell[cells.opposite]].tolist()):
@@ -39,11 +39,12 @@ def _neighbours(cells):
 
 
 def colours_of_sites(cells):
-    """A number below N_COLOURS for each site, so that no two neighbours on the torus have the same.
+    """A number below N_COLOURS for each site, different for neighbours on the torus.
 
-    Seven are enough (Heawood). On the torus nodes - edges + faces = 0, so there are at most three
-    times as many edges as nodes, and some node has at most six neighbours; so it is when that one
-    is taken away. Put back in reverse, each finds a colour free; it gets the one used least.
+    Seven colours are enough (Heawood). On the torus nodes - edges + faces = 0, so there are at most
+    three times as many edges as nodes, and some node has at most six neighbours; the same holds
+    after that node is removed. Added again in reverse order, each node finds a free colour, and gets
+    the least used one.
     """
     around = _neighbours(cells)
     left = [len(sites) for sites in around]

@@ -1,4 +1,4 @@
-"""Where pcvt is: the preferences of the add-on, and the search for the Python module."""
+"""The preferences of the add-on, and the search for the Python module pcvt."""
 
 import importlib
 import os
@@ -17,12 +17,12 @@ _ADVICE = {
 
 
 class Missing(Exception):
-    """What pcvt lacks to work here, and what helps; one line."""
+    """A missing requirement of pcvt and the remedy, in one line."""
 
 
 @contextmanager
 def _looking_in(folder, library):
-    """Python looks for modules in `folder` first, and pcvt takes `library`; empty: as they do."""
+    """Makes Python search `folder` first and pcvt load `library`. Empty: no change."""
     library_before, path_before = os.environ.get("PCVT_LIBRARY", ""), list(sys.path)
     os.environ["PCVT_LIBRARY"] = library or library_before
     sys.path[:0] = [folder] if folder else []
@@ -34,7 +34,7 @@ def _looking_in(folder, library):
 
 
 def _paths():
-    """Folder and library of the preferences. `blender --addons` enables an add-on without any."""
+    """Folder and library of the preferences, which do not exist after `blender --addons`."""
     own = bpy.context.preferences.addons.get(__package__)
     if own is None:
         return "", ""
@@ -43,8 +43,8 @@ def _paths():
 
 
 def load_pcvt():
-    """The module pcvt: of the folder in the preferences; else the one in this add-on's folder; else
-    the one that Python finds. Raises Missing."""
+    """Loads the module pcvt from the folder in the preferences, else from this add-on's folder, else
+    from Python's path. Raises Missing."""
     folder, library = _paths()
     brought = not folder and (Path(__file__).parent / "pcvt").is_dir()
     try:

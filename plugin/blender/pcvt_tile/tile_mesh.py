@@ -11,7 +11,7 @@ _NAME = "Periodic CVT Tile"
 
 
 def _site_of_faces(tile):
-    """The site of each face; of a Delaunay triangle, which lies in three cells, that of the corner
+    """The site of each face. A Delaunay triangle lies in three cells: its site is that of the corner
     nearest to its centroid."""
     if tile.face_site is not None:
         return tile.face_site
@@ -29,7 +29,7 @@ def _linear(colour):
 
 
 def _material(name, colour):
-    """The material of that name; made where there is none, so that what a user changes stays."""
+    """The material of that name. Keeps an existing one, with the changes of the user."""
     found = bpy.data.materials.get(name)
     if found is not None:
         return found
@@ -43,7 +43,7 @@ def _material(name, colour):
 
 
 def _named_colours(result, scheme):
-    """For each site the number of its material, and the names and colours of all materials."""
+    """The index of each site's material, and the names and colours of all materials."""
     cells = result.mesh("voronoi")
     if scheme == "cells":
         names = [f"Tile Cell {k + 1}" for k in range(colours.N_COLOURS)]
@@ -70,7 +70,7 @@ def _add_integers(mesh, name, domain, values):
 
 
 def _mark_seam(mesh, seam):
-    """Boundary edges become seams; those of pair k have the number k, all others -1."""
+    """Marks boundary edges as seams. The edges of pair k get the number k, all other edges -1."""
     ends = np.empty(2 * len(mesh.edges), np.int32)
     mesh.edges.foreach_get("vertices", ends)
     edges = {edge: e for e, edge in enumerate(map(frozenset, ends.reshape(-1, 2).tolist()))}
@@ -82,7 +82,7 @@ def _mark_seam(mesh, seam):
 
 
 def _set_uv(mesh, tile):
-    """The coordinates along the periods: an image that repeats fits the tile without a seam."""
+    """Sets coordinates along the periods as UV: a repeating image fits the tile seamlessly."""
     uv = (tile.points @ np.linalg.inv(tile.lattice))[tile.corners]
     mesh.uv_layers.new(name="UVMap").data.foreach_set("uv", uv.astype(np.float32).ravel())
 

@@ -2,13 +2,17 @@
 
 namespace pcvt::cli {
 
-/// From now on SIGINT and SIGTERM are only noted, for the run to end in good order.
+/// From now on SIGINT and SIGTERM are only noted, so that the run can end in order:
+///
+///   catch_cancel_signals();
+///   run_job(job, [](const Progress&) { return cancel_signal() == 0; });
 void catch_cancel_signals();
 
-/// The signal noted last, 0 if there was none.
+/// The last signal noted, or 0.
 int cancel_signal();
 
-/// A file that meets the size limit then fails to be written (EFBIG) instead of ending the process.
+/// From now on a file that reaches the size limit makes the write fail (EFBIG), and does not end
+/// the process.
 void ignore_file_size_signal();
 
 }  // namespace pcvt::cli

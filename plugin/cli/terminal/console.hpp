@@ -4,11 +4,11 @@
 
 namespace pcvt::cli {
 
-/// A figure for people to read: six digits.
+/// A number with six digits for readers: print("energy " + figure(energy) + "\n").
 std::string figure(double value);
 
-/// Puts `text` on standard output.
-/// @throws OutputError where it does not take it.
+/// Writes `text` to standard output.
+/// @throws OutputError if the write fails.
 void print(const std::string& text);
 
 }  // namespace pcvt::cli

@@ -7,7 +7,7 @@
 namespace pcvt::cli {
 namespace {
 
-/// The most that glibc takes: larger blocks are mapped apart and given back all the same.
+/// The largest threshold that glibc accepts: larger blocks always return to the kernel.
 constexpr int kLargestKept = 32 << 20;
 
 }  // namespace
@@ -15,7 +15,7 @@ constexpr int kLargestKept = 32 << 20;
 void keep_freed_memory() {
     mallopt(M_MMAP_THRESHOLD, kLargestKept);
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-    // One heap for all threads: what one of them has freed serves the others.
+    // With one heap all threads reuse the memory that one of them has freed.
     mallopt(M_ARENA_MAX, 1);
 }
 

@@ -2,9 +2,9 @@
 
 namespace pcvt::cli {
 
-/// From now on freed memory stays with the process for its next array, where the system's allocator
-/// can be told so: each file and each proof takes tens of megabytes and gives them back, and pages
-/// that the kernel hands out anew cost more than what is written on them.
+/// Makes the allocator keep freed memory for the next array. Each file and each proof takes tens of
+/// megabytes and frees them, and fresh pages from the kernel cost more time than filling them. Call
+/// it once, at the beginning of main().
 void keep_freed_memory();
 
 }  // namespace pcvt::cli

@@ -9,13 +9,16 @@
 namespace pcvt::cli {
 
 /// The status line of an optimisation: the iteration, the energy over the hexagonal bound, the
-/// residual and the time left; of a global search the starts, the lowest energy and the share of
-/// the budget that is spent.
+/// residual and the time left. For a global search it shows the number of starts, the lowest energy
+/// and the share of the budget spent.
+///
+///   ProgressDisplay display(hexagonal_bound(area, n), tolerance, true);
+///   run_job(job, [&](const Progress& progress) { display.show(progress); return true; });
 class ProgressDisplay {
    public:
-    /// @param energy_bound  what the energies are divided by.
+    /// @param energy_bound  divides the energies.
     /// @param tolerance     the residual at which the run ends.
-    /// @param wanted        false: stay silent on a terminal too.
+    /// @param wanted        false: silent also on a terminal.
     ProgressDisplay(double energy_bound, double tolerance, bool wanted);
 
     void show(const Progress& progress);
@@ -27,7 +30,7 @@ class ProgressDisplay {
     TimeLeft time_left_;
 };
 
-/// The text of the line. `seconds_left` below 0 stands for unknown.
+/// The text of the line. `seconds_left` below 0 means unknown.
 std::string progress_line(const Progress& progress, double energy_bound, double seconds_left);
 
 }  // namespace pcvt::cli

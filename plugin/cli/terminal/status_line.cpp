@@ -26,7 +26,7 @@ bool StatusLine::due() {
 
 void StatusLine::draw(std::string line) {
     const std::size_t length = line.size();
-    // Spaces over what is left of the line before: dumb terminals know no "clear to the end".
+    // Spaces overwrite the rest of the previous line: dumb terminals know no "clear to the end".
     if (length < width_) line.append(width_ - length, ' ');
     width_ = length;
     std::fprintf(stderr, "\r%s", line.c_str());

@@ -5,11 +5,14 @@
 
 namespace pcvt::cli {
 
-/// One line on standard error, redrawn at most ten times a second and cleared at the end. Silent
-/// where standard error is no terminal.
+/// One line on standard error, redrawn at most ten times a second and cleared at the end. Silent if
+/// standard error is no terminal.
+///
+///   StatusLine line(true);
+///   if (line.due()) line.draw("half done");
 class StatusLine {
    public:
-    /// @param wanted  false: stay silent on a terminal too.
+    /// @param wanted  false: silent also on a terminal.
     explicit StatusLine(bool wanted);
     ~StatusLine();
     StatusLine(const StatusLine&) = delete;
@@ -18,9 +21,9 @@ class StatusLine {
     /// Whether it is time to draw again.
     bool due();
     void draw(std::string line);
-    /// Takes the line off the terminal.
+    /// Clears the line on the terminal.
     void clear();
-    /// Since the start.
+    /// Seconds since the construction.
     double seconds() const;
 
    private:

@@ -6,9 +6,9 @@
 namespace pcvt::cli {
 namespace {
 
-/// Fewer samples than this foretell nothing.
+/// The fewest samples for a prediction.
 constexpr std::size_t kFewest = 5;
-/// Beyond this the older half is dropped.
+/// The most samples; then the older half is dropped.
 constexpr std::size_t kMost = 1024;
 
 }  // namespace

@@ -5,16 +5,20 @@
 
 namespace pcvt::cli {
 
-/// Foretells when a residual that falls about geometrically will reach its target.
+/// Predicts when a residual that decreases about geometrically reaches its target.
 ///
-/// The slope of log(residual) over time is fitted to the later half of what was seen, so that the
-/// fast fall of the beginning is forgotten.
+/// Fits the slope of log(residual) over time to the later half of the samples, so that the fast
+/// decrease at the beginning has no influence.
+///
+///   time_left.add(seconds, progress.residual);
+///   const std::optional<double> seconds_left = time_left.until(1e-6);
 class TimeLeft {
    public:
-    /// @param seconds  since the start, rising.
+    /// @param seconds  since the start, increasing.
     void add(double seconds, double residual);
 
-    /// Seconds until `target`; nothing while too little was seen or the residual does not fall.
+    /// Seconds until `target`; `nullopt` with too few samples, or if the residual does not
+    /// decrease.
     std::optional<double> until(double target) const;
 
    private:

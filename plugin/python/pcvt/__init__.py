@@ -9,14 +9,14 @@
     result.write("tile.glb")
     result.plot()                                # needs matplotlib
 
-libpcvt.so is the file that the environment variable PCVT_LIBRARY names; else libpcvt.so.0.2 in this
-package, beside it, or in the `lib` that the package is installed in; else what the system's loader
-finds under that name.
+The environment variable PCVT_LIBRARY names libpcvt.so. Without it the package looks for
+libpcvt.so.0.2 in its own folder, in the folder above, in the `lib` that it is installed in, and then
+where the system's loader finds libraries.
 
-Arrays are views of the library's memory: nothing is copied, they are read-only, and each of them
-keeps that memory alive by itself. Take array.copy() to change one. Numbers are float64 and int32,
-positions in length units; sites, vertices and faces are numbered from 0, sites in the order of the
-input. An offset i, j means the translation i a + j b, with a, b the rows of `lattice`.
+Arrays are read-only views of the library's memory, without a copy. Each array keeps that memory
+alive. Use array.copy() to change one. Numbers are float64 and int32, positions in length units;
+sites, vertices and faces are numbered from 0, sites in the order of the input. An offset i, j means
+the translation i a + j b, with a, b the rows of `lattice`.
 """
 
 import operator
@@ -78,7 +78,7 @@ def _set_doubles(options, **doubles):
 
 
 def _set_sites(options, sites):
-    """Returns what must stay alive as long as the options are used."""
+    """Returns the array that must stay alive as long as the options are used, or None."""
     if np.ndim(sites) == 0:
         _set_integers(options, n_sites=sites)
         return None
@@ -100,19 +100,19 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None):
-    """Generates a periodic centroidal Voronoi tessellation. Same arguments, same result to the last
-    bit. Ctrl-C ends it at the next iteration.
+    """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
+    to the last bit. Ctrl-C ends the run at the next iteration.
 
-    sites           a number of sites, drawn from `seed`; or their positions, shape (n, 2), anywhere
+    sites           the number of sites, drawn from `seed`; or their positions, shape (n, 2), anywhere
                     in the plane
     lattice         (2, 2), the period vectors as rows a, b
     density         periodic, finite and positive: a function of x, y, each float64 of shape (m,),
-                    that returns shape (m,) or one number; or an expression in x, y, u, v or the
-                    name of a .png file as text. None: uniform. A function is called on the calling
-                    thread, for some thousand points at a time
+                    that returns shape (m,) or one number; or, as text, an expression in x, y, u, v
+                    or the name of a .png file. None: uniform. A function is called on the calling
+                    thread, for a few thousand points at a time
     density_range   of the image; 0, 0: pcvt chooses
-    origin          corner of the domain round which tiles are laid out
-    repeat          (columns, rows): a tile covers so many domains
+    origin          corner of the domain of the tiles
+    repeat          (columns, rows): the domains that a tile covers
     start           where drawn sites begin: default, random, coarse, lattice, best
     solver          default, lbfgs, lloyd, newton
     tolerance       converged once the residual max |x_i - g_i| / h is at most this
@@ -120,14 +120,14 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
     threads         0: as many as there are cores
     grain_order, grain_size, grain_per_edge, short_edges, budget
                     as in pcvt.h
-    progress        called with a Progress once an iteration; a true answer cancels
+    progress        called with a Progress once an iteration; a true return value cancels
 
-    Returns a Result; also where the tolerance was not reached, which statistics.stop tells.
-    Raises Cancelled, another Error with the library's message, or what density or progress raised.
+    Returns a Result, also if the run did not converge: see statistics.stop. Raises Cancelled,
+    another Error with the library's message, or the exception of density or progress.
     """
     options = _library.Options()
     checked(library.pcvt_options_init(byref(options), sizeof(options), _library.ABI_VERSION))
-    _points = _set_sites(options, sites)  # Held while the library reads them.
+    _points = _set_sites(options, sites)  # Alive while the library reads them.
     columns, rows = repeat
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
@@ -150,7 +150,7 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
 
 
 class Result:
-    """An optimised periodic tessellation; it never changes.
+    """An optimised periodic tessellation. It never changes.
 
     lattice     (2, 2), rows a, b
     sites       (n, 2), wrapped into the Gauss-reduced parallelogram at 0
@@ -183,11 +183,11 @@ class Result:
         return Tile(self._handle, self._handle.view(library.pcvt_get_tile, _library.Tile, *numbers))
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False):
-        """Writes a tile, or the sites where the extension is .txt; the extension decides the
-        format. The file appears complete and proved to be a periodic tile, or not at all.
+        """Writes a tile, or the sites for the extension .txt; the extension selects the format.
+        Either the file appears, complete and proved to be a periodic tile, or no file appears.
 
         path     None: only the report
-        report   also write the figures of the run to this .json file
+        report   also write the statistics of the run to this .json file
         replace  whether files that exist are replaced
         """
         options = _library.WriteOptions(
@@ -202,5 +202,5 @@ class Result:
         return self.tile(kind, outline).plot(axes)
 
 
-for _name in __all__:  # They are told by their public name.
+for _name in __all__:  # Messages show the public name.
     globals()[_name].__module__ = __name__

@@ -23,10 +23,10 @@ def _copy(view):
 
 
 class Callbacks:
-    """What the library calls back while `with` lasts, and what that raised.
+    """The callbacks of the library inside of a `with` block, and the exception that they raised.
 
-    Python raises KeyboardInterrupt on entry into a function, and where ctypes has called that
-    function it is printed and forgotten. So Ctrl-C is noted here, and raised where it can be kept:
+    Python raises KeyboardInterrupt on entry into a function. If ctypes called that function, Python
+    prints the exception and drops it. So Ctrl-C is noted here, and raised where it can propagate:
     inside of the caller's own functions, or after the call of the library.
     """
 
@@ -42,7 +42,7 @@ class Callbacks:
         if callable(self.handler):
             try:
                 signal.signal(signal.SIGINT, self.note)
-            except ValueError:  # Another thread than the main one, which gets no signals.
+            except ValueError:  # Only the main thread gets signals.
                 self.handler = None
         return self
 
@@ -64,13 +64,13 @@ class Callbacks:
             self.handler(*interrupt)
 
     def keep(self, error):
-        """Ends the run; nothing may be thrown through the library."""
+        """Keeps the exception and ends the run; no exception may pass through the library."""
         self.inside = False
         self.error = error
         return 1
 
     def look_at(self, *buffers):
-        """The library takes the same buffers again and again, so they are looked up once."""
+        """Makes arrays of the buffers. The library reuses its buffers, so this is rarely called."""
         points, n_points, values = self.buffers = buffers
         pairs = np.frombuffer((c_double * (2 * n_points)).from_address(points))
         self.positions = pairs.reshape(n_points, 2).T

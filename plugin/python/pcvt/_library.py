@@ -13,15 +13,15 @@ ABI_VERSION = 0x00000002
 
 
 class Error(Exception):
-    """What the library refused or could not do, in its words."""
+    """An error of the library, with its message."""
 
 
 class Cancelled(Error):
-    """The progress function asked for it."""
+    """The progress function cancelled the run."""
 
 
 class ArgumentError(Error, ValueError):
-    """A value out of its range or not finite, an unknown or unavailable choice."""
+    """A value that is out of range or not finite, or an unknown or unavailable choice."""
 
 
 class DensityError(Error, ValueError):
@@ -29,11 +29,11 @@ class DensityError(Error, ValueError):
 
 
 class GeometryError(Error, ValueError):
-    """Coincident sites, or sites whose cells are too small to be told apart."""
+    """Coincident sites, or sites whose cells are too small."""
 
 
 class LimitError(Error, MemoryError):
-    """No memory, or a limit of pcvt."""
+    """Out of memory, or a limit of pcvt."""
 
 
 class OutputError(Error, OSError):
@@ -144,13 +144,13 @@ library = _load()
 
 
 def checked(status):
-    """Raises for a status without a result."""
+    """Raises the error of a status that has no result."""
     if status < 0 or status == _CANCELLED:
         raise _ERRORS.get(status, Error)(os.fsdecode(library.pcvt_last_error()))
 
 
 class _Borrowed:
-    """Memory of a result, which numpy may look at as long as it holds this object."""
+    """Memory of a result, valid as long as this object lives; numpy arrays hold a reference to it."""
 
     def __init__(self, owner, address, n_bytes):
         self.owner = owner
@@ -159,7 +159,7 @@ class _Borrowed:
 
 
 class Handle:
-    """A pcvt_result, freed with the last array or object that looks at it."""
+    """A pcvt_result, freed with the last array or object that refers to it."""
 
     def __init__(self, pointer):
         self.pointer = pointer

@@ -15,7 +15,7 @@ def face_colours(tile):
 
 
 def draw_seam(tile, axes):
-    """Edges that one translation glues have one colour, which the legend gives as (i, j)."""
+    """Draws the edges that one translation (i, j) glues in one colour, with a legend."""
     offsets = np.unique(tile.seam[["i", "j"]])
     for number, offset in enumerate(offsets):
         pairs = tile.seam[tile.seam[["i", "j"]] == offset]

@@ -1,4 +1,4 @@
-"""What a result shows: figures, the mesh on the torus, the tile with its seam."""
+"""The views of a result: statistics, the mesh on the torus, the tile with its seam."""
 
 from typing import NamedTuple
 
@@ -11,14 +11,14 @@ EDGE_PAIR = np.dtype([(name, np.int32) for name in ("v0", "v1", "w0", "w1", "i",
 
 
 class Statistics(NamedTuple):
-    """Figures of a run.
+    """Statistics of a run.
 
     energy        sum over the cells of the integral of density |p - x_i|^2, density x length^4
     energy_bound  5 area^2 / (18 sqrt(3) n) for uniform density, else NaN
     residual      largest |x_i - g_i| / h, h = sqrt(area / n); rms_residual: its root mean square
     valences      int32: valences[k] cells have k sides, edges under 1e-5 h not counted
     stop          "converged", "iteration-limit" or "stalled"
-    n_mirrors     -1 where the triangulation was built without mirrors
+    n_mirrors     -1 if the triangulation was built without mirrors
     """
 
     energy: float
@@ -38,7 +38,7 @@ class Statistics(NamedTuple):
 
 
 class TorusMesh:
-    """Cells or triangles on the torus: each face and each vertex once for all its images.
+    """Cells or triangles on the torus: one face and one vertex for all of its images.
 
     Face f has the corners face_begin[f] ... face_begin[f + 1] - 1, counter-clockwise. Corner c of
     it lies at vertices[corner_vertex[c]] + corner_offset[c] @ lattice.
@@ -51,7 +51,7 @@ class TorusMesh:
     corner_offset  (n_corners, 2), i, j
     opposite       (n_corners,), the corner that the same edge leaves on the face across
     site           the site of each cell, (n_faces,); triangles: of each vertex, (n_vertices,)
-    site_points    (n_faces, 2), where the site of each cell stands; triangles: None
+    site_points    (n_faces, 2), the position of the site of each cell; triangles: None
     """
 
     def __init__(self, handle, view):
@@ -77,12 +77,12 @@ class Tile:
 
     kind           "voronoi", "delaunay" or "grains"
     outline        "whole" or "box"
-    lattice        (2, 2), rows a, b; of the tile: repeated, where the tile is
+    lattice        (2, 2), rows a, b; of a repeated tile the repeated lattice
     points         (n_vertices, 2)
     face_begin     (n_faces + 1,): face f has corners[face_begin[f]:face_begin[f + 1]]
     corners        (n_corners,), vertices, face after face, counter-clockwise
     face_site      (n_faces,), the site of each face; of Delaunay triangles: None
-    site_points    (n_faces, 2), where that site stands; of Delaunay triangles: None
+    site_points    (n_faces, 2), the position of that site; of Delaunay triangles: None
     vertex_site    (n_vertices,), the site at each vertex of Delaunay triangles, else None
     vertex_orbit   (n_vertices,), the smallest vertex on the same orbit
     vertex_offset  (n_vertices, 2), i, j
@@ -109,11 +109,12 @@ class Tile:
         return np.split(self.points[self.corners], self.face_begin[1:-1])
 
     def plot(self, axes=None):
-        """Draws the tile: cells coloured by their number of sides, hexagons palest; on the seam
-        one colour for all edges that one translation glues. Needs matplotlib.
+        """Draws the tile with matplotlib: the colour of a cell shows its number of sides, hexagons
+        are palest; seam edges that one translation glues have one colour.
 
-        @param axes  matplotlib's, [None: those of pyplot]
-        @returns     the axes
+        axes  of matplotlib; None: the current axes of pyplot
+
+        Returns the axes.
         """
         from ._plot import draw_tile
 

@@ -56,8 +56,8 @@ TEST(ClippedCvt, OneSiteHasTheWholeDomain) {
         EXPECT_NEAR(clipped_energy(lattice, middle).value / whole, 1, 1e-12) << name;
         EXPECT_NEAR(clipped_energy(lattice, middle).mass[0] / lattice.area(), 1, 1e-12) << name;
         const ClippedCvt cvt = compute_clipped_cvt(lattice, uniform_points(lattice, 1, 3), {1e-9});
-        EXPECT_EQ(cvt.stop, Stop::kConverged) << name;
-        EXPECT_NEAR(cvt.energy / whole, 1, 1e-12) << name;
+        EXPECT_EQ(cvt.run.stop, Stop::kConverged) << name;
+        EXPECT_NEAR(cvt.run.energy / whole, 1, 1e-12) << name;
     }
 }
 
@@ -98,19 +98,19 @@ TEST(ClippedCvt, TheGradientAgreesWithDifferencesOfTheEnergy) {
 TEST(ClippedCvt, TwoSitesHalveTheSquare) {
     const Lattice unit = Lattice::rectangle(1, 1);
     const ClippedCvt cvt = compute_clipped_cvt(unit, uniform_points(unit, 2, 1), {1e-10});
-    EXPECT_EQ(cvt.stop, Stop::kConverged);
-    EXPECT_NEAR(cvt.energy, 1.25 / 12, 1e-12);
-    EXPECT_NEAR(clipped_energy(unit, cvt.sites).value, cvt.energy, 1e-15);
+    EXPECT_EQ(cvt.run.stop, Stop::kConverged);
+    EXPECT_NEAR(cvt.run.energy, 1.25 / 12, 1e-12);
+    EXPECT_NEAR(clipped_energy(unit, cvt.sites).value, cvt.run.energy, 1e-15);
 }
 
 TEST(ClippedCvt, ConvergesToAMinimumAboveTheHexagonalBound) {
     for (const auto& [name, lattice] : lattices()) {
         const Points start = uniform_points(lattice, 60, 2);
         const ClippedCvt cvt = compute_clipped_cvt(lattice, start, {1e-6});
-        EXPECT_EQ(cvt.stop, Stop::kConverged) << name;
-        EXPECT_LE(cvt.residual, 1e-6) << name;
-        EXPECT_LT(cvt.energy, clipped_energy(lattice, start).value) << name;
-        EXPECT_GT(cvt.energy, hexagonal_bound(lattice.area(), 60)) << name;
+        EXPECT_EQ(cvt.run.stop, Stop::kConverged) << name;
+        EXPECT_LE(cvt.run.residual, 1e-6) << name;
+        EXPECT_LT(cvt.run.energy, clipped_energy(lattice, start).value) << name;
+        EXPECT_GT(cvt.run.energy, hexagonal_bound(lattice.area(), 60)) << name;
     }
 }
 
@@ -123,7 +123,7 @@ TEST(ClippedCvt, ProgressIsReportedInTheUsersUnitAndCancels) {
                                                                         first = p.value;
                                                                     return p.iteration < 3;
                                                                 }});
-    EXPECT_EQ(cvt.stop, Stop::kCancelled);
+    EXPECT_EQ(cvt.run.stop, Stop::kCancelled);
     EXPECT_NEAR(first / clipped_energy(lattice, start).value, 1, 1e-12);
 }
 

@@ -45,7 +45,7 @@ TEST(CoarseStart, LeadsToLowerMinimaWithFewerDefects) {
     const CvtResult from_random = compute_cvt(lattice, uniform_points(lattice, 4000, 1), options);
     const CvtResult from_coarse =
         compute_cvt(lattice, coarse_start(lattice, 4000, seeded(1)), options);
-    EXPECT_LT(from_coarse.energy, from_random.energy * (1 - 1e-3));
+    EXPECT_LT(from_coarse.run.energy, from_random.run.energy * (1 - 1e-3));
     EXPECT_LT(defects(from_coarse), 0.04);
     EXPECT_GT(defects(from_random), 0.07);
 }
@@ -61,8 +61,8 @@ TEST(CoarseStart, LeadsToLowerMinimaOfSmoothDensitiesToo) {
         compute_cvt(lattice, graded_points(lattice, *options.density, 4000, 1), options);
     const CvtResult from_coarse =
         compute_cvt(lattice, coarse_start(lattice, 4000, coarse), options);
-    EXPECT_LT(from_coarse.energy, from_random.energy * (1 - 1e-3));
-    EXPECT_LT(from_coarse.evaluations, from_random.evaluations);
+    EXPECT_LT(from_coarse.run.energy, from_random.run.energy * (1 - 1e-3));
+    EXPECT_LT(from_coarse.run.evaluations, from_random.run.evaluations);
     EXPECT_LT(from_coarse.density->spacing_deviation, 0.02);
 }
 

@@ -33,9 +33,9 @@ double best_of_twenty(int n) {
     double best = 1;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const CvtResult result = run(unit, n, seed, to_tolerance(1e-8));
-        EXPECT_EQ(result.stop, Stop::kConverged);
-        EXPECT_GE(result.energy, result.energy_bound);
-        best = std::min(best, result.energy);
+        EXPECT_EQ(result.run.stop, Stop::kConverged);
+        EXPECT_GE(result.run.energy, result.energy_bound);
+        best = std::min(best, result.run.energy);
     }
     return best;
 }
@@ -50,21 +50,21 @@ TEST(Cvt, ConvergesForOneSiteAndMoreOnEveryLattice) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 7, 8, 30, 150}) {
             const CvtResult result = run(lattice, n, 0, to_tolerance(1e-7));
-            EXPECT_EQ(result.stop, Stop::kConverged) << name << " n = " << n;
-            EXPECT_LE(result.residual, 1e-7);
-            EXPECT_GE(result.energy, result.energy_bound * (1 - 1e-12)) << name << " n = " << n;
+            EXPECT_EQ(result.run.stop, Stop::kConverged) << name << " n = " << n;
+            EXPECT_LE(result.run.residual, 1e-7);
+            EXPECT_GE(result.run.energy, result.energy_bound * (1 - 1e-12)) << name << " n = " << n;
         }
     }
 }
 
 void expect_as_told(const CvtResult& result) {
     const testing::PlaneEnergy state = testing::energy_at(result.delaunay.sites());
-    EXPECT_NEAR(state.value / result.energy, 1, 1e-13);
+    EXPECT_NEAR(state.value / result.run.energy, 1, 1e-13);
     const auto step = state.gradient.array().rowwise() / (2 * state.mass.transpose().array());
     const Eigen::ArrayXd squares = step.square().colwise().sum().transpose();
     const double h = result.delaunay.sites().spacing();
-    EXPECT_NEAR(result.residual, std::sqrt(squares.maxCoeff()) / h, 1e-12);
-    EXPECT_NEAR(result.rms_residual, std::sqrt(squares.mean()) / h, 1e-12);
+    EXPECT_NEAR(result.run.residual, std::sqrt(squares.maxCoeff()) / h, 1e-12);
+    EXPECT_NEAR(result.run.rms_residual, std::sqrt(squares.mean()) / h, 1e-12);
 }
 
 TEST(Cvt, TheReportedFiguresAgreeWithAnIndependentEvaluation) {
@@ -84,7 +84,7 @@ TEST(Cvt, ZeroIterationsKeepTheSitesAsGiven) {
     CvtOptions options;
     options.max_iterations = 0;
     const CvtResult result = compute_cvt(unit, points, options);
-    EXPECT_EQ(result.stop, Stop::kIterationLimit);
+    EXPECT_EQ(result.run.stop, Stop::kIterationLimit);
     for (SiteId s = 0; s < 25; ++s) {
         EXPECT_LT((result.delaunay.sites().position(s) - points.col(s)).norm(), 0x1p-51);
     }
@@ -170,7 +170,7 @@ int evaluations_to_rms(Solver solver, std::uint64_t seed) {
         evaluations = p.evaluations;
         return p.rms_residual > 1e-6;
     };
-    EXPECT_EQ(run(Lattice::rectangle(1, 1), 1000, seed, options).stop, Stop::kCancelled);
+    EXPECT_EQ(run(Lattice::rectangle(1, 1), 1000, seed, options).run.stop, Stop::kCancelled);
     return evaluations;
 }
 
@@ -191,7 +191,7 @@ CvtResult to_machine_precision(Solver solver, int n, std::uint64_t seed) {
     CvtOptions options = to_tolerance(1e-10);
     options.solver = solver;
     CvtResult result = run(Lattice::rectangle(1, 1), n, seed, options);
-    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
     return result;
 }
 
@@ -199,22 +199,22 @@ TEST(Cvt, NewtonFinishesInFewEvaluations) {
     std::vector<int> evaluations;
     for (std::uint64_t seed = 0; seed < 9; ++seed) {
         const CvtResult result = to_machine_precision(Solver::kLbfgs, 1000, seed);
-        evaluations.push_back(result.evaluations);
-        EXPECT_GT(result.cg_products, result.hessians);
+        evaluations.push_back(result.run.evaluations);
+        EXPECT_GT(result.run.cg_products, result.run.hessians);
     }
     std::sort(evaluations.begin(), evaluations.end());
     RecordProperty("median", evaluations[4]);
     EXPECT_LE(evaluations[4], 230);
-    EXPECT_LE(to_machine_precision(Solver::kNewton, 1000, 0).evaluations, 400);
+    EXPECT_LE(to_machine_precision(Solver::kNewton, 1000, 0).run.evaluations, 400);
     const CvtResult plain = to_machine_precision(Solver::kPlainLbfgs, 1000, 1);
-    EXPECT_EQ(plain.hessians, 0);
-    EXPECT_GT(plain.evaluations, 300);
+    EXPECT_EQ(plain.run.hessians, 0);
+    EXPECT_GT(plain.run.evaluations, 300);
 }
 
 TEST(SlowCvt, NewtonFinishesTenThousandSites) {
     std::vector<int> evaluations;
     for (const std::uint64_t seed : {0, 1, 2}) {
-        evaluations.push_back(to_machine_precision(Solver::kLbfgs, 10000, seed).evaluations);
+        evaluations.push_back(to_machine_precision(Solver::kLbfgs, 10000, seed).run.evaluations);
     }
     std::sort(evaluations.begin(), evaluations.end());
     EXPECT_LE(evaluations[1], 500);
@@ -233,17 +233,17 @@ TEST(Cvt, NewtonBeginsAtOnceNearALattice) {
     for (const std::uint64_t seed : {0, 1, 2}) {
         const CvtResult result = compute_cvt(
             Lattice::rectangle(1, 1), noisy_lattice({2000, 702, 5}, seed), to_tolerance(1e-10));
-        EXPECT_EQ(result.stop, Stop::kConverged);
-        EXPECT_LE(result.evaluations, 10);
-        EXPECT_NEAR(result.energy / result.energy_bound, 1.00001712, 1e-8);
+        EXPECT_EQ(result.run.stop, Stop::kConverged);
+        EXPECT_LE(result.run.evaluations, 10);
+        EXPECT_NEAR(result.run.energy / result.energy_bound, 1.00001712, 1e-8);
     }
 }
 
 TEST(SlowCvt, NewtonBeginsAtOnceNearALargeLattice) {
     const CvtResult result = compute_cvt(Lattice::rectangle(1, 1),
                                          noisy_lattice({4000, 1223, 25}, 0), to_tolerance(1e-10));
-    EXPECT_EQ(result.stop, Stop::kConverged);
-    EXPECT_LE(result.evaluations, 10);
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
+    EXPECT_LE(result.run.evaluations, 10);
 }
 
 TEST(Cvt, LloydNeverRaisesTheEnergy) {
@@ -255,17 +255,18 @@ TEST(Cvt, LloydNeverRaisesTheEnergy) {
         previous = p.value;
         return true;
     };
-    EXPECT_EQ(run(Lattice::rectangle(20, 1), 60, 1, options).stop, Stop::kConverged);
+    EXPECT_EQ(run(Lattice::rectangle(20, 1), 60, 1, options).run.stop, Stop::kConverged);
 }
 
 TEST(Cvt, TheUnitOfLengthDoesNotMatter) {
     const CvtResult one = run(Lattice::rectangle(1, 1), 60, 4, to_tolerance(1e-8));
     for (const double scale : {0x1p-190, 0x1p-20, 0x1p190}) {
         const CvtResult scaled = run(Lattice::rectangle(scale, scale), 60, 4, to_tolerance(1e-8));
-        EXPECT_EQ(scaled.stop, Stop::kConverged);
-        EXPECT_EQ(scaled.evaluations, one.evaluations);
+        EXPECT_EQ(scaled.run.stop, Stop::kConverged);
+        EXPECT_EQ(scaled.run.evaluations, one.run.evaluations);
         EXPECT_EQ(scaled.delaunay.sites().coordinates(), one.delaunay.sites().coordinates());
-        EXPECT_DOUBLE_EQ(scaled.energy / scaled.energy_bound, one.energy / one.energy_bound);
+        EXPECT_DOUBLE_EQ(scaled.run.energy / scaled.energy_bound,
+                         one.run.energy / one.energy_bound);
     }
 }
 
@@ -284,10 +285,10 @@ TEST(Cvt, RefusesSitesThatAlmostCoincide) {
 
 void expect_same_bits(const CvtResult& first, const CvtResult& second) {
     EXPECT_EQ(first.delaunay.sites().coordinates(), second.delaunay.sites().coordinates());
-    EXPECT_EQ(first.energy, second.energy);
-    EXPECT_EQ(first.residual, second.residual);
-    EXPECT_EQ(first.rms_residual, second.rms_residual);
-    EXPECT_EQ(first.evaluations, second.evaluations);
+    EXPECT_EQ(first.run.energy, second.run.energy);
+    EXPECT_EQ(first.run.residual, second.run.residual);
+    EXPECT_EQ(first.run.rms_residual, second.run.rms_residual);
+    EXPECT_EQ(first.run.evaluations, second.run.evaluations);
     EXPECT_EQ(first.counts.n_flips, second.counts.n_flips);
 }
 
@@ -328,7 +329,7 @@ TEST(Cvt, NeedsFewFlipsPerSiteAndNoRebuild) {
         CvtOptions options = to_tolerance(0);
         options.progress = [](const Progress& p) { return p.rms_residual > 1e-3; };
         const CvtResult result = run(lattice, n, 7, options);
-        EXPECT_EQ(result.stop, Stop::kCancelled);
+        EXPECT_EQ(result.run.stop, Stop::kCancelled);
         EXPECT_EQ(result.counts.n_rebuilds, 0);
         EXPECT_GT(result.counts.n_flips, 0);
         EXPECT_LE(double(result.counts.n_flips), 2.2 * n);

@@ -24,8 +24,8 @@ CvtResult optimise(const Lattice& lattice, const Density& density, int n, double
 TEST(DensityCvt, ReachesTheTolerance) {
     for (const Density& density : {testing::smooth_density(), testing::ridge_density()}) {
         const CvtResult result = optimise(kSquare, density, 1000, 1e-9);
-        EXPECT_EQ(result.stop, Stop::kConverged);
-        EXPECT_LE(result.residual, 1e-9);
+        EXPECT_EQ(result.run.stop, Stop::kConverged);
+        EXPECT_LE(result.run.residual, 1e-9);
         EXPECT_EQ(result.density->n_rough_cells, 0);
         EXPECT_LE(result.density->quadrature_error, 1e-11);
         EXPECT_NEAR(result.density->mass_deviation, 0, 1e-10);
@@ -41,12 +41,12 @@ TEST(DensityCvt, NeedsAFractionOfTheEvaluationsOfPlainLbfgs) {
         const CvtResult result = compute_cvt(kSquare, points, options);
         options.solver = Solver::kPlainLbfgs;
         const CvtResult plain = compute_cvt(kSquare, points, options);
-        EXPECT_EQ(result.stop, Stop::kConverged);
-        EXPECT_GT(result.hessians, 0);
-        EXPECT_EQ(plain.hessians, 0);
-        EXPECT_LT(result.evaluations, 0.7 * plain.evaluations);
-        RecordProperty("evaluations", result.evaluations);
-        RecordProperty("plain", plain.evaluations);
+        EXPECT_EQ(result.run.stop, Stop::kConverged);
+        EXPECT_GT(result.run.hessians, 0);
+        EXPECT_EQ(plain.run.hessians, 0);
+        EXPECT_LT(result.run.evaluations, 0.7 * plain.run.evaluations);
+        RecordProperty("evaluations", result.run.evaluations);
+        RecordProperty("plain", plain.run.evaluations);
     }
 }
 
@@ -56,8 +56,8 @@ TEST(DensityCvt, NewtonsMethodFromTheStartEndsInAMinimumToo) {
     options.solver = Solver::kNewton;
     const CvtResult result =
         compute_cvt(kSquare, graded_points(kSquare, *options.density, 300, 2), options);
-    EXPECT_EQ(result.stop, Stop::kConverged);
-    EXPECT_GT(result.hessians, 5);
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
+    EXPECT_GT(result.run.hessians, 5);
 }
 
 /// Adds the integrals of rho and of rho p over a triangle, by the midpoint rule of the sides on
@@ -119,7 +119,7 @@ TEST(DensityCvt, SitesAreTheCentroidsOfTheirCellsByAnotherQuadrature) {
 TEST(DensityCvt, SpacingFollowsGershosLaw) {
     const CvtResult result = optimise(kSquare, testing::ridge_density(), 2000, 1e-2);
     EXPECT_LT(result.density->spacing_deviation, 0.03);
-    EXPECT_NEAR(result.energy / result.density->expected_energy, 1, 0.02);
+    EXPECT_NEAR(result.run.energy / result.density->expected_energy, 1, 0.02);
     // Uniformly random sites, which ignore the density, deviate far more.
     CvtOptions options;
     options.max_iterations = 0;
@@ -138,15 +138,15 @@ TEST(DensityCvt, JumpsAtTheSeamAndAtBreakLinesConverge) {
     checkerboard.u_breaks = checkerboard.v_breaks = {0.5};
     for (const Density& density : {testing::ramp_density(), checkerboard}) {
         const CvtResult result = optimise(kSquare, density, 300, 1e-9);
-        EXPECT_EQ(result.stop, Stop::kConverged);
+        EXPECT_EQ(result.run.stop, Stop::kConverged);
         EXPECT_EQ(result.density->n_rough_cells, 0);
     }
 }
 
 TEST(DensityCvt, AJumpWithoutBreakLinesStallsAndCountsRoughCells) {
     const CvtResult result = optimise(kSquare, testing::disc_density(), 300, 1e-9);
-    EXPECT_EQ(result.stop, Stop::kStalled);
-    EXPECT_LT(result.residual, 0.2);
+    EXPECT_EQ(result.run.stop, Stop::kStalled);
+    EXPECT_LT(result.run.residual, 0.2);
     EXPECT_GT(result.density->n_rough_cells, 10);
     EXPECT_GT(result.density->quadrature_error, 1e-6);
 }
@@ -159,7 +159,7 @@ TEST(DensityCvt, AConstantDensityGivesTheUniformEnergy) {
     options.density = shared_density([](const DensityPoint&) { return 7.0; });
     const CvtResult weighted = compute_cvt(kSquare, points, options);
     // The two runs may end in different minima, whose energies differ by a few percent.
-    EXPECT_NEAR(weighted.energy / uniform.energy, 7, 0.1);
+    EXPECT_NEAR(weighted.run.energy / uniform.run.energy, 7, 0.1);
     EXPECT_NEAR(weighted.density->expected_energy, 7 * uniform.energy_bound, 1e-3);
     EXPECT_FALSE(uniform.density.has_value());
 }
@@ -171,9 +171,9 @@ TEST(DensityCvt, UnitsOfLengthAndDensityChangeNothing) {
         return std::ldexp(testing::value_at(testing::smooth_density().make_function(), p), 100);
     });
     const CvtResult other = optimise(large, scaled, 100, 1e-8);
-    EXPECT_EQ(other.iterations, one.iterations);
+    EXPECT_EQ(other.run.iterations, one.run.iterations);
     EXPECT_EQ(other.delaunay.sites().coordinates(), one.delaunay.sites().coordinates());
-    EXPECT_DOUBLE_EQ(other.energy / std::ldexp(1.0, 140), one.energy);
+    EXPECT_DOUBLE_EQ(other.run.energy / std::ldexp(1.0, 140), one.run.energy);
     EXPECT_DOUBLE_EQ(other.density->mass / std::ldexp(1.0, 120), one.density->mass);
 }
 
@@ -185,7 +185,7 @@ TEST(DensityCvt, IsTheSameToTheLastBitForAnyNumberOfThreads) {
     const CvtResult one = compute_cvt(kSquare, points, options);
     options.n_threads = 3;
     const CvtResult three = compute_cvt(kSquare, points, options);
-    EXPECT_EQ(three.energy, one.energy);
+    EXPECT_EQ(three.run.energy, one.run.energy);
     EXPECT_EQ(three.delaunay.sites().coordinates(), one.delaunay.sites().coordinates());
 }
 
@@ -200,16 +200,16 @@ TEST(DensityCvt, ProgressCountsOverAllRoundsAndCancels) {
     const Points points = graded_points(kSquare, *options.density, 100, 3);
     const CvtResult result = compute_cvt(kSquare, points, options);
     for (std::size_t k = 0; k < seen.size(); ++k) ASSERT_EQ(seen[k].iteration, static_cast<int>(k));
-    EXPECT_EQ(seen.back().iteration, result.iterations);
-    EXPECT_EQ(seen.back().evaluations, result.evaluations);
-    EXPECT_DOUBLE_EQ(seen.back().value, result.energy);
+    EXPECT_EQ(seen.back().iteration, result.run.iterations);
+    EXPECT_EQ(seen.back().evaluations, result.run.evaluations);
+    EXPECT_DOUBLE_EQ(seen.back().value, result.run.energy);
     options.progress = [](const Progress& progress) { return progress.iteration < 40; };
-    EXPECT_EQ(compute_cvt(kSquare, points, options).stop, Stop::kCancelled);
+    EXPECT_EQ(compute_cvt(kSquare, points, options).run.stop, Stop::kCancelled);
     options.progress = nullptr;
     options.max_iterations = 30;
     const CvtResult limited = compute_cvt(kSquare, points, options);
-    EXPECT_EQ(limited.stop, Stop::kIterationLimit);
-    EXPECT_EQ(limited.iterations, 30);
+    EXPECT_EQ(limited.run.stop, Stop::kIterationLimit);
+    EXPECT_EQ(limited.run.iterations, 30);
 }
 
 TEST(DensityCvt, LloydsIterationEndsAtTheCentroids) {
@@ -219,7 +219,7 @@ TEST(DensityCvt, LloydsIterationEndsAtTheCentroids) {
     options.density = testing::ridge_density();
     const Points points = graded_points(kSquare, *options.density, 60, 3);
     const CvtResult result = compute_cvt(kSquare, points, options);
-    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
     EXPECT_LT(independent_residual(result, *options.density, 4), 1.2e-5);
 }
 
@@ -227,7 +227,7 @@ TEST(DensityCvt, SmallNumbersOfSitesConverge) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 7}) {
             const CvtResult result = optimise(lattice, testing::smooth_density(), n, 1e-6);
-            EXPECT_EQ(result.stop, Stop::kConverged) << name << " n = " << n;
+            EXPECT_EQ(result.run.stop, Stop::kConverged) << name << " n = " << n;
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/lattice/sites.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
@@ -77,8 +78,8 @@ TEST(SpatialSort, ColumnsAreAsFarApartAsTheirSites) {
     }
 }
 
-double mean_distance(const Lattice& lattice, const Points& points) {
-    const Sites sites(lattice, points);
+/// Between sites of successive numbers, in units of h.
+double mean_distance(const Sites& sites) {
     double sum = 0;
     for (SiteId s = 1; s < sites.n_sites(); ++s) {
         sum += (sites.position(s) - sites.position(s - 1)).norm();
@@ -86,19 +87,35 @@ double mean_distance(const Lattice& lattice, const Points& points) {
     return sum / (sites.n_sites() - 1) / sites.spacing();
 }
 
-TEST(SpatialSort, NeighboursGetCloseIndices) {
+std::vector<std::pair<double, double>> sorted_coordinates(const Sites& sites) {
+    std::vector<std::pair<double, double>> all;
+    for (const auto& u : sites.coordinates().colwise()) all.emplace_back(u.x(), u.y());
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+TEST(Numbering, ByColumnsNeighboursHaveNumbersNearToEachOther) {
     for (const auto& [name, lattice] : lattices()) {
-        const Points points = uniform_points(lattice, 2000, 7);
-        const Points numbered = spatially_sorted(lattice, points);
-        const auto sorted = [](const Points& p) {
-            std::vector<std::pair<double, double>> all;
-            for (Eigen::Index s = 0; s < p.cols(); ++s) all.emplace_back(p(0, s), p(1, s));
-            std::sort(all.begin(), all.end());
-            return all;
-        };
-        EXPECT_EQ(sorted(numbered), sorted(points)) << name;
-        EXPECT_LT(mean_distance(lattice, numbered), 2.5) << name;
-        EXPECT_GT(mean_distance(lattice, points), 5) << name;
+        const Sites given(lattice, uniform_points(lattice, 2000, 7));
+        const Sites numbered = MovingDelaunay(given, Numbering::kByColumns).release().first;
+        EXPECT_EQ(sorted_coordinates(numbered), sorted_coordinates(given)) << name;
+        EXPECT_LT(mean_distance(numbered), 2.5) << name;
+        EXPECT_GT(mean_distance(given), 5) << name;
+    }
+}
+
+// Sites that were numbered by columns keep their numbers, also where coordinates are equal.
+TEST(Numbering, ByColumnsTwiceIsByColumnsOnce) {
+    const auto numbered = [](const Sites& sites) {
+        return MovingDelaunay(sites, Numbering::kByColumns).release().first;
+    };
+    for (const auto& [name, lattice] : lattices()) {
+        const Sites once = numbered(Sites(lattice, uniform_points(lattice, 500, 3)));
+        EXPECT_EQ(numbered(once).coordinates(), once.coordinates()) << name;
+        Points grid(2, 144);
+        for (int k = 0; k < 144; ++k) grid.col(k) = lattice.to_plane({k % 9 / 9.0, k / 9 / 16.0});
+        const Sites square = numbered(Sites(lattice, grid));
+        EXPECT_EQ(numbered(square).coordinates(), square.coordinates()) << name;
     }
 }
 

@@ -4,8 +4,10 @@
 
 #include <numeric>
 
+#include "mesher/mesh/voronoi.hpp"
 #include "mesher/tile/tile_valence.hpp"
 #include "tests/support/grid_tile.hpp"
+#include "tests/support/lattices.hpp"
 
 namespace pcvt {
 namespace {
@@ -68,6 +70,20 @@ TEST(Histogram, CountsEachNumberOfSides) {
     EXPECT_THAT(histogram({6, 5, 7, 6, 6}),
                 UnorderedElementsAre(Pair(5, 1), Pair(6, 3), Pair(7, 1)));
     EXPECT_THAT(histogram({}), IsEmpty());
+}
+
+TEST(CellSides, OfATriangulationAreThoseOfItsCells) {
+    for (const auto& [name, lattice] : testing::lattices()) {
+        for (const int n : {1, 2, 3, 8, 100}) {
+            const PeriodicDelaunay delaunay =
+                periodic_delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
+            EXPECT_EQ(cell_sides(delaunay), cell_sides(cell_mesh(delaunay))) << name << n;
+        }
+        Points grid(2, 12);
+        for (int k = 0; k < 12; ++k) grid.col(k) = lattice.to_plane({k % 3 / 3.0, k / 3 / 4.0});
+        const PeriodicDelaunay delaunay = periodic_delaunay(Sites(lattice, grid));
+        EXPECT_EQ(cell_sides(delaunay), cell_sides(cell_mesh(delaunay))) << name;
+    }
 }
 
 }  // namespace

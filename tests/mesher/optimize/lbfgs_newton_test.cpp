@@ -34,31 +34,31 @@ OptimizerResult lbfgs_newton(Objective& objective, double tolerance, NewtonStart
 TEST(LbfgsNewton, UsesLbfgsAloneFarFromAMinimum) {
     PlainObjective objective = from(0.3);
     const OptimizerResult loose = lbfgs_newton(objective, 1e-2, NewtonStart::kNear);
-    EXPECT_EQ(loose.stop, Stop::kConverged);
-    EXPECT_EQ(loose.hessians, 0);
+    EXPECT_EQ(loose.run.stop, Stop::kConverged);
+    EXPECT_EQ(loose.run.hessians, 0);
     PlainObjective again = from(0.3);
-    EXPECT_GT(lbfgs_newton(again, 1e-2, NewtonStart::kAtOnce).hessians, 0);
+    EXPECT_GT(lbfgs_newton(again, 1e-2, NewtonStart::kAtOnce).run.hessians, 0);
 }
 
 TEST(LbfgsNewton, UsesLbfgsAloneWithoutAHessian) {
     PlainObjective objective = from(0.3);
     objective.forget_hessian();
     const OptimizerResult result = lbfgs_newton(objective, 1e-9, NewtonStart::kAtOnce);
-    EXPECT_EQ(result.stop, Stop::kConverged);
-    EXPECT_EQ(result.hessians, 0);
-    EXPECT_EQ(result.evaluations, objective.n_evaluations());
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
+    EXPECT_EQ(result.run.hessians, 0);
+    EXPECT_EQ(result.run.evaluations, objective.n_evaluations());
 }
 
 TEST(LbfgsNewton, FinishesByNewtonAndStartsWithNewtonNearAMinimum) {
     PlainObjective far = from(0.3);
     const OptimizerResult finished = lbfgs_newton(far, 1e-12, NewtonStart::kNear);
-    EXPECT_EQ(finished.stop, Stop::kConverged);
-    EXPECT_GT(finished.hessians, 0);
-    EXPECT_GT(finished.iterations, finished.hessians);
+    EXPECT_EQ(finished.run.stop, Stop::kConverged);
+    EXPECT_GT(finished.run.hessians, 0);
+    EXPECT_GT(finished.run.iterations, finished.run.hessians);
     PlainObjective near = from(1e-3);
     const OptimizerResult at_once = lbfgs_newton(near, 1e-12, NewtonStart::kNear);
-    EXPECT_EQ(at_once.stop, Stop::kConverged);
-    EXPECT_EQ(at_once.iterations, at_once.hessians);
+    EXPECT_EQ(at_once.run.stop, Stop::kConverged);
+    EXPECT_EQ(at_once.run.iterations, at_once.run.hessians);
 }
 
 // Iterations are reported one by one, and the evaluations match the objective's count.
@@ -72,8 +72,8 @@ TEST(LbfgsNewton, CountsOverAllLegs) {
                 EXPECT_EQ(p.evaluations, objective.n_evaluations());
                 return true;
             });
-        EXPECT_EQ(result.iterations + 1, next);
-        EXPECT_EQ(result.evaluations, objective.n_evaluations());
+        EXPECT_EQ(result.run.iterations + 1, next);
+        EXPECT_EQ(result.run.evaluations, objective.n_evaluations());
         Evaluation there;
         chain(objective.point(), there);
         EXPECT_EQ(result.evaluation.value, there.value);
@@ -83,19 +83,19 @@ TEST(LbfgsNewton, CountsOverAllLegs) {
 TEST(LbfgsNewton, StopsAtLimitsAndCancellationsInEveryLeg) {
     for (const NewtonStart start : {NewtonStart::kNear, NewtonStart::kAtOnce}) {
         PlainObjective whole = from(0.3);
-        const int n_iterations = lbfgs_newton(whole, 1e-12, start).iterations;
+        const int n_iterations = lbfgs_newton(whole, 1e-12, start).run.iterations;
         for (int limit = 0; limit <= n_iterations; ++limit) {
             PlainObjective objective = from(0.3);
             Workers workers(1);
             const auto limited =
                 minimize_lbfgs_newton(objective, {1e-12, limit, 0.5, {}}, start, workers);
-            EXPECT_EQ(limited.iterations, limit);
-            EXPECT_EQ(limited.stop == Stop::kConverged, limit == n_iterations) << limit;
+            EXPECT_EQ(limited.run.iterations, limit);
+            EXPECT_EQ(limited.run.stop == Stop::kConverged, limit == n_iterations) << limit;
             PlainObjective another = from(0.3);
             const auto cancelled = lbfgs_newton(
                 another, 1e-12, start, [limit](const Progress& p) { return p.iteration < limit; });
-            EXPECT_EQ(cancelled.stop, Stop::kCancelled);
-            EXPECT_EQ(cancelled.iterations, limit);
+            EXPECT_EQ(cancelled.run.stop, Stop::kCancelled);
+            EXPECT_EQ(cancelled.run.iterations, limit);
         }
     }
 }
@@ -110,7 +110,7 @@ TEST(LbfgsNewton, StallsWhereBothMethodsStall) {
                 return true;
             },
             VectorXd::Constant(20, 0.3), 1.0 / 400);
-        EXPECT_EQ(lbfgs_newton(objective, 1e-6, start).stop, Stop::kStalled);
+        EXPECT_EQ(lbfgs_newton(objective, 1e-6, start).run.stop, Stop::kStalled);
     }
 }
 
@@ -124,8 +124,8 @@ TEST(LbfgsNewton, ContinuesWithLbfgsWhereNewtonIsStuck) {
         for (auto& block : h.block) block = {};
     });
     const OptimizerResult result = lbfgs_newton(objective, 1e-9, NewtonStart::kNear);
-    EXPECT_EQ(result.stop, Stop::kConverged);
-    EXPECT_EQ(result.hessians, n_hessians);
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
+    EXPECT_EQ(result.run.hessians, n_hessians);
     EXPECT_GT(n_hessians, 0);
 }
 

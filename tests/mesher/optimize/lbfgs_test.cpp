@@ -31,20 +31,20 @@ OptimizerResult lbfgs(Objective& objective, const OptimizerOptions& options) {
 TEST(Lbfgs, FindsTheMinimumOfABowlAndOfACurvedValley) {
     PlainObjective in_bowl = bowl_from(VectorXd::Zero(40));
     const auto bowl_result = lbfgs(in_bowl, options(1e-10, 10));
-    EXPECT_EQ(bowl_result.stop, Stop::kConverged);
+    EXPECT_EQ(bowl_result.run.stop, Stop::kConverged);
     EXPECT_LT((in_bowl.point() - VectorXd::Ones(40)).norm(), 1e-8);
-    EXPECT_LT(bowl_result.evaluations, 100);
+    EXPECT_LT(bowl_result.run.evaluations, 100);
     PlainObjective in_valley(valley, Eigen::Vector2d(-1.2, 1), 1e-3);
     const auto valley_result = lbfgs(in_valley, options(1e-8, 0.5));
-    EXPECT_EQ(valley_result.stop, Stop::kConverged);
+    EXPECT_EQ(valley_result.run.stop, Stop::kConverged);
     EXPECT_LT((in_valley.point() - Eigen::Vector2d(1, 1)).norm(), 1e-6);
-    EXPECT_LT(valley_result.evaluations, 80);
+    EXPECT_LT(valley_result.run.evaluations, 80);
 }
 
 TEST(Lbfgs, NeverMovesAPairFurtherThanTheClamp) {
     PlainObjective objective = bowl_from(VectorXd::Constant(10, 50));
     MoveWatch watch(objective);
-    EXPECT_EQ(lbfgs(objective, watch.with(options(1e-8, 0.25))).stop, Stop::kConverged);
+    EXPECT_EQ(lbfgs(objective, watch.with(options(1e-8, 0.25))).run.stop, Stop::kConverged);
     EXPECT_LE(watch.longest(), 0.25 * (1 + 1e-6));
     EXPECT_GT(watch.longest(), 0.2);
 }
@@ -54,7 +54,7 @@ TEST(Lbfgs, StepsBackFromWhereTheFunctionIsNotDefined) {
         return x.maxCoeff() < 1.0005 && bowl(x, e);
     };
     PlainObjective objective = bowl_from(VectorXd::Constant(6, -3), walled);
-    EXPECT_EQ(lbfgs(objective, options(1e-9, 2)).stop, Stop::kConverged);
+    EXPECT_EQ(lbfgs(objective, options(1e-9, 2)).run.stop, Stop::kConverged);
     EXPECT_LT((objective.point() - VectorXd::Ones(6)).norm(), 1e-7);
 }
 
@@ -66,7 +66,7 @@ TEST(Lbfgs, StepsBackFromWhereTheValueIsNotANumber) {
         return true;
     };
     PlainObjective objective = bowl_from(VectorXd::Constant(6, -3), holed);
-    EXPECT_EQ(lbfgs(objective, options(1e-9, 2)).stop, Stop::kConverged);
+    EXPECT_EQ(lbfgs(objective, options(1e-9, 2)).run.stop, Stop::kConverged);
 }
 
 // Where no step along the direction is defined, the history is reset and the Lloyd step is taken.
@@ -82,7 +82,7 @@ TEST(Lbfgs, RestartsWithTheLloydStepWhereALineSearchFails) {
         if (p.iteration == 10) n_refused = 0;
         return true;
     };
-    EXPECT_EQ(lbfgs(objective, watched).stop, Stop::kConverged);
+    EXPECT_EQ(lbfgs(objective, watched).run.stop, Stop::kConverged);
     EXPECT_GT(n_refused, n_trials);
     EXPECT_LT((objective.point() - VectorXd::Ones(40)).norm(), 1e-8);
 }
@@ -99,13 +99,13 @@ void expect_stops(const Minimize& minimize) {
     OptimizerOptions limited = options(1e-10, 10);
     limited.max_iterations = 3;
     const auto limit = run(start, limited);
-    EXPECT_EQ(limit.stop, Stop::kIterationLimit);
-    EXPECT_EQ(limit.iterations, 3);
+    EXPECT_EQ(limit.run.stop, Stop::kIterationLimit);
+    EXPECT_EQ(limit.run.iterations, 3);
 
     OptimizerOptions cancelled = options(1e-10, 10);
     cancelled.progress = [](const Progress& p) { return p.iteration < 2; };
-    EXPECT_EQ(run(start, cancelled).stop, Stop::kCancelled);
-    EXPECT_EQ(run(VectorXd::Ones(30), options(0, 10)).stop, Stop::kConverged);
+    EXPECT_EQ(run(start, cancelled).run.stop, Stop::kCancelled);
+    EXPECT_EQ(run(VectorXd::Ones(30), options(0, 10)).run.stop, Stop::kConverged);
 
     const auto noisy = [](const VectorXd& x, Evaluation& e) {
         bowl(x, e);
@@ -114,13 +114,13 @@ void expect_stops(const Minimize& minimize) {
         return true;
     };
     PlainObjective stuck = bowl_from(start, noisy);
-    EXPECT_EQ(minimize(stuck, options(0.1, 10)).stop, Stop::kStalled);
+    EXPECT_EQ(minimize(stuck, options(0.1, 10)).run.stop, Stop::kStalled);
     const auto nowhere = [](const VectorXd&, Evaluation&) { return false; };
     PlainObjective undefined = bowl_from(start, nowhere);
-    EXPECT_EQ(minimize(undefined, options(0.1, 10)).stop, Stop::kStalled);
+    EXPECT_EQ(minimize(undefined, options(0.1, 10)).run.stop, Stop::kStalled);
     PlainObjective alone = bowl_from(
         start, [&](const VectorXd& x, Evaluation& e) { return bowl(x, e) && x == start; });
-    EXPECT_EQ(minimize(alone, options(0.1, 10)).stop, Stop::kStalled);
+    EXPECT_EQ(minimize(alone, options(0.1, 10)).run.stop, Stop::kStalled);
 }
 
 TEST(Lbfgs, ReportsWhyItEnded) { expect_stops(lbfgs); }
@@ -138,7 +138,7 @@ void expect_own_evaluation(const Minimize& minimize) {
         EXPECT_EQ(result.evaluation.value, there.value);
         EXPECT_EQ(result.evaluation.gradient, there.gradient);
         EXPECT_EQ(result.evaluation.residual, there.residual);
-        EXPECT_EQ(result.evaluations, objective.n_evaluations());
+        EXPECT_EQ(result.run.evaluations, objective.n_evaluations());
     }
 }
 

@@ -54,12 +54,12 @@ OptimizerResult newton(PlainObjective& objective, const OptimizerOptions& option
 TEST(Newton, SolvesAQuadraticProblemInFewSteps) {
     PlainObjective objective(bowl, VectorXd::Zero(40), 1);
     const OptimizerResult result = newton(objective, options(1e-10, 100));
-    EXPECT_EQ(result.stop, Stop::kConverged);
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
     EXPECT_LT((objective.point() - VectorXd::Ones(40)).norm(), 1e-8);
-    EXPECT_LE(result.evaluations, 10);
-    EXPECT_EQ(result.hessians, result.iterations);
-    EXPECT_GE(result.cg_products, result.hessians);
-    EXPECT_EQ(result.evaluations + 1, objective.n_evaluations());
+    EXPECT_LE(result.run.evaluations, 10);
+    EXPECT_EQ(result.run.hessians, result.run.iterations);
+    EXPECT_GE(result.run.cg_products, result.run.hessians);
+    EXPECT_EQ(result.run.evaluations + 1, objective.n_evaluations());
 }
 
 TEST(Newton, FollowsACurvedValleyDown) {
@@ -72,8 +72,8 @@ TEST(Newton, FollowsACurvedValleyDown) {
         return true;
     };
     const OptimizerResult result = newton(objective, watched);
-    EXPECT_EQ(result.stop, Stop::kConverged);
-    EXPECT_LT(result.evaluations, 60);
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
+    EXPECT_LT(result.run.evaluations, 60);
 }
 
 // The accuracy of the linear systems increases near the minimum.
@@ -87,16 +87,16 @@ TEST(Newton, ConvergesSuperlinearly) {
         return true;
     };
     const OptimizerResult result = newton(objective, watched);
-    EXPECT_EQ(result.stop, Stop::kConverged);
-    EXPECT_LE(result.evaluations, 7);
-    RecordProperty("evaluations", result.evaluations);
+    EXPECT_EQ(result.run.stop, Stop::kConverged);
+    EXPECT_LE(result.run.evaluations, 7);
+    RecordProperty("evaluations", result.run.evaluations);
 }
 
 // Directions of negative curvature lead away from a saddle.
 TEST(Newton, LeavesASaddle) {
     for (const double x : {1e-6, -1e-3, 0.3}) {
         PlainObjective objective(two_wells, Eigen::Vector2d(x, 0.5), 1);
-        EXPECT_EQ(newton(objective, options(1e-9, 0.5)).stop, Stop::kConverged);
+        EXPECT_EQ(newton(objective, options(1e-9, 0.5)).run.stop, Stop::kConverged);
         EXPECT_NEAR(objective.point()[0], x > 0 ? 1 : -1, 1e-8);
     }
 }
@@ -105,7 +105,7 @@ TEST(Newton, NeverMovesAPairFurtherThanTheClamp) {
     const VectorXd start = VectorXd::Constant(10, 50);
     PlainObjective objective(bowl, start, 1);
     MoveWatch watch(objective);
-    EXPECT_EQ(newton(objective, watch.with(options(1e-8, 0.25))).stop, Stop::kConverged);
+    EXPECT_EQ(newton(objective, watch.with(options(1e-8, 0.25))).run.stop, Stop::kConverged);
     EXPECT_LE(watch.longest(), 0.25 * (1 + 1e-6));
     EXPECT_GT(watch.longest(), 0.2);
 }
@@ -113,8 +113,8 @@ TEST(Newton, NeverMovesAPairFurtherThanTheClamp) {
 TEST(Newton, GivesUpAfterTruncatedSteps) {
     PlainObjective far(bowl, VectorXd::Constant(10, 50), 1);
     const OptimizerResult result = newton(far, options(1e-8, 0.25), 4);
-    EXPECT_EQ(result.stop, Stop::kStalled);
-    EXPECT_EQ(result.iterations, 5);
+    EXPECT_EQ(result.run.stop, Stop::kStalled);
+    EXPECT_EQ(result.run.iterations, 5);
 }
 
 TEST(Newton, StepsBackFromWhereTheFunctionIsNotDefined) {
@@ -123,10 +123,10 @@ TEST(Newton, StepsBackFromWhereTheFunctionIsNotDefined) {
     };
     const VectorXd start = VectorXd::Constant(6, -3);
     PlainObjective objective(walled, start, 1);
-    EXPECT_EQ(newton(objective, options(1e-9, 20)).stop, Stop::kConverged);
+    EXPECT_EQ(newton(objective, options(1e-9, 20)).run.stop, Stop::kConverged);
     PlainObjective alone([&](const VectorXd& x, Evaluation& e) { return bowl(x, e) && x == start; },
                          start, 1);
-    EXPECT_EQ(newton(alone, options(1e-9, 20)).stop, Stop::kStalled);
+    EXPECT_EQ(newton(alone, options(1e-9, 20)).run.stop, Stop::kStalled);
     EXPECT_EQ(alone.point(), start);
 }
 
@@ -135,13 +135,13 @@ TEST(Newton, ReportsWhyItEnded) {
     OptimizerOptions three = options(1e-10, 0.1);
     three.max_iterations = 3;
     const OptimizerResult limit = newton(limited, three);
-    EXPECT_EQ(limit.stop, Stop::kIterationLimit);
-    EXPECT_EQ(limit.iterations, 3);
+    EXPECT_EQ(limit.run.stop, Stop::kIterationLimit);
+    EXPECT_EQ(limit.run.iterations, 3);
     OptimizerOptions cancelled = options(1e-10, 0.1);
     cancelled.progress = [](const Progress& p) { return p.iteration < 2; };
-    EXPECT_EQ(newton(limited, cancelled).stop, Stop::kCancelled);
+    EXPECT_EQ(newton(limited, cancelled).run.stop, Stop::kCancelled);
     PlainObjective there(bowl, VectorXd::Ones(4), 1);
-    EXPECT_EQ(newton(there, options(0, 1)).stop, Stop::kConverged);
+    EXPECT_EQ(newton(there, options(0, 1)).run.stop, Stop::kConverged);
     PlainObjective noisy(
         [](const VectorXd& x, Evaluation& e) {
             bowl(x, e);
@@ -150,7 +150,7 @@ TEST(Newton, ReportsWhyItEnded) {
             return true;
         },
         VectorXd::Zero(8), 1);
-    EXPECT_EQ(newton(noisy, options(0.1, 10)).stop, Stop::kStalled);
+    EXPECT_EQ(newton(noisy, options(0.1, 10)).run.stop, Stop::kStalled);
 }
 
 TEST(Newton, ReportsThePointThatItReached) {

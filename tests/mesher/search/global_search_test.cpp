@@ -25,8 +25,8 @@ TEST(GlobalSearch, IsNeverAboveTheBestLattice) {
             const SearchResult result = search(period, n, 600);
             EXPECT_LE(result.energy, best_lattice(period, n).energy) << name << n;
             const CvtResult there = compute_cvt(period, result.points, as_given);
-            EXPECT_NEAR(there.energy / result.energy, 1, 1e-11) << name << n;
-            EXPECT_LT(there.residual, 2e-9) << name << n;
+            EXPECT_NEAR(there.run.energy / result.energy, 1, 1e-11) << name << n;
+            EXPECT_LT(there.run.residual, 2e-9) << name << n;
         }
     }
 }

@@ -75,7 +75,7 @@ TEST(AsLattice, CertifiesAnAllHexagonResultOfARandomStart) {
     const CvtResult result = compute_cvt(kSquare, uniform_points(kSquare, 18, 4), options);
     const auto found = as_lattice(result);
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->energy / result.energy, 1, 1e-12);
+    EXPECT_NEAR(found->energy / result.run.energy, 1, 1e-12);
 }
 
 }  // namespace

@@ -88,8 +88,8 @@ TEST(LatticePattern, BasisIsReducedAndSpansThePeriodVectors) {
 /// Law (2).
 void expect_energy_of_the_cvt(const LatticePattern& pattern, const std::string& name) {
     const CvtResult result = tessellation(pattern);
-    EXPECT_NEAR(result.energy / pattern.energy, 1, 1e-12) << name << pattern.n_sites();
-    EXPECT_LT(result.residual, 1e-12) << name << pattern.n_sites();
+    EXPECT_NEAR(result.run.energy / pattern.energy, 1, 1e-12) << name << pattern.n_sites();
+    EXPECT_LT(result.run.residual, 1e-12) << name << pattern.n_sites();
 }
 
 TEST(LatticePattern, FindsItsSitesByTheirSteps) {

@@ -105,7 +105,7 @@ class Outlines(CliTest):
              "delaunay"),
             ("--size is for grains; add --mesh grains", *mesh, "--size", 0.1),
             ("--per-edge is for grains; add --mesh grains", *mesh, "--per-edge", 2),
-            ("--per-edge stands in place of --size", *mesh, "--mesh", "grains", "--size", 0.1, "--per-edge", 2),
+            ("--per-edge replaces --size", *mesh, "--mesh", "grains", "--size", 0.1, "--per-edge", 2),
             ("--per-edge 0: ", *mesh, "--mesh", "grains", "--per-edge", 0),
             ("--order is for grains; add --mesh grains", *mesh, "--order", 2),
             ("--order 3: too large", *mesh, "--mesh", "grains", "--order", 3),

@@ -80,7 +80,7 @@ class Shards(CliTest):
         self.write("noise.csv", "a,b\n1,2\n")
         self.write("bytes.csv", b"\0\1")
         merge = ("study", "fig11", "--merge")
-        self.refuse(2, "run 1 of 4 sites stands in no file; give", *merge, "p1.csv")
+        self.refuse(2, "run 1 of 4 sites is in no file; give", *merge, "p1.csv")
         self.refuse(2, "^p1.csv: .*another file too", *merge, "p1.csv", "p2.csv", "p1.csv")
         self.refuse(2, "^noise.csv: ", *merge, "noise.csv")
         self.refuse(2, "^bytes.csv: ", *merge, "bytes.csv")
@@ -97,7 +97,7 @@ class Shards(CliTest):
                        text.replace(",energy,", ",power,")):
             self.assertNotEqual(damage, text)
             self.write("p2.csv", damage)
-            self.refuse(2, "p2.csv|stands in no file", "study", "fig11", "--merge", "p1.csv", "p2.csv")
+            self.refuse(2, "p2.csv|is in no file", "study", "fig11", "--merge", "p1.csv", "p2.csv")
 
 
 class BadInput(CliTest):

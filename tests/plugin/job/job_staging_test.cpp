@@ -43,7 +43,7 @@ std::map<std::string, std::string> files_written(int n_threads) {
     const TemporaryFolder folder;
     const RunSummary outcome =
         run_job(job_for_every_format(folder, n_threads), [](const Progress&) { return true; });
-    EXPECT_EQ(outcome.stop, Stop::kConverged);
+    EXPECT_EQ(outcome.run.stop, Stop::kConverged);
     return files_in(folder);
 }
 

@@ -3,11 +3,11 @@
 import unittest
 from ctypes import byref, sizeof
 
-from support.cli import main
+from support.cli import CliTest, main
 from support.python_package import ROOT, pcvt
 
 import numpy as np
-from pcvt import _library
+from pcvt import _library, _views
 
 
 class Refusals(unittest.TestCase):
@@ -75,6 +75,14 @@ class Layout(unittest.TestCase):
                              status)
         what = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions) - 1)
         self.assertEqual(library.pcvt_write(result, b"/nowhere/a.txt", byref(what)), -2)
+
+
+class Choices(CliTest):
+    def test_words_are_the_options_of_the_command_in_the_order_of_their_numbers(self):
+        text = self.succeed("mesh", "--help")
+        for option, words in (("--start", pcvt._STARTS[1:]), ("--solver", pcvt._SOLVERS[1:]),
+                              ("--mesh", _views.KINDS), ("--outline", _views.OUTLINES)):
+            self.assertRegex(text, rf"{option} {'[|]'.join(words)}\s")
 
 
 if __name__ == "__main__":

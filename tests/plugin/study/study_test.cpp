@@ -127,9 +127,9 @@ TEST(Study, CancellingGivesNothing) {
 TEST(Study, MergingNamesTheFault) {
     std::vector<NamedRuns> parts = shards(kSmall, 3);
     EXPECT_EQ(complaint(parts), "none");
-    EXPECT_THAT(complaint({parts[0], parts[2]}), HasSubstr("run 1 of 4 sites stands in no file"));
+    EXPECT_THAT(complaint({parts[0], parts[2]}), HasSubstr("run 1 of 4 sites is in no file"));
     EXPECT_THAT(complaint({parts[0], parts[1], parts[2], parts[1]}),
-                HasSubstr("part2: run 1 of 4 sites stands in another file too"));
+                HasSubstr("part2: run 1 of 4 sites is in another file too"));
     const std::vector<NamedRuns> others = shards({"fig11", {4, 5, 11}, 7, 4}, 3);
     EXPECT_THAT(complaint({parts[0], others[1], parts[2]}), HasSubstr("part2: another study"));
     NamedRuns foreign{"x", {}};
