@@ -22,17 +22,19 @@ MpasVariable numbers(const char* name, Size rows, std::vector<double> MpasGrid::
 }  // namespace
 
 const std::vector<MpasDimension>& mpas_dimensions() {
-    static const std::vector<MpasDimension> dimensions{
-        {"nCells", Size::kVoronoi},           {"nEdges", Size::kEdges},
-        {"nVertices", Size::kVertices},       {"maxEdges", Size::kMaxEdges},
-        {"maxEdges2", Size::kMaxEdges2},      {"TWO", Size::kTwo},
-        {"vertexDegree", Size::kVertexDegree}};
+    static const std::vector<MpasDimension> dimensions{{"nCells", Size::kCells},
+                                                       {"nEdges", Size::kEdges},
+                                                       {"nVertices", Size::kVertices},
+                                                       {"maxEdges", Size::kMaxEdges},
+                                                       {"maxEdges2", Size::kMaxEdges2},
+                                                       {"TWO", Size::kTwo},
+                                                       {"vertexDegree", Size::kVertexDegree}};
     return dimensions;
 }
 
 int mpas_size(const MpasGrid& grid, MpasSize size) {
     switch (size) {
-        case Size::kVoronoi:
+        case Size::kCells:
             return grid.n_cells;
         case Size::kEdges:
             return grid.n_edges;
@@ -54,17 +56,17 @@ int mpas_size(const MpasGrid& grid, MpasSize size) {
 
 const std::vector<MpasVariable>& mpas_variables() {
     static const std::vector<MpasVariable> variables{
-        numbers("xCell", Size::kVoronoi, &MpasGrid::x_cell),
-        numbers("yCell", Size::kVoronoi, &MpasGrid::y_cell),
+        numbers("xCell", Size::kCells, &MpasGrid::x_cell),
+        numbers("yCell", Size::kCells, &MpasGrid::y_cell),
         numbers("xEdge", Size::kEdges, &MpasGrid::x_edge),
         numbers("yEdge", Size::kEdges, &MpasGrid::y_edge),
         numbers("xVertex", Size::kVertices, &MpasGrid::x_vertex),
         numbers("yVertex", Size::kVertices, &MpasGrid::y_vertex),
-        counts("nEdgesOnCell", Size::kVoronoi, &MpasGrid::n_edges_on_cell),
+        counts("nEdgesOnCell", Size::kCells, &MpasGrid::n_edges_on_cell),
         counts("nEdgesOnEdge", Size::kEdges, &MpasGrid::n_edges_on_edge),
-        indices("cellsOnCell", Size::kVoronoi, Size::kMaxEdges, &MpasGrid::cells_on_cell),
-        indices("edgesOnCell", Size::kVoronoi, Size::kMaxEdges, &MpasGrid::edges_on_cell),
-        indices("verticesOnCell", Size::kVoronoi, Size::kMaxEdges, &MpasGrid::vertices_on_cell),
+        indices("cellsOnCell", Size::kCells, Size::kMaxEdges, &MpasGrid::cells_on_cell),
+        indices("edgesOnCell", Size::kCells, Size::kMaxEdges, &MpasGrid::edges_on_cell),
+        indices("verticesOnCell", Size::kCells, Size::kMaxEdges, &MpasGrid::vertices_on_cell),
         indices("cellsOnEdge", Size::kEdges, Size::kTwo, &MpasGrid::cells_on_edge),
         indices("verticesOnEdge", Size::kEdges, Size::kTwo, &MpasGrid::vertices_on_edge),
         indices("edgesOnEdge", Size::kEdges, Size::kMaxEdges2, &MpasGrid::edges_on_edge),
@@ -73,12 +75,12 @@ const std::vector<MpasVariable>& mpas_variables() {
         indices("edgesOnVertex", Size::kVertices, Size::kVertexDegree, &MpasGrid::edges_on_vertex),
         numbers("kiteAreasOnVertex", Size::kVertices, Size::kVertexDegree,
                 &MpasGrid::kite_areas_on_vertex),
-        numbers("areaCell", Size::kVoronoi, &MpasGrid::area_cell),
+        numbers("areaCell", Size::kCells, &MpasGrid::area_cell),
         numbers("areaTriangle", Size::kVertices, &MpasGrid::area_triangle),
         numbers("dcEdge", Size::kEdges, &MpasGrid::dc_edge),
         numbers("dvEdge", Size::kEdges, &MpasGrid::dv_edge),
         numbers("angleEdge", Size::kEdges, &MpasGrid::angle_edge),
-        numbers("meshDensity", Size::kVoronoi, &MpasGrid::mesh_density)};
+        numbers("meshDensity", Size::kCells, &MpasGrid::mesh_density)};
     return variables;
 }
 

@@ -8,16 +8,7 @@
 namespace pcvt {
 
 /// The sizes in an MPAS mesh file; all but kOne are dimensions of the file.
-enum class MpasSize {
-    kVoronoi,
-    kEdges,
-    kVertices,
-    kMaxEdges,
-    kMaxEdges2,
-    kTwo,
-    kVertexDegree,
-    kOne
-};
+enum class MpasSize { kCells, kEdges, kVertices, kMaxEdges, kMaxEdges2, kTwo, kVertexDegree, kOne };
 
 struct MpasDimension {
     const char* name;

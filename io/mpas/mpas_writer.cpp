@@ -148,7 +148,7 @@ std::string encode_mpas(const MpasGrid& grid) {
         const nc_type type = variable.numbers != nullptr ? NC_DOUBLE : NC_INT;
         numbers.push_back(file.define(variable.name, type, variable.rows, variable.columns));
     }
-    const PlainVariables plain[] = {define_plain("Cell", MpasSize::kVoronoi, file),
+    const PlainVariables plain[] = {define_plain("Cell", MpasSize::kCells, file),
                                     define_plain("Edge", MpasSize::kEdges, file),
                                     define_plain("Vertex", MpasSize::kVertices, file)};
     // Fill the variables.

@@ -133,9 +133,9 @@ class InpText {
 
     void append_node_sets() {
         std::map<Offset, std::set<int>> seams;
-        for (const SeamSegment& run : seam_segments(tile_, nodes_.middles)) {
-            for (const int v : run.vertices) seams[run.offset].insert(v + 1);
-            for (const int v : run.middles) seams[run.offset].insert(v + 1);
+        for (const SeamSegment& segment : seam_segments(tile_, nodes_.middles)) {
+            for (const int v : segment.vertices) seams[segment.offset].insert(v + 1);
+            for (const int v : segment.middles) seams[segment.offset].insert(v + 1);
         }
         for (const auto& [offset, ids] : seams) {
             text_ += "*NSET,NSET=" + seam_name(offset) + "\n";

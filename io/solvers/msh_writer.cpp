@@ -38,18 +38,18 @@ void append_line(std::string& text, std::initializer_list<Number> numbers) {
 
 /// The boundary in Gmsh's entities: seam segment k is curve k + 1 and begins at point k + 1.
 struct Seam {
-    std::vector<SeamSegment> runs;
+    std::vector<SeamSegment> segments;
     /// The physical group of all curves with one offset, counted from 1.
     std::map<Offset, int> groups;
 
-    int n_runs() const { return static_cast<int>(runs.size()); }
-    int begin(int run) const { return runs[run].vertices.front(); }
+    int n_segments() const { return static_cast<int>(segments.size()); }
+    int begin(int segment) const { return segments[segment].vertices.front(); }
     int surface_group() const { return static_cast<int>(groups.size()) + 1; }
 };
 
 Seam make_seam(const Tile& tile, const SolverNodes& nodes) {
     Seam seam{seam_segments(tile, nodes.middles), {}};
-    for (const SeamSegment& run : seam.runs) seam.groups[run.offset] = 0;
+    for (const SeamSegment& segment : seam.segments) seam.groups[segment.offset] = 0;
     int n = 0;
     for (auto& [offset, group] : seam.groups) group = ++n;
     return seam;
@@ -82,7 +82,7 @@ void append_bounds(std::string& text, const Tile& tile, const Vertices& vertices
 
 void append_entities(std::string& text, const Tile& tile, const Seam& seam) {
     // Numbers of points, curves, surfaces and volumes.
-    const int n = seam.n_runs();
+    const int n = seam.n_segments();
     text += "$Entities\n";
     append_line(text, {n, n, 1, 0});
     // Points without a physical group.
@@ -94,10 +94,10 @@ void append_entities(std::string& text, const Tile& tile, const Seam& seam) {
     }
     // Curves with their physical group and their two ends.
     for (int k = 0; k < n; ++k) {
-        const SeamSegment& run = seam.runs[k];
+        const SeamSegment& segment = seam.segments[k];
         append_words(text, {k + 1});
-        append_bounds(text, tile, run.vertices);
-        append_line(text, {1, seam.groups.at(run.offset), 2, k + 1, -((k + 1) % n + 1)});
+        append_bounds(text, tile, segment.vertices);
+        append_line(text, {1, seam.groups.at(segment.offset), 2, k + 1, -((k + 1) % n + 1)});
     }
     // The surface, with all curves as its boundary.
     text += "1 ";
@@ -120,18 +120,18 @@ void append_block(std::string& text, const SolverNodes& nodes, int dimension, in
 }
 
 /// Returns the nodes of a curve without its ends.
-std::vector<int> inner_nodes(const SeamSegment& run) {
-    std::vector<int> inner(run.vertices.begin() + 1, run.vertices.end() - 1);
-    inner.insert(inner.end(), run.middles.begin(), run.middles.end());
+std::vector<int> inner_nodes(const SeamSegment& segment) {
+    std::vector<int> inner(segment.vertices.begin() + 1, segment.vertices.end() - 1);
+    inner.insert(inner.end(), segment.middles.begin(), segment.middles.end());
     return inner;
 }
 
 /// Returns the nodes of the surface that lie on no curve.
 std::vector<int> surface_nodes(const SolverNodes& nodes, const Seam& seam) {
     std::vector<bool> inside(nodes.points.size(), true);
-    for (const SeamSegment& run : seam.runs) {
-        for (const int v : run.vertices) inside[v] = false;
-        for (const int v : run.middles) inside[v] = false;
+    for (const SeamSegment& segment : seam.segments) {
+        for (const int v : segment.vertices) inside[v] = false;
+        for (const int v : segment.middles) inside[v] = false;
     }
     std::vector<int> inner;
     for (int v = 0; v < nodes.n_nodes(); ++v) {
@@ -142,15 +142,16 @@ std::vector<int> surface_nodes(const SolverNodes& nodes, const Seam& seam) {
 
 void append_nodes(std::string& text, const SolverNodes& nodes, const Seam& seam) {
     const std::vector<int> surface = surface_nodes(nodes, seam);
-    int n_blocks = seam.n_runs() + (surface.empty() ? 0 : 1);
-    for (const SeamSegment& run : seam.runs) n_blocks += inner_nodes(run).empty() ? 0 : 1;
+    int n_blocks = seam.n_segments() + (surface.empty() ? 0 : 1);
+    for (const SeamSegment& segment : seam.segments)
+        n_blocks += inner_nodes(segment).empty() ? 0 : 1;
     text += "$Nodes\n";
     append_line(text, {n_blocks, nodes.n_nodes(), 1, nodes.n_nodes()});
-    for (int k = 0; k < seam.n_runs(); ++k) {
+    for (int k = 0; k < seam.n_segments(); ++k) {
         append_block(text, nodes, kPoints, k + 1, {seam.begin(k)});
     }
-    for (int k = 0; k < seam.n_runs(); ++k) {
-        append_block(text, nodes, kCurves, k + 1, inner_nodes(seam.runs[k]));
+    for (int k = 0; k < seam.n_segments(); ++k) {
+        append_block(text, nodes, kCurves, k + 1, inner_nodes(seam.segments[k]));
     }
     append_block(text, nodes, kSurfaces, kSurface, surface);
     text += "$EndNodes\n";
@@ -158,7 +159,8 @@ void append_nodes(std::string& text, const SolverNodes& nodes, const Seam& seam)
 
 int n_lines(const Seam& seam) {
     int n = 0;
-    for (const SeamSegment& run : seam.runs) n += static_cast<int>(run.vertices.size()) - 1;
+    for (const SeamSegment& segment : seam.segments)
+        n += static_cast<int>(segment.vertices.size()) - 1;
     return n;
 }
 
@@ -167,15 +169,15 @@ void append_elements(std::string& text, const Tile& tile, const SolverNodes& nod
     // Lines come first in the file; their numbers follow the numbers of the triangles.
     const int n_elements = tile.n_faces() + n_lines(seam);
     text += "$Elements\n";
-    append_line(text, {seam.n_runs() + 1, n_elements, 1, n_elements});
+    append_line(text, {seam.n_segments() + 1, n_elements, 1, n_elements});
     int element = tile.n_faces();
-    for (int k = 0; k < seam.n_runs(); ++k) {
-        const SeamSegment& run = seam.runs[k];
-        const std::size_t n = run.vertices.size() - 1;
+    for (int k = 0; k < seam.n_segments(); ++k) {
+        const SeamSegment& segment = seam.segments[k];
+        const std::size_t n = segment.vertices.size() - 1;
         append_line(text, {kCurves, k + 1, kLine[tile.order], static_cast<int>(n)});
         for (std::size_t e = 0; e < n; ++e) {
-            append_words(text, {++element, run.vertices[e] + 1, run.vertices[e + 1] + 1});
-            if (!run.middles.empty()) append_words(text, {run.middles[e] + 1});
+            append_words(text, {++element, segment.vertices[e] + 1, segment.vertices[e + 1] + 1});
+            if (!segment.middles.empty()) append_words(text, {segment.middles[e] + 1});
             text.back() = '\n';
         }
     }
@@ -203,8 +205,8 @@ void append_link(std::string& text, const Tile& tile, int dimension, int slave, 
 }
 
 void append_curve_link(std::string& text, const Tile& tile, const Seam& seam, int k) {
-    const SeamSegment& slave = seam.runs[k];
-    const SeamSegment& master = seam.runs[slave.partner];
+    const SeamSegment& slave = seam.segments[k];
+    const SeamSegment& master = seam.segments[slave.partner];
     const auto append_pairs = [&](const std::vector<int>& slaves, const std::vector<int>& masters) {
         for (std::size_t v = 0; v < slaves.size(); ++v) {
             append_line(text, {slaves[v] + 1, masters[slaves.size() - 1 - v] + 1});
@@ -219,18 +221,18 @@ void append_curve_link(std::string& text, const Tile& tile, const Seam& seam, in
 void append_periodic(std::string& text, const Tile& tile, const Seam& seam) {
     std::map<int, int> point_of;
     std::map<int, VertexPair> slaves;
-    for (int k = 0; k < seam.n_runs(); ++k) point_of[seam.begin(k)] = k + 1;
+    for (int k = 0; k < seam.n_segments(); ++k) point_of[seam.begin(k)] = k + 1;
     for (const VertexPair& pair : tile.vertex_pairs) {
         if (point_of.count(pair.w) > 0) slaves.emplace(point_of[pair.w], pair);
     }
     text += "$Periodic\n";
-    append_line(text, {static_cast<int>(slaves.size()) + seam.n_runs() / 2});
+    append_line(text, {static_cast<int>(slaves.size()) + seam.n_segments() / 2});
     for (const auto& [point, pair] : slaves) {
         append_link(text, tile, kPoints, point, point_of.at(pair.v), pair.offset, 1);
         append_line(text, {pair.w + 1, pair.v + 1});
     }
-    for (int k = 0; k < seam.n_runs(); ++k) {
-        if (seam.runs[k].offset < Offset{}) append_curve_link(text, tile, seam, k);
+    for (int k = 0; k < seam.n_segments(); ++k) {
+        if (seam.segments[k].offset < Offset{}) append_curve_link(text, tile, seam, k);
     }
     text += "$EndPeriodic\n";
 }

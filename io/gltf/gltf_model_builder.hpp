@@ -1,0 +1,59 @@
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "io/gltf/gltf_surface.hpp"
+#include "io/tiles/palette.hpp"
+
+namespace pcvt {
+
+/// Builds a glTF model; every returned number is an index into one of its tables.
+class ModelBuilder {
+   public:
+    /// @param n_bytes  the approximate size of the data.
+    explicit ModelBuilder(std::size_t n_bytes);
+
+    /// Adds an accessor with its own buffer view: one Element of floats per vertex.
+    template <class Element>
+    int add_vertex_data(const std::vector<Element>& elements, int type) {
+        const int view = add_view(elements.data(), elements.size() * sizeof(Element),
+                                  TINYGLTF_TARGET_ARRAY_BUFFER);
+        return add_accessor(view, 0, TINYGLTF_COMPONENT_TYPE_FLOAT, elements.size(), type);
+    }
+
+    int add_positions(const std::vector<Point3>& points);
+
+    /// Adds accessors of ranges of `indices`, range k from begin[k] to begin[k + 1] - 1, in 16 bits
+    /// if n_vertices permits. Returns the first accessor; the others follow it.
+    int add_indices(const std::vector<int>& indices, const std::vector<int>& begin,
+                    std::size_t n_vertices);
+
+    tinygltf::Material& add_material(const std::string& name, Colour colour);
+
+    /// Adds a child of the node `tile` with the material added last.
+    void add_node(const std::string& name, tinygltf::Primitive primitive);
+
+    tinygltf::Model& model() { return model_; }
+
+   private:
+    int add_view(const void* data, std::size_t size, int target);
+
+    template <class Index>
+    int add_index_view(const std::vector<int>& indices) {
+        std::vector<Index> narrow;
+        narrow.reserve(indices.size());
+        for (const int index : indices) narrow.push_back(static_cast<Index>(index));
+        return add_view(narrow.data(), narrow.size() * sizeof(Index),
+                        TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    }
+
+    int add_accessor(int view, std::size_t offset, int component_type, std::size_t count, int type);
+
+    tinygltf::Model model_;
+};
+
+}  // namespace pcvt
