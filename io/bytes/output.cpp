@@ -129,11 +129,11 @@ void OutputSet::remove_staged() {
 
 void OutputSet::require_writable(const std::string& path, bool force) {
     struct stat status {};
-    if (path.empty() || path.back() == '/') throw_bad_file(path, "a file name is missing");
+    if (path.empty() || path.back() == '/') throw_bad_file(path, "the path has no file name");
     if (::lstat(path.c_str(), &status) == 0) {
         if (::stat(path.c_str(), &status) == 0) {
             if (S_ISDIR(status.st_mode)) throw_bad_file(path, reason_of(EISDIR));
-            if (!S_ISREG(status.st_mode)) throw_bad_file(path, "it is not an ordinary file");
+            if (!S_ISREG(status.st_mode)) throw_bad_file(path, "it is not a regular file");
         }
         if (!force) refuse_existing(path);
     }
@@ -155,7 +155,7 @@ void OutputSet::require_writable_folder(const std::string& folder,
         return;
     }
     if (::stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
-        throw_bad_file(folder, "it exists and is not a folder; take another name");
+        throw_bad_file(folder, "it exists and is not a folder; choose another name");
     }
     if (!force) throw_bad_file(folder, "it exists; use --force to replace the files in it");
     for (const std::string& path : paths) {

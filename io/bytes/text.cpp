@@ -171,7 +171,7 @@ void LineScanner::throw_bad_file(const std::string& complaint) const {
 
 void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy) {
     if (text.find('\0') == std::string_view::npos) return;
-    throw BadFile(name + ": looks like a binary file; " + remedy);
+    throw BadFile(name + ": appears to be a binary file; " + remedy);
 }
 
 std::string read_whole_file(const std::string& path, bool or_standard_input) {

@@ -67,7 +67,7 @@ class LineScanner {
 };
 
 /// Refuses a text that holds a NUL byte.
-/// @throws BadFile `name: looks like a binary file; remedy`.
+/// @throws BadFile `name: appears to be a binary file; remedy`.
 void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy);
 
 /// Returns all bytes of the file, or of standard input if `path` is "-" and `or_standard_input` is

@@ -56,7 +56,7 @@ XmlScanner::Event XmlScanner::next() {
         line_ = next_line_;
         if (rest_.starts_with("!--")) {
             if (!without_blanks_before(content_).empty()) {
-                throw_bad_file(line_, "a comment stands inside of a text; remove it");
+                throw_bad_file(line_, "a comment interrupts a text; remove it");
             }
             take_until("-->", "a comment");
         } else if (rest_.starts_with("?")) {

@@ -50,7 +50,7 @@ class ObjParser {
         } else if (std::find(kPassedOver.begin(), kPassedOver.end(), statement) ==
                    kPassedOver.end()) {
             scanner_.throw_bad_file(in_quotes(statement) +
-                                    " is no statement of a tile; remove the line");
+                                    " is not a supported statement; remove the line");
         }
     }
 
@@ -62,7 +62,7 @@ class ObjParser {
         std::array<double, 6> numbers{};
         for (std::size_t k = 0; k < words.size(); ++k) numbers[k] = scanner_.number(words[k]);
         if (numbers[2] != 0)
-            scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
+            scanner_.throw_bad_file("z is not 0; move the tile to the plane z = 0");
         file_.points.emplace_back(numbers[0], numbers[1]);
     }
 

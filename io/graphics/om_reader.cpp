@@ -31,7 +31,7 @@ class OmParser {
         read_header();
         while (read_chunk()) {
         }
-        if (!rest_.empty()) throw_bad_file("goes on after its end");
+        if (!rest_.empty()) throw_bad_file("has data after its end");
         Tile tile{.lattice = lattice(), .kind = kind_, .points = std::move(points_)};
         read_faces(tile);
         read_orbits(tile);
@@ -111,7 +111,7 @@ class OmParser {
         } else if ((header & kKindMask) == kTopologyOfFaces && face_halfedge_.empty()) {
             face_halfedge_ = read_handles(n_faces_, width);
         } else {
-            throw_bad_file("has a part that no tile has");
+            throw_bad_file("has an unknown chunk");
         }
         return true;
     }
@@ -207,7 +207,8 @@ class OmParser {
     std::vector<int> offsets(const char* name, std::size_t count) const {
         std::vector<int> values = integers(name, 2, count);
         for (const int k : values) {
-            if (k < -kLargestOffset || k > kLargestOffset) throw_bad_file("has a huge offset");
+            if (k < -kLargestOffset || k > kLargestOffset)
+                throw_bad_file("has an offset beyond 2^28");
         }
         return values;
     }
@@ -232,7 +233,7 @@ class OmParser {
             const Offset across{offset[2 * h], offset[2 * h + 1]};
             const Offset back{offset[2 * p], offset[2 * p + 1]};
             if (partner[p] != static_cast<int>(h) || across + back != Offset{}) {
-                throw_bad_file("has a boundary edge whose partner does not answer");
+                throw_bad_file("has a boundary edge whose partner has another partner");
             }
             if (across < Offset{}) continue;
             tile.edge_pairs.push_back({.v0 = to_vertex(h),

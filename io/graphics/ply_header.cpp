@@ -64,7 +64,7 @@ void read_property(const LineScanner& scanner, std::vector<PlyElement>& elements
     if (!is_list && words.size() != 3) {
         scanner.throw_bad_file("a property has a type and a name; write \"property double x\"");
     }
-    if (elements.empty()) scanner.throw_bad_file("a property stands before any element; remove it");
+    if (elements.empty()) scanner.throw_bad_file("a property precedes every element; remove it");
     // Type and name are the last two words of both forms.
     const std::string_view type = words[words.size() - 2];
     const bool is_single = contains(kSingleTypes, type);
@@ -113,7 +113,7 @@ std::vector<PlyElement> read_ply_header(LineScanner& scanner, FileTileBuilder& f
             check_format(scanner);
             has_format = true;
         } else if (!key.empty() && key != "obj_info") {
-            scanner.throw_bad_file(in_quotes(key) + " has no place in the header; remove the line");
+            scanner.throw_bad_file(in_quotes(key) + " is not a header keyword; remove the line");
         }
     }
     throw BadFile(file.name + ": the header does not end; write \"end_header\" after it");

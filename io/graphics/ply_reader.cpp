@@ -82,7 +82,7 @@ class PlyParser {
         }
         while (scanner_.next()) {
             if (scanner_.words().empty()) continue;
-            scanner_.throw_bad_file("the file goes on after its last element; correct the counts");
+            scanner_.throw_bad_file("the file has data after its last element; correct the counts");
         }
         return std::move(file_);
     }
@@ -144,7 +144,7 @@ class PlyParser {
 
     void add_vertex(const PlyValues& values) {
         if (values.number("z") != 0) {
-            scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
+            scanner_.throw_bad_file("z is not 0; move the tile to the plane z = 0");
         }
         file_.points.emplace_back(values.number("x"), values.number("y"));
         if (has_orbits_) add_orbit(values);
@@ -157,7 +157,7 @@ class PlyParser {
         const Offset offset{values.integer("offset_i"), values.integer("offset_j")};
         if (orbit < 0 || orbit >= n_vertices_) {
             scanner_.throw_bad_file("orbit " + std::to_string(orbit) +
-                                    " is no vertex; correct the index");
+                                    " is not a vertex; correct the index");
         }
         if (orbit != v) {
             file_.vertex_pairs.push_back({orbit, v, offset});

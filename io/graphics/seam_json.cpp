@@ -82,7 +82,8 @@ class SeamDecoder {
                                        ? json.get<std::int64_t>()
                                        : std::int64_t{Limits::max()} + 1;
         if (value < Limits::min() || value > Limits::max()) {
-            throw_bad_file(std::string("\"") + key + "\" holds what is not a 32-bit integer");
+            throw_bad_file(std::string("\"") + key +
+                           "\" holds a value that is not a 32-bit integer");
         }
         return static_cast<int>(value);
     }
@@ -163,7 +164,7 @@ Seam decode_seam(const std::string& name, std::string_view text) {
     // Check the format before its content.
     const Json json = parse_json(name, text);
     const SeamDecoder decoder(name, json);
-    if (decoder.at("format") != "pcvt seam") decoder.throw_bad_file("it is not a seam of pcvt");
+    if (decoder.at("format") != "pcvt seam") decoder.throw_bad_file("it is not a pcvt seam file");
     if (decoder.at("version") != kVersion) decoder.throw_bad_file("its version is not 1");
     if (decoder.at("index_base") != 0) decoder.throw_bad_file("its index base is not 0");
     // Kind and lattice.

@@ -81,7 +81,7 @@ class MpasInput {
         if (length == ids.size()) require(nc_get_var_int(id_, variable, ids.data()), name);
         for (int k = 0; k < n; ++k) {
             if (ids[k] == k + 1) continue;
-            throw_bad_file(name + " does not count from 1; give the whole file, or number it anew");
+            throw_bad_file(name + " does not count from 1; give the whole file, or renumber it");
         }
     }
 

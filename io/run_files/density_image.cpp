@@ -58,7 +58,7 @@ Density png_density(const std::string& path, const GreyRange& range) {
     std::error_code unknown;
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
     if (!unknown && size > kMostBytes) {
-        throw LimitExceeded(path + ": more than 256 MiB; scale the picture down");
+        throw LimitExceeded(path + ": more than 256 MiB; scale the image down");
     }
     return image_density(decode_png(path, read_whole_file(path)), range);
 }

@@ -51,7 +51,7 @@ void read_header(const std::string& name, std::string_view chunk, Outline& outli
     if (std::uint64_t{outline.width} * outline.height > kMostPixels) {
         throw LimitExceeded(name + ": " + std::to_string(outline.width) + " x " +
                             std::to_string(outline.height) + " pixels are more than " +
-                            std::to_string(kMostPixels) + "; scale the picture down");
+                            std::to_string(kMostPixels) + "; scale the image down");
     }
 }
 

@@ -56,7 +56,7 @@ BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate) {
     const int first = file.lines[static_cast<std::size_t>(duplicate.first())];
     const int second = file.lines[static_cast<std::size_t>(duplicate.second())];
     return BadFile(file.name + ":" + std::to_string(second) +
-                   ": the site coincides with that of line " + std::to_string(first) +
+                   ": the site coincides with the site of line " + std::to_string(first) +
                    " modulo the lattice, to 1e-9 of the spacing; remove one");
 }
 

@@ -31,7 +31,8 @@ SiteFile parse_sites(const std::string& name, std::string_view text);
 /// Reads the sites of a file, or of standard input if `path` is "-".
 SiteFile read_sites(const std::string& path);
 
-/// Returns `duplicate` with lines in its message: `file:7: the site coincides with that of line 3
+/// Returns `duplicate` with lines in its message: `file:7: the site coincides with the site of line
+/// 3
 /// ...; remove one`.
 BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate);
 

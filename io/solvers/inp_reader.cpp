@@ -136,7 +136,7 @@ class InpParser {
             const std::string type = parameter(fields, "TYPE");
             if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) {
                 scanner_.throw_bad_file("elements of type " + in_quotes(type) +
-                                        " are no plane triangles; give CPE3 or CPE6");
+                                        " are not plane triangles; give CPE3 or CPE6");
             }
             n_element_nodes_ = static_cast<std::size_t>(type.back() - '0');
             handler_ = &InpParser::parse_element;
@@ -157,7 +157,7 @@ class InpParser {
     void parse_node(const Words& fields) {
         require_fields(fields, 3, 4);
         if (fields.size() == 4 && scanner_.number(fields[3]) != 0) {
-            scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
+            scanner_.throw_bad_file("z is not 0; move the tile to the plane z = 0");
         }
         const int number = scanner_.integer(fields[0]);
         if (set_ == "CONTROL_1") controls_[0] = number;
@@ -221,10 +221,10 @@ class InpParser {
             terms[2].direction == terms[0].direction &&
             terms[3].node == *controls_[terms[0].direction == 1 ? 0 : 1] && terms[3].direction == 2;
         if (is_ours) return;
-        throw_bad_file(
-            equation.line,
-            "the equation ties no node to its representative by the mean strain; write the file "
-            "again with pcvt");
+        throw_bad_file(equation.line,
+                       "the equation does not tie a node to its representative by the mean strain; "
+                       "write the file "
+                       "again with pcvt");
     }
 
     void tie_nodes() {

@@ -64,7 +64,7 @@ class InpText {
         throw InvalidInput(
             path_ +
             ": solvers read 20 characters of a number there, too few for this tile; "
-            "take a unit of length in which its coordinates lie between 0.1 and 1e6");
+            "choose a unit of length in which its coordinates lie between 0.1 and 1e6");
     }
 
     void append_comments() {

@@ -110,7 +110,7 @@ class MshParser {
         const std::string section(scanner_.words().front());
         if (section.size() < 2 || section[0] != '$' || section.starts_with("$End")) {
             scanner_.throw_bad_file(in_quotes(section) +
-                                    " begins no section; write the file again");
+                                    " does not begin a section; write the file again");
         }
         const std::string end = "$End" + section.substr(1);
         // Parsers that search for the end of their section have passed it: return.
@@ -137,7 +137,7 @@ class MshParser {
         }
         // The other parsers stop before it.
         if (row().front() != end)
-            scanner_.throw_bad_file("more lines than announced; correct the count");
+            scanner_.throw_bad_file("the section has more lines than its count; correct the count");
     }
 
     void parse_format() {
@@ -182,7 +182,7 @@ class MshParser {
             for (int k = 0; k < n; ++k) {
                 row(3);
                 if (number(2) != 0)
-                    scanner_.throw_bad_file("z is not 0; lay the tile into the plane z = 0");
+                    scanner_.throw_bad_file("z is not 0; move the tile to the plane z = 0");
                 file_.numbered.nodes[first + static_cast<std::size_t>(k)].point = {number(0),
                                                                                    number(1)};
             }
@@ -251,7 +251,7 @@ class MshParser {
             const double identity = k % 5 == 0 ? 1 : 0;
             if (shift || number(static_cast<std::size_t>(k) + 1) == identity) continue;
             scanner_.throw_bad_file(
-                "the map of the slave is no translation in the plane; write the file "
+                "the affine map of the slave is not a translation in the plane; write the file "
                 "again with pcvt");
         }
         return {number(4), number(8)};
@@ -279,7 +279,7 @@ class MshParser {
             if (number(1) >= 0) sites.push_back({integer(0), scanner_.line(), integer(1)});
         }
         if (row().front() != end)
-            scanner_.throw_bad_file("more lines than announced; correct the count");
+            scanner_.throw_bad_file("the section has more lines than its count; correct the count");
     }
 
     /// Pairs the lines of each slave curve with their partners.

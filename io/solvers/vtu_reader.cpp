@@ -52,7 +52,7 @@ class VtuArrays {
     VtuArrays(const std::string& name, std::string_view text) : scanner_(name, text) {
         if (scanner_.next() != Event::kBegin || scanner_.element() != "VTKFile" ||
             scanner_.attribute("type") != "UnstructuredGrid") {
-            throw BadFile(name + ": is no VTKFile with an UnstructuredGrid; give a VTU");
+            throw BadFile(name + ": is not a VTKFile with an UnstructuredGrid; give a VTU");
         }
         std::string section;
         for (Event event = scanner_.next(); event != Event::kNothing; event = scanner_.next()) {
@@ -120,7 +120,7 @@ class VtuArrays {
 
     void read_piece() {
         if (n_points_ >= 0)
-            scanner_.throw_bad_file(scanner_.line(), "a second Piece; merge the pieces");
+            scanner_.throw_bad_file(scanner_.line(), "there is a second Piece; merge the pieces");
         n_points_ = count("NumberOfPoints");
         n_cells_ = count("NumberOfCells");
     }
@@ -209,8 +209,7 @@ class VtuTile {
         const Array& points = arrays_.get("Points/Points", arrays_.n_points(), 3, false);
         for (std::size_t k = 0; k < points.size(); k += 3) {
             if (points.values[k + 2] != 0) {
-                throw_bad_file(points.lines[k + 2],
-                               "z is not 0; lay the tile into the plane z = 0");
+                throw_bad_file(points.lines[k + 2], "z is not 0; move the tile to the plane z = 0");
             }
             file_.points.emplace_back(points.values[k], points.values[k + 1]);
         }
@@ -238,7 +237,7 @@ class VtuTile {
         }
         if (begin != corners.size()) {
             throw_bad_file(corners.line,
-                           "the connectivity goes on after its last face; correct the offsets");
+                           "the connectivity has entries after its last face; correct the offsets");
         }
     }
 

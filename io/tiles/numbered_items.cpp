@@ -63,7 +63,7 @@ Offset offset_of(const Lattice& lattice, const Vec2& translation, const std::str
     }
     throw_bad_file(
         name, line,
-        "the nodes are tied by a translation that is no vector of the lattice; write the file "
+        "the nodes are tied by a translation that is not a lattice vector; write the file "
         "again with pcvt");
 }
 
@@ -126,7 +126,7 @@ class Resolver {
             }
             throw_bad_file(
                 file_.name, edge.line,
-                "the line is no edge of a triangle with its middle node; correct its nodes");
+                "the line is not an edge of a triangle with its mid-side node; correct its nodes");
         }
     }
 
@@ -140,7 +140,8 @@ class Resolver {
                                        : place(numbered_.triangles, item.number, file_.name,
                                                item.line, "element");
             if (owner >= static_cast<int>(sites.size()) || file_.sites[owner] >= 0) {
-                throw_bad_file(file_.name, item.line, "the sites are unclear; give each item one");
+                throw_bad_file(file_.name, item.line,
+                               "the sites are ambiguous; give each item one site");
             }
             file_.sites[owner] = item.site;
         }

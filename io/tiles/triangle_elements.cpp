@@ -21,8 +21,7 @@ int corner_nearest_to_centroid(const Tile& tile, int f) {
 
 void require_triangles(MeshKind kind, const std::string& path) {
     if (kind != MeshKind::kVoronoi) return;
-    throw InvalidInput(path +
-                       ": the format has no polygons; take --mesh delaunay or --mesh grains");
+    throw InvalidInput(path + ": the format has no polygons; use --mesh delaunay or --mesh grains");
 }
 
 std::vector<SiteId> element_cells(const Tile& tile) {

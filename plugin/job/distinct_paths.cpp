@@ -26,7 +26,7 @@ void DistinctPaths::add_input(const std::string& path) {
 void DistinctPaths::add_output(const std::string& path) {
     const auto [entry, fresh] = book_.emplace(identity(path), "another output");
     if (!fresh) {
-        throw InvalidInput(path + " is " + entry->second + " as well; take another name");
+        throw InvalidInput(path + " is " + entry->second + " as well; choose another name");
     }
 }
 

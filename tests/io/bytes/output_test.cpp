@@ -155,7 +155,7 @@ TEST(Output, UnwritableTargetsAreRefusedBeforeAnyWork) {
     EXPECT_THAT(fault(folder / "none/x"), HasSubstr("none: No such file or directory"));
     EXPECT_THAT(fault(folder / "old/x"), HasSubstr("Not a directory"));
     EXPECT_THAT(fault("/dev/null", true), HasSubstr("not an ordinary file"));
-    EXPECT_THAT(fault(""), StartsWith(": cannot write: a file name is missing"));
+    EXPECT_THAT(fault(""), StartsWith(": cannot write: the path has no file name"));
 }
 
 TEST(Output, FilesWithTheLongestNamesAreWritten) {

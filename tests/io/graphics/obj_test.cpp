@@ -146,7 +146,7 @@ TEST(Obj, FaultsOfFacesNameTheirLine) {
     EXPECT_THAT(fault("f 1 2 3//"), StartsWith("t.obj:13: '' is not a number; "));
     EXPECT_THAT(fault("f 1 2 3/1/1/1"), StartsWith("t.obj:13: '3/1/1/1' is not a corner; "));
     EXPECT_THAT(fault(""), StartsWith("t.obj: there is no face; "));
-    EXPECT_THAT(fault_of(""), StartsWith("t.obj: there is no vertex; "));
+    EXPECT_THAT(fault_of(""), StartsWith("t.obj: there is not a vertex; "));
     EXPECT_THAT(fault_of(with("kind cells", "kind triangles")),
                 StartsWith("t.obj:13: a face of a triangle tile has 3 corners; "));
 }
@@ -175,7 +175,8 @@ TEST(Obj, FaultsOfTheSeamNameTheirLine) {
 }
 
 TEST(Obj, BinaryFilesAreRefused) {
-    EXPECT_THAT(fault_of(std::string("v 0\0", 4)), StartsWith("t.obj: looks like a binary file; "));
+    EXPECT_THAT(fault_of(std::string("v 0\0", 4)),
+                StartsWith("t.obj: appears to be a binary file; "));
 }
 
 TEST(Obj, TheSidecarMustAgreeWithTheComments) {
@@ -218,7 +219,7 @@ TEST(Obj, FaultsOfTheSidecarNameIt) {
     EXPECT_THAT(fault_with("\"version\"", "version"),
                 StartsWith("t.seam.json:3: is not valid JSON"));
     EXPECT_THAT(fault_with("\"version\": 1", "\"version\": 2"), HasSubstr("its version is not 1"));
-    EXPECT_THAT(fault_with("pcvt seam", "seam"), HasSubstr("it is not a seam of pcvt"));
+    EXPECT_THAT(fault_with("pcvt seam", "seam"), HasSubstr("it is not a pcvt seam file"));
     EXPECT_THAT(fault_with("\"index_base\": 0", "\"index_base\": 1"), HasSubstr("index base"));
     EXPECT_THAT(fault_with("\"cells\"", "7"), HasSubstr("none of cells, triangles and grains"));
     EXPECT_THAT(fault_with("\"sites\"", "\"site\""), HasSubstr("\"sites\" is missing"));

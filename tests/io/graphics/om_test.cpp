@@ -118,7 +118,7 @@ TEST(Om, OtherBytesAreRefused) {
     EXPECT_THAT(fault_of(""), StartsWith("t.om: is cut short; "));
     EXPECT_THAT(fault_of("v 0 0 0\nv 1 0 0\n"), StartsWith("t.om: is not a mesh as OpenMesh 9 wr"));
     std::string bytes = example();
-    EXPECT_THAT(fault_of(bytes + "x"), StartsWith("t.om: goes on after its end; "));
+    EXPECT_THAT(fault_of(bytes + "x"), StartsWith("t.om: has data after its end; "));
     for (std::size_t length = 0; length < bytes.size(); ++length) {
         EXPECT_THAT(fault_of(bytes.substr(0, length)), StartsWith("t.om: ")) << length;
     }

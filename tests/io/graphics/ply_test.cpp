@@ -167,7 +167,8 @@ TEST(Ply, FaultsOfTheBodyNameTheirLine) {
     EXPECT_THAT(fault_with("4 0 1 2 3 0\n", ""),
                 StartsWith("t.ply: ends before its last 'face'; "));
     EXPECT_THAT(fault_of(std::string(kOneCell) + "1\n"), StartsWith("t.ply:20: the file goes on"));
-    EXPECT_THAT(fault_of(kOneCell + std::string(1, '\0')), HasSubstr("looks like a binary file; "));
+    EXPECT_THAT(fault_of(kOneCell + std::string(1, '\0')),
+                HasSubstr("appears to be a binary file; "));
 }
 
 TEST(Ply, AThirdDimensionIsRefused) {

@@ -59,13 +59,13 @@ TEST(SiteReader, FaultsOfTheWholeFileNameTheFile) {
     EXPECT_EQ(fault_of(""), "s.txt: holds no site; give one \"x y\" a line");
     EXPECT_EQ(fault_of("# nothing\n\n"), "s.txt: holds no site; give one \"x y\" a line");
     EXPECT_EQ(fault_of(std::string_view("0 0\n\0\1", 6)),
-              "s.txt: looks like a binary file; give a text with \"x y\" a line");
+              "s.txt: appears to be a binary file; give a text with \"x y\" a line");
 }
 
 TEST(SiteReader, DuplicatesAreReportedWithTheirLines) {
     const SiteFile file = parse_sites("s.txt", "# head\n0 0\n0.5 0.5\n\n1 0\n");
     EXPECT_STREQ(duplicate_lines(file, DuplicateSites(0, 2)).what(),
-                 "s.txt:5: the site coincides with that of line 2 modulo the lattice, "
+                 "s.txt:5: the site coincides with the site of line 2 modulo the lattice, "
                  "to 1e-9 of the spacing; remove one");
 }
 

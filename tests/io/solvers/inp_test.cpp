@@ -93,7 +93,7 @@ TEST(Inp, PolygonsAreRefusedWithARemedy) {
         FAIL();
     } catch (const InvalidInput& fault) {
         EXPECT_STREQ(fault.what(),
-                     "t.inp: the format has no polygons; take --mesh delaunay or --mesh grains");
+                     "t.inp: the format has no polygons; use --mesh delaunay or --mesh grains");
     }
 }
 
@@ -111,7 +111,7 @@ TEST(Inp, MeshesOfOtherProgramsAreRead) {
 }
 
 TEST(Inp, FaultsNameTheirLine) {
-    EXPECT_THAT(fault_of(""), StartsWith("t.inp: there is no vertex; "));
+    EXPECT_THAT(fault_of(""), StartsWith("t.inp: there is not a vertex; "));
     EXPECT_THAT(fault_with("kind triangles", "kind x"), StartsWith("t.inp:5: the kind is unclear"));
     EXPECT_THAT(fault_with("pcvt kind", "pcvt king"), StartsWith("t.inp:5: pcvt does not know 'k"));
     EXPECT_THAT(fault_with("sites 0 0 0 0", "sites 0 0"),
@@ -139,7 +139,7 @@ TEST(Inp, FaultsNameTheirLine) {
     EXPECT_THAT(fault_of(two_triangles() + "4\n"), HasSubstr(": the last equation is not whole; "));
     EXPECT_THAT(fault_of(two_triangles() + "4\n*STEP\n"),
                 HasSubstr("before this card is not whole"));
-    EXPECT_THAT(fault_of(two_triangles() + '\0'), HasSubstr("looks like a binary file; "));
+    EXPECT_THAT(fault_of(two_triangles() + '\0'), HasSubstr("appears to be a binary file; "));
 }
 
 TEST(Inp, AMasterThatIsTiedItselfIsRefused) {

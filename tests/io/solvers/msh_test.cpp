@@ -69,7 +69,7 @@ TEST(Msh, PolygonsAreRefusedWithARemedy) {
         FAIL();
     } catch (const InvalidInput& fault) {
         EXPECT_STREQ(fault.what(),
-                     "t.msh: the format has no polygons; take --mesh delaunay or --mesh grains");
+                     "t.msh: the format has no polygons; use --mesh delaunay or --mesh grains");
     }
 }
 
@@ -96,7 +96,7 @@ TEST(Msh, FaultsNameTheirLine) {
     EXPECT_THAT(fault_with("pcvt kind", "pcvt king"), StartsWith("t.msh:6: pcvt does not know 'k"));
     EXPECT_THAT(fault_with("$EndComments", ""), StartsWith("t.msh: ends inside of a section; "));
     EXPECT_THAT(fault_with("$EndNodes", "7\n$EndNodes"),
-                HasSubstr(": more lines than announced; "));
+                HasSubstr(": the section has more lines than its count; "));
     EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 0 0.5\n"), HasSubstr(": z is not 0; "));
     EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 x 0\n"), HasSubstr(": 'x' is not a number; "));
     EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 0\n"), HasSubstr(": the line has 2 words where 3 "));
@@ -110,8 +110,8 @@ TEST(Msh, FaultsNameTheirLine) {
     EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0.1 1 0"), HasSubstr("is no translation"));
     EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0 0.5 0"),
                 HasSubstr("no vector of the latt"));
-    EXPECT_THAT(fault_of(two_triangles() + '\0'), HasSubstr("looks like a binary file; "));
-    EXPECT_THAT(fault_of(two_triangles() + "1\n"), HasSubstr(": '1' begins no section; "));
+    EXPECT_THAT(fault_of(two_triangles() + '\0'), HasSubstr("appears to be a binary file; "));
+    EXPECT_THAT(fault_of(two_triangles() + "1\n"), HasSubstr(": '1' does not begin a section; "));
 }
 
 TEST(Msh, AWrongLinkIsRefuted) {

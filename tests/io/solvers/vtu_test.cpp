@@ -77,7 +77,7 @@ TEST(Vtu, GridsOfOtherProgramsAreRead) {
 }
 
 TEST(Vtu, FaultsOfTheXmlNameTheirLine) {
-    EXPECT_THAT(fault_of(""), StartsWith("t.vtu: is no VTKFile with an UnstructuredGrid; "));
+    EXPECT_THAT(fault_of(""), StartsWith("t.vtu: is not a VTKFile with an UnstructuredGrid; "));
     EXPECT_THAT(fault_of("solid\n"), StartsWith("t.vtu:1: the text does not end; "));
     EXPECT_THAT(fault_with("<Points>", "<Points"), HasSubstr("an attribute of 'Points' is not of"));
     EXPECT_THAT(fault_with("</Points>\n", ""), HasSubstr(": 'Piece' ends, but is not open; "));
@@ -87,7 +87,7 @@ TEST(Vtu, FaultsOfTheXmlNameTheirLine) {
     EXPECT_THAT(fault_with("0 0 0\n", "0 0<!-- --> 0\n"),
                 HasSubstr(": a comment stands inside of "));
     EXPECT_THAT(fault_with(" -->", ""), StartsWith("t.vtu:2: a comment does not end; "));
-    EXPECT_THAT(fault_of(one_cell() + '\0'), HasSubstr("looks like a binary file; "));
+    EXPECT_THAT(fault_of(one_cell() + '\0'), HasSubstr("appears to be a binary file; "));
 }
 
 TEST(Vtu, FaultsOfTheGridNameTheirLine) {
