@@ -20,7 +20,7 @@ namespace {
 /// Keeps a temporary name below 255 bytes, the longest name of a file.
 constexpr std::size_t kLongestStem = 200;
 
-[[noreturn]] void throw_bad_file(const std::string& path, const std::string& reason) {
+[[noreturn]] void throw_unwritable(const std::string& path, const std::string& reason) {
     throw OutputError(path + ": cannot write: " + reason);
 }
 
@@ -57,14 +57,14 @@ int create_temporary(const std::string& path, std::string& temporary) {
         temporary = temporary_name(path);
         const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0) return file;
-        if (errno != EEXIST) throw_bad_file(path, reason_of(errno));
+        if (errno != EEXIST) throw_unwritable(path, reason_of(errno));
     }
 }
 
 /// Creates and opens `temporary` in a folder under a hidden name, where no other file can be.
 int create_new(const std::string& path, const std::string& temporary) {
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file < 0) throw_bad_file(path, reason_of(errno));
+    if (file < 0) throw_unwritable(path, reason_of(errno));
     return file;
 }
 
@@ -129,21 +129,21 @@ void OutputSet::remove_staged() {
 
 void OutputSet::require_writable(const std::string& path, bool force) {
     struct stat status {};
-    if (path.empty() || path.back() == '/') throw_bad_file(path, "the path has no file name");
+    if (path.empty() || path.back() == '/') throw_unwritable(path, "the path has no file name");
     if (::lstat(path.c_str(), &status) == 0) {
         if (::stat(path.c_str(), &status) == 0) {
-            if (S_ISDIR(status.st_mode)) throw_bad_file(path, reason_of(EISDIR));
-            if (!S_ISREG(status.st_mode)) throw_bad_file(path, "it is not a regular file");
+            if (S_ISDIR(status.st_mode)) throw_unwritable(path, reason_of(EISDIR));
+            if (!S_ISREG(status.st_mode)) throw_unwritable(path, "it is not a regular file");
         }
         if (!force) refuse_existing(path);
     }
     const std::string folder = folder_of(path);
     if (::stat(folder.c_str(), &status) != 0)
-        throw_bad_file(path, "folder " + folder + ": " + reason_of(errno));
+        throw_unwritable(path, "folder " + folder + ": " + reason_of(errno));
     if (!S_ISDIR(status.st_mode))
-        throw_bad_file(path, "folder " + folder + ": " + reason_of(ENOTDIR));
+        throw_unwritable(path, "folder " + folder + ": " + reason_of(ENOTDIR));
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-        throw_bad_file(path, "folder " + folder + ": " + reason_of(errno));
+        throw_unwritable(path, "folder " + folder + ": " + reason_of(errno));
     }
 }
 
@@ -155,9 +155,9 @@ void OutputSet::require_writable_folder(const std::string& folder,
         return;
     }
     if (::stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
-        throw_bad_file(folder, "it exists and is not a folder; choose another name");
+        throw_unwritable(folder, "it exists and is not a folder; choose another name");
     }
-    if (!force) throw_bad_file(folder, "it exists; use --force to replace the files in it");
+    if (!force) throw_unwritable(folder, "it exists; use --force to replace the files in it");
     for (const std::string& path : paths) {
         std::string inner = folder_of(path);
         // Missing folders will be created in the innermost folder that exists.
@@ -179,7 +179,7 @@ void OutputSet::stage_folder(const std::string& folder) {
         if (::mkdir(entry.temporary.c_str(), 0777) == 0) {
             entry.created.push_back(entry.temporary);
         } else if (errno != EEXIST) {
-            throw_bad_file(folder, reason_of(errno));
+            throw_unwritable(folder, reason_of(errno));
         }
     } while (entry.created.empty());
 }
@@ -189,7 +189,7 @@ void OutputSet::make_folders(Folder& folder, const std::string& innermost) {
     struct stat status {};
     if (::stat(innermost.c_str(), &status) == 0) return;
     make_folders(folder, folder_of(innermost));
-    if (::mkdir(innermost.c_str(), 0777) != 0) throw_bad_file(innermost, reason_of(errno));
+    if (::mkdir(innermost.c_str(), 0777) != 0) throw_unwritable(innermost, reason_of(errno));
     folder.created.push_back(innermost);
 }
 
@@ -216,7 +216,7 @@ void OutputSet::stage(const std::string& path, const std::string& bytes) {
     int error = write_all(file, bytes);
     if (error == 0) error = sync(file);
     if (::close(file) != 0 && error == 0) error = errno;
-    if (error != 0) throw_bad_file(path, reason_of(error));
+    if (error != 0) throw_unwritable(path, reason_of(error));
 }
 
 bool OutputSet::holds(const std::string& path, std::string_view bytes) const {
@@ -236,13 +236,13 @@ void OutputSet::put(Staged& file, bool force) {
         const std::string backup = temporary_name(file.target);
         const int error = keep(file.target, backup);
         if (error == 0) file.backup = backup;
-        if (error != 0 && error != ENOENT) throw_bad_file(file.target, reason_of(error));
+        if (error != 0 && error != ENOENT) throw_unwritable(file.target, reason_of(error));
         if (::rename(file.temporary.c_str(), file.target.c_str()) != 0) {
-            throw_bad_file(file.target, reason_of(errno));
+            throw_unwritable(file.target, reason_of(errno));
         }
     } else if (const int error = rename_to_free_name(file.temporary, file.target)) {
         if (error == EEXIST) refuse_existing(file.target);
-        throw_bad_file(file.target, reason_of(error));
+        throw_unwritable(file.target, reason_of(error));
     }
 }
 
@@ -253,7 +253,7 @@ void OutputSet::put_all(bool force, std::size_t& n_put) {
     for (Folder& folder : folders_) {
         if (folder.temporary.empty()) continue;
         if (const int error = rename_folder(folder.temporary, folder.target)) {
-            throw_bad_file(folder.target, error == EEXIST ? "it exists; use --force to replace it"
+            throw_unwritable(folder.target, error == EEXIST ? "it exists; use --force to replace it"
                                                           : reason_of(error));
         }
         folder.moved = true;

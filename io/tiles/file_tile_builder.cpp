@@ -99,7 +99,7 @@ void FileTileBuilder::take_lattice(const LineScanner& scanner,
 
 TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Precision precision) {
     resolve_numbers(file, lattice);
-    if (file.points.empty()) throw_bad_file(file, "there is not a vertex; give the file of a tile");
+    if (file.points.empty()) throw_bad_file(file, "there is no vertex; give the file of a tile");
     if (file.face_lines.empty()) throw_bad_file(file, "there is no face; give the file of a tile");
     const MeshKind kind = file.kind.value_or(guess_kind(file));
     std::vector<int> scratch;

@@ -154,7 +154,7 @@ TEST(Output, UnwritableTargetsAreRefusedBeforeAnyWork) {
     EXPECT_EQ(fault(folder / "d", true), (folder / "d") + ": cannot write: Is a directory");
     EXPECT_THAT(fault(folder / "none/x"), HasSubstr("none: No such file or directory"));
     EXPECT_THAT(fault(folder / "old/x"), HasSubstr("Not a directory"));
-    EXPECT_THAT(fault("/dev/null", true), HasSubstr("not an ordinary file"));
+    EXPECT_THAT(fault("/dev/null", true), HasSubstr("not a regular file"));
     EXPECT_THAT(fault(""), StartsWith(": cannot write: the path has no file name"));
 }
 

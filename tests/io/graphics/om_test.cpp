@@ -136,7 +136,7 @@ TEST(Om, PartnersThatAreNotMutualAreRefused) {
     std::size_t at = bytes.find(head) + head.size() + 4;
     while (bytes.substr(at, 4) == "\xff\xff\xff\xff") at += 4;
     bytes[at] = static_cast<char>(bytes[at] ^ 2);
-    EXPECT_THAT(fault_of(bytes), HasSubstr("partner does not answer; "));
+    EXPECT_THAT(fault_of(bytes), HasSubstr("another partner; "));
 }
 
 TEST(Om, DamagedFilesGiveATileOrAFaultAndNothingElse) {

@@ -123,7 +123,7 @@ TEST(Inp, FaultsNameTheirLine) {
     EXPECT_THAT(fault_with("\n2,1,0,0\n", "\n1,1,0,0\n"),
                 StartsWith("t.inp:10: node 1 is given tw"));
     EXPECT_THAT(fault_with("CPE3", "CPE4"),
-                HasSubstr(": elements of type 'CPE4' are no plane tri"));
+                HasSubstr(": elements of type 'CPE4' are not plane tri"));
     EXPECT_THAT(fault_with("\n1,1,2,4\n", "\n1,1,2,9\n"), HasSubstr(": node 9 does not exist; "));
     EXPECT_THAT(fault_with("2,1,1,1,1,-1", "2,1,1,1,1,1"),
                 HasSubstr(": the equation ties no node"));

@@ -85,7 +85,7 @@ TEST(Vtu, FaultsOfTheXmlNameTheirLine) {
     EXPECT_THAT(fault_with("version=\"0.1\"", "version=0.1"),
                 StartsWith("t.vtu:3: an attribute of"));
     EXPECT_THAT(fault_with("0 0 0\n", "0 0<!-- --> 0\n"),
-                HasSubstr(": a comment stands inside of "));
+                HasSubstr(": a comment interrupts a "));
     EXPECT_THAT(fault_with(" -->", ""), StartsWith("t.vtu:2: a comment does not end; "));
     EXPECT_THAT(fault_of(one_cell() + '\0'), HasSubstr("appears to be a binary file; "));
 }
@@ -109,7 +109,7 @@ TEST(Vtu, FaultsOfTheGridNameTheirLine) {
     EXPECT_THAT(fault_with("\n4\n</DataArray>", "\n5\n</DataArray>"),
                 HasSubstr("the offsets do not"));
     EXPECT_THAT(fault_with("\n4\n</DataArray>", "\n3\n</DataArray>"),
-                HasSubstr("goes on after its la"));
+                HasSubstr("has entries after its la"));
     EXPECT_THAT(fault_with("\n7\n</DataArray>", "\n9\n</DataArray>"),
                 HasSubstr("not all polygons (7)"));
     EXPECT_THAT(fault_with("\n7\n</DataArray>", "\n5\n</DataArray>"),
