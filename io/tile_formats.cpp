@@ -16,6 +16,7 @@
 #include "io/mpas/mpas_writer.hpp"
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_writer.hpp"
+#include "io/page/html_writer.hpp"
 #include "io/pictures/svg_writer.hpp"
 #include "io/run_files/site_writer.hpp"
 #include "io/solvers/inp_reader.hpp"
@@ -59,7 +60,13 @@ std::vector<EncodedFile> write_sites(const Points& sites, const std::string& pat
     return only_file(path, encode_sites(sites));
 }
 
-constexpr std::array<TileFormat, 12> kFormats{{
+/// The picture shows sizes, which the densities determine.
+std::vector<EncodedFile> write_graded_svg(const Tile& tile, std::span<const double>,
+                                          const std::string& path) {
+    return encode_graded_svg(tile, path);
+}
+
+constexpr std::array<TileFormat, 13> kFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
      .write = encode_obj,
@@ -101,7 +108,11 @@ constexpr std::array<TileFormat, 12> kFormats{{
     {.extension = ".svg",
      .description = "a picture",
      .write = encode_svg,
-     .write_graded = encode_graded_svg},
+     .write_graded = write_graded_svg},
+    {.extension = ".html",
+     .description = "a page that shows the tile in any browser",
+     .write = encode_html,
+     .write_graded = encode_graded_html},
     {.extension = ".foam",
      .description = "OpenFOAM, a case folder that icoFoam runs",
      .write = encode_foam,

@@ -24,6 +24,10 @@ struct Torus {
 };
 
 using TileWriter = std::vector<EncodedFile>(const Tile& tile, const std::string& path);
+/// Writes a tile of a graded mesh; the densities are those at sites 0 to n - 1 of one period.
+using GradedTileWriter = std::vector<EncodedFile>(const Tile& tile,
+                                                  std::span<const double> site_densities,
+                                                  const std::string& path);
 using TorusWriter = std::vector<EncodedFile>(const Torus& torus, const std::string& path);
 using SiteWriter = std::vector<EncodedFile>(const Points& sites, const std::string& path);
 
@@ -58,7 +62,7 @@ struct TileFormat {
     /// path.
     std::variant<TileWriter*, TorusWriter*, SiteWriter*> write;
     /// Encodes tiles of graded meshes, if the format has another form for them; else nullptr.
-    TileWriter* write_graded = nullptr;
+    GradedTileWriter* write_graded = nullptr;
     /// Reads `files` (the file itself first, companions where there are any) back; a lattice
     /// replaces one that the file lacks. Empty if pcvt does not read the format.
     std::variant<std::monostate, TileReader*, GridReader*> read = {};

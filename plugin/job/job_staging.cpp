@@ -22,7 +22,8 @@ class FileEncoder {
 
     std::vector<EncodedFile> operator()(TileWriter* write) const {
         const bool graded = job_.density && file_.format->write_graded != nullptr;
-        return (graded ? file_.format->write_graded : write)(tile(), path());
+        if (!graded) return write(tile(), path());
+        return file_.format->write_graded(tile(), result_.site_densities, path());
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
         const PeriodicMesh cells = repeated(periodic_mesh(result_.cvt.delaunay, MeshKind::kVoronoi),

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import re
 import resource
 import struct
 import zlib
@@ -53,6 +54,14 @@ class GradedMesh(CliTest):
         self.assertAlmostEqual(report["energy"] / report["expected_energy"], 1, delta=0.05)
         self.assertEqual(report["rough_cells"], 0)
         self.assertRegex(self.path("t.svg").read_text(), r"by size")
+
+    def test_a_page_holds_the_density_at_each_site(self):
+        self.succeed("mesh", "--sites", 40, "--density", "1 + u", "--max-iterations", 0, "-o", "t.html", "-o", "s.txt")
+        data = re.search(r'id="data">([^<]*)<', self.path("t.html").read_text())[1]
+        densities = json.loads(data)["densities"]
+        self.assertEqual(len(densities), 40)
+        for (x, _), density in zip(self.sites("s.txt"), densities):
+            self.assertAlmostEqual(density, 1 + x, delta=1e-12)
 
     def test_without_a_density_its_keys_are_left_out(self):
         report = self.report("--sites", 30)

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// Encodes a tile as one HTML page that needs no other file and no network. A browser shows the
+/// tile in it, repeats it, and names the cell and the partner edges under the pointer.
+///
+/// The page holds the tile as JSON in the element `data`:
+///   {"format": "pcvt page", "version": 1, "name": "tile.html", "graded": false,
+///    "kind": "cells" | "triangles" | "grains", "lattice": [[ax, ay], [bx, by]],
+///    "points": [x, y, ...], "faces": [[v, ...], ...], "sites": [s, ...], "sides": [n, ...],
+///    "site_points": [x, y, ...], "densities": [d, ...],
+///    "vertex_pairs": [[v, w, i, j], ...], "edge_pairs": [[v0, v1, w0, w1, i, j], ...]}
+///
+/// `sites` has one entry for each face of cells and grains and for each vertex of triangles;
+/// `sides` are the sides of each face's cell, or the valence of each vertex. `site_points` are
+/// those of cells; it is empty otherwise. Laws, tested by number:
+///   (1) The JSON gives points, faces, sites and pairs back exactly.
+///   (2) The data holds no '<', so that no name can end the element.
+///   (3) The page without its data is smaller than 300 KB and names no address of a network.
+///
+/// Example usage:
+///     for (const EncodedFile& file : encode_html(tile, "tile.html")) {
+///         output.stage(file.path, file.bytes);
+///     }
+///
+/// @throws InternalError if a coordinate is not finite.
+std::vector<EncodedFile> encode_html(const Tile& tile, const std::string& path);
+
+/// Encodes the same page with the density of each site; the cells are coloured by size at first.
+/// @param site_densities  at sites 0 to n - 1; those of repeated tiles continue periodically.
+std::vector<EncodedFile> encode_graded_html(const Tile& tile,
+                                            std::span<const double> site_densities,
+                                            const std::string& path);
+
+}  // namespace pcvt

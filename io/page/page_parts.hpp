@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string_view>
+
+namespace pcvt {
+
+/// The sources of the page, which embed_page.cmake makes from the files beside it: page.html with
+/// the marks @TITLE@, @STYLE@, @DATA@ and @SCRIPT@ (each alone or within a line), page.css, and all
+/// scripts in the order in which they depend on each other.
+extern const std::string_view kPageHtml;
+extern const std::string_view kPageStyle;
+extern const std::string_view kPageScript;
+
+}  // namespace pcvt
