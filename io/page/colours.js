@@ -5,14 +5,26 @@
  */
 const THEMES = {
     light: {
-        background: '#ffffff', ink: '#1c1f26', edge: '#565c68', fineEdge: '#a9adb5',
-        dual: '#30343c', dot: '#30343c', casing: '#ffffff', accent: '#d9187f',
+        background: '#ffffff',
+        ink: '#1c1f26',
+        edge: '#565c68',
+        fineEdge: '#a9adb5',
+        dual: '#30343c',
+        dot: '#30343c',
+        casing: '#ffffff',
+        accent: '#d9187f',
         seams: ['#17993b', '#6500e6', '#732244', '#007db2', '#8a6d00', '#5d4037'],
         sides: ['#14215c', '#255fb0', '#62b0df', '#f3efe4', '#f2a23c', '#cb4b1e', '#701518'],
     },
     dark: {
-        background: '#14161b', ink: '#e8eaef', edge: '#0b0c10', fineEdge: '#5b6270',
-        dual: '#f4f5f8', dot: '#d5d8df', casing: '#14161b', accent: '#ff6fb5',
+        background: '#14161b',
+        ink: '#e8eaef',
+        edge: '#0b0c10',
+        fineEdge: '#5b6270',
+        dual: '#f4f5f8',
+        dot: '#d5d8df',
+        casing: '#14161b',
+        accent: '#ff6fb5',
         seams: ['#4dbf75', '#d440ff', '#e67ec0', '#e6d439', '#5fd0f2', '#d7b3a5'],
         sides: ['#cfeaff', '#86c4f2', '#4189cf', '#3b414e', '#c9792a', '#f0b35a', '#ffe3b0'],
     },
@@ -32,8 +44,11 @@ function rampColour(share) {
     const place = Math.min(1, Math.max(0, share)) * (RAMP.length - 1);
     const below = Math.min(Math.floor(place), RAMP.length - 2), part = place - below;
     const from = bytesOf(RAMP[below]), to = bytesOf(RAMP[below + 1]);
-    return '#' + from.map((value, k) => Math.round(value + part * (to[k] - value))
-        .toString(16).padStart(2, '0')).join('');
+    return '#' +
+        from.map(
+                (value, k) =>
+                    Math.round(value + part * (to[k] - value)).toString(16).padStart(2, '0'))
+            .join('');
 }
 
 function shortNumber(value) {
@@ -55,8 +70,10 @@ function sideColour(sides, theme) {
 class Colouring {
     constructor(tile, mode, theme) {
         const classes = new Int32Array(tile.nFaces);
-        if (mode === 'sides') this.bySides(tile, theme, classes);
-        else this.byValue(tile, mode, classes);
+        if (mode === 'sides')
+            this.bySides(tile, theme, classes);
+        else
+            this.byValue(tile, mode, classes);
         this.start = new Int32Array(this.colours.length + 1);
         for (const k of classes) ++this.start[k + 1];
         for (let k = 0; k < this.colours.length; ++k) this.start[k + 1] += this.start[k];
@@ -73,8 +90,10 @@ class Colouring {
         for (const n of values) counts.set(n, (counts.get(n) ?? 0) + 1);
         const numbers = [...counts.keys()].sort((a, b) => a - b);
         this.entries = numbers.map((n) => ({
-            colour: sideColour(n, theme), label: `${n}`, count: counts.get(n),
-        }));
+                                       colour: sideColour(n, theme),
+                                       label: `${n}`,
+                                       count: counts.get(n),
+                                   }));
         if (tile.hasTriangles) {
             this.colours = [sideColour(6, theme)];
             return;
@@ -86,8 +105,10 @@ class Colouring {
 
     /** Classes of equal steps on a logarithmic scale, or a linear one where a value is not > 0. */
     byValue(tile, mode, classes) {
-        const values = Float64Array.from({length: tile.nCells}, (_, cell) => mode === 'size' ?
-            Math.sqrt(Math.max(tile.cellArea[cell], 0)) / tile.h : tile.densityOf(cell));
+        const values = Float64Array.from(
+            {length: tile.nCells},
+            (_, cell) => mode === 'size' ? Math.sqrt(Math.max(tile.cellArea[cell], 0)) / tile.h :
+                                           tile.densityOf(cell));
         let least = Infinity, most = -Infinity;
         for (const value of values) {
             least = Math.min(least, value);
@@ -121,12 +142,13 @@ function seamClasses(tile, theme) {
     const classes = new Map();
     for (const [c, [i, j]] of tile.offset) {
         const negative = i < 0 || (i === 0 && j < 0);
-        const key = negative ? `${-i}, ${-j}` : `${i}, ${j}`;
-        if (!classes.has(key)) classes.set(key, {label: key, length: Math.abs(i) + Math.abs(j), corners: []});
+        const key = (negative ? [-i, -j] : [i, j]).join(', ');
+        if (!classes.has(key))
+            classes.set(key, {label: key, length: Math.abs(i) + Math.abs(j), corners: []});
         classes.get(key).corners.push(c);
     }
-    const sorted = [...classes.values()].sort((p, q) =>
-        p.length - q.length || (p.label < q.label ? 1 : -1));
+    const sorted =
+        [...classes.values()].sort((p, q) => p.length - q.length || (p.label < q.label ? 1 : -1));
     sorted.forEach((line, k) => {
         line.colour = THEMES[theme].seams[k % 6];
         line.dash = DASHES[k % 6];

@@ -4,7 +4,9 @@ function choiceOf(name, choices, otherwise) {
     return choices.includes(name) ? name : otherwise;
 }
 
-/** Connects the controls of the page with the viewer; they take their first values from the hash. */
+/**
+ * Connects the controls of the page with the viewer; they take their first values from the hash.
+ */
 class Controls {
     constructor(viewer) {
         this.viewer = viewer;
@@ -21,9 +23,11 @@ class Controls {
     }
 
     fillHead() {
-        const {tile} = this, count = (n, noun) => `${n.toLocaleString('en')} ${noun}${n === 1 ? '' : 's'}`;
+        const {tile} = this,
+              count = (n, noun) => `${n.toLocaleString('en')} ${noun}${n === 1 ? '' : 's'}`;
         const parts = {
-            cells: tile.nFaces === tile.nCells ? count(tile.nCells, 'cell') :
+            cells: tile.nFaces === tile.nCells ?
+                count(tile.nCells, 'cell') :
                 `${count(tile.nFaces, 'piece')} of ${count(tile.nCells, 'cell')}`,
             triangles: count(tile.nFaces, 'Delaunay triangle'),
             grains: `${count(tile.nCells, 'grain')}, ${count(tile.nFaces, 'triangle')}`,
@@ -44,7 +48,8 @@ class Controls {
         select.value = choiceOf(this.options.get('theme'), ['light', 'dark'], 'auto');
         const apply = () => {
             const automatic = dark.matches ? 'dark' : 'light';
-            document.documentElement.dataset.theme = select.value === 'auto' ? automatic : select.value;
+            document.documentElement.dataset.theme =
+                select.value === 'auto' ? automatic : select.value;
         };
         const change = () => {
             apply();
@@ -58,7 +63,8 @@ class Controls {
 
     connectSettings() {
         const {viewer, options} = this;
-        const modes = this.tile.densities.length > 0 ? ['sides', 'size', 'density'] : ['sides', 'size'];
+        const modes =
+            this.tile.densities.length > 0 ? ['sides', 'size', 'density'] : ['sides', 'size'];
         viewer.mode = choiceOf(options.get('colour'), modes, viewer.mode);
         for (const radio of document.querySelectorAll('[name=mode]')) {
             radio.checked = radio.value === viewer.mode;
@@ -104,7 +110,9 @@ class Controls {
         });
     }
 
-    /** One pointer moves the picture, two zoom it; a pointer that is not pressed points at cells. */
+    /**
+     * One pointer moves the picture, two zoom it; a pointer that is not pressed points at cells.
+     */
     connectPointer() {
         const {viewer} = this, {canvas} = viewer, pressed = new Map();
         const spread = () => {
@@ -125,7 +133,8 @@ class Controls {
             const before = pressed.size === 2 ? spread() : 0;
             pressed.set(event.pointerId, event);
             const share = 1 / pressed.size;
-            viewer.move(share * (event.offsetX - last.offsetX), share * (event.offsetY - last.offsetY));
+            viewer.move(
+                share * (event.offsetX - last.offsetX), share * (event.offsetY - last.offsetY));
             if (before > 0) viewer.zoom(spread() / before, event.offsetX, event.offsetY);
         });
         for (const name of ['pointerup', 'pointercancel']) {
@@ -173,28 +182,38 @@ class Controls {
         const {viewer, tile} = this;
         if (!viewer.place) return;
         const corners = boundaryCorners(tile, viewer.place.cell);
-        if (corners.length === 0) this.say('This cell has no edge on the seam.');
-        else this.visit(viewer.place.cell, corners[(corners.indexOf(viewer.place.edge) + 1) % corners.length]);
+        if (corners.length === 0)
+            this.say('This cell has no edge on the seam.');
+        else
+            this.visit(
+                viewer.place.cell,
+                corners[(corners.indexOf(viewer.place.edge) + 1) % corners.length]);
     }
 
     visit(cell, edge) {
         this.viewer.visit(cell, edge);
         this.showPlace();
         this.say(describe(this.tile, this.viewer.place)
-            .filter(([term, , isNow]) => term !== null || isNow)
-            .map(([term, value]) => term === null ? value : `${term} ${value}`).join('. '));
+                     .filter(([term, , isNow]) => term !== null || isNow)
+                     .map(([term, value]) => term === null ? value : `${term} ${value}`)
+                     .join('. '));
     }
 
     find(text) {
         const {tile} = this, site = /^\d+$/.test(text) ? Number(text) : -1;
-        const face = tile.hasTriangles ? tile.faceOf[tile.corners.findIndex((v) => tile.sites[v] === site)] ?? -1 :
+        const face = tile.hasTriangles ?
+            tile.faceOf[tile.corners.findIndex((v) => tile.sites[v] === site)] ?? -1 :
             tile.sites.indexOf(site);
-        if (face < 0) this.say(`There is no site ${text}.`);
-        else this.visit(tile.cellOf[face]);
+        if (face < 0)
+            this.say(`There is no site ${text}.`);
+        else
+            this.visit(tile.cellOf[face]);
         if (face < 0) element('cell').replaceChildren(term(`There is no site ${text}.`, 'hint'));
     }
 
-    say(text) { element('status').textContent = text; }
+    say(text) {
+        element('status').textContent = text;
+    }
 
     showPlace() {
         const {place} = this.viewer, list = element('cell');
@@ -214,7 +233,8 @@ class Controls {
     entries() {
         const {colouring, seams, show} = this.viewer, entries = [];
         for (const {colour, label, count} of colouring.entries ?? []) {
-            entries.push({colour, label, count: count.toLocaleString('en'), text: `${label}: ${count}`});
+            entries.push(
+                {colour, label, count: count.toLocaleString('en'), text: `${label}: ${count}`});
         }
         for (const line of show.seam ? seams : []) {
             const label = `seam (${line.label.replace(/-/g, '−')})`;
@@ -227,12 +247,17 @@ class Controls {
         const {colouring} = this.viewer, parts = [];
         element('legend-title').textContent = colouring.title;
         if (colouring.ramp) {
-            parts.push('<li class="ramp"><svg viewBox="0 0 100 7" preserveAspectRatio="none" height="16" ' +
-                `aria-hidden="true">${rampMark(colouring.colours, 0, 0, 100, 7)}</svg><span class="ticks">` +
-                colouring.ramp.map((value) => `<span>${shortNumber(value)}</span>`).join('') + '</span></li>');
+            const bar = rampMark(colouring.colours, 0, 0, 100, 7);
+            const ticks = colouring.ramp.map((value) => `<span>${shortNumber(value)}</span>`);
+            parts.push(
+                '<li class="ramp"><svg viewBox="0 0 100 7" preserveAspectRatio="none" ' +
+                `height="16" aria-hidden="true">${bar}</svg>` +
+                `<span class="ticks">${ticks.join('')}</span></li>`);
         }
         for (const entry of this.entries()) {
-            parts.push(`<li><svg width="28" height="16" aria-hidden="true">${legendMark(entry, 0, 0)}</svg>` +
+            parts.push(
+                `<li><svg width="28" height="16" aria-hidden="true">${
+                    legendMark(entry, 0, 0)}</svg>` +
                 `<span>${entry.label}</span><span class="count">${entry.count}</span></li>`);
         }
         element('legend').innerHTML = parts.join('');
@@ -272,7 +297,8 @@ window.addEventListener('DOMContentLoaded', () => {
         window.viewer = new Viewer(JSON.parse(element('data').textContent));
         new Controls(window.viewer);
     } catch (error) {
-        element('fault').textContent = `This page is damaged: ${error.message}. Write it again with pcvt.`;
+        element('fault').textContent =
+            `This page is damaged: ${error.message}. Write it again with pcvt.`;
         element('fault').hidden = false;
     }
 });

@@ -43,15 +43,20 @@ function describe(tile, place) {
     const mean = tile.area / tile.nCells;
     rows.push(['Area', area], ['Area / mean', shortNumber(tile.cellArea[cell] / mean)]);
     if (tile.densities.length > 0) rows.push(['Density', shortNumber(tile.densityOf(cell))]);
-    if (tile.kind === 'grains') rows.push(['Triangle', `${face}, ${shortNumber(tile.faceArea(face))}`]);
+    if (tile.kind === 'grains')
+        rows.push(['Triangle', `${face}, ${shortNumber(tile.faceArea(face))}`]);
     const corners = boundaryCorners(tile, cell);
     rows.push(['Partner edges', String(corners.length)]);
     for (const c of corners) {
         const d = tile.partner[c], other = tile.cellOf[tile.faceOf[d]];
         const [i, j] = tile.offset.get(c).map((k) => String(k).replace('-', '−'));
         const owner = tile.hasTriangles ? 'triangle' : 'site';
-        rows.push([null, `${edgeName(tile, c)} ↔ ${edgeName(tile, d)}, by (${i}, ${j}), ` +
-            `${owner} ${tile.cellSite[other]}`, c === place.edge]);
+        rows.push([
+            null,
+            `${edgeName(tile, c)} ↔ ${edgeName(tile, d)}, by (${i}, ${j}), ` +
+                `${owner} ${tile.cellSite[other]}`,
+            c === place.edge
+        ]);
     }
     return rows;
 }
@@ -59,11 +64,14 @@ function describe(tile, place) {
 /** The nearest corner of a Delaunay triangle is the site pointed at. */
 function describeTriangle(tile, {cell, point}) {
     const corners = [0, 1, 2].map((k) => tile.corners[tile.begin[cell] + k]);
-    const distance = (v) => Math.hypot(tile.points[2 * v] - point[0], tile.points[2 * v + 1] - point[1]);
+    const distance = (v) =>
+        Math.hypot(tile.points[2 * v] - point[0], tile.points[2 * v + 1] - point[1]);
     const nearest = corners.reduce((v, w) => distance(w) < distance(v) ? w : v);
-    return [['Site', String(tile.sites[nearest])], ['Valence', String(tile.valences[nearest])],
-            ['Triangle', String(cell)],
-            ['Its sites', corners.map((v) => tile.sites[v]).join(', ')], ['Sides', '3']];
+    return [
+        ['Site', String(tile.sites[nearest])], ['Valence', String(tile.valences[nearest])],
+        ['Triangle', String(cell)], ['Its sites', corners.map((v) => tile.sites[v]).join(', ')],
+        ['Sides', '3']
+    ];
 }
 
 function edgeName(tile, c) {
@@ -99,15 +107,20 @@ function drawPlace(context, scene, place) {
     const outline = tile.outline(place.cell);
     const partners = boundaryCorners(tile, place.cell).map((c) => tile.partner[c]);
     for (const [width, colour] of [[6, theme.casing], [3, theme.ink]]) line(outline, width, colour);
-    for (const [width, colour] of [[7, theme.casing], [3.5, theme.accent]]) line(partners, width, colour);
-    if (tile.h * scene.view.scale < RING_RADIUS) drawRing(context, scene, at(...tile.middle(place.face)));
+    for (const [width, colour] of [[7, theme.casing], [3.5, theme.accent]])
+        line(partners, width, colour);
+    if (tile.h * scene.view.scale < RING_RADIUS)
+        drawRing(context, scene, at(...tile.middle(place.face)));
     if (place.edge < 0) return;
     const pair = [place.edge, tile.partner[place.edge]];
-    for (const [width, colour] of [[11, theme.casing], [7, theme.accent]]) line(pair, width, colour);
-    drawTranslation(context, scene, pair.map((c) => {
-        const [x0, y0, x1, y1] = tile.edge(c);
-        return at((x0 + x1) / 2, (y0 + y1) / 2);
-    }), tile.offset.get(place.edge));
+    for (const [width, colour] of [[11, theme.casing], [7, theme.accent]])
+        line(pair, width, colour);
+    drawTranslation(
+        context, scene, pair.map((c) => {
+            const [x0, y0, x1, y1] = tile.edge(c);
+            return at((x0 + x1) / 2, (y0 + y1) / 2);
+        }),
+        tile.offset.get(place.edge));
 }
 
 /** Draws the arrow from the middle of an edge to that of its partner, labelled with the offset. */

@@ -13,7 +13,9 @@ const BORDER = 0.2;
 const MOST_SVG_FACES = 200000;
 const STEPS_OF_ZOOM = 1.3;
 
-function element(id) { return document.getElementById(id); }
+function element(id) {
+    return document.getElementById(id);
+}
 
 /** The page: its settings, its view and its picture, which frames keep up to date. */
 class Viewer {
@@ -47,7 +49,9 @@ class Viewer {
         return copies;
     }
 
-    get themeName() { return document.documentElement.dataset.theme; }
+    get themeName() {
+        return document.documentElement.dataset.theme;
+    }
 
     recolour() {
         this.colouring = new Colouring(this.tile, this.mode, this.themeName);
@@ -69,8 +73,8 @@ class Viewer {
     /** Shows all copies, with a margin. */
     fit() {
         const {tile} = this, [columns, rows] = this.repeat;
-        const corners = [[0, 0], [columns - 1, 0], [0, rows - 1], [columns - 1, rows - 1]]
-            .map((copy) => tile.translation(...copy));
+        const corners = [[0, 0], [columns - 1, 0], [0, rows - 1], [columns - 1, rows - 1]].map(
+            (copy) => tile.translation(...copy));
         const least = [0, 1].map((k) => tile.low[k] + Math.min(...corners.map((c) => c[k])));
         const most = [0, 1].map((k) => tile.high[k] + Math.max(...corners.map((c) => c[k])));
         const width = Math.max(40, (this.width ?? 800) - 2 * MARGIN);
@@ -99,7 +103,8 @@ class Viewer {
     /** Zooms by a factor; the point at (px, py) keeps its place. */
     zoom(factor, px = this.width / 2, py = this.height / 2) {
         const [x, y] = this.pointAt(px, py), scale = this.view.scale * factor;
-        this.look({x: x - (px - this.width / 2) / scale, y: y + (py - this.height / 2) / scale, scale});
+        this.look(
+            {x: x - (px - this.width / 2) / scale, y: y + (py - this.height / 2) / scale, scale});
     }
 
     pointAt(px, py) {
@@ -108,17 +113,27 @@ class Viewer {
     }
 
     /** Returns the CSS pixels of a point of the tile. */
-    pixelOf(x, y) { return toScreen(this.view, this.width, this.height, x, y); }
+    pixelOf(x, y) {
+        return toScreen(this.view, this.width, this.height, x, y);
+    }
 
     scene(border) {
         // The ramp's colours are light in both themes.
-        const overRamp = this.colouring.ramp ? {dot: THEMES.light.dot, dual: THEMES.light.dual} : {};
+        const overRamp =
+            this.colouring.ramp ? {dot: THEMES.light.dot, dual: THEMES.light.dual} : {};
         const theme = {...THEMES[this.themeName], ...overRamp};
         return {
-            tile: this.tile, colouring: this.colouring, seams: this.seams, theme,
-            sideColours: theme.sides, show: this.show, copies: this.copies, view: this.view,
+            tile: this.tile,
+            colouring: this.colouring,
+            seams: this.seams,
+            theme,
+            sideColours: theme.sides,
+            show: this.show,
+            copies: this.copies,
+            view: this.view,
             width: Math.round(this.width * (1 + 2 * border)),
-            height: Math.round(this.height * (1 + 2 * border)), ratio: this.ratio,
+            height: Math.round(this.height * (1 + 2 * border)),
+            ratio: this.ratio,
         };
     }
 
@@ -135,14 +150,17 @@ class Viewer {
             this.frame = null;
             const factor = time - this.lastFrame > SLOW_FRAME ? 0.5 : 1.2;
             this.lastFrame = time;
-            this.paintTime = Math.min(MOST_PAINT_TIME, Math.max(LEAST_PAINT_TIME, factor * this.paintTime));
+            this.paintTime =
+                Math.min(MOST_PAINT_TIME, Math.max(LEAST_PAINT_TIME, factor * this.paintTime));
             this.paint(performance.now() + this.paintTime);
             this.draw();
             if (this.painting || this.isStale) this.requestFrame();
         });
     }
 
-    /** Paints the next picture into the hidden buffer until the deadline, and shows it when ready. */
+    /**
+     * Paints the next picture into the hidden buffer until the deadline, and shows it when ready.
+     */
     paint(deadline) {
         if (!this.painting) {
             if (!this.isStale) return;
@@ -172,12 +190,14 @@ class Viewer {
         if (this.shown) {
             const {view, width, height} = this.shown, factor = this.view.scale / view.scale;
             const [x, y] = this.pixelOf(view.x, view.y);
-            context.drawImage(this.buffers[0], x - factor * width / 2, y - factor * height / 2,
-                              factor * width, factor * height);
+            context.drawImage(
+                this.buffers[0], x - factor * width / 2, y - factor * height / 2, factor * width,
+                factor * height);
         }
         if (this.place) {
             context.lineJoin = context.lineCap = 'round';
-            drawPlace(context, {...this.scene(0), width: this.width, height: this.height}, this.place);
+            drawPlace(
+                context, {...this.scene(0), width: this.width, height: this.height}, this.place);
         }
     }
 

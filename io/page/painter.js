@@ -23,7 +23,7 @@ class Painter {
         this.context = context;
         this.spacing = this.tile.h * this.view.scale;
         this.visible = this.copies.map(([i, j]) => this.tile.translation(i, j))
-            .filter((shift) => this.sees(this.tile.low, this.tile.high, shift));
+                           .filter((shift) => this.sees(this.tile.low, this.tile.high, shift));
     }
 
     /** A line width that follows the size of the cells within limits, in CSS pixels. */
@@ -37,7 +37,9 @@ class Painter {
         return right >= -4 && left <= this.width + 4 && bottom >= -4 && top <= this.height + 4;
     }
 
-    pixel(x, y) { return toScreen(this.view, this.width, this.height, x, y); }
+    pixel(x, y) {
+        return toScreen(this.view, this.width, this.height, x, y);
+    }
 
     * paint() {
         const {context, ratio} = this;
@@ -45,8 +47,10 @@ class Painter {
         context.fillStyle = this.theme.background;
         context.fillRect(0, 0, this.width, this.height);
         context.lineJoin = context.lineCap = 'round';
-        if (this.spacing < LEAST_DRAWN_SPACING) yield* this.fillPixels();
-        else yield* this.drawFaces();
+        if (this.spacing < LEAST_DRAWN_SPACING)
+            yield* this.fillPixels();
+        else
+            yield* this.drawFaces();
         if (this.tile.kind === 'grains' && this.spacing > 1.5) yield* this.drawGrainBoundaries();
         if (this.show.dual && this.tile.hasDual && this.spacing > 1.5) yield* this.drawDual();
         if (this.show.domain) this.drawDomain();
@@ -88,8 +92,10 @@ class Painter {
                 const v = 2 * tile.corners[c];
                 const px = (tile.points[v] + left) * scale + halfWidth;
                 const py = halfHeight - (tile.points[v + 1] + low) * scale;
-                if (c === begin) context.moveTo(px, py);
-                else context.lineTo(px, py);
+                if (c === begin)
+                    context.moveTo(px, py);
+                else
+                    context.lineTo(px, py);
             }
             context.closePath();
         }
@@ -148,12 +154,14 @@ class Painter {
             }
             tile.boundaries = Float64Array.from(found);
         }
-        yield* this.drawSegments(this.tile.boundaries, this.theme.edge,
-                                 this.lineWidth(0.045, 0.5, 2.2));
+        yield*
+            this.drawSegments(
+                this.tile.boundaries, this.theme.edge, this.lineWidth(0.045, 0.5, 2.2));
     }
 
     * drawDual() {
-        yield* this.drawSegments(this.tile.dual(), this.theme.dual, this.lineWidth(0.035, 0.4, 1.6));
+        yield*
+            this.drawSegments(this.tile.dual(), this.theme.dual, this.lineWidth(0.035, 0.4, 1.6));
     }
 
     * drawSegments(ends, colour, width) {
@@ -186,8 +194,10 @@ class Painter {
         context.beginPath();
         this.tile.domain().forEach(([x, y], k) => {
             const at = this.pixel(x, y);
-            if (k === 0) context.moveTo(...at);
-            else context.lineTo(...at);
+            if (k === 0)
+                context.moveTo(...at);
+            else
+                context.lineTo(...at);
         });
         context.closePath();
         context.lineWidth = 3;
@@ -200,7 +210,9 @@ class Painter {
         context.setLineDash([]);
     }
 
-    /** Draws each class of the seam with its own dashes over a casing that frees it from the cells. */
+    /**
+     * Draws each class of the seam with its own dashes over a casing that frees it from the cells.
+     */
     * drawSeam() {
         const width = this.lineWidth(0.1, 1.6, 4.5);
         for (const line of this.seams) {
@@ -227,7 +239,8 @@ class Painter {
                 for (let f = 0; f < tile.nFaces; ++f) {
                     const [px, py] = [tile.sitePoints[2 * f], tile.sitePoints[2 * f + 1]];
                     // The site of a cut cell lies in one of its pieces.
-                    if (this.seesFace(f, x - this.view.x, y - this.view.y) && tile.contains(f, px, py)) {
+                    if (this.seesFace(f, x - this.view.x, y - this.view.y) &&
+                        tile.contains(f, px, py)) {
                         this.addDot(px + x, py + y, dot);
                     }
                     if (f % FACES_A_SLICE === 0) yield;
@@ -238,7 +251,8 @@ class Painter {
 
     addDot(x, y, radius) {
         const [px, py] = this.pixel(x, y);
-        if (px < -radius || py < -radius || px > this.width + radius || py > this.height + radius) return;
+        if (px < -radius || py < -radius || px > this.width + radius || py > this.height + radius)
+            return;
         this.context.beginPath();
         this.context.arc(px, py, radius, 0, 2 * Math.PI);
         this.context.fill();
@@ -258,7 +272,9 @@ class Painter {
     }
 }
 
-/** Fills convex polygons into an image; faces that share an edge leave no pixel out and share none. */
+/**
+ * Fills convex polygons into an image; faces that share an edge leave no pixel out and share none.
+ */
 class Raster {
     constructor(image, view, ratio) {
         this.width = image.width;

@@ -2,7 +2,9 @@ const LEGEND_LINE = 22;
 const LEGEND_MARGIN = 20;
 
 function escapeXml(text) {
-    return text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;')
+    return text.replace(/&/g, '&amp;')
+        .replace(/</g, '&lt;')
+        .replace(/>/g, '&gt;')
         .replace(/"/g, '&quot;');
 }
 
@@ -18,17 +20,27 @@ class SvgContext {
     }
 
     setTransform() {}
-    setLineDash(dash) { this.dash = dash; }
+    setLineDash(dash) {
+        this.dash = dash;
+    }
 
     beginPath() {
         this.path = [];
         this.isFilled = false;
     }
 
-    moveTo(x, y) { this.path.push(`M${this.number(x)} ${this.number(y)}`); }
-    lineTo(x, y) { this.path.push(`L${this.number(x)} ${this.number(y)}`); }
-    closePath() { this.path.push('Z'); }
-    number(value) { return String(Math.round(100 * value) / 100); }
+    moveTo(x, y) {
+        this.path.push(`M${this.number(x)} ${this.number(y)}`);
+    }
+    lineTo(x, y) {
+        this.path.push(`L${this.number(x)} ${this.number(y)}`);
+    }
+    closePath() {
+        this.path.push('Z');
+    }
+    number(value) {
+        return String(Math.round(100 * value) / 100);
+    }
 
     arc(x, y, radius) {
         const [px, py, r] = [x - radius, y, radius].map(this.number);
@@ -56,7 +68,8 @@ class SvgContext {
     stroke() {
         if (this.path.length === 0) return;
         const dashes = this.dash.map(this.number).join(' ');
-        const stroke = `stroke="${this.strokeStyle}" stroke-width="${this.number(this.lineWidth)}"` +
+        const stroke =
+            `stroke="${this.strokeStyle}" stroke-width="${this.number(this.lineWidth)}"` +
             (dashes ? ` stroke-dasharray="${dashes}"` : '');
         if (this.isFilled) {
             this.lines[this.lines.length - 1] = this.lines.at(-1).replace(' d=', ` ${stroke} d=`);
@@ -80,8 +93,11 @@ function legendMark(entry, x, y) {
 /** Returns a bar of the ramp's colours as SVG. */
 function rampMark(colours, x, y, width, height) {
     const step = width / colours.length;
-    return colours.map((colour, k) => `<rect x="${x + k * step}" y="${y}" width="${step + 0.5}" ` +
-        `height="${height}" fill="${colour}" shape-rendering="crispEdges"/>`).join('');
+    return colours
+        .map(
+            (colour, k) => `<rect x="${x + k * step}" y="${y}" width="${step + 0.5}" ` +
+                `height="${height}" fill="${colour}" shape-rendering="crispEdges"/>`)
+        .join('');
 }
 
 /** Lays legend entries out in lines of at most `width` pixels; returns SVG and the height. */
@@ -90,7 +106,8 @@ function svgLegend(scene, entries, width, top) {
     measure.font = '13px sans-serif';
     const marks = [];
     let x = LEGEND_MARGIN, y = top + 12;
-    const text = (label, at) => marks.push(`<text x="${at}" y="${y + 13}">${escapeXml(label)}</text>`);
+    const text = (label, at) =>
+        marks.push(`<text x="${at}" y="${y + 13}">${escapeXml(label)}</text>`);
     const {colouring} = scene;
     const place = (needed) => {
         if (x > LEGEND_MARGIN && x + needed > width - LEGEND_MARGIN) {

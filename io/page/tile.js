@@ -28,7 +28,9 @@ class Tile {
     storeFaces(faces) {
         this.nFaces = faces.length;
         this.begin = new Int32Array(faces.length + 1);
-        faces.forEach((face, f) => { this.begin[f + 1] = this.begin[f] + face.length; });
+        faces.forEach((face, f) => {
+            this.begin[f + 1] = this.begin[f] + face.length;
+        });
         this.corners = new Int32Array(this.begin[faces.length]);
         this.faceOf = new Int32Array(this.corners.length);
         let c = 0;
@@ -135,13 +137,15 @@ class Tile {
         for (let c = 0; c < this.corners.length; ++c) {
             if ((this.opposite[c] < 0) === (this.partner[c] >= 0)) continue;
             const edge = `${this.corners[c]}–${this.corners[this.next(c)]}`;
-            throw new Error(`edge ${edge} has ${this.partner[c] < 0 ? 'no' : 'a needless'} partner`);
+            throw new Error(
+                `edge ${edge} has ${this.partner[c] < 0 ? 'no' : 'a needless'} partner`);
         }
     }
 
     gap(v, w, x, y) {
-        return Math.hypot(this.points[2 * w] - this.points[2 * v] - x,
-                          this.points[2 * w + 1] - this.points[2 * v + 1] - y);
+        return Math.hypot(
+            this.points[2 * w] - this.points[2 * v] - x,
+            this.points[2 * w + 1] - this.points[2 * v + 1] - y);
     }
 
     translation(i, j) {
@@ -159,13 +163,15 @@ class Tile {
             const [x0, y0, x1, y1] = this.faceBox(f);
             const right = this.column(x1), top = this.row(y1);
             for (let r = this.row(y0); r <= top; ++r) {
-                for (let c = this.column(x0); c <= right; ++c) this.bins[r * this.columns + c].push(f);
+                for (let c = this.column(x0); c <= right; ++c)
+                    this.bins[r * this.columns + c].push(f);
             }
         }
     }
 
     column(x) {
-        return Math.min(this.columns - 1, Math.max(0, Math.floor((x - this.low[0]) / this.binSize)));
+        return Math.min(
+            this.columns - 1, Math.max(0, Math.floor((x - this.low[0]) / this.binSize)));
     }
 
     row(y) {
@@ -243,7 +249,9 @@ class Tile {
         return sum;
     }
 
-    get hasDual() { return this.hasTriangles || this.sitePoints !== null; }
+    get hasDual() {
+        return this.hasTriangles || this.sitePoints !== null;
+    }
 
     /** Returns the ends x0, y0, x1, y1 of all dual edges; those across the seam are there twice. */
     dual() {
@@ -293,8 +301,8 @@ class Tile {
             high = high.map((value, k) => Math.max(value, u[k]));
         }
         if (Math.max(high[0] - low[0], high[1] - low[1]) > 1 + 1e-9) {
-            const middle = this.toLattice((this.low[0] + this.high[0]) / 2,
-                                          (this.low[1] + this.high[1]) / 2);
+            const middle =
+                this.toLattice((this.low[0] + this.high[0]) / 2, (this.low[1] + this.high[1]) / 2);
             low = middle.map((value) => Math.round(value - 0.5));
         }
         const [i, j] = low;

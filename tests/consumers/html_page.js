@@ -1,7 +1,7 @@
-// Opens each page in headless Chromium over a pipe of the DevTools protocol, points with the mouse at
-// a cell and at an edge of the seam, presses keys, repeats the tile, and saves the SVG. Exits with 1
-// if a value on the page is wrong, if the picture is empty, or if the console has an error. The
-// script html_page runs it.
+// Opens each page in headless Chromium over a pipe of the DevTools protocol, points with the mouse
+// at a cell and at an edge of the seam, presses keys, repeats the tile, and saves the SVG. Exits
+// with 1 if a value on the page is wrong, if the picture is empty, or if the console has an error.
+// The script html_page runs it.
 const assert = require('assert');
 const fs = require('fs');
 const os = require('os');
@@ -9,15 +9,20 @@ const path = require('path');
 const {spawn} = require('child_process');
 const {checkColours} = require('./html_page_colours.js');
 
-const kFlags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+const kFlags = [
+    '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
     '--disable-background-networking', '--disable-component-update', '--disable-sync',
-    '--hide-scrollbars', '--remote-debugging-pipe', '--window-size=1280,860'];
+    '--hide-scrollbars', '--remote-debugging-pipe', '--window-size=1280,860'
+];
 const kPatience = 60000;
+// A busy machine without a graphics processor draws fewer than the usual 60 frames a second.
+const kLeastRate = 10;
 
 // A browser with one tab; messages are JSON, each ended by a NUL byte.
 class Browser {
     constructor(program, profile) {
-        this.process = spawn(program, [...kFlags, `--user-data-dir=${profile}`, 'about:blank'],
+        this.process = spawn(
+            program, [...kFlags, `--user-data-dir=${profile}`, 'about:blank'],
             {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
         this.waiting = new Map();
         this.events = [];
@@ -38,30 +43,37 @@ class Browser {
     receive(message) {
         const answer = this.waiting.get(message.id);
         this.waiting.delete(message.id);
-        if (!answer) this.events.push(message);
-        else if (message.error) answer.reject(new Error(message.error.message));
-        else answer.resolve(message.result);
+        if (!answer)
+            this.events.push(message);
+        else if (message.error)
+            answer.reject(new Error(message.error.message));
+        else
+            answer.resolve(message.result);
     }
 
     send(method, params = {}) {
         const id = ++this.last;
-        this.process.stdio[3].write(JSON.stringify({id, method, params, sessionId: this.session}) + '\0');
+        this.process.stdio[3].write(
+            JSON.stringify({id, method, params, sessionId: this.session}) + '\0');
         return new Promise((resolve, reject) => this.waiting.set(id, {resolve, reject}));
     }
 
     async open() {
         const {targetInfos} = await this.send('Target.getTargets');
         const {targetId} = targetInfos.find((target) => target.type === 'page');
-        this.session = (await this.send('Target.attachToTarget', {targetId, flatten: true})).sessionId;
-        for (const domain of ['Page', 'Runtime', 'Log', 'Network']) await this.send(`${domain}.enable`);
-        await this.send('Emulation.setDeviceMetricsOverride',
+        this.session =
+            (await this.send('Target.attachToTarget', {targetId, flatten: true})).sessionId;
+        for (const domain of ['Page', 'Runtime', 'Log', 'Network'])
+            await this.send(`${domain}.enable`);
+        await this.send(
+            'Emulation.setDeviceMetricsOverride',
             {width: 1280, height: 860, deviceScaleFactor: 1, mobile: false});
     }
 
     // Returns the value of an expression on the page, which may be a promise.
     async value(expression) {
-        const {result, exceptionDetails} = await this.send('Runtime.evaluate',
-            {expression, awaitPromise: true, returnByValue: true});
+        const {result, exceptionDetails} = await this.send(
+            'Runtime.evaluate', {expression, awaitPromise: true, returnByValue: true});
         if (exceptionDetails) {
             throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
         }
@@ -73,7 +85,8 @@ class Browser {
         // A change of the hash alone would not load the page.
         await this.send('Page.navigate', {url: 'about:blank'});
         await this.send('Page.navigate', {url: address});
-        await this.until('document.readyState === "complete" && ' +
+        await this.until(
+            'document.readyState === "complete" && ' +
             '(!document.getElementById("fault").hidden || ' +
             '(window.viewer?.shown && !viewer.painting && !viewer.isStale))');
     }
@@ -91,7 +104,8 @@ class Browser {
     }
 
     async picture() {
-        return Buffer.from((await this.send('Page.captureScreenshot', {format: 'png'})).data, 'base64');
+        return Buffer.from(
+            (await this.send('Page.captureScreenshot', {format: 'png'})).data, 'base64');
     }
 
     // Errors of the console and of scripts, refused loads, and requests of other addresses.
@@ -99,10 +113,12 @@ class Browser {
         const texts = [];
         for (const {method, params} of this.events) {
             if (method === 'Runtime.exceptionThrown') texts.push(params.exceptionDetails.text);
-            if (method === 'Log.entryAdded' && params.entry.level === 'error') texts.push(params.entry.text);
+            if (method === 'Log.entryAdded' && params.entry.level === 'error')
+                texts.push(params.entry.text);
             if (method === 'Runtime.consoleAPICalled') texts.push(`console: ${params.type}`);
             const url = params?.request?.url;
-            if (method === 'Network.requestWillBeSent' && !/^(file|about|data|blob):/.test(url)) texts.push(`loads ${url}`);
+            if (method === 'Network.requestWillBeSent' && !/^(file|about|data|blob):/.test(url))
+                texts.push(`loads ${url}`);
         }
         return texts;
     }
@@ -112,7 +128,9 @@ class Browser {
 const kCountColours = `(() => {
     const {width, height} = viewer.canvas, seen = new Set();
     const {data} = viewer.context.getImageData(0, 0, width, height);
-    for (let k = 0; k < data.length; k += 28) seen.add(data[k] << 16 | data[k + 1] << 8 | data[k + 2]);
+    for (let k = 0; k < data.length; k += 28) {
+        seen.add(data[k] << 16 | data[k + 1] << 8 | data[k + 2]);
+    }
     return seen.size;
 })()`;
 
@@ -130,23 +148,52 @@ function windowPoint(point) {
 // The centroid of the face `face` of a tile.
 function centroid({points, faces}, face) {
     const corners = faces[face];
-    return [0, 1].map((k) => corners.reduce((sum, v) => sum + points[2 * v + k], 0) / corners.length);
+    return [0, 1].map(
+        (k) => corners.reduce((sum, v) => sum + points[2 * v + k], 0) / corners.length);
+}
+
+// Moves the view so that the cells around a point are large enough for a mouse.
+function lookAt(browser, [x, y]) {
+    const scale = 'Math.max(viewer.view.scale, 20 / viewer.tile.h)';
+    return browser.value(`viewer.look({x: ${x}, y: ${y}, scale: ${scale}})`);
+}
+
+// Returns the frames a second while the picture is moved for two seconds.
+function frameRate(browser) {
+    return browser.value(`new Promise((resolve) => {
+        const begin = performance.now();
+        let frames = 0;
+        const step = (now) => {
+            ++frames;
+            viewer.move(2 * Math.sin(frames / 9), 1);
+            if (now - begin < 2000) requestAnimationFrame(step);
+            else resolve(Math.round(1000 * frames / (now - begin)));
+        };
+        requestAnimationFrame(step);
+    })`);
 }
 
 async function checkHover(browser, tile) {
     const face = Math.floor(tile.faces.length / 2);
+    await lookAt(browser, centroid(tile, face));
     await browser.point(...await browser.value(windowPoint(JSON.stringify(centroid(tile, face)))));
     const cell = await browser.value(kCellText);
-    const sites = tile.kind === 'triangles' ? tile.faces[face].map((v) => tile.sites[v]) : [tile.sites[face]];
-    assert(cell[0] === 'Site' && sites.includes(Number(cell[1])), `hover shows ${cell}, not site ${sites}`);
+    const sites =
+        tile.kind === 'triangles' ? tile.faces[face].map((v) => tile.sites[v]) : [tile.sites[face]];
+    assert(
+        cell[0] === 'Site' && sites.includes(Number(cell[1])),
+        `hover shows ${cell}, not site ${sites}`);
     assert(cell.includes('Area') && cell.includes('Partner edges'), `hover shows ${cell}`);
 }
 
 // Points beside the middle of a boundary edge, inside of its face, which must name the partner.
 async function checkSeam(browser, tile) {
-    const pair = tile.edge_pairs[Math.floor(tile.edge_pairs.length / 2)], [v0, v1, w0, w1, i, j] = pair;
+    const pair = tile.edge_pairs[Math.floor(tile.edge_pairs.length / 2)],
+          [v0, v1, w0, w1, i, j] = pair;
     const middle = [0, 1].map((k) => (tile.points[2 * v0 + k] + tile.points[2 * v1 + k]) / 2);
-    const face = tile.faces.findIndex((f) => f.some((v, k) => v === v0 && f[(k + 1) % f.length] === v1));
+    const face =
+        tile.faces.findIndex((f) => f.some((v, k) => v === v0 && f[(k + 1) % f.length] === v1));
+    await lookAt(browser, middle);
     const inner = centroid(tile, face).map((value, k) => middle[k] + 0.1 * (value - middle[k]));
     await browser.point(...await browser.value(windowPoint(JSON.stringify(inner))));
     const text = `${v0}–${v1} ↔ ${w1}–${w0}, by (${i}, ${j})`.replace(/-/g, '−');
@@ -157,7 +204,8 @@ async function checkSeam(browser, tile) {
 async function checkKeys(browser) {
     await browser.value(`viewer.select(null), viewer.canvas.focus()`);
     for (const key of ['.', '+', 'ArrowLeft']) {
-        await browser.send('Input.dispatchKeyEvent', {type: 'keyDown', key, text: key.length === 1 ? key : ''});
+        await browser.send(
+            'Input.dispatchKeyEvent', {type: 'keyDown', key, text: key.length === 1 ? key : ''});
     }
     const status = await browser.value(`document.getElementById('status').textContent`);
     assert(/^Site \d+\. /.test(status), `the key shows '${status}'`);
@@ -189,15 +237,24 @@ async function checkPage(browser, file, folder) {
     assert(await browser.value(kCountColours) >= 4, 'the picture is empty');
     await checkHover(browser, tile);
     await checkSeam(browser, tile);
+    await browser.value('viewer.fit()');
+    const rate = await frameRate(browser);
+    assert(rate >= kLeastRate, `the page draws ${rate} frames a second`);
+    await browser.value('viewer.fit()');
     const svg = await savedSvg(browser, folder);
-    assert(svg.startsWith('<svg ') && (svg.match(/Z/g) ?? []).length >= tile.faces.length, 'the SVG lacks cells');
+    assert(
+        svg.startsWith('<svg ') && (svg.match(/Z/g) ?? []).length >= tile.faces.length,
+        'the SVG lacks cells');
     await checkKeys(browser);
     await browser.show(`${address}#theme=dark&repeat=3x3&dual=1&colour=size`);
-    assert(await browser.value(`getComputedStyle(document.body).colorScheme`) === 'dark', 'the page is not dark');
+    assert(
+        await browser.value(`getComputedStyle(document.body).colorScheme`) === 'dark',
+        'the page is not dark');
     assert(await browser.value(kCountColours) >= 4, 'the dark picture is empty');
     await checkHover(browser, tile);
     checkColours(await browser.value('THEMES'));
     assert.deepStrictEqual(browser.complaints(), []);
+    return `${tile.faces.length} faces, ${rate} frames a second`;
 }
 
 async function main([program, ...files]) {
@@ -207,8 +264,7 @@ async function main([program, ...files]) {
         await browser.open();
         for (const file of files) {
             try {
-                await checkPage(browser, file, folder);
-                console.log(`${file}: shown`);
+                console.log(`${file}: ${await checkPage(browser, file, folder)}`);
             } catch (error) {
                 console.log(`${file}: ${error.message}`);
                 process.exitCode = 1;
