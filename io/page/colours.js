@@ -117,7 +117,7 @@ class Colouring {
         const scale = least > 0 ? Math.log : (value) => value;
         const range = scale(most) - scale(least);
         const share = (value) => range > 1e-9 ? (scale(value) - scale(least)) / range : 1;
-        this.title = mode === 'size' ? 'Size, √area / h' : 'Density';
+        this.title = mode === 'size' ? 'Size, √(area / mean)' : 'Density';
         this.colours = Array.from({length: STEPS}, (_, k) => rampColour(k / (STEPS - 1)));
         if (range > 1e-9) {
             this.ramp = [least, least > 0 ? Math.sqrt(least * most) : (least + most) / 2, most];

@@ -3,7 +3,7 @@
 set(scripts tile.js colours.js painter.js svg.js hover.js page.js controls.js)
 
 set(text "// Made by embed_page.cmake.\n#include \"io/page/page_parts.hpp\"\n\nnamespace pcvt {\n\n")
-# A literal of several parts, each within the limit of compilers.
+# Appends a literal of one part a file.
 function(append_literal name)
   set(literal "")
   foreach(file ${ARGN})

@@ -46,6 +46,7 @@ function describe(tile, place) {
     if (tile.kind === 'grains')
         rows.push(['Triangle', `${face}, ${shortNumber(tile.faceArea(face))}`]);
     const corners = boundaryCorners(tile, cell);
+    const start = (c) => tile.corners[c], end = (c) => tile.corners[tile.next(c)];
     rows.push(['Partner edges', String(corners.length)]);
     for (const c of corners) {
         const d = tile.partner[c], other = tile.cellOf[tile.faceOf[d]];
@@ -53,7 +54,7 @@ function describe(tile, place) {
         const owner = tile.hasTriangles ? 'triangle' : 'site';
         rows.push([
             null,
-            `${edgeName(tile, c)} ↔ ${edgeName(tile, d)}, by (${i}, ${j}), ` +
+            `${start(c)}–${end(c)} ↔ ${end(d)}–${start(d)}, by (${i}, ${j}), ` +
                 `${owner} ${tile.cellSite[other]}`,
             c === place.edge
         ]);
@@ -69,13 +70,8 @@ function describeTriangle(tile, {cell, point}) {
     const nearest = corners.reduce((v, w) => distance(w) < distance(v) ? w : v);
     return [
         ['Site', String(tile.sites[nearest])], ['Valence', String(tile.valences[nearest])],
-        ['Triangle', String(cell)], ['Its sites', corners.map((v) => tile.sites[v]).join(', ')],
-        ['Sides', '3']
+        ['Triangle', String(cell)], ['Its sites', corners.map((v) => tile.sites[v]).join(', ')]
     ];
-}
-
-function edgeName(tile, c) {
-    return `${tile.corners[c]}–${tile.corners[tile.next(c)]}`;
 }
 
 /** Draws a ring around a cell that is too small to be seen. */

@@ -196,9 +196,20 @@ async function checkSeam(browser, tile) {
     await lookAt(browser, middle);
     const inner = centroid(tile, face).map((value, k) => middle[k] + 0.1 * (value - middle[k]));
     await browser.point(...await browser.value(windowPoint(JSON.stringify(inner))));
-    const text = `${v0}–${v1} ↔ ${w1}–${w0}, by (${i}, ${j})`.replace(/-/g, '−');
+    const text = `${v0}–${v1} ↔ ${w0}–${w1}, by (${i}, ${j})`.replace(/-/g, '−');
     const now = await browser.value(`document.querySelector('#cell dd.now')?.textContent ?? ''`);
     assert(now.startsWith(text), `the edge shows '${now}', not '${text}'`);
+}
+
+// The page follows the colour scheme that the reader prefers.
+async function checkScheme(browser, address) {
+    for (const value of ['dark', 'light']) {
+        const features = [{name: 'prefers-color-scheme', value}];
+        await browser.send('Emulation.setEmulatedMedia', {features});
+        await browser.show(address);
+        const theme = await browser.value('document.documentElement.dataset.theme');
+        assert.strictEqual(theme, value);
+    }
 }
 
 async function checkKeys(browser) {
@@ -252,6 +263,7 @@ async function checkPage(browser, file, folder) {
         'the page is not dark');
     assert(await browser.value(kCountColours) >= 4, 'the dark picture is empty');
     await checkHover(browser, tile);
+    await checkScheme(browser, address);
     checkColours(await browser.value('THEMES'));
     assert.deepStrictEqual(browser.complaints(), []);
     return `${tile.faces.length} faces, ${rate} frames a second`;
