@@ -35,6 +35,14 @@ Vec2 DecayingFlow::velocity(const Vec2& p) const {
     return Vec2(gradient.y(), -gradient.x()) / fastest_;
 }
 
+double DecayingFlow::stream(const Vec2& p) const {
+    return (rectangular_ ? std::cos(g1_.dot(p)) : 1) * std::cos(g2_.dot(p)) / fastest_;
+}
+
+double DecayingFlow::mean_square_speed() const {
+    return rate_ / ((rectangular_ ? 4 : 2) * fastest_ * fastest_);
+}
+
 double DecayingFlow::turn_time() const { return std::numbers::pi / 2 / fastest_; }
 
 }  // namespace pcvt

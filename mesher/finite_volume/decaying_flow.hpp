@@ -22,12 +22,18 @@ namespace pcvt {
 ///   (1) u has the period of the lattice and its divergence is 0.
 ///   (2) The curl w of u is an eigenfunction: laplace(w) = -rate w, and u . grad(w) = 0.
 ///   (3) The largest speed is 1 length unit per second.
+///   (4) stream(q) - stream(p) is the area per second that crosses the segment pq to its right.
 class DecayingFlow {
    public:
     /// @throws InvalidInput as reduce().
     explicit DecayingFlow(const Lattice& lattice);
 
     Vec2 velocity(const Vec2& p) const;
+    /// Returns psi(p), length^2 / second.
+    double stream(const Vec2& p) const;
+    double largest_stream() const { return 1 / fastest_; }
+    /// Returns the mean of |u|^2 over the domain.
+    double mean_square_speed() const;
     /// Returns the sum of |g|^2 over the waves, 1 / length^2.
     double rate() const { return rate_; }
     /// Returns the time in which the fastest fluid crosses a quarter of the shortest wave, seconds.

@@ -75,6 +75,34 @@ TEST(DecayingFlow, TheLargestSpeedIsOne) {
     }
 }
 
+TEST(DecayingFlow, TheStreamFunctionGivesTheFluxThroughASegment) {
+    for (const auto& [name, lattice] : lattices()) {
+        const DecayingFlow flow(lattice);
+        const Points points = uniform_points(lattice, 20, 6);
+        const Vec2 step = 1e-2 / std::sqrt(flow.rate()) * Vec2(0.6, 0.8);
+        for (const Vec2 p : points.colwise()) {
+            // Simpson's rule for the velocity along the normal to the right of the segment.
+            const Vec2 mean =
+                (flow.velocity(p) + 4 * flow.velocity(p + step / 2) + flow.velocity(p + step)) / 6;
+            const double flux = mean.x() * step.y() - mean.y() * step.x();
+            EXPECT_NEAR(flow.stream(p + step) - flow.stream(p), flux, 1e-9 * step.norm()) << name;
+            EXPECT_LE(std::abs(flow.stream(p)), flow.largest_stream()) << name;
+        }
+    }
+}
+
+TEST(DecayingFlow, TheMeanSquareSpeedIsTheMeanOverAGrid) {
+    for (const auto& [name, lattice] : lattices()) {
+        const DecayingFlow flow(lattice);
+        const int n = 40;
+        double sum = 0;
+        for (int k = 0; k < n * n; ++k) {
+            sum += flow.velocity(lattice.to_plane(Vec2(k % n, k / n) / n)).squaredNorm();
+        }
+        EXPECT_NEAR(sum / (n * n), flow.mean_square_speed(), 1e-9) << name;
+    }
+}
+
 TEST(DecayingFlow, OnTheUnitSquareItIsTheTaylorGreenFlow) {
     const DecayingFlow flow(Lattice::rectangle(1, 1));
     const double k = 2 * std::numbers::pi;

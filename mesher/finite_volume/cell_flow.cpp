@@ -1,0 +1,123 @@
+#include "mesher/finite_volume/cell_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "mesher/lattice/polygon.hpp"
+
+namespace pcvt {
+namespace {
+
+struct CellShapes {
+    std::vector<Vec2> centroids;
+    std::vector<double> areas;
+};
+
+CellShapes cell_shapes(const Tile& tile) {
+    CellShapes shapes;
+    Polygon polygon;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        polygon.clear();
+        for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
+        shapes.centroids.push_back(polygon_centroid(polygon));
+        shapes.areas.push_back(polygon_area(polygon));
+    }
+    return shapes;
+}
+
+template <class Value>
+void subtract_mean(const std::vector<double>& areas, Value zero, std::vector<Value>& values) {
+    Value sum = zero;
+    double area = 0;
+    for (std::size_t c = 0; c < values.size(); ++c) {
+        sum += areas[c] * values[c];
+        area += areas[c];
+    }
+    for (Value& value : values) value -= sum / area;
+}
+
+double largest_exchange(const DecayingFlow& flow, const Tile& tile,
+                        const std::vector<double>& areas) {
+    double largest = 0;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        double flux = 0;
+        double from = flow.stream(tile.points[tile.faces[f].back()]);
+        for (const int v : tile.faces[f]) {
+            const double to = flow.stream(tile.points[v]);
+            flux += std::abs(to - from);
+            from = to;
+        }
+        largest = std::max(largest, flux / (2 * areas[f]));
+    }
+    return largest;
+}
+
+/// The viscous dissipation of velocities on cells, by differences between neighbours.
+class Dissipation {
+   public:
+    Dissipation(const ExtrudedMesh& extruded, const CellShapes& shapes,
+                const std::vector<Vec2>& velocity)
+        : extruded_(extruded), shapes_(shapes), velocity_(velocity) {
+        for (int f = 0; f < extruded.n_inner_faces(); ++f) {
+            add(f, extruded.neighbour[f], Vec2(0, 0));
+        }
+        for (const ExtrudedPatch& patch : extruded.patches) {
+            if (patch.offset < Offset{} || patch.partner < 0) continue;
+            const int shift = extruded.patches[patch.partner].first_face - patch.first_face;
+            for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
+                add(f, extruded.owner[f + shift], patch.separation);
+            }
+        }
+    }
+
+    /// Returns the sum over the walls of length |u - u'|^2 / distance of the centroids; the sum of
+    /// area |u|^2 times the rate approximates it.
+    double sum() const { return sum_; }
+
+   private:
+    /// Adds the wall f to `cell`, whose image less `separation` lies in front of it. The wall's
+    /// first two points lie at the back.
+    void add(int f, int cell, const Vec2& separation) {
+        const int owner = extruded_.owner[f];
+        const std::span<const int> wall = extruded_.faces[f];
+        const double length = (extruded_.points[wall[1]] - extruded_.points[wall[0]]).norm();
+        const Vec2 across = shapes_.centroids[cell] - separation - shapes_.centroids[owner];
+        sum_ += length / across.norm() * (velocity_[cell] - velocity_[owner]).squaredNorm();
+    }
+
+    const ExtrudedMesh& extruded_;
+    const CellShapes& shapes_;
+    const std::vector<Vec2>& velocity_;
+    double sum_ = 0;
+};
+
+}  // namespace
+
+CellFlow cell_flow(const DecayingFlow& flow, const Tile& tile, const ExtrudedMesh& extruded) {
+    // Sample the flow and subtract its mean.
+    const CellShapes shapes = cell_shapes(tile);
+    CellFlow cells{.courant_rate = largest_exchange(flow, tile, shapes.areas)};
+    for (const Vec2& p : shapes.centroids) {
+        cells.velocity.push_back(flow.velocity(p));
+        cells.tracer.push_back(flow.stream(p) / flow.largest_stream());
+    }
+    subtract_mean(shapes.areas, Vec2(0, 0), cells.velocity);
+    subtract_mean(shapes.areas, 0.0, cells.tracer);
+    // Compare the damping on the cells with the exact rate.
+    double energy = 0;
+    for (std::size_t c = 0; c < shapes.areas.size(); ++c) {
+        energy += shapes.areas[c] * cells.velocity[c].squaredNorm();
+    }
+    const double dissipation = Dissipation(extruded, shapes, cells.velocity).sum();
+    const double exact_energy = tile.lattice.area() * flow.mean_square_speed();
+    cells.at_rest = !(energy > CellFlow::kLeastEnergy * exact_energy) ||
+                    !(dissipation > CellFlow::kLeastDamping * flow.rate() * energy);
+    if (cells.at_rest) {
+        std::fill(cells.velocity.begin(), cells.velocity.end(), Vec2(0, 0));
+        std::fill(cells.tracer.begin(), cells.tracer.end(), 0.0);
+    }
+    return cells;
+}
+
+}  // namespace pcvt

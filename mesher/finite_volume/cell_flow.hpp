@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/finite_volume/decaying_flow.hpp"
+#include "mesher/finite_volume/extruded_mesh.hpp"
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// A DecayingFlow on the cells of an extruded tile: the initial state of a finite-volume solver.
+///
+/// The flow on cells falls to 1/e in time only if the cells resolve its waves, and a solver
+/// conserves the mean velocity. So the mean is subtracted, and cells that are too large for the
+/// flow start at rest.
+///
+/// Laws, tested by number:
+///   (1) The area-weighted means of velocity and tracer are 0.
+///   (2) During a time t, each cell exchanges at most t courant_rate of its area with its
+///       neighbours: half the sum of |psi(q) - psi(p)| over its edges pq, divided by its area.
+///   (3) The velocity and the tracer are 0 everywhere if and only if `at_rest`.
+struct CellFlow {
+    /// The velocity at the centroid of each cell less the mean, length / second.
+    std::vector<Vec2> velocity = {};
+    /// The stream function at the centroid of each cell less the mean, divided by its largest
+    /// value. The flow carries it along its own contours, so it decays by diffusion alone, as
+    /// exp(-D rate t) with the diffusivity D and the rate of the flow.
+    std::vector<double> tracer = {};
+    /// OpenFOAM's largest Courant number is this times the time step, 1 / second.
+    double courant_rate;
+    /// The cells cannot represent the flow: they hold less than kLeastEnergy times its kinetic
+    /// energy, or differences between neighbouring cells damp it at less than kLeastDamping times
+    /// its rate.
+    bool at_rest = false;
+
+    static constexpr double kLeastEnergy = 0.5;
+    static constexpr double kLeastDamping = 0.75;
+};
+
+/// Example usage:
+///   const CellFlow cells = cell_flow(DecayingFlow(tile.lattice), tile, extruded_mesh(tile));
+///   const double time_step = 0.5 / cells.courant_rate;
+///
+/// @param extruded  extruded_mesh(tile), whose walls and patches name the neighbours.
+CellFlow cell_flow(const DecayingFlow& flow, const Tile& tile, const ExtrudedMesh& extruded);
+
+}  // namespace pcvt
