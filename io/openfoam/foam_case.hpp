@@ -2,21 +2,29 @@
 
 #include <string>
 
+#include "mesher/finite_volume/cell_flow.hpp"
 #include "mesher/finite_volume/decaying_flow.hpp"
 #include "mesher/finite_volume/extruded_mesh.hpp"
 
 namespace pcvt {
 
-/// Return the files of an OpenFOAM case beside its mesh. icoFoam starts from `flow`, with the
-/// viscosity at which the flow falls to 1/e within its turn_time(), and with time steps in which
-/// the fluid crosses at most a tenth of `spacing`.
-std::string foam_control(const DecayingFlow& flow, double spacing);
+/// Return the files of an OpenFOAM case beside its mesh. icoFoam and pimpleFoam start from the
+/// velocity of `cells`, with the viscosity at which the flow falls to 1/e within its turn_time();
+/// scalarTransportFoam carries the tracer, with the same diffusivity; potentialFoam starts from any
+/// velocity. The largest Courant number of the first step is at most 0.5.
+///
+/// Example usage:
+///     const DecayingFlow flow(tile.lattice);
+///     const CellFlow cells = cell_flow(flow, tile, extruded);
+///     files.push_back({"tile.foam/system/controlDict", foam_control(flow, cells)});
+///     files.push_back({"tile.foam/0/U", foam_velocity(cells, extruded)});
+std::string foam_control(const DecayingFlow& flow, const CellFlow& cells);
 std::string foam_schemes();
 std::string foam_solution();
-std::string foam_transport(const DecayingFlow& flow);
-
-/// Return the initial fields: U is the flow at the centroid of each cell, p is 0.
-std::string foam_velocity(const DecayingFlow& flow, const ExtrudedMesh& extruded, const Tile& tile);
+std::string foam_transport(const DecayingFlow& flow, const CellFlow& cells);
+std::string foam_turbulence();
+std::string foam_velocity(const CellFlow& cells, const ExtrudedMesh& extruded);
 std::string foam_pressure(const ExtrudedMesh& extruded);
+std::string foam_tracer(const CellFlow& cells, const ExtrudedMesh& extruded);
 
 }  // namespace pcvt

@@ -1,6 +1,6 @@
 #include "io/openfoam/foam_writer.hpp"
 
-#include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "io/bytes/text.hpp"
@@ -13,6 +13,8 @@ namespace pcvt {
 namespace {
 
 const char* const kMeshFolder = "constant/polyMesh";
+/// ParaView and VTK open a case by an empty file NAME.foam in its folder.
+const char* const kMarker = "";
 
 std::string count_line(int n) { return std::to_string(n) + "\n(\n"; }
 
@@ -112,10 +114,11 @@ std::vector<std::string> foam_paths(const std::string& folder) {
     for (const char* name :
          {"constant/polyMesh/points", "constant/polyMesh/faces", "constant/polyMesh/owner",
           "constant/polyMesh/neighbour", "constant/polyMesh/boundary",
-          "constant/transportProperties", "system/controlDict", "system/fvSchemes",
-          "system/fvSolution", "0/U", "0/p"}) {
+          "constant/transportProperties", "constant/turbulenceProperties", "system/controlDict",
+          "system/fvSchemes", "system/fvSolution", "0/U", "0/p", "0/T"}) {
         paths.push_back(folder + "/" + name);
     }
+    paths.push_back(folder + "/" + std::filesystem::path(folder).filename().string());
     return paths;
 }
 
@@ -123,19 +126,22 @@ std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder
     require_finite(tile);
     const ExtrudedMesh extruded = extruded_mesh(tile);
     const DecayingFlow flow(tile.lattice);
+    const CellFlow cells = cell_flow(flow, tile, extruded);
     // The contents have the order of foam_paths().
-    std::vector<std::string> contents = {
-        encode_points(extruded),
-        encode_faces(extruded),
-        encode_labels(extruded, "owner", extruded.owner),
-        encode_labels(extruded, "neighbour", extruded.neighbour),
-        encode_boundary(extruded),
-        foam_transport(flow),
-        foam_control(flow, std::sqrt(tile.lattice.area() / tile.n_faces())),
-        foam_schemes(),
-        foam_solution(),
-        foam_velocity(flow, extruded, tile),
-        foam_pressure(extruded)};
+    std::vector<std::string> contents = {encode_points(extruded),
+                                         encode_faces(extruded),
+                                         encode_labels(extruded, "owner", extruded.owner),
+                                         encode_labels(extruded, "neighbour", extruded.neighbour),
+                                         encode_boundary(extruded),
+                                         foam_transport(flow, cells),
+                                         foam_turbulence(),
+                                         foam_control(flow, cells),
+                                         foam_schemes(),
+                                         foam_solution(),
+                                         foam_velocity(cells, extruded),
+                                         foam_pressure(extruded),
+                                         foam_tracer(cells, extruded),
+                                         kMarker};
     const std::vector<std::string> paths = foam_paths(folder);
     std::vector<EncodedFile> files;
     for (std::size_t k = 0; k < paths.size(); ++k) {

@@ -11,9 +11,11 @@ namespace pcvt {
 /// Returns the paths of the files in the case folder `folder`, in the order of encode_foam().
 std::vector<std::string> foam_paths(const std::string& folder);
 
-/// Encodes a tile as a case folder for OpenFOAM that icoFoam runs without further input: one layer
-/// of cells with a pair of cyclic patches for each translation, empty patches at back and front,
-/// and a DecayingFlow as the initial state, which falls to 1/e by the end of the run.
+/// Encodes a tile as a case folder for OpenFOAM that icoFoam, pimpleFoam, potentialFoam and
+/// scalarTransportFoam run without further input: one layer of cells with a pair of cyclic patches
+/// for each translation, empty patches at back and front, and a CellFlow as the initial state,
+/// which falls to 1/e by the end of the run. An empty file with the name of the folder opens the
+/// case in ParaView.
 ///
 /// Cell i is face i of the tile; in a tile of cells without repetition it is the cell of site i.
 /// Comments in the boundary file hold the kind of the faces and the period vectors.

@@ -5,6 +5,7 @@
 
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_writer.hpp"
+#include "mesher/finite_volume/cell_flow.hpp"
 #include "mesher/proof/validate.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
@@ -64,13 +65,22 @@ TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
     }
 }
 
-TEST(Foam, TheCaseHasTheEntriesThatIcoFoamNeeds) {
+TEST(Foam, TheCaseHasTheEntriesThatTheSolversNeed) {
     auto files = example();
-    EXPECT_THAT(file_named(files, "system/controlDict").bytes,
-                HasSubstr("application     icoFoam"));
-    EXPECT_THAT(file_named(files, "system/fvSolution").bytes, HasSubstr("pRefCell"));
-    EXPECT_THAT(file_named(files, "constant/transportProperties").bytes, HasSubstr("nu [0 2 -1"));
-    for (const char* field : {"0/U", "0/p"}) {
+    const auto text = [&](const char* name) { return file_named(files, name).bytes; };
+    EXPECT_THAT(text("system/controlDict"), HasSubstr("application     icoFoam"));
+    for (const char* entry : {"PISO", "PIMPLE", "potentialFlow", "PhiRefCell", "SIMPLE"}) {
+        EXPECT_THAT(text("system/fvSolution"), HasSubstr(entry));
+    }
+    for (const char* entry : {"div(phi,U) ", "div(phi,T) ", "Gauss skewCorrected linear"}) {
+        EXPECT_THAT(text("system/fvSchemes"), HasSubstr(entry));
+    }
+    for (const char* entry : {"transportModel Newtonian", "nu [0 2 -1", "DT [0 2 -1"}) {
+        EXPECT_THAT(text("constant/transportProperties"), HasSubstr(entry));
+    }
+    EXPECT_THAT(text("constant/turbulenceProperties"), HasSubstr("laminar"));
+    EXPECT_EQ(text("t.foam"), "");
+    for (const char* field : {"0/U", "0/p", "0/T"}) {
         for (const char* patch : {"seam_0_1 { type cyclic; }", "seam_-1_0 { type cyclic; }",
                                   "back { type empty; }", "front { type empty; }"}) {
             EXPECT_THAT(file_named(files, field).bytes, HasSubstr(patch));
@@ -82,6 +92,38 @@ TEST(Foam, TheCaseHasTheEntriesThatIcoFoamNeeds) {
                                        f.path.find("fvSolution") == std::string::npos;
                             }),
               0);
+}
+
+/// Returns the number after `key` in a file of the case.
+double number_after(std::vector<EncodedFile>& files, const std::string& name,
+                    const std::string& key) {
+    const std::string& text = file_named(files, name).bytes;
+    return std::stod(text.substr(text.find("\n" + key) + 1 + key.size()));
+}
+
+TEST(Foam, TheFirstStepHasACourantNumberOfAtMostAHalf) {
+    for (const auto& [columns, rows] : {std::pair(12, 12), std::pair(90, 30), std::pair(10, 200)}) {
+        const Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), columns, rows);
+        auto files = encode_foam(tile, "t.foam");
+        const double step = number_after(files, "system/controlDict", "deltaT");
+        const double end = number_after(files, "system/controlDict", "endTime");
+        const double interval = number_after(files, "system/controlDict", "writeInterval");
+        const double rate =
+            cell_flow(DecayingFlow(tile.lattice), tile, extruded_mesh(tile)).courant_rate;
+        EXPECT_LE(step * rate, 0.45 * (1 + 1e-12));
+        EXPECT_NEAR(step * interval * 5, end, 1e-12);
+        EXPECT_GE(interval, 10);
+        // One more step per interval would not be needed.
+        EXPECT_TRUE(interval == 10 || end / (5 * (interval - 1)) * rate > 0.45);
+    }
+}
+
+TEST(Foam, CellsThatAreTooLargeForTheFlowStartAtRest) {
+    auto files = encode_foam(testing::grid_tile(Lattice::rectangle(1, 1), 1, 2), "t.foam");
+    EXPECT_THAT(file_named(files, "constant/transportProperties").bytes,
+                HasSubstr("U and T start as 0"));
+    EXPECT_THAT(file_named(files, "0/U").bytes, HasSubstr("\n2\n(\n(0 0 0)\n(0 0 0)\n);\n"));
+    EXPECT_THAT(file_named(files, "0/T").bytes, HasSubstr("\n2\n(\n0\n0\n);\n"));
 }
 
 TEST(Foam, ABoundaryOfAnotherProgramNeedsTheLattice) {

@@ -10,7 +10,8 @@ from support.cli import CliTest, main
 CASE = {f"t.foam/{name}" for name in (
     "constant/polyMesh/points", "constant/polyMesh/faces", "constant/polyMesh/owner",
     "constant/polyMesh/neighbour", "constant/polyMesh/boundary", "constant/transportProperties",
-    "system/controlDict", "system/fvSchemes", "system/fvSolution", "0/U", "0/p")}
+    "constant/turbulenceProperties", "system/controlDict", "system/fvSchemes", "system/fvSolution",
+    "0/U", "0/p", "0/T", "t.foam")}
 
 
 class CaseFolder(CliTest):
@@ -76,6 +77,9 @@ class CaseFolder(CliTest):
                 self.refuse(2, r"^t\.foam", "check", "t.foam")
             path.write_text(whole)
         self.succeed("check", "t.foam/")
+        self.path("t.foam").rename(self.path("renamed.foam"))
+        self.succeed("check", "renamed.foam")
+        self.path("renamed.foam").rename(self.path("t.foam"))
         os.remove(self.path("t.foam/constant/polyMesh/neighbour"))
         self.refuse(2, "no constant/polyMesh/neighbour", "check", "t.foam")
 
