@@ -254,7 +254,7 @@ void OutputSet::put_all(bool force, std::size_t& n_put) {
         if (folder.temporary.empty()) continue;
         if (const int error = rename_folder(folder.temporary, folder.target)) {
             throw_unwritable(folder.target, error == EEXIST ? "it exists; use --force to replace it"
-                                                          : reason_of(error));
+                                                            : reason_of(error));
         }
         folder.moved = true;
     }

@@ -144,7 +144,8 @@ void add_mesh(const Json& node, Finding& finding) {
     for (const Json& primitive : primitives) {
         const std::size_t mode = document.count_in(primitive, "mode", kTriangles);
         if (mode == kTriangles) add_triangles(node, primitive, finding);
-        if (mode > kTriangles) document.throw_bad_file("triangle strips and fans; export triangles");
+        if (mode > kTriangles)
+            document.throw_bad_file("triangle strips and fans; export triangles");
     }
 }
 

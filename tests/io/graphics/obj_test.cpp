@@ -129,7 +129,8 @@ TEST(Obj, FaultsOfVerticesNameTheirLine) {
     EXPECT_THAT(fault_of(with("v 0 0 0", "v 0 0 0 1")), StartsWith("t.obj:9: a vertex has 3"));
     EXPECT_THAT(fault_of(with("v 0 0 0", "v 0 0 1e-9")), StartsWith("t.obj:9: z is not 0; "));
     EXPECT_THAT(fault_of(with("v 0 0 0", "v nan 0 0")), StartsWith("t.obj:9: 'nan' is not a fin"));
-    EXPECT_THAT(fault_of(with("v 0 0 0", "w 0 0 0")), StartsWith("t.obj:9: 'w' is not a supported statement"));
+    EXPECT_THAT(fault_of(with("v 0 0 0", "w 0 0 0")),
+                StartsWith("t.obj:9: 'w' is not a supported statement"));
 }
 
 TEST(Obj, FaultsOfFacesNameTheirLine) {

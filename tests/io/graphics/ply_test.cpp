@@ -130,8 +130,7 @@ TEST(Ply, FaultsOfTheHeaderNameTheirLine) {
     EXPECT_THAT(fault_with("double y", "quad y"), StartsWith("t.ply:7: the type 'quad' is not"));
     EXPECT_THAT(fault_with("property double y", "property y"),
                 StartsWith("t.ply:7: a property has"));
-    EXPECT_THAT(fault_with("element vertex 4\n", ""),
-                StartsWith("t.ply:5: a property precedes"));
+    EXPECT_THAT(fault_with("element vertex 4\n", ""), StartsWith("t.ply:5: a property precedes"));
     EXPECT_THAT(fault_with("end_header", "end_headers"),
                 StartsWith("t.ply:14: 'end_headers' has no"));
 }
@@ -154,7 +153,8 @@ TEST(Ply, FaultsOfTheBodyNameTheirLine) {
                 StartsWith("t.ply:17: the line is too lon"));
     EXPECT_THAT(fault_with("1 1 0 1 1", "1 1,5 0 1 1"), StartsWith("t.ply:17: '1,5' is not a num"));
     EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 0.5 1 1"), StartsWith("t.ply:17: '0.5' is not a num"));
-    EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 4 1 1"), StartsWith("t.ply:17: orbit 4 is not a vertex"));
+    EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 4 1 1"),
+                StartsWith("t.ply:17: orbit 4 is not a vertex"));
     EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 2 1 1"),
                 StartsWith("t.ply:17: a vertex has an offset"));
     EXPECT_THAT(fault_with("4 0 1 2 3 0", "4 0 1 2 4 0"),

@@ -107,7 +107,8 @@ TEST(Msh, FaultsNameTheirLine) {
                 HasSubstr(": vertex 2 is a corner twice"));
     EXPECT_THAT(fault_with("\n1 1 2 4\n", "\n2 1 2 4\n"),
                 HasSubstr(": element 2 is given twice; "));
-    EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0.1 1 0"), HasSubstr("is not a translation"));
+    EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0.1 1 0"),
+                HasSubstr("is not a translation"));
     EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0 0.5 0"),
                 HasSubstr("not a lattice vector"));
     EXPECT_THAT(fault_of(two_triangles() + '\0'), HasSubstr("appears to be a binary file; "));

@@ -84,8 +84,7 @@ TEST(Vtu, FaultsOfTheXmlNameTheirLine) {
     EXPECT_THAT(fault_with("</VTKFile>\n", ""), HasSubstr(": 'VTKFile' does not end; "));
     EXPECT_THAT(fault_with("version=\"0.1\"", "version=0.1"),
                 StartsWith("t.vtu:3: an attribute of"));
-    EXPECT_THAT(fault_with("0 0 0\n", "0 0<!-- --> 0\n"),
-                HasSubstr(": a comment interrupts a "));
+    EXPECT_THAT(fault_with("0 0 0\n", "0 0<!-- --> 0\n"), HasSubstr(": a comment interrupts a "));
     EXPECT_THAT(fault_with(" -->", ""), StartsWith("t.vtu:2: a comment does not end; "));
     EXPECT_THAT(fault_of(one_cell() + '\0'), HasSubstr("appears to be a binary file; "));
 }
