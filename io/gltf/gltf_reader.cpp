@@ -7,7 +7,6 @@
 #include <map>
 
 #include "io/gltf/gltf_document.hpp"
-#include "io/tiles/kind_word.hpp"
 
 namespace pcvt {
 namespace {
@@ -275,7 +274,7 @@ MeshKind tile_kind(const Finding& finding) {
     const auto unknown = std::count(finding.face_site.begin(), finding.face_site.end(), -1);
     const Json& kind = finding.periodic_member("kind");
     const bool grains =
-        kind.is_string() && kind_of_word(kind.get<std::string>()) == MeshKind::kGrains;
+        kind.is_string() && mesh_kind_of_file_word(kind.get<std::string>()) == MeshKind::kGrains;
     if (unknown == 0) return grains ? MeshKind::kGrains : MeshKind::kVoronoi;
     if (unknown < std::ssize(finding.face_site)) {
         finding.document.throw_bad_file(

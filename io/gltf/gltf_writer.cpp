@@ -13,7 +13,6 @@
 #include "io/gltf/gltf_model_builder.hpp"
 #include "io/gltf/gltf_surface.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/kind_word.hpp"
 #include "io/tiles/palette.hpp"
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/tile/tile_valence.hpp"
@@ -45,7 +44,7 @@ std::string periodic_json(const Tile& tile, const Surface& surface) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     std::string text = "{";
-    if (tile.kind == MeshKind::kGrains) text += "\"kind\":\"" + kind_word(tile.kind) + "\",";
+    if (tile.kind == MeshKind::kGrains) text += "\"kind\":\"" + file_word(tile.kind) + "\",";
     // Lattice, copies, pairs.
     text += "\"lattice\":[";
     append_list(text, {a.x(), a.y()});

@@ -9,7 +9,6 @@
 #include "io/bytes/text.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/kind_word.hpp"
 #include "io/tiles/palette.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
@@ -63,7 +62,7 @@ void append_seam(std::string& text, const Tile& tile) {
     // Kind and lattice.
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
-    text += "# pcvt kind " + kind_word(tile.kind) + "\n# pcvt lattice";
+    text += "# pcvt kind " + file_word(tile.kind) + "\n# pcvt lattice";
     append_words(text, {a.x(), a.y(), b.x(), b.y()});
     // Pairs, with vertices counted from 1.
     for (const VertexPair& p : tile.vertex_pairs) {

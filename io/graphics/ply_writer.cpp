@@ -7,7 +7,6 @@
 
 #include "io/bytes/text.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/kind_word.hpp"
 #include "io/tiles/palette.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
@@ -56,7 +55,7 @@ std::string header(const Tile& tile) {
         "ply\nformat ascii 1.0\ncomment A periodic tile, written by pcvt\n"
         "comment position = position(orbit) + offset_i a + offset_j b, lattice ax ay bx by\n"
         "comment pcvt kind " +
-        kind_word(tile.kind) + "\ncomment pcvt lattice ";
+        file_word(tile.kind) + "\ncomment pcvt lattice ";
     for (const double number : {a.x(), a.y(), b.x(), b.y()}) append_word(text, number);
     end_line(text);
     // Vertices have a position, a colour and their place on their orbit.

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/kind_word.hpp"
 
 namespace pcvt {
 namespace {
@@ -145,7 +144,7 @@ std::string encode_seam(const Tile& tile) {
     const Vec2& b = tile.lattice.b();
     std::string text = "{\n  \"format\": \"pcvt seam\",\n  \"version\": ";
     append_number(text, kVersion);
-    text += ",\n  \"kind\": \"" + kind_word(tile.kind) + "\",\n  \"lattice\": [";
+    text += ",\n  \"kind\": \"" + file_word(tile.kind) + "\",\n  \"lattice\": [";
     append_list(text, a);
     text += ", ";
     append_list(text, b);
@@ -169,7 +168,8 @@ Seam decode_seam(const std::string& name, std::string_view text) {
     if (decoder.at("index_base") != 0) decoder.throw_bad_file("its index base is not 0");
     // Kind and lattice.
     const Json& word = decoder.at("kind");
-    const auto kind = word.is_string() ? kind_of_word(word.get<std::string>()) : std::nullopt;
+    const auto kind =
+        word.is_string() ? mesh_kind_of_file_word(word.get<std::string>()) : std::nullopt;
     if (!kind) decoder.throw_bad_file("its kind is none of cells, triangles and grains");
     Seam seam{.kind = *kind, .lattice = decoder.lattice()};
     // Pairs and sites.

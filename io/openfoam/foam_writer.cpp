@@ -7,7 +7,6 @@
 #include "io/openfoam/foam_case.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/kind_word.hpp"
 
 namespace pcvt {
 namespace {
@@ -95,7 +94,7 @@ std::string encode_boundary(const ExtrudedMesh& extruded) {
     std::string text = foam_header("polyBoundaryMesh", kMeshFolder, "boundary") +
                        "// A periodic tile, written by pcvt: seam_I_J is answered at + I a + J b\n"
                        "// pcvt kind " +
-                       kind_word(extruded.kind) + "\n// pcvt lattice";
+                       file_word(extruded.kind) + "\n// pcvt lattice";
     const Vec2& a = extruded.lattice.a();
     const Vec2& b = extruded.lattice.b();
     for (const double number : {a.x(), a.y(), b.x(), b.y()}) {

@@ -8,7 +8,6 @@
 #include "io/bytes/text.hpp"
 #include "io/page/page_parts.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/kind_word.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -97,7 +96,7 @@ std::string page_data(const Tile& tile, std::span<const double> densities,
     append_key(text, "graded");
     text += densities.empty() ? "false" : "true";
     append_key(text, "kind");
-    text += json_string(kind_word(tile.kind));
+    text += json_string(file_word(tile.kind));
     append_key(text, "lattice");
     append_rows(text, 2, [&](int k) { return k == 0 ? tile.lattice.a() : tile.lattice.b(); });
     append_key(text, "points");

@@ -163,15 +163,9 @@ std::string draw_triangles(const Drawing& drawing) {
 }
 
 std::string draw_faces(const Drawing& drawing, const CellColours& colours, bool dotted) {
-    switch (drawing.tile.kind) {
-        case MeshKind::kVoronoi:
-            return draw_cells(drawing, colours, dotted);
-        case MeshKind::kDelaunay:
-            return draw_triangles(drawing);
-        case MeshKind::kGrains:
-            return draw_grains(drawing, colours);
-    }
-    return "";
+    const MeshKindRow& kind = mesh_kind_row(drawing.tile.kind);
+    if (!kind.faces_have_sites) return draw_triangles(drawing);
+    return kind.grain_size ? draw_grains(drawing, colours) : draw_cells(drawing, colours, dotted);
 }
 
 /// Draws the marks of valences, which lie over the seam so that none of them is partly hidden.
@@ -236,17 +230,14 @@ std::vector<int> site_valences(const Tile& tile) {
 std::string caption(const Tile& tile) {
     const int n = count_sites(tile);
     const std::string triangles = counted(tile.n_faces(), "triangle");
-    switch (tile.kind) {
-        case MeshKind::kVoronoi:
-            return "Periodic Voronoi tile, " +
-                   (tile.whole_sides.empty() ? counted(n, "cell")
-                                             : counted(tile.n_faces(), "piece") + " of cells");
-        case MeshKind::kDelaunay:
-            return "Periodic Delaunay tile, " + counted(n, "site") + ", " + triangles;
-        case MeshKind::kGrains:
-            return "Periodic grains, " + triangles;
+    const MeshKindRow& kind = mesh_kind_row(tile.kind);
+    if (!kind.faces_have_sites) {
+        return "Periodic Delaunay tile, " + counted(n, "site") + ", " + triangles;
     }
-    return "";
+    if (kind.grain_size) return "Periodic grains, " + triangles;
+    return "Periodic Voronoi tile, " + (tile.whole_sides.empty()
+                                            ? counted(n, "cell")
+                                            : counted(tile.n_faces(), "piece") + " of cells");
 }
 
 std::vector<LegendEntry> valence_entries(const Tile& tile) {

@@ -8,7 +8,6 @@
 #include "io/bytes/text.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/fixed_width_numbers.hpp"
-#include "io/tiles/kind_word.hpp"
 #include "io/tiles/seam_segments.hpp"
 #include "io/tiles/solver_nodes.hpp"
 #include "io/tiles/triangle_elements.hpp"
@@ -71,7 +70,7 @@ class InpText {
         const Vec2& a = tile_.lattice.a();
         const Vec2& b = tile_.lattice.b();
         text_ = kExplanation;
-        text_ += "** pcvt kind " + kind_word(tile_.kind) + "\n** pcvt lattice";
+        text_ += "** pcvt kind " + file_word(tile_.kind) + "\n** pcvt lattice";
         for (const double number : {a.x(), a.y(), b.x(), b.y()}) {
             text_ += ' ';
             append_number(text_, number);

@@ -6,7 +6,6 @@
 
 #include "io/bytes/text.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/kind_word.hpp"
 #include "io/tiles/seam_segments.hpp"
 #include "io/tiles/solver_nodes.hpp"
 #include "io/tiles/triangle_elements.hpp"
@@ -59,7 +58,7 @@ void append_head(std::string& text, const Tile& tile, const Seam& seam) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
-    text += "pcvt kind " + kind_word(tile.kind) + "\npcvt lattice ";
+    text += "pcvt kind " + file_word(tile.kind) + "\npcvt lattice ";
     append_line(text, {a.x(), a.y(), b.x(), b.y()});
     text += "$EndComments\n$PhysicalNames\n" + std::to_string(seam.surface_group()) + "\n";
     for (const auto& [offset, group] : seam.groups) {

@@ -6,8 +6,6 @@
 #include <initializer_list>
 #include <utility>
 
-#include "io/tiles/kind_word.hpp"
-
 namespace pcvt {
 namespace {
 
@@ -77,7 +75,7 @@ void FileTileBuilder::add_face(const std::vector<int>& vertices, int line) {
 
 void FileTileBuilder::take_kind(const LineScanner& scanner,
                                 std::span<const std::string_view> words) {
-    const auto found = words.size() == 1 ? kind_of_word(words[0]) : std::nullopt;
+    const auto found = words.size() == 1 ? mesh_kind_of_file_word(words[0]) : std::nullopt;
     if (!found || kind)
         scanner.throw_bad_file("the kind is unclear; name it once: cells, triangles or grains");
     kind = found;

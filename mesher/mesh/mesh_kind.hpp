@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "mesher/base/choices.hpp"
@@ -72,7 +73,8 @@ constexpr const MeshKindRow& mesh_kind_row(MeshKind kind) {
 /// Whether each face belongs to a site; otherwise each vertex is a site.
 constexpr bool faces_have_sites(MeshKind kind) { return mesh_kind_row(kind).faces_have_sites; }
 
-/// The kind of a word in a file; `nullopt` for any other word.
+/// The word of a kind in files, and the kind of such a word; `nullopt` for any other word.
+inline std::string file_word(MeshKind kind) { return mesh_kind_row(kind).file_word; }
 constexpr std::optional<MeshKind> mesh_kind_of_file_word(std::string_view word) {
     const auto* row = find_row(kMeshKinds, [word](const auto& r) { return r.file_word == word; });
     return row ? std::optional(row->kind) : std::nullopt;

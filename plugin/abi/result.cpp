@@ -34,7 +34,7 @@ void copy_lattice(const Lattice& lattice, double* vectors) {
     std::copy(numbers.begin(), numbers.end(), vectors);
 }
 
-/// The arguments are in order: what is refused now lies in the geometry of the result.
+/// Turns an error of valid arguments into one of the geometry of the result.
 template <class Make>
 auto from_geometry(const Make& make) {
     try {
@@ -62,9 +62,9 @@ void note_orbits(TileArrays& arrays) {
     }
 }
 
-std::vector<int> counts_by_sides(const PeriodicMesh& cells) {
+std::vector<int> counts_by_sides(const PeriodicDelaunay& delaunay) {
     std::vector<int> counts;
-    for (const auto& [sides, count] : histogram(cell_sides(cells))) {
+    for (const auto& [sides, count] : histogram(cell_sides(delaunay))) {
         counts.resize(static_cast<std::size_t>(sides) + 1, 0);
         counts[sides] = count;
     }
@@ -75,17 +75,7 @@ double energy_bound(const Job& job, const CvtResult& cvt) {
     return job.density ? std::numeric_limits<double>::quiet_NaN() : cvt.energy_bound;
 }
 
-std::int32_t kind_number(MeshKind kind) {
-    switch (kind) {
-        case MeshKind::kVoronoi:
-            return PCVT_VORONOI;
-        case MeshKind::kDelaunay:
-            return PCVT_DELAUNAY;
-        case MeshKind::kGrains:
-            break;
-    }
-    return PCVT_GRAINS;
-}
+std::int32_t kind_number(MeshKind kind) { return mesh_kind_row(kind).abi_value; }
 
 std::int32_t outline_number(Outline outline) {
     return outline == Outline::kBox ? PCVT_BOX : PCVT_WHOLE;
@@ -103,7 +93,7 @@ Result::Result(Job job, Computation computed)
 
 const PeriodicMesh& Result::periodic(MeshKind kind) const {
     if (kind == MeshKind::kGrains) {
-        throw InvalidInput("grains are there as a tile only; take pcvt_get_tile");
+        throw InvalidInput("grains exist only as a tile; use pcvt_get_tile");
     }
     return meshes_[kind_number(kind)].get(
         [&] { return from_geometry([&] { return periodic_mesh(computed_.cvt.delaunay, kind); }); });
@@ -134,7 +124,7 @@ pcvt_sites Result::sites() const {
 
 pcvt_statistics Result::statistics() const {
     const std::vector<int>& valences =
-        valences_.get([&] { return counts_by_sides(periodic(MeshKind::kVoronoi)); });
+        valences_.get([&] { return counts_by_sides(computed_.cvt.delaunay); });
     const CvtResult& cvt = computed_.cvt;
     return {.energy = cvt.run.energy,
             .energy_bound = energy_bound(job_, cvt),

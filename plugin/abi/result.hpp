@@ -9,12 +9,12 @@
 
 namespace pcvt::abi {
 
-/// Something that is made when it is first asked for, by whichever thread asks first, and then
-/// stays.
+/// A value that the first call of get() makes, on whichever thread, and that then stays:
+///   const Tile& tile = tile_.get([&] { return build(); });
 template <class Value>
 class Lazy {
    public:
-    /// What make() throws is thrown on, and the next call tries again.
+    /// Passes exceptions of make() on; the next call then tries again.
     template <class Make>
     const Value& get(const Make& make) const {
         const std::lock_guard lock(mutex_);
@@ -27,7 +27,7 @@ class Lazy {
     mutable std::unique_ptr<const Value> value_;
 };
 
-/// How a tile is made from the tessellation.
+/// The kind and outline of a tile.
 struct Layout {
     MeshKind kind;
     Outline outline;
@@ -41,15 +41,15 @@ struct TileArrays {
     std::vector<pcvt_edge_pair> edge_pairs;
 };
 
-/// A computed job, and views of it that hold as long as it lives. Any number of threads may ask at
-/// once.
+/// A computed job, and views of it that are valid as long as it lives. Any number of threads may
+/// call it at once.
 class Result {
    public:
     Result(Job job, Computation computed);
 
     pcvt_sites sites() const;
     pcvt_statistics statistics() const;
-    /// @throws BadGeometry where cells are too small, as tile() and write().
+    /// @throws BadGeometry if cells are too small, as tile() and write().
     pcvt_mesh mesh(MeshKind kind) const;
     /// @throws InvalidInput for Delaunay triangles in a box.
     pcvt_tile tile(const Layout& layout) const;
@@ -66,8 +66,8 @@ class Result {
     Computation computed_;
     Points sites_;
     /// By the number of the kind, and of the outline.
-    std::array<Lazy<PeriodicMesh>, 2> meshes_;
-    std::array<std::array<Lazy<TileArrays>, 2>, 3> tiles_;
+    std::array<Lazy<PeriodicMesh>, kMeshKinds.size()> meshes_;
+    std::array<std::array<Lazy<TileArrays>, 2>, kMeshKinds.size()> tiles_;
     Lazy<std::vector<int>> valences_;
 };
 

@@ -17,17 +17,7 @@ namespace fs = std::filesystem;
                        "; take one of " + output_extensions());
 }
 
-const char* kind_suffix(MeshKind kind) {
-    switch (kind) {
-        case MeshKind::kVoronoi:
-            return "-voronoi";
-        case MeshKind::kDelaunay:
-            return "-delaunay";
-        case MeshKind::kGrains:
-            return "-grains";
-    }
-    return "";
-}
+std::string kind_suffix(MeshKind kind) { return std::string("-") + mesh_kind_row(kind).word; }
 
 /// @param kind  of the mesh that goes into the file; any one where the format needs no tile.
 void check_format(const Job& job, const TileFormat& format, MeshKind kind,

@@ -19,15 +19,20 @@ struct JobFile {
     std::string folder = {};
 };
 
-/// The files of a job in the order in which they were asked for, the report not among them.
-/// @throws InvalidInput for an extension that is not known, for a mesh that its format cannot hold,
-///         and where two files of the job, or a file and an input, have one path.
+/// The files of a job in the order of its outputs, without the report.
+///
+///   for (const JobFile& file : plan_files(job)) std::puts(file.paths.front().c_str());
+///
+/// @throws InvalidInput for an unknown extension, for a mesh that its format cannot hold, and if
+/// two
+///         files of the job, or a file and an input, have the same path.
 std::vector<JobFile> plan_files(const Job& job);
 
-/// Extensions with a blank between them: of what a job writes, and of what `pcvt check` reads.
+/// Extensions with a blank between them: of the formats that a job writes, and of the formats that
+/// `pcvt check` reads.
 std::string output_extensions();
 std::string readable_extensions();
-/// Likewise of the formats that hold nodes in the middle of edges, with commas.
+/// Extensions, with commas between them, of the formats that hold mid-side nodes.
 std::string second_order_extensions();
 
 /// `path` without the slash that shells append to the name of a case folder: t.foam/ -> t.foam.

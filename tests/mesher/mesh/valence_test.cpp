@@ -75,13 +75,12 @@ TEST(Histogram, CountsEachNumberOfSides) {
 TEST(CellSides, OfATriangulationAreThoseOfItsCells) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 3, 8, 100}) {
-            const PeriodicDelaunay delaunay =
-                periodic_delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
+            const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
             EXPECT_EQ(cell_sides(delaunay), cell_sides(cell_mesh(delaunay))) << name << n;
         }
         Points grid(2, 12);
         for (int k = 0; k < 12; ++k) grid.col(k) = lattice.to_plane({k % 3 / 3.0, k / 3 / 4.0});
-        const PeriodicDelaunay delaunay = periodic_delaunay(Sites(lattice, grid));
+        const PeriodicDelaunay delaunay(Sites(lattice, grid));
         EXPECT_EQ(cell_sides(delaunay), cell_sides(cell_mesh(delaunay))) << name;
     }
 }

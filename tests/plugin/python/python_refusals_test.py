@@ -52,7 +52,7 @@ class Layout(unittest.TestCase):
             for field, *_ in struct._fields_:
                 place = getattr(struct, field)
                 found.append(f"field {name}.{field} {place.offset} {place.size}")
-        recorded = (ROOT / "tests" / "pcvt_abi.txt").read_text().splitlines()
+        recorded = (ROOT / "tests" / "plugin" / "abi" / "pcvt_abi.txt").read_text().splitlines()
         recorded = [line for line in recorded if line.startswith(("struct", "field pcvt_")) and
                     "pcvt_edge_pair" not in line]
         self.assertEqual(found[1:], recorded)
