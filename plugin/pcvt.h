@@ -123,7 +123,9 @@ typedef int (*pcvt_density_callback)(const double* points, size_t n_points, doub
 typedef struct pcvt_options {
     size_t struct_size;
     double lattice[4]; /**< ax, ay, bx, by: any two independent period vectors [1, 0, 0, 1] */
-    double origin[2];  /**< corner of the domain of the tiles [0, 0] */
+    double origin[2];  /**< corner of the domain of the tiles, which is the parallelogram of the
+                          period vectors; if these are not reduced, that of the reduced vectors with
+                          the same centre [0, 0] */
     const double*
         sites;       /**< n_sites pairs x, y, anywhere in the plane; NULL: drawn from seed [NULL] */
     int32_t n_sites; /**< at least 1, at most 2^28 [0: an error] */
@@ -153,9 +155,8 @@ typedef struct pcvt_options {
 
 /** The optimised sites. */
 typedef struct pcvt_sites {
-    double lattice[4]; /**< as in the options */
-    const double*
-        points; /**< n_sites pairs x, y, wrapped into the Gauss-reduced parallelogram at 0 */
+    double lattice[4];    /**< as in the options */
+    const double* points; /**< n_sites pairs x, y, wrapped into the domain at `origin` */
     int32_t n_sites;
     int32_t reserved;
 } pcvt_sites;

@@ -48,7 +48,7 @@ class Refiner {
             if (grains_.n_vertices() > most_vertices_) {
                 throw LimitExceeded(
                     "a piece of a cell is too thin to be meshed by grains; give "
-                    "another origin or none, or use the whole outline");
+                    "--origin auto, or use the whole outline");
             }
             if (!encroached_.empty()) {
                 split_encroached();

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "mesher/base/error.hpp"
+#include "mesher/lattice/domain.hpp"
 
 namespace pcvt {
 namespace {
@@ -109,9 +110,8 @@ struct Wishes {
 };
 
 Wishes wishes_of(const PeriodicMesh& mesh, const Vec2& origin) {
-    const Reduction reduction = reduce(mesh.lattice);
-    const Lattice& reduced = reduction.reduced;
-    Wishes wishes{mesh.lattice, origin + (reduced.a() + reduced.b()) / 2, {}, {}};
+    const Domain domain(mesh.lattice, origin);
+    Wishes wishes{mesh.lattice, domain.centre(), {}, {}};
     for (int f = 0; f < mesh.n_faces(); ++f) {
         Vec2 sum(0, 0);
         for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
@@ -119,9 +119,8 @@ Wishes wishes_of(const PeriodicMesh& mesh, const Vec2& origin) {
                    mesh.lattice.translation(mesh.corner_offset[c]);
         }
         const Vec2 centroid = sum / (mesh.face_begin[f + 1] - mesh.face_begin[f]);
-        const Vec2 u = reduced.to_lattice(centroid - origin);
         wishes.centroid.push_back(centroid);
-        wishes.natural.push_back(reduction.to_original({-wrap(u.x()).whole, -wrap(u.y()).whole}));
+        wishes.natural.push_back(domain.offset_into(centroid));
     }
     return wishes;
 }

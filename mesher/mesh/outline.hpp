@@ -16,8 +16,8 @@ enum class Outline { kWhole, kBox };
 ///   const Vec2 corner = cells.point(c) + cells.lattice.translation(at);
 ///
 /// The union of the placed faces is a disc, and no face is cut. A face is placed so that its
-/// centroid lies in the reduced fundamental domain with its corner at `origin`. A face whose place
-/// there would pinch or disconnect the disc takes the nearest place where it does not.
+/// centroid lies in the Domain at `origin` (mesher/lattice/domain.hpp). A face whose place there
+/// would pinch or disconnect the disc takes the nearest place where it does not.
 std::vector<Offset> whole_outline(const PeriodicMesh& mesh, const Vec2& origin);
 
 }  // namespace pcvt

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesher/grains/grains.hpp"
+#include "mesher/lattice/domain.hpp"
 #include "mesher/mesh/box_origin.hpp"
 #include "mesher/mesh/box_outline.hpp"
 #include "mesher/mesh/short_edges.hpp"
@@ -26,12 +27,16 @@ struct LaidOut {
 
 LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, double h, TileFigures& figures) {
     if (options.outline == Outline::kWhole) {
+        const Domain domain(mesh.lattice, options.origin);
+        figures.domain_corner = domain.corner();
+        figures.opposite_corner = domain.opposite_corner();
         std::vector<Offset> placement = whole_outline(mesh, options.origin);
         return {std::move(mesh), std::move(placement)};
     }
     const double snap = figures.kind == MeshKind::kGrains ? kGrainSnap * h : 0;
-    figures.box_origin = options.finds_origin ? find_box_origin(mesh) : options.origin;
-    BoxCut box = cut_along_box(mesh, *figures.box_origin, snap);
+    figures.domain_corner = options.finds_origin ? find_box_origin(mesh) : options.origin;
+    figures.opposite_corner = figures.domain_corner + mesh.lattice.a() + mesh.lattice.b();
+    BoxCut box = cut_along_box(mesh, figures.domain_corner, snap);
     figures.box_shortest_edge = box.shortest_edge / h;
     std::vector<Offset> placement(static_cast<std::size_t>(box.pieces.n_faces()));
     return {std::move(box.pieces), std::move(placement)};

@@ -52,8 +52,10 @@ struct TileFigures {
     MeshKind kind;
     int n_boundary_edges = 0;
     int n_edge_pairs = 0;
-    /// The box outline: its corner, and the shortest edge that the cut has made, in units of h.
-    std::optional<Vec2> box_origin = {};
+    /// Two opposite corners of the domain round which the tile is laid.
+    Vec2 domain_corner = Vec2::Zero();
+    Vec2 opposite_corner = Vec2::Zero();
+    /// The box outline: the shortest edge that the cut has made, in units of h.
     std::optional<double> box_shortest_edge = {};
     std::optional<GrainFigures> grains = {};
 };

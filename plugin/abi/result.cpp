@@ -89,7 +89,9 @@ std::int32_t stop_number(Stop stop) {
 }  // namespace
 
 Result::Result(Job job, Computation computed)
-    : job_(std::move(job)), computed_(std::move(computed)), sites_(wrapped_sites(computed_.cvt)) {}
+    : job_(std::move(job)),
+      computed_(std::move(computed)),
+      sites_(wrapped_sites(computed_.cvt, job_.origin)) {}
 
 const PeriodicMesh& Result::periodic(MeshKind kind) const {
     if (kind == MeshKind::kGrains) {

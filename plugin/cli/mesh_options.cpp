@@ -85,7 +85,9 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
         "read the sites, \"x y\" a line, # comments; - is standard input");
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY", "any two independent period vectors");
-    add(app, "--origin", options.origin, "X,Y", "corner of the domain [0,0]");
+    add(app, "--origin", options.origin, "X,Y|auto",
+        "corner of the domain [0,0]; auto: where the shortest edge of a\n"
+        "box outline's cut is longest");
     add(app, "--density", options.density, "EXPR|FILE.png",
         "cells are small where it is large: a formula in x, y (length) and\n"
         "u, v (0 to 1 along the period vectors), or a picture laid over\n"
@@ -247,8 +249,11 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
     if (app.count("--origin") > 0) {
-        job.origin = point("--origin", options.origin);
-        job.finds_origin = false;
+        job.finds_origin = options.origin == "auto";
+        if (!job.finds_origin) job.origin = point("--origin", options.origin);
+        if (job.finds_origin && job.outline != Outline::kBox) {
+            throw InvalidInput("--origin auto is for --outline box; add it, or give X,Y");
+        }
     }
     if (app.count("--short-edges") > 0) {
         job.short_edges = positive_number("--short-edges", options.short_edges);

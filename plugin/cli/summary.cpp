@@ -36,14 +36,18 @@ std::string grain_text(const GrainFigures& grains) {
 
 std::string tile_lines(const RunSummary& summary) {
     std::string text;
+    if (!summary.tiles.empty()) {
+        const TileFigures& first = summary.tiles.front();
+        text += line("domain", vector_text(first.domain_corner) + " to " +
+                                   vector_text(first.opposite_corner));
+    }
     for (const TileFigures& tile : summary.tiles) {
         text += line("seam", std::string(mesh_kind_row(tile.kind).word) + ", " +
                                  std::to_string(tile.n_boundary_edges) + " boundary edges in " +
                                  std::to_string(tile.n_edge_pairs) + " pairs");
-        if (tile.box_origin) {
-            text += line("box", "corner at " + vector_text(*tile.box_origin) +
-                                    ", shortest edge of the cut " +
-                                    figure(*tile.box_shortest_edge) + " h");
+        if (tile.box_shortest_edge) {
+            text +=
+                line("box", "shortest edge of the cut " + figure(*tile.box_shortest_edge) + " h");
         }
         if (tile.grains) text += line("grains", grain_text(*tile.grains));
     }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "mesher/lattice/domain.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "plugin/job/job_checks.hpp"
@@ -147,7 +148,7 @@ void write(const Job& job, const std::vector<JobFile>& files, const Computation&
 /// Evaluated before any file is written, because a host's density ends with its call.
 std::vector<double> site_densities(const Job& job, const CvtResult& result) {
     if (!job.density) return {};
-    return densities_at(*job.density, job.lattice, wrapped_sites(result));
+    return densities_at(*job.density, job.lattice, wrapped_sites(result, job.origin));
 }
 
 Computation compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
@@ -201,10 +202,14 @@ std::optional<Computation> compute_job(const Job& job, const JobCallback& callba
     }
 }
 
-Points wrapped_sites(const CvtResult& result) {
+Points wrapped_sites(const CvtResult& result, const Vec2& origin) {
     const Sites& sites = result.delaunay.sites();
+    const Domain domain(sites.lattice(), origin);
     Points points(2, sites.n_sites());
-    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        const Vec2 p = sites.position(s);
+        points.col(s) = p + sites.lattice().translation(domain.offset_into(p));
+    }
     return points;
 }
 

@@ -166,8 +166,8 @@ void check_job(const Job& job);
 
 /// Computes the tessellation; `nullopt` after a cancelled run.
 std::optional<Computation> compute_job(const Job& job, const JobCallback& callback);
-/// The optimised sites, 2 x n, wrapped into the reduced domain at the origin, as in `.txt` files.
-Points wrapped_sites(const CvtResult& result);
+/// The optimised sites, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
+Points wrapped_sites(const CvtResult& result, const Vec2& origin);
 /// Writes job.outputs and job.report. tiles[k], proved, belongs to job.meshes[k]; `tiles` may be
 /// empty if no output is a tile.
 RunSummary write_job(const Job& job, const Computation& result, std::span<const BuiltTile> tiles);

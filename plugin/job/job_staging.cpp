@@ -35,7 +35,7 @@ class FileEncoder {
         }
     }
     std::vector<EncodedFile> operator()(SiteWriter* write) const {
-        return write(wrapped_sites(result_.cvt), path());
+        return write(wrapped_sites(result_.cvt, job_.origin), path());
     }
 
     const Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
