@@ -88,11 +88,11 @@ class BadOption(CliTest):
         rows = [(e, "mesh", "--sites", 3, "-o", "t." + e) for e in ("msh", "inp")]
         rows += [(e, "mesh", "--sites", 3, "--mesh", "delaunay", "--mesh", "voronoi", "-o", "t." + e)
                  for e in ("msh", "inp")]
-        self.refuse_all(2, [(rf"t\.{e}: .* no polygons; take --mesh delaunay", *row)
+        self.refuse_all(2, [(rf"t\.{e}: .* no polygons; use --mesh delaunay", *row)
                             for e, *row in rows])
 
     def test_a_tile_too_small_for_its_format_names_the_remedy(self):
-        self.refuse(2, r"t\.inp: .* 20 characters .*; take a unit of length", "mesh", "--sites", 30,
+        self.refuse(2, r"t\.inp: .* 20 characters .*; choose a unit of length", "mesh", "--sites", 30,
                     "--period", "1e-6,1e-6", "--mesh", "delaunay", "-o", "t.inp")
 
     def test_unknown_choices_are_refused(self):
