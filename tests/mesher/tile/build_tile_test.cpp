@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mesher/proof/generated_tile.hpp"
 #include "tests/support/lattices.hpp"
 
@@ -21,7 +23,7 @@ TEST(BuildTile, EveryKindAndOutlineIsProved) {
                 const BuiltTile built = build_tile(delaunay, {.kind = kind, .outline = outline});
                 const TileProof proof = verify_generated_tile(built.tile);
                 EXPECT_EQ(built.figures.n_boundary_edges, proof.n_boundary_edges);
-                EXPECT_EQ(built.figures.box_origin.has_value(), outline == Outline::kBox);
+                EXPECT_EQ(built.figures.box_shortest_edge.has_value(), outline == Outline::kBox);
                 EXPECT_EQ(built.figures.grains.has_value(), kind == MeshKind::kGrains);
             }
         }
@@ -35,6 +37,18 @@ TEST(BuildTile, RepetitionsCoverTheRepeatedLattice) {
     EXPECT_EQ(built.tile.n_faces(), 2 * 5 * 6);
     EXPECT_EQ(built.tile.lattice.b(), lattice.repeated(2, 3).b());
     EXPECT_NO_THROW(verify_generated_tile(built.tile));
+}
+
+TEST(BuildTile, WholeTilesLieAroundTheGivenRectangle) {
+    const Lattice lattice = Lattice::rectangle(3, 1);
+    const BuiltTile built = build_tile(delaunay_of(lattice, 60), {.origin = {5, -2}});
+    EXPECT_EQ(built.figures.domain_corner, Vec2(5, -2));
+    EXPECT_EQ(built.figures.opposite_corner, Vec2(8, -1));
+    const double h = std::sqrt(lattice.area() / 60);
+    for (const Vec2& site : built.tile.site_points) {
+        EXPECT_LT(std::abs(site.x() - 6.5), 1.5 + 2 * h);
+        EXPECT_LT(std::abs(site.y() + 1.5), 0.5 + 2 * h);
+    }
 }
 
 TEST(BuildTile, OnlyGrainsHaveTheOrderTwo) {

@@ -146,6 +146,16 @@ class Files(CliTest):
         report = json.loads(self.path("run.json").read_text())
         self.assertEqual((report["sites"], sum(report["valences"].values())), (7, 7))
 
+    def test_the_tile_and_the_sites_lie_where_the_domain_is(self):
+        summary = self.succeed("mesh", "--sites", 400, "--period", "2,1", "-o", "t.ply", "-o", "t.txt")
+        self.assertIn("domain     (0, 0) to (2, 1)\n", summary)
+        rows = [line for line in self.path("t.txt").read_text().splitlines() if line[0] != "#"]
+        for x, y in (map(float, row.split()) for row in rows):
+            self.assertTrue(0 <= x < 2 and 0 <= y < 1, (x, y))
+        # Whole cells cross the sides of the domain by less than two spacings.
+        for x, y in self.ply_vertices("t.ply"):
+            self.assertTrue(-0.15 < x < 2.15 and -0.15 < y < 1.15, (x, y))
+
     def test_the_origin_moves_the_tile(self):
         self.succeed("mesh", "--sites", 50, "-o", "here.ply")
         self.succeed("mesh", "--sites", 50, "--origin", "10,-20", "-o", "there.ply")
