@@ -4,9 +4,9 @@ namespace pcvt {
 namespace {
 
 template <class Mesh, class Handle>
-void attach_property(Mesh& mesh, Handle& handle, const char* name) {
+void attach_property(Mesh& mesh, Handle& handle, const char* name, bool persistent = true) {
     if (!mesh.get_property_handle(handle, name)) mesh.add_property(handle, name);
-    mesh.property(handle).set_persistent(true);
+    if (persistent) mesh.property(handle).set_persistent(true);
 }
 
 template <class Mesh>
@@ -17,10 +17,8 @@ void attach_all(Mesh& mesh, OpenMeshProperties& id) {
     attach_property(mesh, id.orbit_offset, "pcvt_orbit_offset");
     attach_property(mesh, id.face_site, "pcvt_face_site");
     attach_property(mesh, id.vertex_site, "pcvt_vertex_site");
-    attach_property(mesh, id.site_point, "pcvt_site_point");
-    mesh.property(id.site_point).set_persistent(false);
-    attach_property(mesh, id.whole_sides, "pcvt_whole_sides");
-    mesh.property(id.whole_sides).set_persistent(false);
+    attach_property(mesh, id.site_point, "pcvt_site_point", false);
+    attach_property(mesh, id.whole_sides, "pcvt_whole_sides", false);
     if (!mesh.get_property_handle(id.lattice, "pcvt_lattice")) {
         mesh.add_property(id.lattice, "pcvt_lattice");
     }

@@ -2,6 +2,8 @@
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <cmath>
+#include <limits>
 
 #include "mesher/lattice/sites.hpp"
 
@@ -16,6 +18,14 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 using CellMesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
 /// Delaunay triangles, or triangles inside of cells, z = 0.
 using TriangleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
+
+/// The position of a site, length units. A new face has none, also while OpenMesh reads a file.
+struct SitePoint {
+    double x = std::numeric_limits<double>::quiet_NaN();
+    double y = std::numeric_limits<double>::quiet_NaN();
+
+    bool is_known() const { return !std::isnan(x); }
+};
 
 /// The pairing of a tile's boundary, as OpenMesh properties that `.om` files keep.
 ///
@@ -34,7 +44,7 @@ struct OpenMeshProperties {
     /// triangles.
     OpenMesh::FPropHandleT<int> face_site;
     /// The position of a cell's site; NaN where it is not known. `.om` does not keep it.
-    OpenMesh::FPropHandleT<OpenMesh::Vec3d> site_point;
+    OpenMesh::FPropHandleT<SitePoint> site_point;
     /// The sides of the whole cell that a piece or a grain's triangle is part of; else 0. `.om`
     /// does not keep it.
     OpenMesh::FPropHandleT<int> whole_sides;

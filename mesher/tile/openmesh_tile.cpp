@@ -15,9 +15,6 @@ using OpenMesh::Vec3d;
 using OpenMesh::VertexHandle;
 using std::to_string;
 
-/// The position of a site that the tile does not state.
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
 Vec2i to_vec2i(Offset o) { return {o.i, o.j}; }
 Offset to_offset(const Vec2i& v) { return {v[0], v[1]}; }
 
@@ -73,8 +70,11 @@ class MeshBuilder {
                 refuse_arrays("face " + to_string(f) + " and those before it form no surface");
             }
             const bool placed = !arrays_.site_points.empty();
-            const Vec2 p = placed ? arrays_.site_points[f] : Vec2(kUnknown, kUnknown);
-            mesh_.property(id_.site_point, face) = Vec3d(p.x(), p.y(), 0);
+            mesh_.property(id_.site_point, face) = {};
+            if (placed) {
+                const Vec2& p = arrays_.site_points[f];
+                mesh_.property(id_.site_point, face) = {p.x(), p.y()};
+            }
             mesh_.property(id_.face_site, face) =
                 arrays_.face_site.empty() ? -1 : arrays_.face_site[f];
             mesh_.property(id_.whole_sides, face) =
@@ -215,9 +215,9 @@ class ArrayBuilder {
             if (site >= 0) arrays_.face_site.push_back(site);
             const int whole_sides = mesh_.property(id_.whole_sides, f);
             if (whole_sides > 0) arrays_.whole_sides.push_back(whole_sides);
-            const Vec3d& point = mesh_.property(id_.site_point, f);
-            if (arrays_.kind == MeshKind::kVoronoi && !std::isnan(point[0])) {
-                arrays_.site_points.emplace_back(point[0], point[1]);
+            const SitePoint& point = mesh_.property(id_.site_point, f);
+            if (arrays_.kind == MeshKind::kVoronoi && point.is_known()) {
+                arrays_.site_points.emplace_back(point.x, point.y);
             }
         }
         const std::size_t n = mesh_.n_faces();

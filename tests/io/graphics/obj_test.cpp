@@ -147,7 +147,7 @@ TEST(Obj, FaultsOfFacesNameTheirLine) {
     EXPECT_THAT(fault("f 1 2 3//"), StartsWith("t.obj:13: '' is not a number; "));
     EXPECT_THAT(fault("f 1 2 3/1/1/1"), StartsWith("t.obj:13: '3/1/1/1' is not a corner; "));
     EXPECT_THAT(fault(""), StartsWith("t.obj: there is no face; "));
-    EXPECT_THAT(fault_of(""), StartsWith("t.obj: there is not a vertex; "));
+    EXPECT_THAT(fault_of(""), StartsWith("t.obj: there is no vertex; "));
     EXPECT_THAT(fault_of(with("kind cells", "kind triangles")),
                 StartsWith("t.obj:13: a face of a triangle tile has 3 corners; "));
 }

@@ -132,7 +132,7 @@ TEST(Ply, FaultsOfTheHeaderNameTheirLine) {
                 StartsWith("t.ply:7: a property has"));
     EXPECT_THAT(fault_with("element vertex 4\n", ""), StartsWith("t.ply:5: a property precedes"));
     EXPECT_THAT(fault_with("end_header", "end_headers"),
-                StartsWith("t.ply:14: 'end_headers' has no"));
+                StartsWith("t.ply:14: 'end_headers' is not a header"));
 }
 
 TEST(Ply, MissingOrMistypedPropertiesAreRefused) {

@@ -111,7 +111,7 @@ TEST(Inp, MeshesOfOtherProgramsAreRead) {
 }
 
 TEST(Inp, FaultsNameTheirLine) {
-    EXPECT_THAT(fault_of(""), StartsWith("t.inp: there is not a vertex; "));
+    EXPECT_THAT(fault_of(""), StartsWith("t.inp: there is no vertex; "));
     EXPECT_THAT(fault_with("kind triangles", "kind x"), StartsWith("t.inp:5: the kind is unclear"));
     EXPECT_THAT(fault_with("pcvt kind", "pcvt king"), StartsWith("t.inp:5: pcvt does not know 'k"));
     EXPECT_THAT(fault_with("sites 0 0 0 0", "sites 0 0"),
@@ -126,9 +126,9 @@ TEST(Inp, FaultsNameTheirLine) {
                 HasSubstr(": elements of type 'CPE4' are not plane tri"));
     EXPECT_THAT(fault_with("\n1,1,2,4\n", "\n1,1,2,9\n"), HasSubstr(": node 9 does not exist; "));
     EXPECT_THAT(fault_with("2,1,1,1,1,-1", "2,1,1,1,1,1"),
-                HasSubstr(": the equation ties no node"));
+                HasSubstr(": the equation does not tie a node"));
     EXPECT_THAT(fault_with("5,1,-1,5,2,0", "5,1,-1,6,2,0"),
-                HasSubstr(": the equation ties no node"));
+                HasSubstr(": the equation does not tie a node"));
     EXPECT_THAT(fault_with("5,1,-1,5,2,0", "5,1,-1,5,2"), HasSubstr(": a term is a node, "));
     EXPECT_THAT(fault_with("\n2,2,1,1,2,-1", "\n3,2,1,1,2,-1"),
                 HasSubstr(": node 3 is tied twice "));

@@ -91,7 +91,7 @@ TEST(Vtu, FaultsOfTheXmlNameTheirLine) {
 
 TEST(Vtu, FaultsOfTheGridNameTheirLine) {
     EXPECT_THAT(fault_with("UnstructuredGrid", "PolyData"),
-                HasSubstr("is no VTKFile with an Unst"));
+                HasSubstr("is not a VTKFile with an Unst"));
     EXPECT_THAT(fault_with("NumberOfCells=", "Cells="),
                 StartsWith("t.vtu:11: the Piece lacks Num"));
     EXPECT_THAT(fault_with("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\""),
