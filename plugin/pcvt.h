@@ -296,7 +296,7 @@ PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int3
                                    pcvt_tile* view, size_t view_size);
 
 /** Writes a tile, or the sites for the extension .txt. Either all files appear, complete and proved
- *  to be a periodic tile, or none.
+ *  to be a periodic tile, or none. Missing folders are made.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  Any thread, any number of calls on one result at once. */

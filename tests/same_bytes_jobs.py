@@ -259,13 +259,13 @@ ERRORS = {
     "errors-outputs": ["mesh --sites 8 -o t.obj", "3: mesh --sites 8 -o t.obj",
                        "mesh --sites 9 -o t.obj --force", "2: mesh --sites 8 -o t.xyz",
                        "2: mesh --sites 8 -o t", "2: mesh --sites 8 -o a.ply -o a.ply",
-                       "3: mesh --sites 8 -o none/t.obj", File("file"),
+                       "3: mesh --sites 8 -o /dev/null/t.obj", File("file"),
                        "3: mesh --sites 8 -o file/t.obj",
                        "2: mesh --sites 8 -o t.msh", File("full.foam/"), File("full.foam/note"),
                        "3: mesh --sites 8 -o full.foam",
                        "?: mesh --sites 8 -o full.foam --force",
-                       "3: mesh --sites 8 -o u.ply --report none/r.json",
-                       "3: study table1 --sites 3 --runs 1 -o none/t.csv"],
+                       "3: mesh --sites 8 -o u.ply --report /dev/null/r.json",
+                       "3: study table1 --sites 3 --runs 1 -o /dev/null/t.csv"],
 }
 
 JOBS = {**FORMATS, **MESHES, **RUNS, **STUDIES, **DAMAGES, **ERRORS}

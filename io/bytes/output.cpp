@@ -35,6 +35,18 @@ std::string folder_of(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
+/// Returns the folder of `path`, or the nearest folder above it if that one is missing. A folder
+/// that cannot be examined is returned, so that its use reports the reason.
+std::string existing_folder_of(const std::string& path) {
+    std::string folder = folder_of(path);
+    struct stat status {};
+    while (folder != "." && ::lstat(folder.c_str(), &status) != 0 &&
+           (errno == ENOENT || errno == ENOTDIR)) {
+        folder = folder_of(folder);
+    }
+    return folder;
+}
+
 /// Returns six letters and digits that differ from all recent results in this process.
 std::string fresh_suffix() {
     static std::atomic<std::uint64_t> counter{static_cast<std::uint64_t>(::getpid()) * 0x9E3779B9U};
@@ -45,9 +57,11 @@ std::string fresh_suffix() {
     return suffix;
 }
 
+/// Returns a name on the file system of `path`, below no folder that is missing.
 std::string temporary_name(const std::string& path) {
     const std::string name = std::filesystem::path(path).filename().string();
-    return folder_of(path) + "/." + name.substr(0, kLongestStem) + ".pcvt-" + fresh_suffix();
+    return existing_folder_of(path) + "/." + name.substr(0, kLongestStem) + ".pcvt-" +
+           fresh_suffix();
 }
 
 /// Creates and opens a new file. mkstemp() will not do: its mode 0600 could be widened to the
@@ -66,6 +80,25 @@ int create_new(const std::string& path, const std::string& temporary) {
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) throw_unwritable(path, reason_of(errno));
     return file;
+}
+
+/// Creates `innermost` with all missing folders above it, and appends them to `created`.
+void make_folders(const std::string& innermost, std::vector<std::string>& created) {
+    struct stat status {};
+    if (::stat(innermost.c_str(), &status) == 0) return;
+    if (const std::string above = folder_of(innermost); above != innermost) {
+        make_folders(above, created);
+    }
+    if (::mkdir(innermost.c_str(), 0777) == 0) {
+        created.push_back(innermost);
+    } else if (errno != EEXIST) {
+        throw OutputError(innermost + ": cannot make the folder: " + reason_of(errno));
+    }
+}
+
+/// Removes folders in the reverse order. Keeps folders into which somebody else has put a file.
+void remove_folders(const std::vector<std::string>& created) {
+    for (auto path = created.rbegin(); path != created.rend(); ++path) ::rmdir(path->c_str());
 }
 
 /// Returns 0, or the error that stopped the writing.
@@ -119,12 +152,7 @@ OutputSet::~OutputSet() { remove_staged(); }
 
 void OutputSet::remove_staged() {
     for (const Staged& file : staged_) ::unlink(file.temporary.c_str());
-    for (const Folder& folder : folders_) {
-        // rmdir() keeps folders into which somebody else has put a file.
-        for (auto path = folder.created.rbegin(); path != folder.created.rend(); ++path) {
-            ::rmdir(path->c_str());
-        }
-    }
+    for (const Folder& folder : folders_) remove_folders(folder.created);
 }
 
 void OutputSet::require_writable(const std::string& path, bool force) {
@@ -137,7 +165,7 @@ void OutputSet::require_writable(const std::string& path, bool force) {
         }
         if (!force) refuse_existing(path);
     }
-    const std::string folder = folder_of(path);
+    const std::string folder = existing_folder_of(path);
     if (::stat(folder.c_str(), &status) != 0)
         throw_unwritable(path, "folder " + folder + ": " + reason_of(errno));
     if (!S_ISDIR(status.st_mode))
@@ -159,12 +187,7 @@ void OutputSet::require_writable_folder(const std::string& folder,
     }
     if (!force) throw_unwritable(folder, "it exists; use --force to replace the files in it");
     for (const std::string& path : paths) {
-        std::string inner = folder_of(path);
-        // Missing folders will be created in the innermost folder that exists.
-        while (inner.size() > folder.size() && ::lstat(inner.c_str(), &status) != 0) {
-            inner = folder_of(inner);
-        }
-        require_writable(inner == folder_of(path) ? path : inner + "/new", force);
+        require_writable(path, force);
     }
 }
 
@@ -184,15 +207,6 @@ void OutputSet::stage_folder(const std::string& folder) {
     } while (entry.created.empty());
 }
 
-/// Creates `innermost`, which is the folder or lies below it, with all missing folders above it.
-void OutputSet::make_folders(Folder& folder, const std::string& innermost) {
-    struct stat status {};
-    if (::stat(innermost.c_str(), &status) == 0) return;
-    make_folders(folder, folder_of(innermost));
-    if (::mkdir(innermost.c_str(), 0777) != 0) throw_unwritable(innermost, reason_of(errno));
-    folder.created.push_back(innermost);
-}
-
 /// Creates and opens the temporary file that replaces `path` in commit().
 int OutputSet::create(const std::string& path) {
     const std::lock_guard lock(mutex_);
@@ -203,7 +217,7 @@ int OutputSet::create(const std::string& path) {
         if (entry.moves_with_folder) {
             entry.temporary = folder.temporary + path.substr(folder.target.size());
         }
-        make_folders(folder, folder_of(entry.moves_with_folder ? entry.temporary : path));
+        make_folders(folder_of(entry.moves_with_folder ? entry.temporary : path), folder.created);
     }
     const int file = entry.moves_with_folder ? create_new(path, entry.temporary)
                                              : create_temporary(path, entry.temporary);
@@ -248,10 +262,13 @@ void OutputSet::put(Staged& file, bool force) {
 
 void OutputSet::put_all(bool force, std::size_t& n_put) {
     for (; n_put < staged_.size(); ++n_put) {
-        if (!staged_[n_put].moves_with_folder) put(staged_[n_put], force);
+        if (staged_[n_put].moves_with_folder) continue;
+        make_folders(folder_of(staged_[n_put].target), made_);
+        put(staged_[n_put], force);
     }
     for (Folder& folder : folders_) {
         if (folder.temporary.empty()) continue;
+        make_folders(folder_of(folder.target), made_);
         if (const int error = rename_folder(folder.temporary, folder.target)) {
             throw_unwritable(folder.target, error == EEXIST ? "it exists; use --force to replace it"
                                                             : reason_of(error));
@@ -282,6 +299,7 @@ void OutputSet::commit(bool force) {
         put_all(force, n_put);
     } catch (const OutputError&) {
         take_back(n_put);
+        remove_folders(made_);
         throw;
     }
     for (const Staged& file : staged_) {
@@ -289,6 +307,7 @@ void OutputSet::commit(bool force) {
     }
     staged_.clear();
     folders_.clear();
+    made_.clear();
 }
 
 }  // namespace pcvt

@@ -24,11 +24,11 @@ class OutputExists : public OutputError {
 
 /// Writes files, and folders of files, that appear together and complete, or not at all.
 ///
-/// stage() writes a hidden temporary file in the folder of its target and reports every failure
-/// down to the disk (write, fsync, close); commit() renames all staged files to their targets. The
-/// destructor removes files that were staged and not committed; a commit that fails half way
-/// restores the state before it.
-/// A folder that does not exist yet is filled under a hidden name and renamed as a whole; in an
+/// stage() writes a hidden temporary file in the folder of its target, or in the nearest folder
+/// above it that exists, and reports every failure down to the disk (write, fsync, close); commit()
+/// makes the missing folders and renames all staged files to their targets. The destructor removes
+/// files that were staged and not committed; a commit that fails half way restores the state before
+/// it. A folder that does not exist yet is filled under a hidden name and renamed as a whole; in an
 /// existing folder, files are replaced one by one and all other files stay.
 /// Several threads may stage files and read them back at the same time.
 ///
@@ -48,7 +48,9 @@ class OutputSet {
     /// Checks that `path` can be written; call it for every target before any computation.
     /// @param force  whether an existing target may be replaced.
     /// @throws OutputExists if the target exists and `force` is not set.
-    /// @throws OutputError if the target is a folder, or its folder is missing or not writable.
+    /// @throws OutputError if the target is a folder, or if its folder is not writable, or is
+    /// missing
+    ///         and cannot be made.
     static void require_writable(const std::string& path, bool force);
 
     /// The same check for a folder and for `paths`, the files to be staged in it; `force` allows
@@ -86,7 +88,6 @@ class OutputSet {
         bool moved = false;
     };
     int create(const std::string& path);
-    void make_folders(Folder& folder, const std::string& innermost);
     void put_all(bool force, std::size_t& n_put);
     void take_back(std::size_t n_put);
     void remove_staged();
@@ -96,6 +97,8 @@ class OutputSet {
     mutable std::mutex mutex_;
     std::vector<Staged> staged_;
     std::vector<Folder> folders_;
+    /// The folders that commit() has made for targets, outer ones first.
+    std::vector<std::string> made_;
 };
 
 }  // namespace pcvt

@@ -54,7 +54,6 @@ class FileEncoder {
 /// Encodes a file, lets it reach the disk under a hidden name and proves the bytes there.
 void stage_file(const Job& job, const JobFile& file, const Computation& result,
                 std::span<const BuiltTile> tiles, OutputSet& outputs) {
-    if (!file.folder.empty()) outputs.stage_folder(file.folder);
     const FileEncoder encoder(job, file, result, tiles);
     const std::vector<EncodedFile> encoded = encoder.encode();
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
@@ -71,6 +70,10 @@ void stage_file(const Job& job, const JobFile& file, const Computation& result,
 void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
                  std::span<const BuiltTile> tiles, const std::function<void()>& between_files,
                  OutputSet& outputs) {
+    // Before all files, so that a file inside of a case folder is staged in that folder.
+    for (const JobFile& file : files) {
+        if (!file.folder.empty()) outputs.stage_folder(file.folder);
+    }
     const std::thread::id caller = std::this_thread::get_id();
     std::vector<std::exception_ptr> faults(files.size());
     Workers workers(std::min(job.n_threads, static_cast<int>(files.size())));

@@ -165,9 +165,32 @@ class BadOutput(CliTest):
 
     def test_an_unwritable_place_is_refused(self):
         self.path("t.obj").mkdir()
-        for name in ("t.obj", "missing/t.obj", "/proc/t.obj"):
+        for name in ("t.obj", "/dev/null/t.obj", "/proc/t.obj", "/proc/none/t.obj"):
             with self.subTest(name):
                 self.refuse(3, name, "mesh", "--sites", 3, "-o", name, "--force")
+
+    def test_missing_folders_are_made_when_the_files_appear(self):
+        self.succeed("mesh", "--sites", 8, "-o", "out/deep/t.obj", "-o", "cases/a/t.foam",
+                     "--report", "runs/r.json")
+        self.succeed("check", "out/deep/t.obj", "cases/a/t.foam")
+        self.assertTrue(self.path("runs/r.json").is_file())
+        self.succeed("mesh", "--sites", 8, "-o", "t.foam/notes/t.ply", "-o", "t.foam")
+        self.succeed("check", "t.foam", "t.foam/notes/t.ply")
+
+    def test_a_failing_run_makes_no_folder(self):
+        for name in ("new/t.ply", "new/deep/t.foam"):
+            with self.subTest(name):
+                self.refuse(3, name, "mesh", "--sites", 300, "-o", name,
+                            preexec_fn=limit(resource.RLIMIT_FSIZE, 4096))
+                self.assertEqual(list(self.folder.iterdir()), [])
+        self.refuse(3, "x.ply/t.ply: cannot write|x.ply: cannot make the folder", "mesh", "--sites",
+                    8, "-o", "new/x.ply", "-o", "new/x.ply/t.ply")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_folder_that_cannot_be_made_is_named_before_any_computing(self):
+        name = "n" * 256
+        self.refuse(3, f"folder {name}: File name too long", "mesh", "--sites", 3000000, "-o",
+                    f"{name}/t.obj", timeout=10)
 
     @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
     def test_a_folder_without_permission_is_refused(self):
