@@ -11,6 +11,7 @@
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/terminal/malloc_tuning.hpp"
+#include "plugin/cli/unknown_argument.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt::cli {
@@ -99,8 +100,7 @@ ExitCode run(int argc, const char* const* argv) {
         print(std::string("pcvt ") + version() + "\n");
         return ExitCode::kDone;
     } catch (const CLI::ExtrasError&) {
-        throw InvalidInput(line.app.remaining(true).front() + ": unknown; see pcvt " +
-                           command_name(line) + "--help");
+        throw InvalidInput(unknown_argument(line.app, {argv, static_cast<std::size_t>(argc)}));
     } catch (const CLI::ParseError& error) {
         throw InvalidInput(std::string(error.what()) + "; see pcvt " + command_name(line) +
                            "--help");

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "io/bytes/nearest_word.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/lattice.hpp"
@@ -20,8 +22,14 @@ namespace pcvt::cli {
 template <class Table>
 const auto& chosen_row(const std::string& option, const std::string& word, const Table& table) {
     if (const auto* row = find_word(table, word)) return *row;
-    throw InvalidInput(option + " " + word + ": unknown; take " +
-                       listed_words(table, ", ", " or "));
+    std::vector<std::string> words;
+    for (const auto& row : table) {
+        if (row.abi_value != kNotOffered) words.emplace_back(row.word);
+    }
+    const std::string meant = nearest_word(word, words);
+    throw InvalidInput(option + " " + word + ": unknown; " +
+                       (meant.empty() ? "take " + listed_words(table, ", ", " or ")
+                                      : "did you mean " + meant + "?"));
 }
 
 /// A whole number, at least `lowest`.

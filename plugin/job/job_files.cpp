@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "io/bytes/nearest_word.hpp"
 #include "io/tiles/triangle_elements.hpp"
 #include "plugin/job/distinct_paths.hpp"
 
@@ -10,8 +11,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The extension that `extension` is a misspelling of; empty if there is none.
+std::string nearest_extension(const std::string& extension) {
+    if (extension.empty()) return {};
+    std::vector<std::string> words;
+    for (const TileFormat& format : tile_formats()) words.emplace_back(format.extension.substr(1));
+    const std::string meant = nearest_word(extension.substr(1), words);
+    return meant.empty() ? meant : "." + meant;
+}
+
 [[noreturn]] void refuse_extension(const std::string& path) {
     const std::string extension = lower_case_extension(path);
+    if (const std::string meant = nearest_extension(extension); !meant.empty()) {
+        throw InvalidInput("-o " + path + ": unknown extension " + extension + "; did you mean " +
+                           meant + "?");
+    }
     throw InvalidInput("-o " + path + ": " +
                        (extension.empty() ? "no extension" : "unknown extension " + extension) +
                        "; take one of " + output_extensions());

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/workers.hpp"
@@ -172,11 +173,15 @@ const std::vector<StudyRecipe>& study_recipes() {
 
 const StudyRecipe& find_study_recipe(const std::string& name) {
     std::string known;
+    std::vector<std::string> names;
     for (const StudyRecipe& recipe : study_recipes()) {
         if (recipe.name == name) return recipe;
         known += " " + recipe.name;
+        names.push_back(recipe.name);
     }
-    throw InvalidInput("study " + in_quotes(name) + ": unknown; take one of" + known);
+    const std::string meant = nearest_word(name, names);
+    throw InvalidInput("study " + in_quotes(name) + ": unknown; " +
+                       (meant.empty() ? "take one of" + known : "did you mean " + meant + "?"));
 }
 
 std::optional<StudyTable> run_study(const Study& study, StudyShard shard, int n_threads,

@@ -54,7 +54,9 @@ void add_named(const std::string& path, const StudyRecipe& recipe, StudyShard sh
     } else if (extension == ".svg") {
         add_files(path, true, recipe.pictures, files);
     } else {
-        throw InvalidInput("-o " + path + ": neither .csv nor .svg nor a folder; take one of them");
+        throw InvalidInput(
+            "-o " + path +
+            ": neither .csv nor .svg nor a folder, which ends in /; take one of them");
     }
 }
 

@@ -35,6 +35,31 @@ class BadOption(CliTest):
             ],
         )
 
+    def test_a_misspelled_word_names_the_nearest_one(self):
+        mesh = ("mesh", "--sites", 3)
+        self.refuse_all(2, [
+            ("^pcvt: unknown option --tolerence; did you mean --tolerance\\?$", *mesh, "--tolerence", 1),
+            ("unknown option --seeds; did you mean --seed\\?", *mesh, "--seeds=4"),
+            ("unknown option --tolerence; see pcvt pattern --help", "pattern", "--tolerence", 1),
+            ("^pcvt: unknown command mehs; did you mean mesh\\?$", "mehs", "--sites", 3),
+            ("--sites.*write pcvt mesh --sites", "--sites", 3),
+            ("--solver lbgfs: unknown; did you mean lbfgs\\?", *mesh, "--solver", "lbgfs"),
+            ("--mesh voronio: unknown; did you mean voronoi\\?", *mesh, "--mesh", "voronio"),
+            ("--outline whol: unknown; did you mean whole\\?", *mesh, "--outline", "whol"),
+            ("--start rnadom: unknown; did you mean random\\?", *mesh, "--start", "rnadom"),
+            ("'tabel1': unknown; did you mean table1\\?", "study", "tabel1"),
+            ("unknown extension .ojb; did you mean .obj\\?", *mesh, "-o", "t.ojb"),
+        ])
+
+    def test_values_in_several_words_name_the_remedy(self):
+        mesh = ("mesh", "--sites", 3)
+        self.refuse_all(2, [
+            ("b.obj: give each file its own -o$", *mesh, "-o", "a.obj", "b.obj"),
+            ("grains: give each kind its own --mesh$", *mesh, "--mesh", "voronoi", "grains"),
+            (r"\+: put the formula of --density in quotes$", *mesh, "--density", "1", "+", "u"),
+            ("--period without blanks, as W,H$", *mesh, "--period", 2, 1),
+        ])
+
     def test_numbers_are_read_strictly(self):
         rows = [(f"--sites {n}: ", "mesh", "--sites", n) for n in ("0", "-3", "1.5", "3x", "1e3")]
         rows += [(f"--seed {s}: ", "mesh", "--sites", 3, "--seed", s) for s in ("-1", "x", "2" * 20)]
