@@ -35,11 +35,19 @@ void refuse_assignment(const std::string& text) {
     }
 }
 
+/// Refuses the power operator of other languages.
+void refuse_double_asterisk(const std::string& text) {
+    const std::size_t place = text.find("**");
+    if (place == std::string::npos) return;
+    throw_bad_file(place + 1, "** is no operator; write ^ for a power");
+}
+
 /// A formula that one thread evaluates.
 class Formula {
    public:
     explicit Formula(const std::string& text) {
         refuse_assignment(text);
+        refuse_double_asterisk(text);
         try {
             parser_.DefineConst("pi", std::numbers::pi);
             parser_.DefineVar("x", &point_.x);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include "io/run_files/density_expression.hpp"
 #include "mesher/base/error.hpp"
@@ -16,10 +17,31 @@ bool names_picture(const std::string& source) {
     return end == ".png";
 }
 
+namespace {
+
+constexpr const char* kForeignPictures[] = {".jpg",  ".jpeg", ".gif", ".bmp",  ".tif", ".tiff",
+                                            ".webp", ".svg",  ".pgm", ".heic", ".pdf"};
+
+/// Refuses a picture that would be read as a formula.
+void refuse_foreign_picture(const std::string& source) {
+    std::string extension = std::filesystem::path(source).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (std::find(std::begin(kForeignPictures), std::end(kForeignPictures), extension) ==
+        std::end(kForeignPictures)) {
+        return;
+    }
+    throw InvalidInput("only PNG pictures are read; convert it first: convert " + source + " " +
+                       std::filesystem::path(source).replace_extension(".png").string());
+}
+
+}  // namespace
+
 Density source_density(const std::string& source, const std::optional<GreyRange>& range,
                        const Lattice& lattice) {
     if (!names_picture(source)) {
         if (range) throw InvalidInput("a range of densities is for pictures; leave it out");
+        refuse_foreign_picture(source);
         return with_axis_breaks(lattice, expression_density(source));
     }
     const GreyRange greys = range.value_or(GreyRange{});

@@ -56,6 +56,7 @@ TEST(DensityExpression, FaultsNameTheirCharacter) {
     EXPECT_THAT(refusal("1 + 2,5"), StartsWith("character 6: several formulas"));
     EXPECT_THAT(refusal("u = 3"), StartsWith("character 3: an assignment"));
     EXPECT_THAT(refusal("1 + (v = 3)"), StartsWith("character 8: an assignment"));
+    EXPECT_THAT(refusal("2 + u**2"), StartsWith("character 6: ** is no operator; write ^"));
     EXPECT_THAT(refusal("u > 1 ? 2"), StartsWith("character 10: "));
     for (const char* bad : {"", " ", "1 2", "\"text\"", "1e400", "0x10", "u'", "@", "=", "u="}) {
         EXPECT_THAT(refusal(bad), StartsWith("character ")) << bad;
