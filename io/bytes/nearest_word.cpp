@@ -32,14 +32,16 @@ int edit_distance(std::string_view a, std::string_view b) {
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words) {
     const int most = std::min(kMostEdits, static_cast<int>(word.size() / 2));
     std::string nearest;
-    int least = most + 1;
+    // Two for each edit, less one for a word that only continues `word`.
+    int least_cost = 2 * most + 1;
     for (const std::string& candidate : words) {
         const int distance = edit_distance(word, candidate);
-        if (distance > least) continue;
-        nearest = distance < least ? candidate : std::string();
-        least = distance;
+        const int cost = 2 * distance - (candidate.starts_with(word) ? 1 : 0);
+        if (distance > most || cost > least_cost) continue;
+        nearest = cost < least_cost ? candidate : std::string();
+        least_cost = cost;
     }
-    return least <= most ? nearest : std::string();
+    return nearest;
 }
 
 }  // namespace pcvt

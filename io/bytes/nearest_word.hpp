@@ -11,8 +11,8 @@ namespace pcvt {
 int edit_distance(std::string_view a, std::string_view b);
 
 /// Returns the one of `words` that a user probably meant by `word`: within two edits, and within
-/// one edit per two characters of `word`. Returns an empty string if no word, or more than one, is
-/// nearest.
+/// one edit per two characters of `word`. Among equally near ones, a word that begins with `word`
+/// wins. Returns an empty string if no word, or more than one, is nearest.
 ///
 /// Example usage:
 ///     const std::string meant = nearest_word("lbgfs", {"lbfgs", "lloyd", "newton"});

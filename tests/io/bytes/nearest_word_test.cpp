@@ -32,6 +32,7 @@ TEST(NearestWord, ShortWordsNeedFewerEdits) {
 
 TEST(NearestWord, WordsThatAreEquallyNearAreNotChosenBetween) {
     EXPECT_EQ(nearest_word("fig12", {"fig10", "fig11", "fig7"}), "");
+    EXPECT_EQ(nearest_word("site", {"size", "sites"}), "sites");
     EXPECT_EQ(nearest_word("fig111", {"fig10", "fig11", "fig7"}), "fig11");
 }
 
