@@ -240,7 +240,7 @@ DAMAGES = {
 ERRORS = {
     "help": ["--help", "mesh --help", "pattern --help", "study --help", "check --help",
              "--version"],
-    "errors-commands": ["2: ", "2: nothing", "2: mesh", "2: mesh --bogus", "2: check",
+    "errors-commands": ["2: nothing", "2: mesh", "2: mesh --bogus", "2: check",
                         "2: study nothing", "2: mesh --sites 3 --input a.txt",
                         "2: mesh --sites 3 --budget 9",
                         "2: mesh --sites 3 --density-range 1,2", "2: check a.svg", "2: study"],

@@ -5,6 +5,7 @@
 
 #include "mesher/base/error.hpp"
 #include "plugin/cli/check_command.hpp"
+#include "plugin/cli/help_command.hpp"
 #include "plugin/cli/mesh_command.hpp"
 #include "plugin/cli/pattern_command.hpp"
 #include "plugin/cli/study_command.hpp"
@@ -33,10 +34,12 @@ struct CommandLine {
     CLI::App* pattern = nullptr;
     CLI::App* study = nullptr;
     CLI::App* check = nullptr;
+    CLI::App* help = nullptr;
     MeshOptions mesh_options;
     MeshOptions pattern_options;
     StudyOptions study_options;
     CheckOptions check_options;
+    std::string help_topic;
 };
 
 void describe(CommandLine& line) {
@@ -50,18 +53,20 @@ void describe(CommandLine& line) {
     line.pattern = app.add_subcommand("pattern", "the best exact lattice for n -> files");
     line.study = app.add_subcommand("study", "many runs -> the paper's tables and figures");
     line.check = app.add_subcommand("check", "proves or refutes that a file is a periodic tile");
-    for (CLI::App* command : {line.mesh, line.pattern, line.study, line.check})
+    line.help = app.add_subcommand("help", "about a command, density or formats");
+    for (CLI::App* command : {line.mesh, line.pattern, line.study, line.check, line.help})
         command->set_help_flag("--help,-h", "this text");
     add_mesh_options(*line.mesh, line.mesh_options);
     add_pattern_options(*line.pattern, line.pattern_options);
     add_study_options(*line.study, line.study_options);
     add_check_options(*line.check, line.check_options);
+    add_help_options(*line.help, line.help_topic);
     app.footer(std::string(kExamples) + exit_code_help());
 }
 
 /// The parser of the command that was given; that of the whole line if none was given.
 const CLI::App& chosen(const CommandLine& line) {
-    for (const CLI::App* command : {line.mesh, line.pattern, line.study, line.check}) {
+    for (const CLI::App* command : {line.mesh, line.pattern, line.study, line.check, line.help}) {
         if (command->parsed()) return *command;
     }
     return line.app;
@@ -85,7 +90,8 @@ ExitCode run_chosen(const CommandLine& line) {
                                  line.study_options);
     }
     if (line.check->parsed()) return run_check(*line.check, line.check_options);
-    throw InvalidInput("no command; see pcvt --help");
+    print(help_text(line.app, line.help_topic));
+    return ExitCode::kDone;
 }
 
 ExitCode run(int argc, const char* const* argv) {

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "plugin/cli/density_option.hpp"
+#include "plugin/cli/help_command.hpp"
 #include "plugin/cli/option_values.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_density.hpp"
@@ -91,7 +92,8 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--density", options.density, "EXPR|FILE.png",
         "cells are small where it is large: a formula in x, y (length) and\n"
         "u, v (0 to 1 along the period vectors), or a picture laid over\n"
-        "the domain; random sites are then drawn from its square root [1]");
+        "the domain; random sites are then drawn from its square root [1];\n" +
+            formula_words());
     add(app, "--density-range", options.density_range, "LO,HI",
         "densities of black and of white pixels [0.01,1]");
 }
@@ -103,7 +105,8 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
         "evaluations that --start best may spend [the least of 2000 N, 2e5\nand 8e7 / N]");
     add(app, "--solver", options.solver, form_of(kSolvers), solver_help());
     add(app, "--tolerance", options.tolerance, "T",
-        "converged once max |x_i - g_i| / h <= T, h = sqrt(area / n) [1e-6]");
+        "converged once max |x_i - g_i| / h <= T; x_i: site i, g_i: centroid\nof its cell, h = "
+        "sqrt(area / n) [1e-6]");
     add(app, "--max-iterations", options.max_iterations, "K",
         "0: the Voronoi diagram of the sites as given [no limit]");
     app.add_flag("--strict", options.strict,

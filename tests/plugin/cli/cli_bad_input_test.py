@@ -20,7 +20,6 @@ class BadOption(CliTest):
         self.refuse_all(
             2,
             [
-                ("no command", ),
                 ("frobnicate", "frobnicate"),
                 ("--frobnicate.*--help", "mesh", "--sites", 3, "--frobnicate"),
                 ("stray", "mesh", "--sites", 3, "stray"),

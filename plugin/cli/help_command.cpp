@@ -1,0 +1,84 @@
+#include "plugin/cli/help_command.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <vector>
+
+#include "io/bytes/nearest_word.hpp"
+#include "io/bytes/text.hpp"
+#include "io/tile_formats.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+constexpr const char* kFunctions =
+    "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh\n"
+    "atanh exp ln log log2 log10 sqrt abs sign rint min max sum avg";
+constexpr const char* kConstants = "pi _pi _e";
+
+std::string density_help() {
+    return std::string(
+               "--density FORMULA: cells are small where the density is large. The density is\n"
+               "positive and periodic; the spacing of the sites follows density^(-1/4).\n\n"
+               "Variables:\n"
+               "  x y  position in length units\n"
+               "  u v  position along the two period vectors, from 0 to 1\n"
+               "Constants:\n"
+               "  ") +
+           kConstants +
+           "  (_pi is pi, _e is 2.71828)\n"
+           "Functions:\n  " +
+           std::string(kFunctions).replace(std::string(kFunctions).find('\n'), 1, "\n  ") +
+           "\n  (ln and log are natural; min, max, sum and avg take any number of values)\n"
+           "Operators:\n"
+           "  + - * / ^  < <= == != >= >  && ||  CONDITION ? A : B\n\n"
+           "--density FILE.png: a picture laid over the domain; --density-range LO,HI sets the\n"
+           "densities of black and of white. pcvt reads no other format of pictures.\n\n"
+           "Examples:\n"
+           "  pcvt mesh --sites 2000 --density '1 + 99 * exp(-((v - 0.5) / 0.1)^2)' -o ridge.svg\n"
+           "  pcvt mesh --sites 2000 --density '2 + sin(2 * pi * u)' -o wave.svg\n"
+           "  pcvt mesh --sites 2000 --density photo.png --density-range 1,0.01 -o photo.svg\n";
+}
+
+std::string formats_help() {
+    std::string text = "The extension of -o FILE chooses the format.\n\n";
+    for (const TileFormat& format : tile_formats()) {
+        text += "  " + std::string(format.extension) +
+                std::string(8 - format.extension.size(), ' ') + std::string(format.description) +
+                (format.is_readable() ? "; pcvt check reads it" : "") + "\n";
+    }
+    return text + "\nExample:\n  pcvt mesh --sites 300 --mesh grains -o tile.msh -o tile.svg\n";
+}
+
+}  // namespace
+
+std::string formula_words() {
+    return std::string("functions: ") + kFunctions + ";\nconstants: " + kConstants;
+}
+
+void add_help_options(CLI::App& app, std::string& topic) {
+    app.add_option("TOPIC", topic, "a command, density or formats")->type_name("");
+}
+
+std::string help_text(const CLI::App& app, const std::string& topic) {
+    if (topic.empty()) {
+        // app.help() returns the help of the command that was parsed, which is `help`.
+        return app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal);
+    }
+    if (topic == "density") return density_help();
+    if (topic == "formats") return formats_help();
+    std::vector<std::string> topics;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        if (command->get_name() == topic) return command->help("pcvt");
+        topics.push_back(command->get_name());
+    }
+    topics.insert(topics.end(), {"density", "formats"});
+    const std::string meant = nearest_word(topic, topics);
+    throw InvalidInput(
+        "help " + in_quotes(topic) + ": unknown; " +
+        (meant.empty() ? "take a command, density or formats" : "did you mean " + meant + "?"));
+}
+
+}  // namespace pcvt::cli
