@@ -115,7 +115,7 @@ void require_pairs(const FileTileBuilder& file, const std::vector<MidsideNode>& 
     }
 }
 
-/// Drops the middle nodes and counts the others anew.
+/// Drops the mid-side nodes and renumbers the others.
 void compact(FileTileBuilder& file, const std::vector<MidsideNode>& edges) {
     std::vector<int> place(file.points.size(), 0);
     for (const MidsideNode& edge : edges) place[edge.node] = -1;

@@ -14,7 +14,7 @@ namespace {
 struct Placed {
     int orbit;
     Offset offset;
-    friend auto operator<=>(const Placed&, const Placed&) = default;
+    friend bool operator==(const Placed&, const Placed&) = default;
 };
 
 class TileBuilder {
