@@ -74,15 +74,12 @@ PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
         const double qy = by * qv[k];
         const double rx = ax * ru + bx * rv;
         const double ry = by * rv;
-
         // Measure the thickness.
         const double left = pu[k] * qv[k];
         const double right = pv[k] * qu[k];
         const double cross = left - right;
         thick[k] = cross - kThin * (std::abs(left) + std::abs(right));
-
-        // Compute the squared sides 0-1, 1-2, 2-0 and the scaled cosines at the opposite corners 2,
-        // 0, 1.
+        // Compute the squared sides 0-1, 1-2, 2-0 and the scaled cosines at corners 2, 0, 1.
         const double l0 = px * px + py * py;
         const double l1 = rx * rx + ry * ry;
         const double l2 = qx * qx + qy * qy;
@@ -93,7 +90,6 @@ PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
         cosine1[k] = d2;
         cosine2[k] = d0;
         acute[k] = std::min(std::min(d0, d1), d2) - kRightAngle * (l0 + l1 + l2);
-
         // Compute the cotangents and the terms of the sides.
         const double per_area = 1 / (cross * area);
         const double c0 = d0 * per_area;
@@ -110,7 +106,6 @@ PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
         m0[k] = (v0 + v2) * kMassPerWeight;
         m1[k] = (v0 + v1) * kMassPerWeight;
         m2[k] = (v1 + v2) * kMassPerWeight;
-
         // Add up the gradients along and across the sides; side 2 runs from corner 2 to corner 0.
         const double ax0 = v0 * px, ay0 = v0 * py, nx0 = -h0 * py, ny0 = h0 * px;
         const double ax1 = v1 * rx, ay1 = v1 * ry, nx1 = -h1 * ry, ny1 = h1 * rx;
