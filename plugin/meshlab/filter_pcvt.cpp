@@ -113,9 +113,8 @@ QString FilterPcvt::filterInfo(FilterIDType /*filter*/) const {
            "tessellation, its Delaunay triangles, or triangles inside of the cells. The boundary "
            "of the tile is a seam: copies moved by the period vectors fit without a gap, vertex "
            "on vertex. The quality of a vertex is the same for those that the seam glues, that of "
-           "a face is the number of its cell.<br>After: <i>D.-M. Yan, W. Wang, B. L&eacute;vy, Y. "
-           "Liu"
-           "</i>, <b>Computing 2D Periodic Centroidal Voronoi Tessellation</b>, ISVD 2011.";
+           "a face is the number of its cell.<br>After: <i>D.-M. Yan, K. Wang, B. L&eacute;vy, L. "
+           "Alonso</i>, <b>Computing 2D Periodic Centroidal Voronoi Tessellation</b>, ISVD 2011.";
 }
 
 QString FilterPcvt::filterScriptFunctionName(FilterIDType /*filter*/) { return "periodiccvttile"; }
