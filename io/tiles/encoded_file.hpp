@@ -6,7 +6,7 @@
 
 namespace pcvt {
 
-/// One file of an output: a format may write companions beside the file that was asked for.
+/// One file of an output. A format may write companions beside the file that the user named.
 struct EncodedFile {
     std::string path;
     std::string bytes;

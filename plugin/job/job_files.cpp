@@ -93,7 +93,10 @@ std::string second_order_extensions() {
 }
 
 std::string without_slash(const std::string& path) {
-    return path.ends_with(".foam/") ? path.substr(0, path.size() - 1) : path;
+    if (!path.ends_with('/')) return path;
+    const std::string folder = path.substr(0, path.size() - 1);
+    const TileFormat* format = find_tile_format(folder);
+    return format != nullptr && format->is_folder ? folder : path;
 }
 
 std::string with_suffix(const std::string& path, const std::string& suffix) {
