@@ -124,8 +124,8 @@ typedef struct pcvt_options {
     size_t struct_size;
     double lattice[4]; /**< ax, ay, bx, by: any two independent period vectors [1, 0, 0, 1] */
     double origin[2];  /**< corner of the domain of the tiles, which is the parallelogram of the
-                          period vectors; if these are not reduced, that of the reduced vectors with
-                          the same centre [0, 0] */
+                          period vectors; if these are not reduced, PCVT_WHOLE takes the reduced
+                          parallelogram with the same centre [0, 0] */
     const double*
         sites;       /**< n_sites pairs x, y, anywhere in the plane; NULL: drawn from seed [NULL] */
     int32_t n_sites; /**< at least 1, at most 2^28 [0: an error] */
@@ -150,7 +150,8 @@ typedef struct pcvt_options {
     void* progress_data;
     int32_t grain_per_edge; /**< number of parts of each cell edge, which the triangles inside
                                match; replaces grain_size [0: grain_size applies] */
-    int32_t reserved;       /**< [0] */
+    int32_t find_origin;    /**< 1: tiles with PCVT_BOX ignore `origin`; they are cut where the
+                               shortest edge of the cut is longest [0] */
 } pcvt_options;
 
 /** The optimised sites. */

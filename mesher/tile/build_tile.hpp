@@ -29,7 +29,7 @@ struct TileOptions {
     /// Corner of the domain, length units.
     Vec2 origin = Vec2::Zero();
     /// Moves the box outline to where its shortest edge is longest, instead of to `origin`.
-    bool finds_origin = true;
+    bool finds_origin = false;
 };
 
 /// A corner of a cell or piece that is too sharp for the angles of its grains.

@@ -169,6 +169,10 @@ Job make_job(const pcvt_options& options) {
     job.columns = options.columns;
     job.rows = options.rows;
     job.origin = {options.origin[0], options.origin[1]};
+    if (options.find_origin != 0 && options.find_origin != 1) {
+        throw InvalidInput("find_origin is neither 0 nor 1");
+    }
+    job.finds_origin = options.find_origin == 1;
     return job;
 }
 

@@ -87,8 +87,8 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY", "any two independent period vectors");
     add(app, "--origin", options.origin, "X,Y|auto",
-        "corner of the domain [0,0]; auto: where the shortest edge of a\n"
-        "box outline's cut is longest");
+        "corner of the domain; auto: the box outline is cut where the\n"
+        "shortest edge of the cut is longest [0,0]");
     add(app, "--density", options.density, "EXPR|FILE.png",
         "cells are small where it is large: a formula in x, y (length) and\n"
         "u, v (0 to 1 along the period vectors), or a picture laid over\n"
@@ -124,8 +124,8 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
         ->option_text(form_of(kMeshKinds))
         ->allow_extra_args(false);
     add(app, "--outline", options.outline, form_of(kOutlines),
-        "whole: no cell is cut; box: cut along the period vectors, where\n"
-        "the shortest edge comes out longest unless --origin is given [whole]");
+        "whole: no cell is cut; box: cut along the period vectors at\n"
+        "--origin [whole]");
     add(app, "--size", options.size, "H", "length of the edges of grains [h / 3]");
     add(app, "--per-edge", options.per_edge, "K",
         "cut each edge of the cells into K parts, grains inside to match,\n"

@@ -74,7 +74,7 @@ struct Job {
     Vec2 origin = Vec2::Zero();
     /// Whether the box outline is placed where its shortest edge becomes longest, and not at
     /// `origin`.
-    bool finds_origin = true;
+    bool finds_origin = false;
 
     /// Files to write. The extension selects the format; `.txt` files hold the sites.
     std::vector<std::string> outputs;

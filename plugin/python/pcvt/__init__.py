@@ -111,7 +111,8 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
                     or the name of a .png file. None: uniform. A function is called on the calling
                     thread, for a few thousand points at a time
     density_range   of the image; 0, 0: pcvt chooses
-    origin          corner of the domain of the tiles
+    origin          corner of the domain of the tiles, (x, y); "auto" cuts the outline BOX where the
+                    shortest edge of the cut is longest
     repeat          (columns, rows): the domains that a tile covers
     start           where drawn sites begin: default, random, coarse, lattice, best
     solver          default, lbfgs, lloyd, newton
@@ -134,8 +135,9 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
                   budget=budget,
                   start=_choice("start", start, _STARTS),
                   solver=_choice("solver", solver, _SOLVERS))
-    _set_doubles(options, lattice=_doubles("lattice", lattice, 2, 2).ravel(), origin=origin,
-                 density_range=density_range)
+    options.find_origin = isinstance(origin, str) and origin == "auto"
+    _set_doubles(options, lattice=_doubles("lattice", lattice, 2, 2).ravel(),
+                 origin=(0, 0) if options.find_origin else origin, density_range=density_range)
     options.tolerance, options.grain_size = tolerance, grain_size
     options.short_edges = short_edges
     pointer = c_void_p()
@@ -153,7 +155,7 @@ class Result:
     """An optimised periodic tessellation. It never changes.
 
     lattice     (2, 2), rows a, b
-    sites       (n, 2), wrapped into the Gauss-reduced parallelogram at 0
+    sites       (n, 2), wrapped into the domain at `origin`
     statistics  a Statistics
     """
 

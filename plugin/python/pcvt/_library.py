@@ -66,7 +66,7 @@ class Options(ctypes.Structure):
                 ("density_range", c_double * 2), ("density", DensityCallback),
                 ("density_data", c_void_p), ("progress", ProgressCallback),
                 ("progress_data", c_void_p), ("grain_per_edge", c_int32),
-                ("reserved", c_int32)]
+                ("find_origin", c_int32)]
 
 
 class Sites(ctypes.Structure):

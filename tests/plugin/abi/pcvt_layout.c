@@ -77,7 +77,7 @@ static void print_options(void) {
     FIELD(pcvt_options, progress);
     FIELD(pcvt_options, progress_data);
     FIELD(pcvt_options, grain_per_edge);
-    FIELD(pcvt_options, reserved);
+    FIELD(pcvt_options, find_origin);
 }
 
 static void print_sites(void) {

@@ -40,18 +40,32 @@ class Outlines(CliTest):
         self.succeed(*BOX, "--repeat", "2x3", "--mesh", "grains", "--quiet", "-o", "t.ply")
         self.assertIn(" area 6 ", self.prove("t.ply")[0])
 
-    def test_the_box_has_its_corner_at_the_given_origin(self):
-        self.succeed(*BOX, "--origin", "0.25,-0.5", "--quiet", "-o", "t.obj")
+    def expect_corner(self, corner, *origin):
+        self.succeed(*BOX, *origin, "--quiet", "--force", "-o", "t.obj")
         points = [tuple(map(float, line.split()[1:3]))
                   for line in self.path("t.obj").read_text().splitlines() if line.startswith("v ")]
-        left, right = ({y for x, y in points if x == side} for side in (0.25, 1.25))
+        x, y = corner
+        left, right = ({q for p, q in points if p == side} for side in (x, x + 1))
         self.assertEqual(left, right)
-        self.assertEqual({min(left), max(left)}, {-0.5, 0.5})
-        self.assertEqual({x for x, y in points if y == -0.5}, {x for x, y in points if y == 0.5})
+        self.assertEqual({min(left), max(left)}, {y, y + 1})
+        self.assertEqual({p for p, q in points if q == y}, {p for p, q in points if q == y + 1})
         self.assertGreater(len(left), 5)
 
+    def test_the_box_has_its_corner_at_the_given_origin(self):
+        self.expect_corner((0.25, -0.5), "--origin", "0.25,-0.5")
+
+    def test_the_box_has_its_corner_at_zero_by_default(self):
+        self.expect_corner((0, 0))
+
+    def test_origin_auto_makes_the_shortest_edge_of_the_cut_longer(self):
+        shortest = []
+        for origin in ("0,0", "auto"):
+            self.succeed(*BOX, "--origin", origin, "--report", "r.json", "--quiet", "--force")
+            shortest.append(json.loads(self.path("r.json").read_text())["box_shortest_edge"])
+        self.assertGreater(shortest[1], 2 * shortest[0])
+
     def test_the_report_describes_the_cut_and_the_grains(self):
-        self.succeed(*BOX, "--mesh", "grains", "--report", "run.json", "--quiet")
+        self.succeed(*BOX, "--origin", "auto", "--mesh", "grains", "--report", "run.json", "--quiet")
         report = json.loads(self.path("run.json").read_text())
         self.assertGreater(report["box_shortest_edge"], 0.02)
         self.assertLess(report["box_shortest_edge"], 0.5)

@@ -30,6 +30,14 @@ class Files(CliTest):
             files = self.contents()
             self.assertEqual(files[f"python.{extension}"], files[f"command.{extension}"])
 
+    def test_boxes_at_zero_and_where_the_cut_is_best_have_the_same_bytes(self):
+        for origin, given in (("0,0", {}), ("auto", {"origin": "auto"})):
+            self.succeed("mesh", "--sites", 40, "--outline", "box", "--origin", origin, "--force",
+                         "--quiet", "-o", "command.ply")
+            pcvt.mesh(40, **given).write(self.path("python.ply"), outline="box", replace=True)
+            files = self.contents()
+            self.assertEqual(files["python.ply"], files["command.ply"])
+
     def test_given_sites_lead_to_the_same_bytes(self):
         given = np.random.default_rng(5).random((80, 2))
         np.savetxt(self.path("given"), given, fmt="%.17g")

@@ -25,6 +25,10 @@ class Refusals(unittest.TestCase):
         self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
         self.refuse(pcvt.ArgumentError, "character 4", density="x +")
 
+    def test_an_origin_is_a_point_or_auto(self):
+        with self.assertRaises((TypeError, ValueError, pcvt.ArgumentError)):
+            pcvt.mesh(10, origin="best")
+
     def test_values_that_do_not_fit_into_the_struct(self):
         self.refuse(pcvt.ArgumentError, "n_sites 8589934602 is out of range", 2**33 + 10)
         self.refuse(pcvt.ArgumentError, "seed -1 is out of range", seed=-1)
