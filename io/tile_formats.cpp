@@ -44,6 +44,7 @@ void require_mpas_torus(const FormatRequest& request) {
         throw InvalidInput("MPAS needs every Voronoi edge; leave --short-edges out");
     }
     rectangular_periods(request.lattice);
+    require_mpas_writer();
 }
 
 std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {

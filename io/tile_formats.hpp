@@ -72,8 +72,8 @@ struct TileFormat {
     bool holds_polygons = true;
     /// 2: the nodes in the middle of edges are written, where the tile has them.
     int highest_order = 1;
-    /// Throws InvalidInput with the reason if the format cannot hold the request; nullptr if it
-    /// holds every request.
+    /// Throws InvalidInput with the reason if the format cannot hold the request, OutputError if
+    /// its writer cannot be loaded; nullptr if it holds every request.
     void (*check)(const FormatRequest& request) = nullptr;
 
     bool needs_tile() const { return std::holds_alternative<TileWriter*>(write); }

@@ -1,12 +1,11 @@
 #include "io/mpas/mpas_reader.hpp"
 
-#include <netcdf.h>
-#include <netcdf_mem.h>
-
 #include <limits>
 
 #include "io/bytes/openmesh_netcdf_mutex.hpp"
 #include "io/mpas/mpas_format.hpp"
+#include "io/mpas/netcdf_functions.hpp"
+#include "io/mpas/netcdf_module.hpp"
 #include "io/tiles/tile_file.hpp"
 
 namespace pcvt {
@@ -15,16 +14,18 @@ namespace {
 /// A netCDF file in memory.
 class MpasInput {
    public:
-    MpasInput(const std::string& path, const std::string& bytes) : path_(path), bytes_(bytes) {
+    MpasInput(const std::string& path, const std::string& bytes)
+        : path_(path), bytes_(bytes), nc_(netcdf_module().functions) {
+        if (nc_ == nullptr) throw_bad_file(netcdf_module().problem);
         if (bytes.size() < 4 || !bytes.starts_with("CDF")) {
             throw_bad_file(
                 "not a netCDF file of the classic formats; convert it with nccopy -k nc6");
         }
         // The library takes a pointer to non-const memory, but NC_NOWRITE keeps it from writing.
         void* memory = const_cast<char*>(bytes.data());
-        require(nc_open_mem(path.c_str(), NC_NOWRITE, bytes.size(), memory, &id_), "the header");
+        require(nc_->open_mem(path.c_str(), NC_NOWRITE, bytes.size(), memory, &id_), "the header");
     }
-    ~MpasInput() { nc_close(id_); }
+    ~MpasInput() { nc_->close(id_); }
     MpasInput(const MpasInput&) = delete;
     MpasInput& operator=(const MpasInput&) = delete;
 
@@ -35,8 +36,8 @@ class MpasInput {
     int dimension(const char* name) const {
         int number = 0;
         std::size_t length = 0;
-        require(nc_inq_dimid(id_, name, &number), name);
-        require(nc_inq_dimlen(id_, number, &length), name);
+        require(nc_->inq_dimid(id_, name, &number), name);
+        require(nc_->inq_dimlen(id_, number, &length), name);
         // A dimension of a complete file is at most as long as the file.
         if (length == 0 || length > bytes_.size() ||
             length > std::size_t(std::numeric_limits<int>::max())) {
@@ -49,20 +50,20 @@ class MpasInput {
     double attribute(const char* name) const {
         double value = 0;
         std::size_t length = 0;
-        require(nc_inq_attlen(id_, NC_GLOBAL, name, &length), name);
+        require(nc_->inq_attlen(id_, NC_GLOBAL, name, &length), name);
         if (length != 1) throw_bad_file("attribute " + std::string(name) + " is not one number");
-        require(nc_get_att_double(id_, NC_GLOBAL, name, &value), name);
+        require(nc_->get_att_double(id_, NC_GLOBAL, name, &value), name);
         return value;
     }
 
     void read(const MpasVariable& variable, const MpasGrid& grid, std::vector<int>& values) const {
         values.resize(entries(variable, grid, sizeof(int)));
-        require(nc_get_var_int(id_, number(variable), values.data()), variable.name);
+        require(nc_->get_var_int(id_, number(variable), values.data()), variable.name);
     }
     void read(const MpasVariable& variable, const MpasGrid& grid,
               std::vector<double>& values) const {
         values.resize(entries(variable, grid, sizeof(double)));
-        require(nc_get_var_double(id_, number(variable), values.data()), variable.name);
+        require(nc_->get_var_double(id_, number(variable), values.data()), variable.name);
     }
 
     /// Requires that the ids count from 1, as the indices do.
@@ -71,14 +72,14 @@ class MpasInput {
         int dimension = 0;
         int n_dimensions = 0;
         std::size_t length = 0;
-        require(nc_inq_varid(id_, name.c_str(), &variable), name);
-        require(nc_inq_varndims(id_, variable, &n_dimensions), name);
+        require(nc_->inq_varid(id_, name.c_str(), &variable), name);
+        require(nc_->inq_varndims(id_, variable, &n_dimensions), name);
         if (n_dimensions == 1) {
-            require(nc_inq_vardimid(id_, variable, &dimension), name);
-            require(nc_inq_dimlen(id_, dimension, &length), name);
+            require(nc_->inq_vardimid(id_, variable, &dimension), name);
+            require(nc_->inq_dimlen(id_, dimension, &length), name);
         }
         std::vector<int> ids(static_cast<std::size_t>(n));
-        if (length == ids.size()) require(nc_get_var_int(id_, variable, ids.data()), name);
+        if (length == ids.size()) require(nc_->get_var_int(id_, variable, ids.data()), name);
         for (int k = 0; k < n; ++k) {
             if (ids[k] == k + 1) continue;
             throw_bad_file(name + " does not count from 1; give the whole file, or renumber it");
@@ -88,13 +89,13 @@ class MpasInput {
    private:
     void require(int status, const std::string& what) const {
         if (status == NC_NOERR) return;
-        throw_bad_file(what + " cannot be read: " + nc_strerror(status) +
+        throw_bad_file(what + " cannot be read: " + nc_->strerror(status) +
                        "; give an MPAS mesh file");
     }
 
     int number(const MpasVariable& variable) const {
         int found = 0;
-        require(nc_inq_varid(id_, variable.name, &found), variable.name);
+        require(nc_->inq_varid(id_, variable.name, &found), variable.name);
         return found;
     }
 
@@ -105,13 +106,13 @@ class MpasInput {
         // The number of entries in the file.
         int n_dimensions = 0;
         int dimensions[NC_MAX_VAR_DIMS] = {};
-        require(
-            nc_inq_var(id_, number(variable), nullptr, nullptr, &n_dimensions, dimensions, nullptr),
-            variable.name);
+        require(nc_->inq_var(id_, number(variable), nullptr, nullptr, &n_dimensions, dimensions,
+                             nullptr),
+                variable.name);
         std::size_t found = 1;
         for (int k = 0; k < n_dimensions; ++k) {
             std::size_t length = 0;
-            require(nc_inq_dimlen(id_, dimensions[k], &length), variable.name);
+            require(nc_->inq_dimlen(id_, dimensions[k], &length), variable.name);
             found *= length;
         }
         // The required number, which must also fit into the file.
@@ -126,6 +127,7 @@ class MpasInput {
 
     const std::string& path_;
     const std::string& bytes_;
+    const NetcdfFunctions* nc_;
     int id_ = 0;
 };
 

@@ -15,7 +15,8 @@ namespace pcvt {
 ///
 /// @param path  the file's name in messages.
 /// @throws BadFile if the file is not a netCDF file in a classic format, or lacks a dimension, a
-///                 variable or a period, or a variable has another shape.
+///                 variable or a period, or a variable has another shape; also if netCDF cannot be
+///                 loaded.
 MpasGrid decode_mpas(const std::string& path, const std::string& bytes);
 
 }  // namespace pcvt

@@ -1,14 +1,14 @@
 #include "io/mpas/mpas_writer.hpp"
 
-#include <netcdf.h>
-#include <netcdf_mem.h>
-
 #include <cstdlib>
 #include <map>
 #include <numeric>
 
 #include "io/bytes/openmesh_netcdf_mutex.hpp"
+#include "io/bytes/output.hpp"
 #include "io/mpas/mpas_format.hpp"
+#include "io/mpas/netcdf_functions.hpp"
+#include "io/mpas/netcdf_module.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -19,19 +19,26 @@ constexpr double kMostBytes = 0x1p32 - 4;
 /// The initial size of a file in memory. Unused bytes of it would stay in the file, so it is 0.
 constexpr std::size_t kFirstBytes = 0;
 
+const NetcdfFunctions& netcdf() {
+    const NetcdfModule& loaded = netcdf_module();
+    if (loaded.functions == nullptr) throw OutputError(loaded.problem);
+    return *loaded.functions;
+}
+
 void require(int status) {
-    if (status != NC_NOERR) throw InternalError(std::string("netCDF: ") + nc_strerror(status));
+    if (status != NC_NOERR)
+        throw InternalError(std::string("netCDF: ") + netcdf().strerror(status));
 }
 
 /// A netCDF file that is written to memory.
 class MemoryFile {
    public:
     MemoryFile() {
-        require(nc_create_mem("mesh.nc", NC_64BIT_OFFSET, kFirstBytes, &id_));
-        require(nc_set_fill(id_, NC_NOFILL, nullptr));
+        require(netcdf().create_mem("mesh.nc", NC_64BIT_OFFSET, kFirstBytes, &id_));
+        require(netcdf().set_fill(id_, NC_NOFILL, nullptr));
     }
     ~MemoryFile() {
-        if (open_) nc_abort(id_);
+        if (open_) netcdf().abort(id_);
     }
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
@@ -40,7 +47,7 @@ class MemoryFile {
     std::string close() {
         NC_memio memory{};
         open_ = false;
-        require(nc_close_memio(id_, &memory));
+        require(netcdf().close_memio(id_, &memory));
         std::string bytes(static_cast<const char*>(memory.memory), memory.size);
         std::free(memory.memory);
         return bytes;
@@ -58,17 +65,18 @@ class MpasFile {
     explicit MpasFile(const MpasGrid& grid) : grid_(grid) {
         for (const MpasDimension& dimension : mpas_dimensions()) {
             const int size = mpas_size(grid, dimension.size);
-            require(nc_def_dim(file_.id(), dimension.name, size, &dimension_[dimension.size]));
+            require(
+                netcdf().def_dim(file_.id(), dimension.name, size, &dimension_[dimension.size]));
         }
         int time = 0;
-        require(nc_def_dim(file_.id(), "Time", NC_UNLIMITED, &time));
+        require(netcdf().def_dim(file_.id(), "Time", NC_UNLIMITED, &time));
     }
 
     void state(const char* name, const std::string& text) {
-        require(nc_put_att_text(file_.id(), NC_GLOBAL, name, text.size(), text.data()));
+        require(netcdf().put_att_text(file_.id(), NC_GLOBAL, name, text.size(), text.data()));
     }
     void state(const char* name, double number) {
-        require(nc_put_att_double(file_.id(), NC_GLOBAL, name, NC_DOUBLE, 1, &number));
+        require(netcdf().put_att_double(file_.id(), NC_GLOBAL, name, NC_DOUBLE, 1, &number));
     }
     /// @returns the number of the new variable, of NC_INT or NC_DOUBLE.
     int define(const std::string& name, nc_type type, MpasSize rows, MpasSize columns) {
@@ -80,15 +88,16 @@ class MpasFile {
         const int n_dimensions = columns == MpasSize::kOne ? 1 : 2;
         const int dimensions[] = {dimension_[rows], dimension_[columns]};
         int number = 0;
-        require(nc_def_var(file_.id(), name.c_str(), type, n_dimensions, dimensions, &number));
+        require(
+            netcdf().def_var(file_.id(), name.c_str(), type, n_dimensions, dimensions, &number));
         return number;
     }
-    void begin_filling() { require(nc_enddef(file_.id())); }
+    void begin_filling() { require(netcdf().enddef(file_.id())); }
     void fill(int variable, const std::vector<int>& values) {
-        require(nc_put_var_int(file_.id(), variable, values.data()));
+        require(netcdf().put_var_int(file_.id(), variable, values.data()));
     }
     void fill(int variable, const std::vector<double>& values) {
-        require(nc_put_var_double(file_.id(), variable, values.data()));
+        require(netcdf().put_var_double(file_.id(), variable, values.data()));
     }
     std::string close() { return file_.close(); }
 
@@ -137,6 +146,8 @@ void fill_plain(const PlainVariables& plain, const MpasGrid& grid, MpasFile& fil
 }
 
 }  // namespace
+
+void require_mpas_writer() { netcdf(); }
 
 std::string encode_mpas(const MpasGrid& grid) {
     const std::lock_guard lock(openmesh_netcdf_mutex());

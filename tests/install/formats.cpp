@@ -1,4 +1,5 @@
-// Writes a tile in each format of the installed pcvt::io and reads it back.
+// Writes a tile, or a grid of the whole torus, in each format of the installed pcvt::io and reads
+// it back.
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -7,7 +8,23 @@
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
+#include "mesher/search/lattice_pattern.hpp"
 #include "mesher/tile/tile_builder.hpp"
+
+namespace {
+
+/// Formats of whole tori need acute triangles, as the best lattice has them.
+void repeat_grid(const pcvt::TileFormat& format, const pcvt::Lattice& lattice) {
+    const auto points = pcvt::pattern_points(pcvt::best_lattice(lattice, 30));
+    const auto result = pcvt::compute_cvt(lattice, points, {});
+    const auto cells = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kVoronoi);
+    const pcvt::Torus torus{cells, {0, 0}, {}};
+    const auto files = std::get<pcvt::TorusWriter*>(format.write)(torus, "grid");
+    const pcvt::MpasGrid back = std::get<pcvt::GridReader*>(format.read)(files);
+    std::printf("%s: %d cells\n", std::string(format.extension).c_str(), back.n_cells);
+}
+
+}  // namespace
 
 int main() {
     const pcvt::Lattice lattice = pcvt::Lattice::rectangle(1, 1);
@@ -16,6 +33,7 @@ int main() {
     const auto mesh = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kDelaunay);
     const auto tile = pcvt::make_tile(mesh, pcvt::whole_outline(mesh, {0, 0}));
     for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
+        if (format.reads_grid()) repeat_grid(format, lattice);
         if (!format.needs_tile()) continue;
         const std::string extension(format.extension);
         const auto files = pcvt::encode_tile(format, tile, "tile" + extension);
