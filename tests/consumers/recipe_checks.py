@@ -1,0 +1,172 @@
+"""The rows of `recipes`: for each heading above a code block, the check of its result."""
+
+import csv
+import json
+import math
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass
+class Row:
+    """Either a check, called with the folder and the text that the shell printed, or a reason."""
+    check: Callable = None
+    programs: tuple = ()
+    modules: tuple = ()  # of Python
+    as_root: bool = False
+    wrapper: str = ""  # a script beside this file that runs the shell
+    reason: str = ""  # why the block is not run
+
+
+def require(holds, complaint):
+    if not holds:
+        raise AssertionError(complaint)
+
+
+def require_near(value, expected, tolerance, name):
+    require(abs(value - expected) <= tolerance * abs(expected),
+            f"{name} is {value}, not {expected}")
+
+
+def require_files(folder, *names):
+    for name in names:
+        require((folder / name).stat().st_size > 0, f"{name} is empty")
+
+
+def number(text, pattern):
+    return float(re.search(pattern, text, re.M)[1])
+
+
+def check_first_mesh(folder, text):
+    require_files(folder, "tile.obj", "tile.svg")
+    for word in ("stop ", "of the hexagonal bound", "hexagons ", "pairs"):
+        require(word in text, f"the summary does not have '{word}'")
+    require(re.search(r"^tile\.obj: .*periodic tile", text, re.M), "check does not accept tile.obj")
+
+
+def check_graded(folder, text):
+    require(text.count("converged") == 2, "a run did not converge")
+    require_files(folder, "ridge.svg", "moon.svg")
+
+
+def check_grains(folder, _):
+    require_files(folder, "tile.msh", "tile.inp", "tile.vtu")
+
+
+def check_calculix(_, text):
+    poisson = 0.3
+    stress = (1 - poisson) * 1e-3 / (1 + poisson) / (1 - 2 * poisson)
+    require_near(stress, 1.346e-3, 1e-3, "the stress that the text states")
+    require_near(number(text, r"^mean S_xx (\S+)"), stress, 1e-4, "S_xx")
+
+
+def count_boundary(folder):
+    """Returns the numbers of points of tile.vtu, and of those that are an image of another one."""
+    text = (folder / "tile.vtu").read_text()
+    partners = re.search(r'Name="PeriodicPointIds"[^>]*>(.*?)</DataArray>', text, re.S)[1].split()
+    return len(partners), sum(int(partner) != k for k, partner in enumerate(partners))
+
+
+def check_gmsh(folder, text):
+    moves = re.findall(r"^curve \d+ is curve \d+ moved by \((\S+), (\S+)\): (\d+) nodes$", text,
+                       re.M)
+    _, n_images = count_boundary(folder)
+    # A corner of the seam lies on two curves.
+    n_nodes = sum(int(n) for _, _, n in moves)
+    require(n_images <= n_nodes <= n_images + 2 * len(moves), f"{n_nodes} nodes, not {n_images}")
+    require(all({abs(float(x)), abs(float(y))} <= {0, 1} for x, y, _ in moves), f"moves {moves}")
+
+
+def check_getdp(folder, text):
+    require_near(float(text.split()[-1]), 1e-5, 0.2, "the squared error")
+    require_files(folder, "u.pos")
+
+
+def check_vtk(folder, text):
+    n_points, n_images = count_boundary(folder)
+    images = re.findall(r"^point (\d+) is point \d+ moved by \((\S+), (\S+)\) periods$", text, re.M)
+    require(len(images) == n_images, f"{len(images)} images, not {n_images}")
+    require(all(int(k) < n_points and (float(i), float(j)) != (0, 0) for k, i, j in images),
+            "a point is out of range, or does not move")
+
+
+def speeds(path):
+    values = re.search(r"nonuniform List<vector>\s*\d+\s*\(\n(.*?)\n\)", path.read_text(), re.S)[1]
+    return [math.hypot(*map(float, line.strip("()").split())) for line in values.splitlines()]
+
+
+def check_openfoam(folder, text):
+    require("Mesh OK." in text, "checkMesh finds faults")
+    case = folder / "case.foam"
+    fall = sum(speeds(case / "0.25/U")) / sum(speeds(case / "0/U"))
+    # The rate is right within 2 %.
+    require_near(math.log(fall), -1, 0.02, "the logarithm of the fall of the speed")
+    require_files(folder, "flow.svg")
+
+
+def check_graphics(folder, text):
+    require_files(folder, "tile.html", "tile.glb", "tile.ply", "repeated.svg")
+    require("Mesh is two-manifold" in text and "Genus is 0" in text, "MeshLab finds faults")
+
+
+def check_mathematics(folder, text):
+    require_files(folder, "pattern.svg", "best.svg")
+    report = json.loads((folder / "run.json").read_text())
+    require(report["residual"] <= 1e-10, f"the residual is {report['residual']}")
+    require("hexagons   56 of 56 cells" in text, "the pattern has other cells than hexagons")
+
+
+def check_own_points(folder, text):
+    require_files(folder, "tile.obj", "voronoi.obj")
+    require("from-elsewhere.obj: " in text, "check does not accept from-elsewhere.obj")
+    require(not re.search(r"^[^v]*\blattice\b", (folder / "from-elsewhere.obj").read_text(), re.M),
+            "from-elsewhere.obj has period vectors")
+
+
+def check_mpas(folder, _):
+    require_files(folder, "mesh.nc")
+
+
+def check_table1(folder, _):
+    with open(folder / "results/table1.csv", encoding="ascii") as lines:
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    require(len(rows) == 7 and all(abs(float(row["PCVT_diff"])) <= 2.8e-5 for row in rows),
+            "the energies differ from the paper's")
+
+
+def check_c_program(folder, text):
+    require_files(folder, "tile.ply")
+    require(number(text, r"^(\d+) pairs of edges on the seam") > 10, "pairs")
+
+
+def check_python(folder, text):
+    require_files(folder, "tour.png", "tile.glb", "tile.png")
+    require(re.search(r"^energy 0\.000\d+, \d+ points, 300 cells$", text, re.M), "what it prints")
+
+
+ROWS = {
+    ("pcvt", "Install"): Row(reason="samples/demo and tests/run are run by themselves"),
+    ("pcvt", "A first mesh in a minute"): Row(check_first_mesh),
+    ("pcvt", "Citation"): Row(reason="an entry of a bibliography"),
+    ("Samples", ""): Row(),  # typed before each recipe
+    ("Samples", "Graded meshes"): Row(check_graded),
+    ("Samples", "Materials"): Row(check_grains),
+    ("Samples", "CalculiX and Abaqus"): Row(check_calculix, programs=("ccx",)),
+    ("Samples", "Gmsh"): Row(check_gmsh, modules=("gmsh",)),
+    ("Samples", "GetDP"): Row(check_getdp, programs=("gmsh", "getdp")),
+    ("Samples", "VTK"): Row(check_vtk, modules=("vtkmodules",)),
+    ("Samples", "Fluid dynamics: OpenFOAM"): Row(check_openfoam, programs=("icoFoam",)),
+    ("Samples", "Graphics"): Row(check_graphics, programs=("meshlabserver", "xvfb-run", "xauth")),
+    ("Samples", "Mathematics"): Row(check_mathematics),
+    ("Samples", "Your own points"): Row(check_own_points),
+    ("Samples", "Ocean and atmosphere: MPAS"): Row(check_mpas),
+    ("Samples", "Studies"): Row(check_table1),
+    ("plugin", "Install"): Row(reason="tests/install/run installs pcvt and builds against it"),
+    ("plugin", "C and C++ through pcvt.h"): Row(check_c_program, programs=("cc",)),
+    ("plugin", "Python"): Row(check_python, modules=("matplotlib",)),
+    ("mesher", "From sites to a tile"): Row(reason="a diagram"),
+    ("Speed", ""): Row(reason="a benchmark"),
+    ("Tests", "Run all tests"): Row(reason="this runs inside of tests/run"),
+    ("Tests", "Run one test"): Row(reason="it builds, as tests/run did before"),
+}
