@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import re
+import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -135,6 +136,41 @@ def check_table1(folder, _):
             "the energies differ from the paper's")
 
 
+def require_merged(folder, merged):
+    """The merged files must have the bytes of the study in one part."""
+    if not (folder / "whole").exists():
+        subprocess.run(["build/release/pcvt", "study", "fig11", "--runs", "1000", "--quiet", "-o",
+                        "whole/"], cwd=folder, check=True)
+    subprocess.run(["diff", "-r", "whole", merged], cwd=folder, check=True)
+
+
+def require_ensemble(folder):
+    """ensemble.csv must have the seeds from 1 to 100, with different tiles."""
+    with open(folder / "ensemble.csv", encoding="ascii") as lines:
+        rows = list(csv.DictReader(lines))
+    require([int(row["seed"]) for row in rows] == list(range(1, 101)), "seeds")
+    require(all(row["stop"] == "converged" for row in rows), "a run did not converge")
+    above = [float(row["energy"]) / float(row["energy_bound"]) for row in rows]
+    require(1 < min(above) and max(above) < 1.05, "energies")
+    require(len({row["energy"] for row in rows}) > 90, "the tiles are alike")
+    require_files(folder, *(f"tile-{seed}.ply" for seed in range(1, 101)))
+
+
+def check_parallel(folder, _):
+    require_merged(folder, "fig11")
+    require_ensemble(folder)
+    (folder / "ensemble.csv").rename(folder / "parallel.csv")
+    for path in [*folder.glob("part*.csv"), *folder.glob("tile-*")]:
+        path.unlink()
+
+
+def check_slurm(folder, _):
+    require_merged(folder, "merged")
+    require_ensemble(folder)
+    if (folder / "parallel.csv").exists():
+        subprocess.run(["cmp", "parallel.csv", "ensemble.csv"], cwd=folder, check=True)
+
+
 def check_c_program(folder, text):
     require_files(folder, "tile.ply")
     require(number(text, r"^(\d+) pairs of edges on the seam") > 10, "pairs")
@@ -162,6 +198,9 @@ ROWS = {
     ("Samples", "Your own points"): Row(check_own_points),
     ("Samples", "Ocean and atmosphere: MPAS"): Row(check_mpas),
     ("Samples", "Studies"): Row(check_table1),
+    ("Samples", "GNU parallel"): Row(check_parallel, programs=("parallel",)),
+    ("Samples", "Slurm"): Row(check_slurm, programs=("munged", "slurmctld", "slurmd", "sbatch"),
+                              as_root=True, wrapper="slurm_node"),
     ("plugin", "Install"): Row(reason="tests/install/run installs pcvt and builds against it"),
     ("plugin", "C and C++ through pcvt.h"): Row(check_c_program, programs=("cc",)),
     ("plugin", "Python"): Row(check_python, modules=("matplotlib",)),
