@@ -95,6 +95,15 @@ enum { PCVT_WHOLE = 0, PCVT_BOX = 1 };
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
 
+/** What a run is doing, in this order; a run leaves out the phases that it does not need. */
+enum {
+    PCVT_PHASE_START = 0, /**< placing or searching sites to begin with */
+    PCVT_PHASE_OPTIMISE = 1,
+    PCVT_PHASE_BUILD = 2, /**< this phase and the next ones: in pcvt_write() */
+    PCVT_PHASE_PROVE = 3,
+    PCVT_PHASE_WRITE = 4
+};
+
 /** The state of a run. Later versions may append fields. */
 typedef struct pcvt_progress {
     size_t struct_size;
@@ -104,9 +113,16 @@ typedef struct pcvt_progress {
     double energy_bound; /**< of the hexagonal lattice for uniform density, else NaN */
     double residual;     /**< largest |x_i - g_i| / h, h = sqrt(area / n_sites) */
     double rms_residual; /**< its root mean square */
+    int32_t phase;       /**< PCVT_PHASE_... */
+    int32_t reserved;
+    double fraction;        /**< part of the phase that is done, 0 to 1; negative: unknown. It never
+                               falls within a phase */
+    const char* phase_text; /**< the phase in words, "writing big.msh, 1 of 1"; valid during the
+                               call of the callback */
 } pcvt_progress;
 
-/** Called once an iteration, on the thread that called pcvt_generate(). Non-zero cancels. */
+/** Called on the thread that called pcvt_generate() or pcvt_write(): once an iteration, at the
+ *  beginning of each later phase, and ten times a second while that lasts. Non-zero cancels. */
 typedef int (*pcvt_progress_callback)(const pcvt_progress* progress, void* data);
 
 /** A density at many points, called only on the thread that called pcvt_generate().
@@ -241,6 +257,8 @@ typedef struct pcvt_write_options {
     int32_t outline;    /**< [PCVT_WHOLE] */
     int32_t replace;    /**< not 0: replace existing files [0] */
     int32_t reserved;   /**< 0 */
+    pcvt_progress_callback progress; /**< [NULL] */
+    void* progress_data;
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */
@@ -300,6 +318,7 @@ PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int3
  *  to be a periodic tile, or none. Missing folders are made.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
+ *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.
  *  Any thread, any number of calls on one result at once. */
 PCVT_API pcvt_status pcvt_write(const pcvt_result* result, const char* path,
                                 const pcvt_write_options* options);

@@ -1,5 +1,6 @@
 #include "mesher/cvt/coarse_start.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -59,6 +60,33 @@ Refined with_midpoints(const PeriodicDelaunay& delaunay, int n) {
     return finer;
 }
 
+/// Measures how much of the work of all levels is done, from the sizes of the levels and from the
+/// digits that the RMS residual of the current one has lost.
+class LevelShare {
+   public:
+    LevelShare(double n_sites, const std::vector<int>& finer) : n_sites_(n_sites), n_all_(n_sites) {
+        for (std::size_t k = 1; k < finer.size(); ++k) n_all_ += finer[k];
+    }
+    double at(double rms) {
+        if (first_ == 0) first_ = rms;
+        const bool measurable = first_ > kRmsTolerance && rms > 0;
+        const double digits =
+            measurable ? std::log(first_ / rms) / std::log(first_ / kRmsTolerance) : 0;
+        return (n_before_ + n_sites_ * std::clamp(digits, 0.0, 1.0)) / n_all_;
+    }
+    void next_level(double n_sites) {
+        n_before_ += n_sites_;
+        n_sites_ = n_sites;
+        first_ = 0;
+    }
+
+   private:
+    double n_sites_;
+    double n_all_;
+    double n_before_ = 0;
+    double first_ = 0;
+};
+
 /// Converts coordinates in the reduced basis to points and moves each by a random fraction of the
 /// shake.
 Points shaken(const Lattice& reduced, const Refined& sites, std::uint64_t seed) {
@@ -85,6 +113,7 @@ Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& opt
     Points points = options.density ? graded_points(lattice, *options.density, n, options.seed)
                                     : uniform_points(lattice, n, options.seed);
     // Optimise each level, refine it and shake the sites of the next.
+    LevelShare done(n, finer);
     for (; !finer.empty(); finer.pop_back()) {
         bool cancelled = false;
         CvtOptions level;
@@ -96,11 +125,13 @@ Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& opt
         const double share = double(points.cols()) / n_wanted;
         level.progress = [&](Progress progress) {
             progress.value *= share;
+            progress.share = done.at(progress.rms_residual);
             cancelled = options.progress && !options.progress(progress);
             return !cancelled && progress.rms_residual > kRmsTolerance;
         };
         const CvtResult coarse = compute_cvt(lattice, std::move(points), level);
         if (cancelled) return {};
+        done.next_level(finer.back());
         Refined refined = with_midpoints(coarse.delaunay, finer.back());
         const Lattice& reduced = coarse.delaunay.sites().reduction().reduced;
         if (!options.density) refined.spacing.setConstant(std::sqrt(reduced.area() / finer.back()));

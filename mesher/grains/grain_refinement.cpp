@@ -29,14 +29,22 @@ constexpr double kOnEdge = 1e-6;
 /// size. Only a cell that is thousands of times longer than wide exceeds them.
 constexpr double kMostAVertex = 1000;
 constexpr double kMostASquare = 20;
+/// The number of vertices that a refinement usually adds, per square of the target size, from which
+/// its progress is estimated.
+constexpr double kUsualASquare = 1.2;
+constexpr int kStepsBetweenReports = 4096;
 /// The largest number of triangles that a walk or a search visits before it stops.
 constexpr int kLongestWalk = 10000;
 
 class Refiner {
    public:
-    Refiner(GrainTriangulation& grains, const RefinementSizes& sizes)
+    Refiner(GrainTriangulation& grains, const RefinementSizes& sizes,
+            const std::function<void(double)>& progress)
         : grains_(grains),
           sizes_(sizes),
+          progress_(progress),
+          n_before_(grains.n_vertices()),
+          n_expected_(kUsualASquare * squares()),
           wanted_sine_(std::sin(kWantedAngle * M_PI / 180)),
           off_centre_(0.5 / std::tan(kWantedAngle * M_PI / 360)),
           most_vertices_(kMostAVertex * grains.n_vertices() + kMostASquare * squares()) {}
@@ -44,7 +52,8 @@ class Refiner {
     RefinementLeft run() {
         split_long_edges();
         for (int t = 0; t < grains_.n_triangles(); ++t) inspect(t);
-        for (;;) {
+        for (int step = 1;; ++step) {
+            if (progress_ && step % kStepsBetweenReports == 0) progress_(share());
             if (grains_.n_vertices() > most_vertices_) {
                 throw LimitExceeded(
                     "a piece of a cell is too thin to be meshed by grains; give "
@@ -70,6 +79,8 @@ class Refiner {
         }
         return sum;
     }
+
+    double share() const { return std::min(1.0, (grains_.n_vertices() - n_before_) / n_expected_); }
 
     double size(int t) const { return sizes_.of_cell[grains_.cell(t)]; }
     double length(int h) const {
@@ -289,6 +300,9 @@ class Refiner {
 
     GrainTriangulation& grains_;
     const RefinementSizes& sizes_;
+    const std::function<void(double)>& progress_;
+    double n_before_;
+    double n_expected_;
     double wanted_sine_;
     double smallest_sine_ = std::sin(kSmallestAngle * M_PI / 180);
     /// The distance of the off-centre from the shortest edge, relative to the length of that edge.
@@ -302,8 +316,9 @@ class Refiner {
 
 }  // namespace
 
-RefinementLeft refine(GrainTriangulation& grains, const RefinementSizes& sizes) {
-    return Refiner(grains, sizes).run();
+RefinementLeft refine(GrainTriangulation& grains, const RefinementSizes& sizes,
+                      const std::function<void(double)>& progress) {
+    return Refiner(grains, sizes, progress).run();
 }
 
 }  // namespace pcvt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "mesher/grains/grain_triangulation.hpp"
@@ -39,6 +40,10 @@ struct RefinementLeft {
 /// thin gets a vertex at its circumcentre, or nearer to its shortest edge if that suffices (A.
 /// Ungor's off-centre). A split acts on both sides of an edge, so neighbouring cells remain
 /// conforming. Triangles are processed by decreasing circumradius.
-RefinementLeft refine(GrainTriangulation& grains, const RefinementSizes& sizes);
+///
+/// @param progress  called now and then with the share that is done, about, from 0 to 1; what it
+///                  throws ends the refinement. May be empty.
+RefinementLeft refine(GrainTriangulation& grains, const RefinementSizes& sizes,
+                      const std::function<void(double)>& progress = {});
 
 }  // namespace pcvt

@@ -69,10 +69,11 @@ double smallest_angle(const GrainTriangulation& grains) {
 /// The largest number of attempts; each halves the guards that blocked good triangles before.
 constexpr int kAttempts = 12;
 
-/// The target sizes for the two steps that use them.
+/// The target sizes for the two steps that use them, and the callback for the progress.
 struct Sizes {
     RefinementSizes refinement;
     GuardOptions guards;
+    const std::function<void(double)>& progress;
 };
 
 struct Attempt {
@@ -90,7 +91,7 @@ Attempt attempt(const PeriodicMesh& cells, const Sizes& sizes) {
     make_guards(cells, result.guarded, result.grains);
     RefinementLeft left;
     for (int pass = 0; pass < kPasses; ++pass) {
-        left = refine(result.grains, sizes.refinement);
+        left = refine(result.grains, sizes.refinement, sizes.progress);
         if (left.n_given_up == 0) break;
         widen_angles(result.grains, kWantedAngle);
     }
@@ -156,11 +157,13 @@ Grains mesh(const PeriodicMesh& cells, const Sizes& sizes) {
 
 }  // namespace
 
-Grains mesh_grains(const PeriodicMesh& cells, double size) {
-    return mesh(cells, {{std::vector<double>(cells.site.size(), size), size}, {size}});
+Grains mesh_grains(const PeriodicMesh& cells, double size,
+                   const std::function<void(double)>& progress) {
+    return mesh(cells, {{std::vector<double>(cells.site.size(), size), size}, {size}, progress});
 }
 
-Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts) {
+Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts,
+                            const std::function<void(double)>& progress) {
     constexpr double kNoLimit = std::numeric_limits<double>::infinity();
     RefinementSizes refinement{{}, kNoLimit};
     for (int f = 0; f < cells.n_faces(); ++f) {
@@ -171,7 +174,7 @@ Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts) {
         refinement.of_cell.push_back(perimeter /
                                      ((cells.face_begin[f + 1] - cells.face_begin[f]) * parts));
     }
-    return mesh(cells, {std::move(refinement), {kNoLimit, parts}});
+    return mesh(cells, {std::move(refinement), {kNoLimit, parts}, progress});
 }
 
 }  // namespace pcvt

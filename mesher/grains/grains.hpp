@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "mesher/lattice/triangle_shape.hpp"
 #include "mesher/mesh/periodic_mesh.hpp"
 
@@ -52,13 +54,16 @@ struct Grains {
 ///
 /// @param cells  simple polygons. In a tile, a triangle takes the placement of its cell.
 /// @param size   length units, above 0.
+/// @param progress  as refine()'s.
 /// @throws LimitExceeded if a cell is thousands of times longer than wide.
-Grains mesh_grains(const PeriodicMesh& cells, double size);
+Grains mesh_grains(const PeriodicMesh& cells, double size,
+                   const std::function<void(double)>& progress = {});
 
 /// Meshes cells with each of their edges cut into `parts` parts, or into more where good angles or
 /// guards require it. The target size inside a cell is the average length of the parts of its
 /// edges.
 /// @param parts  above 0.
-Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts);
+Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts,
+                            const std::function<void(double)>& progress = {});
 
 }  // namespace pcvt

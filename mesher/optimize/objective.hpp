@@ -74,6 +74,8 @@ struct Progress {
     /// Above 0 in a search over many starts: the number of evaluations that the search may use.
     /// `iteration` then counts the starts, and `value` is the lowest value so far.
     int budget = 0;
+    /// Of a coarse start: the part of its work that is done, from 0 to 1.
+    double share = 0;
 };
 
 /// Called once per iteration on the calling thread; returning false cancels the run.

@@ -19,6 +19,15 @@ namespace {
 /// The usual edge of a grain's triangle, in units of h.
 constexpr double kUsualGrainSize = 1.0 / 3;
 
+/// The shares of the time at which the meshing of grains begins and ends; without them, the cells
+/// are laid out at the one and the tile is made from the other on.
+constexpr double kGrainsBegin = 0.2;
+constexpr double kGrainsEnd = 0.8;
+
+void report(const TileOptions& options, double share) {
+    if (options.progress) options.progress(share);
+}
+
 /// Faces with the offset of each.
 struct LaidOut {
     PeriodicMesh mesh;
@@ -45,9 +54,12 @@ LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, double h, TileFig
 LaidOut mesh_cells(const TileOptions& options, const LaidOut& cells, double h,
                    TileFigures& figures) {
     const double size = options.grain_size > 0 ? options.grain_size : kUsualGrainSize * h;
+    const auto progress = [&options](double share) {
+        report(options, kGrainsBegin + (kGrainsEnd - kGrainsBegin) * share);
+    };
     Grains grains = options.grain_per_edge > 0
-                        ? mesh_grains_per_edge(cells.mesh, options.grain_per_edge)
-                        : mesh_grains(cells.mesh, size);
+                        ? mesh_grains_per_edge(cells.mesh, options.grain_per_edge, progress)
+                        : mesh_grains(cells.mesh, size, progress);
     figures.grains = {grains.triangles.n_faces(), grains.smallest_angle, {}};
     for (const NamedCorner& corner : grains.named_corners) {
         const int f = cells.mesh.corner_face[corner.corner];
@@ -86,8 +98,11 @@ PeriodicMesh torus_mesh(const PeriodicDelaunay& delaunay, const TileOptions& opt
 BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& options) {
     const double h = delaunay.sites().spacing();
     TileFigures figures{.kind = options.kind};
-    LaidOut laid_out = lay_out(options, torus_mesh(delaunay, options, h), h, figures);
+    PeriodicMesh mesh = torus_mesh(delaunay, options, h);
+    report(options, kGrainsBegin);
+    LaidOut laid_out = lay_out(options, std::move(mesh), h, figures);
     if (options.kind == MeshKind::kGrains) laid_out = mesh_cells(options, laid_out, h, figures);
+    report(options, kGrainsEnd);
     Tile tile = make_tile(laid_out.mesh, laid_out.placement);
     if (options.kind == MeshKind::kGrains) tile.order = options.order;
     figures.n_edge_pairs = static_cast<int>(tile.edge_pairs.size());

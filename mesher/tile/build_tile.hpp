@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct TileOptions {
     Vec2 origin = Vec2::Zero();
     /// Moves the box outline to where its shortest edge is longest, instead of to `origin`.
     bool finds_origin = false;
+    /// Called now and then with the share that is done, about, from 0 to 1; what it throws ends the
+    /// building.
+    std::function<void(double)> progress = {};
 };
 
 /// A corner of a cell or piece that is too sharp for the angles of its grains.

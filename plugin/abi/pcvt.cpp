@@ -19,27 +19,46 @@ struct pcvt_result {
 namespace pcvt::abi {
 namespace {
 
+/// The numbers of the published interface never change.
+static_assert(static_cast<int>(Phase::kStarting) == PCVT_PHASE_START);
+static_assert(static_cast<int>(Phase::kOptimising) == PCVT_PHASE_OPTIMISE);
+static_assert(static_cast<int>(Phase::kBuilding) == PCVT_PHASE_BUILD);
+static_assert(static_cast<int>(Phase::kProving) == PCVT_PHASE_PROVE);
+static_assert(static_cast<int>(Phase::kWriting) == PCVT_PHASE_WRITE);
+
+/// The progress callback of a host, with its data.
+struct HostProgress {
+    pcvt_progress_callback call;
+    void* data;
+};
+
 /// Whether the host wants the run to continue.
-bool report_progress(const pcvt_options& options, double energy_bound, const Progress& progress,
+bool report_progress(const HostProgress& to, double energy_bound, const JobProgress& progress,
                      const std::fenv_t& host) {
     const pcvt_progress view{.struct_size = sizeof view,
-                             .iteration = progress.iteration,
-                             .evaluations = progress.evaluations,
-                             .energy = progress.value,
+                             .iteration = progress.run.iteration,
+                             .evaluations = progress.run.evaluations,
+                             .energy = progress.run.value,
                              .energy_bound = energy_bound,
-                             .residual = progress.residual,
-                             .rms_residual = progress.rms_residual};
-    return call_host("progress", host,
-                     [&] { return options.progress(&view, options.progress_data); }) == 0;
+                             .residual = progress.run.residual,
+                             .rms_residual = progress.run.rms_residual,
+                             .phase = static_cast<std::int32_t>(progress.phase),
+                             .reserved = 0,
+                             .fraction = progress.fraction,
+                             .phase_text = progress.text.c_str()};
+    return call_host("progress", host, [&] { return to.call(&view, to.data); }) == 0;
 }
 
-JobCallback job_callback(const pcvt_options& options, const Job& job, const std::fenv_t& host) {
-    if (options.progress == nullptr) return {};
-    const double bound = job.density ? std::numeric_limits<double>::quiet_NaN()
-                                     : hexagonal_bound(job.lattice.area(), options.n_sites);
-    return [&options, &host, bound](const Progress& progress) {
-        return report_progress(options, bound, progress, host);
+JobCallback job_callback(const HostProgress& to, double energy_bound, const std::fenv_t& host) {
+    if (to.call == nullptr) return {};
+    return [=, &host](const JobProgress& progress) {
+        return report_progress(to, energy_bound, progress, host);
     };
+}
+
+double energy_bound(const Job& job, int n_sites) {
+    return job.density ? std::numeric_limits<double>::quiet_NaN()
+                       : hexagonal_bound(job.lattice.area(), n_sites);
 }
 
 pcvt_status status_of(const Job& job, const CvtResult& cvt) {
@@ -56,7 +75,9 @@ pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std:
     const pcvt_options options = read_struct("pcvt_options", given);
     Job job = make_job(options);
     set_density(options, host, job);
-    std::optional<Computation> computed = compute_job(job, job_callback(options, job, host));
+    const HostProgress progress{options.progress, options.progress_data};
+    std::optional<Computation> computed =
+        compute_job(job, job_callback(progress, energy_bound(job, options.n_sites), host));
     if (!computed) {
         set_last_error("cancelled by the progress callback");
         return PCVT_CANCELLED;
@@ -86,17 +107,26 @@ pcvt_status give(const char* name, View* view, std::size_t size, const Look& loo
     });
 }
 
-void write(const Result& result, const char* path, const pcvt_write_options* given) {
+pcvt_status write(const Result& result, const char* path, const pcvt_write_options* given,
+                  const std::fenv_t& host) {
     pcvt_write_options options{};
     if (given != nullptr) options = read_struct("pcvt_write_options", given);
     if (options.reserved != 0) throw AbiMismatch("reserved is not 0; set it to 0");
-    const Layout layout{tile_kind(options.kind), tile_outline(options.outline)};
-    const std::string file = path == nullptr ? "" : path;
-    const std::string report = options.report == nullptr ? "" : options.report;
-    if (path != nullptr && file.empty())
+    const WriteRequest request{.path = path == nullptr ? "" : path,
+                               .layout = {tile_kind(options.kind), tile_outline(options.outline)},
+                               .report = options.report == nullptr ? "" : options.report,
+                               .replace = options.replace != 0};
+    if (path != nullptr && request.path.empty())
         throw InvalidInput("path is empty; give the name of a file");
-    if (file.empty() && report.empty()) throw InvalidInput("neither path nor report; give one");
-    result.write(file, layout, report, options.replace != 0);
+    if (request.path.empty() && request.report.empty()) {
+        throw InvalidInput("neither path nor report; give one");
+    }
+    const HostProgress progress{options.progress, options.progress_data};
+    if (result.write(request, job_callback(progress, result.energy_bound(), host))) {
+        return PCVT_OK;
+    }
+    set_last_error("cancelled by the progress callback");
+    return PCVT_CANCELLED;
 }
 
 }  // namespace
@@ -180,8 +210,6 @@ pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int32_t outli
 
 pcvt_status pcvt_write(const pcvt_result* result, const char* path,
                        const pcvt_write_options* options) {
-    return guarded([&](const std::fenv_t&) {
-        write(content(result), path, options);
-        return pcvt_status{PCVT_OK};
-    });
+    return guarded(
+        [&](const std::fenv_t& host) { return write(content(result), path, options, host); });
 }

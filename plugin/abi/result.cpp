@@ -71,10 +71,6 @@ std::vector<int> counts_by_sides(const PeriodicDelaunay& delaunay) {
     return counts;
 }
 
-double energy_bound(const Job& job, const CvtResult& cvt) {
-    return job.density ? std::numeric_limits<double>::quiet_NaN() : cvt.energy_bound;
-}
-
 std::int32_t kind_number(MeshKind kind) { return mesh_kind_row(kind).abi_value; }
 
 std::int32_t outline_number(Outline outline) {
@@ -101,19 +97,22 @@ const PeriodicMesh& Result::periodic(MeshKind kind) const {
         [&] { return from_geometry([&] { return periodic_mesh(computed_.cvt.delaunay, kind); }); });
 }
 
-const TileArrays& Result::arrays(const Layout& layout) const {
+const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) const {
     Job job = job_;
     job.meshes = {layout.kind};
     job.outline = layout.outline;
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
-        TileArrays made{from_geometry([&] { return proved_tile(job, computed_.cvt, layout.kind); }),
-                        {},
-                        {},
-                        {}};
+        std::vector<BuiltTile> built =
+            from_geometry([&] { return proved_tiles(job, computed_.cvt, monitor); });
+        TileArrays made{std::move(built.front()), {}, {}, {}};
         note_orbits(made);
         return made;
     });
+}
+
+double Result::energy_bound() const {
+    return job_.density ? std::numeric_limits<double>::quiet_NaN() : computed_.cvt.energy_bound;
 }
 
 pcvt_sites Result::sites() const {
@@ -129,7 +128,7 @@ pcvt_statistics Result::statistics() const {
         valences_.get([&] { return counts_by_sides(computed_.cvt.delaunay); });
     const CvtResult& cvt = computed_.cvt;
     return {.energy = cvt.run.energy,
-            .energy_bound = energy_bound(job_, cvt),
+            .energy_bound = energy_bound(),
             .residual = cvt.run.residual,
             .rms_residual = cvt.run.rms_residual,
             .seconds_build = computed_.seconds.build,
@@ -164,7 +163,9 @@ pcvt_mesh Result::mesh(MeshKind kind) const {
 }
 
 pcvt_tile Result::tile(const Layout& layout) const {
-    const TileArrays& made = arrays(layout);
+    const JobCallback no_callback;
+    JobMonitor monitor(no_callback, {});
+    const TileArrays& made = arrays(layout, monitor);
     const Tile& tile = made.built.tile;
     pcvt_tile view{};
     copy_lattice(tile.lattice, view.lattice);
@@ -186,21 +187,20 @@ pcvt_tile Result::tile(const Layout& layout) const {
     return view;
 }
 
-void Result::write(const std::string& path, const Layout& layout, const std::string& report,
-                   bool force) const {
+bool Result::write(const WriteRequest& request, const JobCallback& callback) const {
     Job job = job_;
-    job.meshes = {layout.kind};
-    job.outline = layout.outline;
-    if (!path.empty()) job.outputs = {path};
-    job.report = report;
-    job.force = force;
+    job.meshes = {request.layout.kind};
+    job.outline = request.layout.outline;
+    if (!request.path.empty()) job.outputs = {request.path};
+    job.report = request.report;
+    job.force = request.replace;
     const std::vector<JobFile> files = plan_files(job);
     const bool has_tile = !files.empty() && files.front().format->needs_tile();
-    if (!has_tile) {
-        write_job(job, computed_, {});
-        return;
-    }
-    write_job(job, computed_, std::span(&arrays(layout).built, 1));
+    const TileSource tiles = [&](JobMonitor& monitor) -> std::span<const BuiltTile> {
+        if (!has_tile) return {};
+        return {&arrays(request.layout, monitor).built, 1};
+    };
+    return write_job(job, computed_, tiles, callback).run.stop != Stop::kCancelled;
 }
 
 }  // namespace pcvt::abi

@@ -33,6 +33,15 @@ struct Layout {
     Outline outline;
 };
 
+/// A call of pcvt_write().
+struct WriteRequest {
+    /// Empty: none, like `report`.
+    std::string path;
+    Layout layout;
+    std::string report;
+    bool replace = false;
+};
+
 /// A tile and the arrays that its view borrows.
 struct TileArrays {
     BuiltTile built;
@@ -47,20 +56,21 @@ class Result {
    public:
     Result(Job job, Computation computed);
 
+    /// NaN with a density.
+    double energy_bound() const;
     pcvt_sites sites() const;
     pcvt_statistics statistics() const;
     /// @throws BadGeometry if cells are too small, as tile() and write().
     pcvt_mesh mesh(MeshKind kind) const;
     /// @throws InvalidInput for Delaunay triangles in a box.
     pcvt_tile tile(const Layout& layout) const;
-    /// @param path, report  empty: none.
+    /// @returns false if the callback cancelled.
     /// @throws InvalidInput, OutputError as run_job does.
-    void write(const std::string& path, const Layout& layout, const std::string& report,
-               bool force) const;
+    bool write(const WriteRequest& request, const JobCallback& callback) const;
 
    private:
     const PeriodicMesh& periodic(MeshKind kind) const;
-    const TileArrays& arrays(const Layout& layout) const;
+    const TileArrays& arrays(const Layout& layout, JobMonitor& monitor) const;
 
     Job job_;
     Computation computed_;

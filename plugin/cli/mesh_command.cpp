@@ -26,7 +26,7 @@ RunSummary run_watched(const Job& job, bool quiet) {
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
     ProgressDisplay display(expected_energy(job, n), job.tolerance, !quiet);
     catch_cancel_signals();
-    return run_job(job, [&display](const Progress& progress) {
+    return run_job(job, [&display](const JobProgress& progress) {
         display.show(progress);
         return cancel_signal() == 0;
     });

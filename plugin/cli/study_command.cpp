@@ -17,12 +17,13 @@ namespace {
 /// The share of the work after which the time left is shown.
 constexpr double kLeastShare = 0.02;
 
-std::string progress_text(const StudyProgress& progress, double seconds) {
-    std::string text =
-        std::to_string(progress.runs_done) + " of " + std::to_string(progress.n_runs) + " runs";
-    if (progress.share < kLeastShare) return text;
+std::vector<std::string> progress_parts(const StudyProgress& progress, double seconds) {
+    std::vector<std::string> parts{std::to_string(progress.runs_done) + " of " +
+                                   std::to_string(progress.n_runs) + " runs"};
+    if (progress.share < kLeastShare) return parts;
     const double left = seconds * (1 - progress.share) / progress.share;
-    return text + "  about " + duration_in_words(left) + " left";
+    parts.push_back(duration_in_words(left) + " left");
+    return parts;
 }
 
 std::optional<StudyTable> run_watched(const StudyRequest& request, bool quiet) {
@@ -30,7 +31,7 @@ std::optional<StudyTable> run_watched(const StudyRequest& request, bool quiet) {
     catch_cancel_signals();
     return run_study(request.study, request.shard, request.n_threads,
                      [&line](const StudyProgress& progress) {
-                         if (line.due()) line.draw(progress_text(progress, line.seconds()));
+                         if (line.due()) line.draw(progress_parts(progress, line.seconds()));
                          return cancel_signal() == 0;
                      });
 }

@@ -1,6 +1,7 @@
 #include "plugin/job/job.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include "mesher/lattice/domain.hpp"
 #include "mesher/mesh/valence.hpp"
@@ -14,8 +15,6 @@
 
 namespace pcvt {
 namespace {
-
-struct Cancelled {};
 
 /// Adds up the seconds of each stage.
 class Stopwatch {
@@ -38,31 +37,9 @@ class Stopwatch {
     JobSeconds seconds_;
 };
 
-/// Passes progress from the optimiser to the callback, and remembers the last one.
-class Monitor {
-   public:
-    Monitor(const JobCallback& callback, Stopwatch& watch) : callback_(callback), watch_(watch) {}
+JobMonitor::Target target_of(const Job& job) { return {job.tolerance, job.max_iterations}; }
 
-    bool iteration(const Progress& progress) {
-        // The first call comes once the first triangulation is built and evaluated.
-        if (!built_) watch_.stop(&JobSeconds::build);
-        built_ = true;
-        last_ = progress;
-        return !callback_ || callback_(last_);
-    }
-    const JobCallback& callback() const { return callback_; }
-    void between_stages() const {
-        if (callback_ && !callback_(last_)) throw Cancelled{};
-    }
-
-   private:
-    const JobCallback& callback_;
-    Stopwatch& watch_;
-    Progress last_;
-    bool built_ = false;
-};
-
-CvtResult tessellate(const Job& job, JobStart& start, Monitor& monitor) {
+CvtResult tessellate(const Job& job, JobStart& start, JobMonitor& monitor, Stopwatch& watch) {
     CvtOptions options;
     options.precondition_below = start.precondition_below;
     options.solver = job.solver;
@@ -71,7 +48,11 @@ CvtResult tessellate(const Job& job, JobStart& start, Monitor& monitor) {
     options.n_threads = job.n_threads;
     options.numbering = start.numbering;
     options.density = job.density;
-    options.progress = [&monitor](const Progress& progress) { return monitor.iteration(progress); };
+    options.progress = [&, built = false](const Progress& progress) mutable {
+        // The first call comes once the first triangulation is built and evaluated.
+        if (!std::exchange(built, true)) watch.stop(&JobSeconds::build);
+        return monitor.iteration(progress);
+    };
     return compute_cvt(job.lattice, std::move(start.points), options);
 }
 
@@ -110,24 +91,11 @@ void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
     if (!job.report.empty()) OutputSet::require_writable(job.report, job.force);
 }
 
-std::vector<BuiltTile> build_tiles(const Job& job, const CvtResult& result,
-                                   const Monitor& monitor) {
-    std::vector<BuiltTile> tiles;
-    tiles.reserve(job.meshes.size());
-    for (const MeshKind kind : job.meshes) {
-        tiles.push_back(proved_tile(job, result, kind));
-        monitor.between_stages();
-    }
-    return tiles;
-}
-
-/// Stages every file and then commits them all. The commit cannot be cancelled.
-void write(const Job& job, const std::vector<JobFile>& files, const Computation& result,
-           std::span<const BuiltTile> tiles, const Monitor& monitor, Stopwatch& watch,
-           RunSummary& summary) {
-    OutputSet outputs;
-    stage_files(
-        job, files, result, tiles, [&] { monitor.between_stages(); }, outputs);
+/// Stages every file and the report.
+void stage(const Job& job, const std::vector<JobFile>& files, const Computation& result,
+           std::span<const BuiltTile> tiles, JobMonitor& monitor, Stopwatch& watch,
+           RunSummary& summary, OutputSet& outputs) {
+    stage_files(job, files, result, tiles, monitor, outputs);
     for (const JobFile& file : files) {
         if (file.folder.empty()) {
             summary.files.insert(summary.files.end(), file.paths.begin(), file.paths.end());
@@ -136,13 +104,9 @@ void write(const Job& job, const std::vector<JobFile>& files, const Computation&
         }
     }
     watch.stop(&JobSeconds::write);
-    if (!job.report.empty()) {
-        summary.seconds = watch.seconds();
-        outputs.stage(job.report, encode_job_report(job, summary));
-    }
-    monitor.between_stages();
-    outputs.commit(job.force);
-    watch.stop(&JobSeconds::write);
+    if (job.report.empty()) return;
+    summary.seconds = watch.seconds();
+    outputs.stage(job.report, encode_job_report(job, summary));
 }
 
 /// Evaluated before any file is written, because a host's density ends with its call.
@@ -151,11 +115,12 @@ std::vector<double> site_densities(const Job& job, const CvtResult& result) {
     return densities_at(*job.density, job.lattice, wrapped_sites(result, job.origin));
 }
 
-Computation compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
-    JobStart start = job_start(job, monitor.callback());
+Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
+    JobStart start = job_start(
+        job, [&monitor](const Progress& progress) { return monitor.start_iteration(progress); });
     if (start.cancelled) throw Cancelled{};
     watch.stop(&JobSeconds::optimize);
-    CvtResult cvt = tessellate(job, start, monitor);
+    CvtResult cvt = tessellate(job, start, monitor, watch);
     watch.stop(&JobSeconds::optimize);
     if (cvt.run.stop == Stop::kCancelled) throw Cancelled{};
     cvt.run.evaluations += start.evaluations;
@@ -163,16 +128,33 @@ Computation compute(const Job& job, Monitor& monitor, Stopwatch& watch) {
     return {std::move(cvt), std::move(start.figures), std::move(densities), watch.seconds()};
 }
 
-RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
-    Stopwatch watch;
-    Monitor monitor(callback, watch);
-    const Computation result = compute(job, monitor, watch);
-    const std::vector<BuiltTile> tiles = build_tiles(job, result.cvt, monitor);
-    RunSummary summary = summarize(result, tiles);
-    watch.stop(&JobSeconds::build);
-    write(job, files, result, tiles, monitor, watch, summary);
+/// Makes the tiles and the files of a computed job. The commit of the files cannot be cancelled.
+RunSummary finish(const Job& job, const std::vector<JobFile>& files, const Computation& result,
+                  const TileSource& make_tiles, JobMonitor& monitor, Stopwatch& watch) {
+    OutputSet outputs;
+    RunSummary summary;
+    monitor.watch([&] {
+        const std::span<const BuiltTile> tiles = make_tiles(monitor);
+        summary = summarize(result, tiles);
+        watch.stop(&JobSeconds::build);
+        stage(job, files, result, tiles, monitor, watch, summary, outputs);
+    });
+    outputs.commit(job.force);
+    watch.stop(&JobSeconds::write);
     summary.seconds = watch.seconds();
     return summary;
+}
+
+RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
+    Stopwatch watch;
+    JobMonitor monitor(callback, target_of(job));
+    const Computation result = compute(job, monitor, watch);
+    std::vector<BuiltTile> tiles;
+    const TileSource make_tiles = [&](JobMonitor&) {
+        tiles = proved_tiles(job, result.cvt, monitor);
+        return std::span<const BuiltTile>(tiles);
+    };
+    return finish(job, files, result, make_tiles, monitor, watch);
 }
 
 }  // namespace
@@ -194,7 +176,7 @@ const char* stop_name(Stop stop) {
 std::optional<Computation> compute_job(const Job& job, const JobCallback& callback) {
     check_job(job);
     Stopwatch watch;
-    Monitor monitor(callback, watch);
+    JobMonitor monitor(callback, target_of(job));
     try {
         return compute(job, monitor, watch);
     } catch (const Cancelled&) {
@@ -213,16 +195,18 @@ Points wrapped_sites(const CvtResult& result, const Vec2& origin) {
     return points;
 }
 
-RunSummary write_job(const Job& job, const Computation& result, std::span<const BuiltTile> tiles) {
+RunSummary write_job(const Job& job, const Computation& result, const TileSource& tiles,
+                     const JobCallback& callback) {
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
     require_all_writable(job, files);
     Stopwatch watch(result.seconds);
-    const JobCallback no_callback;
-    RunSummary summary = summarize(result, tiles);
-    write(job, files, result, tiles, Monitor(no_callback, watch), watch, summary);
-    summary.seconds = watch.seconds();
-    return summary;
+    JobMonitor monitor(callback, target_of(job));
+    try {
+        return finish(job, files, result, tiles, monitor, watch);
+    } catch (const Cancelled&) {
+        return {};
+    }
 }
 
 RunSummary run_job(const Job& job, const JobCallback& callback) {

@@ -13,6 +13,7 @@
 #include "mesher/energy/stability.hpp"
 #include "mesher/search/lattice_stability.hpp"
 #include "mesher/tile/build_tile.hpp"
+#include "plugin/job/job_progress.hpp"
 
 namespace pcvt {
 
@@ -143,10 +144,6 @@ struct RunSummary {
     JobSeconds seconds;
 };
 
-/// Called on the calling thread once an iteration, and between the stages with the last progress
-/// again. Returning false cancels the run.
-using JobCallback = ProgressCallback;
-
 /// Sites -> optimised periodic tessellation -> proved tiles -> files that are read back and proved
 /// again. Prints nothing. Either all files appear, together at the end, or none.
 ///
@@ -168,9 +165,12 @@ void check_job(const Job& job);
 std::optional<Computation> compute_job(const Job& job, const JobCallback& callback);
 /// The optimised sites, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
 Points wrapped_sites(const CvtResult& result, const Vec2& origin);
-/// Writes job.outputs and job.report. tiles[k], proved, belongs to job.meshes[k]; `tiles` may be
+/// Makes the tiles of a job, proved, one for each of job.meshes; they must outlive the call. May be
 /// empty if no output is a tile.
-RunSummary write_job(const Job& job, const Computation& result, std::span<const BuiltTile> tiles);
+using TileSource = std::function<std::span<const BuiltTile>(JobMonitor&)>;
+/// Writes job.outputs and job.report. The summary of a cancelled call has Stop::kCancelled.
+RunSummary write_job(const Job& job, const Computation& result, const TileSource& tiles,
+                     const JobCallback& callback);
 
 /// The stop as contract words: "converged", "iteration-limit", "stalled", "cancelled".
 const char* stop_name(Stop stop);

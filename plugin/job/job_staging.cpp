@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <exception>
-#include <thread>
+#include <filesystem>
+#include <mutex>
 
 #include "io/file_proof.hpp"
 #include "mesher/base/workers.hpp"
@@ -51,39 +52,92 @@ class FileEncoder {
     std::span<const BuiltTile> tiles_;
 };
 
+/// The progress of the files of a job, which several threads write.
+class FileProgress {
+   public:
+    FileProgress(const std::vector<JobFile>& files, JobMonitor& monitor)
+        : files_(files), state_(files.size(), kWaiting), monitor_(monitor) {
+        if (!files.empty()) monitor_.begin(Phase::kWriting, words(0));
+    }
+
+    void begin(std::size_t file) { set(file, kOpen); }
+    void end(std::size_t file) { set(file, kDone); }
+    /// Adds a share of the work on one file.
+    void add(double share) {
+        const std::lock_guard lock(mutex_);
+        done_ += share / double(files_.size());
+        monitor_.advance(done_);
+    }
+
+   private:
+    enum State : char { kWaiting, kOpen, kDone };
+
+    std::string words(std::size_t file) const {
+        const JobFile& at = files_[file];
+        const std::string& path = at.folder.empty() ? at.paths.front() : at.folder;
+        const std::string name = std::filesystem::path(path).filename().string();
+        return "writing " + name + ", " + std::to_string(file + 1) + " of " +
+               std::to_string(files_.size());
+    }
+    /// The words name the first open file.
+    void set(std::size_t file, State state) {
+        const std::lock_guard lock(mutex_);
+        state_[file] = state;
+        const auto open = std::find(state_.begin(), state_.end(), kOpen);
+        const auto first = static_cast<std::size_t>(open - state_.begin());
+        if (open == state_.end() || first == shown_) return;
+        shown_ = first;
+        monitor_.describe(words(first));
+    }
+
+    const std::vector<JobFile>& files_;
+    std::vector<State> state_;
+    JobMonitor& monitor_;
+    std::mutex mutex_;
+    std::size_t shown_ = 0;
+    double done_ = 0;
+};
+
+/// About the shares of the steps in the time of a file.
+constexpr double kEncoding = 0.35;
+constexpr double kStaging = 0.1;
+constexpr double kProving = 1 - kEncoding - kStaging;
+
 /// Encodes a file, lets it reach the disk under a hidden name and proves the bytes there.
-void stage_file(const Job& job, const JobFile& file, const Computation& result,
-                std::span<const BuiltTile> tiles, OutputSet& outputs) {
-    const FileEncoder encoder(job, file, result, tiles);
+void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& origin,
+                FileProgress& progress, OutputSet& outputs) {
     const std::vector<EncodedFile> encoded = encoder.encode();
+    progress.add(kEncoding);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     require_on_disk(outputs, encoded);
+    progress.add(kStaging);
     if (file.format->reads_grid()) {
         prove_grid_files(*file.format, encoded);
     } else if (file.format->is_readable()) {
-        prove_tile_files(*file.format, encoded, encoder.tile(), job.origin);
+        prove_tile_files(*file.format, encoded, encoder.tile(), origin);
     }
+    progress.add(kProving);
 }
 
 }  // namespace
 
 void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
-                 std::span<const BuiltTile> tiles, const std::function<void()>& between_files,
-                 OutputSet& outputs) {
+                 std::span<const BuiltTile> tiles, JobMonitor& monitor, OutputSet& outputs) {
     // Before all files, so that a file inside of a case folder is staged in that folder.
     for (const JobFile& file : files) {
         if (!file.folder.empty()) outputs.stage_folder(file.folder);
     }
-    const std::thread::id caller = std::this_thread::get_id();
+    FileProgress progress(files, monitor);
     std::vector<std::exception_ptr> faults(files.size());
     Workers workers(std::min(job.n_threads, static_cast<int>(files.size())));
     workers.for_each(static_cast<int>(files.size()), [&](int k) {
         try {
-            stage_file(job, files[k], result, tiles, outputs);
+            progress.begin(static_cast<std::size_t>(k));
+            stage_file({job, files[k], result, tiles}, files[k], job.origin, progress, outputs);
+            progress.end(static_cast<std::size_t>(k));
         } catch (...) {
             faults[k] = std::current_exception();
         }
-        if (std::this_thread::get_id() == caller) between_files();
     });
     for (const std::exception_ptr& fault : faults) {
         if (fault) std::rethrow_exception(fault);

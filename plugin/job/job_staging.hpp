@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -10,14 +9,11 @@
 
 namespace pcvt {
 
-/// Encodes the files, lets them reach the disk under hidden names and proves what stands there; as
+/// Encodes the files, lets them reach the disk under hidden names and proves the bytes there; as
 /// many at a time as the job has threads.
 ///
-/// @param between_files  called on the calling thread now and then; what it throws ends the
-///                       staging.
 /// @throws the fault of the first file in the list that has one.
 void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
-                 std::span<const BuiltTile> tiles, const std::function<void()>& between_files,
-                 OutputSet& outputs);
+                 std::span<const BuiltTile> tiles, JobMonitor& monitor, OutputSet& outputs);
 
 }  // namespace pcvt

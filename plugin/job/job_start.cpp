@@ -9,14 +9,14 @@
 namespace pcvt {
 namespace {
 
-JobStart random_start(const Job& job, const JobCallback& /*callback*/) {
+JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
     JobStart start;
     start.points = job.density ? graded_points(job.lattice, *job.density, job.n_sites, job.seed)
                                : uniform_points(job.lattice, job.n_sites, job.seed);
     return start;
 }
 
-JobStart coarse_job_start(const Job& job, const JobCallback& callback) {
+JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
     JobStart start;
     start.points = coarse_start(job.lattice, job.n_sites,
                                 {.seed = job.seed,
@@ -28,7 +28,7 @@ JobStart coarse_job_start(const Job& job, const JobCallback& callback) {
     return start;
 }
 
-JobStart lattice_start(const Job& job, const JobCallback& /*callback*/) {
+JobStart lattice_start(const Job& job, const ProgressCallback& /*callback*/) {
     const LatticePattern pattern = best_lattice(job.lattice, job.n_sites);
     JobStart start;
     start.points = pattern_points(pattern);
@@ -36,7 +36,7 @@ JobStart lattice_start(const Job& job, const JobCallback& /*callback*/) {
     return start;
 }
 
-JobStart best_start(const Job& job, const JobCallback& callback) {
+JobStart best_start(const Job& job, const ProgressCallback& callback) {
     const int budget = job.budget > 0 ? job.budget : default_search_budget(job.n_sites);
     SearchResult result = search_minimum(
         job.lattice, job.n_sites,
@@ -93,7 +93,7 @@ std::span<const StartRow> start_rows() { return kStarts; }
 
 const StartRow& start_row(Start start) { return kStarts[static_cast<std::size_t>(start)]; }
 
-JobStart job_start(const Job& job, const JobCallback& callback) {
+JobStart job_start(const Job& job, const ProgressCallback& callback) {
     if (job.points.cols() == 0) return start_row(chosen_start(job)).make(job, callback);
     JobStart start;
     start.points = job.points;

@@ -31,7 +31,7 @@ struct StartRow {
     bool with_density;
     /// For the command's help, with its line breaks; may be empty.
     const char* help;
-    JobStart (*make)(const Job& job, const JobCallback& callback);
+    JobStart (*make)(const Job& job, const ProgressCallback& callback);
 };
 
 /// All starts, in the order of the enumerators.
@@ -43,8 +43,9 @@ const StartRow& start_row(Start start);
 ///   JobStart start = job_start(job, callback);
 ///   if (!start.cancelled) use(start.points);
 ///
-/// @param callback  as run_job's; called by the coarse start and the global search.
-JobStart job_start(const Job& job, const JobCallback& callback);
+/// @param callback  called by the coarse start and the global search once an iteration; false
+///                  cancels.
+JobStart job_start(const Job& job, const ProgressCallback& callback);
 
 /// The start of a job in reports: "file" if the user gave the sites, else its word.
 const char* start_name(const Job& job);

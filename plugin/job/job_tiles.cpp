@@ -4,19 +4,58 @@
 
 namespace pcvt {
 
-BuiltTile proved_tile(const Job& job, const CvtResult& result, MeshKind kind) {
-    BuiltTile built = build_tile(result.delaunay, {.kind = kind,
-                                                   .outline = job.outline,
-                                                   .short_edges = job.short_edges,
-                                                   .grain_size = job.grain_size,
-                                                   .grain_per_edge = job.grain_per_edge,
-                                                   .order = job.order,
-                                                   .columns = job.columns,
-                                                   .rows = job.rows,
-                                                   .origin = job.origin,
-                                                   .finds_origin = job.finds_origin});
-    verify_generated_tile(built.tile);
-    return built;
+namespace {
+
+BuiltTile built_tile(const Job& job, const CvtResult& result, MeshKind kind,
+                     const std::function<void(double)>& progress) {
+    return build_tile(result.delaunay, {.kind = kind,
+                                        .outline = job.outline,
+                                        .short_edges = job.short_edges,
+                                        .grain_size = job.grain_size,
+                                        .grain_per_edge = job.grain_per_edge,
+                                        .order = job.order,
+                                        .columns = job.columns,
+                                        .rows = job.rows,
+                                        .origin = job.origin,
+                                        .finds_origin = job.finds_origin,
+                                        .progress = progress});
+}
+
+/// "building the tile" if the job has one mesh, "building the grains, 2 of 3" if it has several.
+std::string words(const std::string& verb, const Job& job, std::size_t k) {
+    const std::size_t n = job.meshes.size();
+    if (n == 1) return verb + " the tile";
+    return verb + " " + mesh_kind_row(job.meshes[k]).word + ", " + std::to_string(k + 1) + " of " +
+           std::to_string(n);
+}
+
+/// Runs step(k) for each mesh of the job as one phase.
+template <class Step>
+void for_each_mesh(const Job& job, JobMonitor& monitor, Phase phase, const std::string& verb,
+                   const Step& step) {
+    const std::size_t n = job.meshes.size();
+    monitor.begin(phase, words(verb, job, 0));
+    for (std::size_t k = 0; k < n; ++k) {
+        if (k > 0) monitor.describe(words(verb, job, k));
+        step(k);
+        monitor.advance(double(k + 1) / double(n));
+    }
+}
+
+}  // namespace
+
+std::vector<BuiltTile> proved_tiles(const Job& job, const CvtResult& result, JobMonitor& monitor) {
+    std::vector<BuiltTile> tiles;
+    tiles.reserve(job.meshes.size());
+    for_each_mesh(job, monitor, Phase::kBuilding, "building", [&](std::size_t k) {
+        const auto progress = [&](double share) {
+            monitor.advance((double(k) + share) / double(job.meshes.size()));
+        };
+        tiles.push_back(built_tile(job, result, job.meshes[k], progress));
+    });
+    for_each_mesh(job, monitor, Phase::kProving, "proving",
+                  [&](std::size_t k) { verify_generated_tile(tiles[k].tile); });
+    return tiles;
 }
 
 }  // namespace pcvt

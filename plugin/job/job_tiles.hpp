@@ -5,9 +5,9 @@
 
 namespace pcvt {
 
-/// Builds one mesh of a job and proves it.
+/// Builds the meshes of a job and then proves them; tile k belongs to job.meshes[k].
 /// @throws LimitExceeded  grains too fine, or a piece of a cell too thin for them.
-/// @throws InternalError  the tile breaks its laws: a fault of pcvt.
-BuiltTile proved_tile(const Job& job, const CvtResult& result, MeshKind kind);
+/// @throws InternalError  a tile breaks its laws: a fault of pcvt.
+std::vector<BuiltTile> proved_tiles(const Job& job, const CvtResult& result, JobMonitor& monitor);
 
 }  // namespace pcvt

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -26,32 +25,27 @@ void require(pcvt_status status) {
     if (status < 0) throw std::runtime_error(pcvt_last_error());
 }
 
-/// The progress for MeshLab's bar, by the logarithm of the residual; never decreases.
+/// The progress for MeshLab's bar; it never falls.
 struct ProgressBar {
     vcg::CallBackPos* callback;
-    double tolerance;
-    double first_residual = 0;
     int percent = 0;
 };
 
 int show_progress(const pcvt_progress* progress, void* data) {
     ProgressBar& bar = *static_cast<ProgressBar*>(data);
-    if (bar.first_residual == 0) bar.first_residual = progress->residual;
-    const double way = std::log(bar.first_residual / bar.tolerance);
-    const double share = std::log(bar.first_residual / progress->residual) / way;
-    if (share > 0) {
-        bar.percent = std::max(bar.percent, static_cast<int>(100 * std::min(share, 1.0)));
+    if (progress->phase == PCVT_PHASE_OPTIMISE) {
+        bar.percent = std::max(bar.percent, static_cast<int>(100 * progress->fraction));
     }
-    std::array<char, 80> text{};
-    std::snprintf(text.data(), text.size(), "Periodic CVT: iteration %d, residual %.1e",
-                  static_cast<int>(progress->iteration), progress->residual);
+    std::array<char, 120> text{};
+    std::snprintf(text.data(), text.size(), "Periodic CVT: %s, iteration %d, residual %.1e",
+                  progress->phase_text, static_cast<int>(progress->iteration), progress->residual);
     return bar.callback(bar.percent, text.data()) ? 0 : 1;
 }
 
 /// @throws std::runtime_error with the reason if there is no result.
 Result generate(const TileRequest& request, vcg::CallBackPos* callback) {
     pcvt_options options = request.options;
-    ProgressBar bar{callback, options.tolerance};
+    ProgressBar bar{callback};
     if (!request.density.empty()) options.density_source = request.density.c_str();
     if (callback) {
         options.progress = show_progress;

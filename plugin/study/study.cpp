@@ -1,10 +1,11 @@
 #include "plugin/study/study.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
+#include <thread>
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
@@ -16,8 +17,8 @@
 namespace pcvt {
 namespace {
 
-/// Runs of each thread between two calls of the callback.
-constexpr int kRunsPerLook = 8;
+/// Runs of each thread between two sortings of their rows into the table.
+constexpr int kRunsPerChunk = 8;
 constexpr const char* kRunsSuffix = "-runs";
 
 /// One run of a study.
@@ -97,12 +98,35 @@ std::vector<StudyRow> rows_of_run(const StudyRecipe& recipe, const Study& study,
     return rows;
 }
 
-StudyProgress progress_at(const std::vector<StudyTask>& tasks, int n_done) {
-    const auto add = [](double sum, const StudyTask& task) { return sum + task.n; };
-    const double done = std::accumulate(tasks.begin(), tasks.begin() + n_done, 0.0, add);
-    const double all = std::accumulate(tasks.begin() + n_done, tasks.end(), done, add);
-    return {n_done, static_cast<int>(tasks.size()), all > 0 ? done / all : 1};
-}
+/// Counts the runs that several threads have done and reports them on the calling thread.
+class StudyMonitor {
+   public:
+    StudyMonitor(const std::vector<StudyTask>& tasks, const StudyCallback& callback)
+        : callback_(callback), n_runs_(static_cast<int>(tasks.size())) {
+        for (const StudyTask& task : tasks) n_sites_ += task.n;
+    }
+
+    bool is_cancelled() const { return cancelled_; }
+    void note(const StudyTask& done) {
+        ++runs_done_;
+        sites_done_ += done.n;
+        if (std::this_thread::get_id() == caller_) report();
+    }
+    void report() {
+        if (!callback_ || cancelled_) return;
+        const double share = n_sites_ > 0 ? double(sites_done_) / double(n_sites_) : 1;
+        if (!callback_({runs_done_, n_runs_, share})) cancelled_ = true;
+    }
+
+   private:
+    const StudyCallback& callback_;
+    std::thread::id caller_ = std::this_thread::get_id();
+    int n_runs_;
+    std::int64_t n_sites_ = 0;
+    std::atomic<int> runs_done_ = 0;
+    std::atomic<std::int64_t> sites_done_ = 0;
+    std::atomic<bool> cancelled_ = false;
+};
 
 /// Reads the description back from the first note of a table.
 Study parse_study(const std::string& file, const StudyTable& table) {
@@ -194,19 +218,24 @@ std::optional<StudyTable> run_study(const Study& study, StudyShard shard, int n_
 
     Workers workers(recipe.timed ? 1 : n_threads);
     const int n_tasks = static_cast<int>(tasks.size());
-    const int chunk = recipe.timed ? 1 : kRunsPerLook * workers.n_threads();
+    const int chunk = kRunsPerChunk * workers.n_threads();
     StudyTable table = empty_runs(study);
-    for (int begin = 0; begin < n_tasks; begin += chunk) {
-        if (callback && !callback(progress_at(tasks, begin))) return std::nullopt;
+    StudyMonitor monitor(tasks, callback);
+    monitor.report();
+    for (int begin = 0; begin < n_tasks && !monitor.is_cancelled(); begin += chunk) {
         std::vector<std::vector<StudyRow>> rows(
             static_cast<std::size_t>(std::min(chunk, n_tasks - begin)));
-        workers.for_each(static_cast<int>(rows.size()),
-                         [&](int k) { rows[k] = rows_of_run(recipe, study, tasks[begin + k]); });
+        workers.for_each(static_cast<int>(rows.size()), [&](int k) {
+            if (monitor.is_cancelled()) return;
+            rows[k] = rows_of_run(recipe, study, tasks[begin + k]);
+            monitor.note(tasks[begin + k]);
+        });
         for (std::vector<StudyRow>& part : rows) {
             std::move(part.begin(), part.end(), std::back_inserter(table.rows));
         }
     }
-    if (callback && !callback(progress_at(tasks, n_tasks))) return std::nullopt;
+    monitor.report();
+    if (monitor.is_cancelled()) return std::nullopt;
     return table;
 }
 

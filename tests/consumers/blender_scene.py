@@ -184,7 +184,7 @@ def require_progress():
     shown = []
     manager = SimpleNamespace(progress_begin=lambda *range_: shown.append(range_),
                               progress_update=shown.append, progress_end=lambda: shown.append("end"))
-    with sys.modules["pcvt_tile.add_tile"].ShownProgress(manager, TOLERANCE) as progress:
+    with sys.modules["pcvt_tile.add_tile"].ShownProgress(manager) as progress:
         sys.modules["pcvt_tile.pcvt"].mesh(100, tolerance=TOLERANCE, progress=progress)
     steps = shown[1:-1]
     require((shown[0], shown[-1]) == ((0, 1), "end"), f"the counter shows {shown}")

@@ -1,7 +1,5 @@
 """The operator Add > Mesh > Periodic CVT Tile."""
 
-import math
-
 import bpy
 from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, StringProperty
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
@@ -10,23 +8,23 @@ from .preferences import Missing, load_pcvt
 
 
 class ShownProgress:
-    """The progress function of pcvt as Blender's counter at the mouse: the share of the digits by
-    which the residual must decrease."""
+    """The progress function of pcvt as Blender's counter at the mouse: half for the start, if it
+    takes long, and the rest for the optimisation."""
 
-    def __init__(self, manager, tolerance):
-        self.manager, self.tolerance = manager, tolerance
-        self.first = self.shown = 0
+    def __init__(self, manager):
+        self.manager = manager
+        self.first = 0
 
     def __enter__(self):
         self.manager.progress_begin(0, 1)
         return self
 
     def __call__(self, state):
-        self.first = max(self.first, state.residual)
-        if self.first > self.tolerance:
-            lost = math.log(self.first / max(state.residual, self.tolerance))
-            self.shown = max(self.shown, lost / math.log(self.first / self.tolerance))
-        self.manager.progress_update(self.shown)
+        if state.phase == "start":
+            self.first = 0.5
+            self.manager.progress_update(self.first * state.fraction)
+        else:
+            self.manager.progress_update(self.first + (1 - self.first) * state.fraction)
 
     def __exit__(self, *_):
         self.manager.progress_end()
@@ -102,7 +100,7 @@ class AddPeriodicTile(bpy.types.Operator, AddObjectHelper):
         density = self.density
         if density.startswith("//"):  # Blender's prefix for the folder of its file.
             density = bpy.path.abspath(density)
-        with ShownProgress(manager, self.tolerance) as progress:
+        with ShownProgress(manager) as progress:
             return pcvt.mesh(self.sites, (self.period_a, self.period_b), density or None,
                              seed=self.seed, tolerance=self.tolerance, progress=progress)
 

@@ -5,7 +5,7 @@ namespace pcvt::cli {
 /// From now on SIGINT and SIGTERM are only noted, so that the run can end in order:
 ///
 ///   catch_cancel_signals();
-///   run_job(job, [](const Progress&) { return cancel_signal() == 0; });
+///   run_job(job, [](const JobProgress&) { return cancel_signal() == 0; });
 void catch_cancel_signals();
 
 /// The last signal noted, or 0.

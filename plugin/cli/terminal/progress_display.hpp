@@ -1,19 +1,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "mesher/optimize/objective.hpp"
 #include "plugin/cli/terminal/status_line.hpp"
 #include "plugin/cli/terminal/time_left.hpp"
+#include "plugin/job/job_progress.hpp"
 
 namespace pcvt::cli {
 
-/// The status line of an optimisation: the iteration, the energy over the hexagonal bound, the
-/// residual and the time left. For a global search it shows the number of starts, the lowest energy
-/// and the share of the budget spent.
+/// The status line of a run: the phase and its share. An optimisation adds the time left, the
+/// iteration, the residual and the energy over the hexagonal bound; a search adds the number of
+/// starts and the lowest energy.
 ///
 ///   ProgressDisplay display(hexagonal_bound(area, n), tolerance, true);
-///   run_job(job, [&](const Progress& progress) { display.show(progress); return true; });
+///   run_job(job, [&](const JobProgress& progress) { display.show(progress); return true; });
 class ProgressDisplay {
    public:
     /// @param energy_bound  divides the energies.
@@ -21,7 +22,7 @@ class ProgressDisplay {
     /// @param wanted        false: silent also on a terminal.
     ProgressDisplay(double energy_bound, double tolerance, bool wanted);
 
-    void show(const Progress& progress);
+    void show(const JobProgress& progress);
 
    private:
     double energy_bound_;
@@ -30,7 +31,10 @@ class ProgressDisplay {
     TimeLeft time_left_;
 };
 
-/// The text of the line. `seconds_left` below 0 means unknown.
-std::string progress_line(const Progress& progress, double energy_bound, double seconds_left);
+/// The parts of the line, most important first.
+/// @param seconds       since the start of the run.
+/// @param seconds_left  `nullopt`: unknown.
+std::vector<std::string> progress_parts(const JobProgress& progress, double energy_bound,
+                                        double seconds, std::optional<double> seconds_left);
 
 }  // namespace pcvt::cli

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace pcvt::cli {
 
@@ -9,7 +10,7 @@ namespace pcvt::cli {
 /// standard error is no terminal.
 ///
 ///   StatusLine line(true);
-///   if (line.due()) line.draw("half done");
+///   if (line.due()) line.draw({"half done", "12 s left"});
 class StatusLine {
    public:
     /// @param wanted  false: silent also on a terminal.
@@ -20,7 +21,8 @@ class StatusLine {
 
     /// Whether it is time to draw again.
     bool due();
-    void draw(std::string line);
+    /// Draws the parts that fit_line() keeps in the width of the terminal.
+    void draw(const std::vector<std::string>& parts);
     /// Clears the line on the terminal.
     void clear();
     /// Seconds since the construction.
@@ -32,8 +34,17 @@ class StatusLine {
     bool shown_;
     Clock::time_point start_;
     Clock::time_point last_drawn_;
-    std::size_t width_ = 0;
+    /// Columns of the line on the terminal.
+    int drawn_ = 0;
 };
+
+/// The first part, cut if it is too long, and those of the others that fit behind it, with two
+/// blanks between them. Control characters become question marks.
+/// @param columns  the most columns of the line.
+std::string fit_line(const std::vector<std::string>& parts, int columns);
+
+/// The columns that a UTF-8 text takes on a terminal; at least that many for rare characters.
+int columns_of(const std::string& text);
 
 /// "12 s", "8 min", "2.5 h".
 std::string duration_in_words(double seconds);

@@ -121,7 +121,8 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
     threads         0: as many as there are cores
     grain_order, grain_size, grain_per_edge, short_edges, budget
                     as in pcvt.h
-    progress        called with a Progress once an iteration; a true return value cancels
+    progress        called with a Progress once an iteration; a true return value cancels. Its
+                    `phase` is start or optimise; the later phases belong to Result.write()
 
     Returns a Result, also if the run did not converge: see statistics.stop. Raises Cancelled,
     another Error with the library's message, or the exception of density or progress.
@@ -184,20 +185,28 @@ class Result:
         numbers = _choice("kind", kind, KINDS), _choice("outline", outline, OUTLINES)
         return Tile(self._handle, self._handle.view(library.pcvt_get_tile, _library.Tile, *numbers))
 
-    def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False):
+    def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
+              progress=None):
         """Writes a tile, or the sites for the extension .txt; the extension selects the format.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
+        Ctrl-C ends the call soon.
 
-        path     None: only the report
-        report   also write the statistics of the run to this .json file
-        replace  whether files that exist are replaced
+        path      None: only the report
+        report    also write the statistics of the run to this .json file
+        replace   whether files that exist are replaced
+        progress  called with a Progress ten times a second; a true return value cancels
         """
         options = _library.WriteOptions(
             struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
             outline=_choice("outline", outline, OUTLINES), replace=bool(replace),
             report=None if report is None else _text("report", report))
         file = None if path is None else _text("path", path)
-        checked(library.pcvt_write(self._handle.pointer, file, byref(options)))
+        with Callbacks(None, progress) as callbacks:
+            options.progress = _library.ProgressCallback(callbacks.show_progress)
+            status = library.pcvt_write(self._handle.pointer, file, byref(options))
+            if callbacks.error is not None:
+                raise callbacks.error
+            checked(status)
 
     def plot(self, kind="voronoi", outline="whole", axes=None):
         """Draws a tile, as Tile.plot()."""

@@ -1,5 +1,6 @@
 """The functions of a caller, as the library may call them."""
 
+import os
 import signal
 from ctypes import c_double
 from typing import NamedTuple
@@ -7,8 +8,16 @@ from typing import NamedTuple
 import numpy as np
 
 
+PHASES = ("start", "optimise", "build", "prove", "write")
+
+
 class Progress(NamedTuple):
-    """The state of a run. `energy_bound` is NaN with a density."""
+    """The state of a run. `energy_bound` is NaN with a density.
+
+    phase       start, optimise, build, prove or write
+    fraction    the part of the phase that is done, 0 to 1; negative: unknown
+    phase_text  the phase in words: "writing tile.msh, 1 of 1"
+    """
 
     iteration: int
     evaluations: int
@@ -16,10 +25,16 @@ class Progress(NamedTuple):
     energy_bound: float
     residual: float
     rms_residual: float
+    phase: str
+    fraction: float
+    phase_text: str
 
 
 def _copy(view):
-    return Progress(*(getattr(view, name) for name in Progress._fields))
+    fields = {name: getattr(view, name) for name in Progress._fields}
+    fields["phase"] = PHASES[view.phase]
+    fields["phase_text"] = os.fsdecode(view.phase_text)
+    return Progress(**fields)
 
 
 class Callbacks:

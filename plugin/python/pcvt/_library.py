@@ -49,7 +49,8 @@ _ERRORS = {_CANCELLED: Cancelled, -1: ArgumentError, -3: DensityError, -4: Limit
 class Progress(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("iteration", c_int32), ("evaluations", c_int32),
                 ("energy", c_double), ("energy_bound", c_double), ("residual", c_double),
-                ("rms_residual", c_double)]
+                ("rms_residual", c_double), ("phase", c_int32), ("reserved", c_int32),
+                ("fraction", c_double), ("phase_text", c_char_p)]
 
 
 ProgressCallback = CFUNCTYPE(c_int, POINTER(Progress), c_void_p)
@@ -101,7 +102,8 @@ class Statistics(ctypes.Structure):
 
 class WriteOptions(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("report", c_char_p), ("kind", c_int32),
-                ("outline", c_int32), ("replace", c_int32), ("reserved", c_int32)]
+                ("outline", c_int32), ("replace", c_int32), ("reserved", c_int32),
+                ("progress", ProgressCallback), ("progress_data", c_void_p)]
 
 
 _FUNCTIONS = {

@@ -38,6 +38,11 @@ static void print_numbers(void) {
     NUMBER(PCVT_STOP_CONVERGED);
     NUMBER(PCVT_STOP_ITERATION_LIMIT);
     NUMBER(PCVT_STOP_STALLED);
+    NUMBER(PCVT_PHASE_START);
+    NUMBER(PCVT_PHASE_OPTIMISE);
+    NUMBER(PCVT_PHASE_BUILD);
+    NUMBER(PCVT_PHASE_PROVE);
+    NUMBER(PCVT_PHASE_WRITE);
 }
 
 static void print_progress(void) {
@@ -49,6 +54,10 @@ static void print_progress(void) {
     FIELD(pcvt_progress, energy_bound);
     FIELD(pcvt_progress, residual);
     FIELD(pcvt_progress, rms_residual);
+    FIELD(pcvt_progress, phase);
+    FIELD(pcvt_progress, reserved);
+    FIELD(pcvt_progress, fraction);
+    FIELD(pcvt_progress, phase_text);
 }
 
 static void print_options(void) {
@@ -161,6 +170,8 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, outline);
     FIELD(pcvt_write_options, replace);
     FIELD(pcvt_write_options, reserved);
+    FIELD(pcvt_write_options, progress);
+    FIELD(pcvt_write_options, progress_data);
 }
 
 int main(void) {

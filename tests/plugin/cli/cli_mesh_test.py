@@ -1,15 +1,11 @@
 """pcvt mesh: its files, its messages, the input that it accepts, and cancelling."""
 
-import fcntl
 import json
 import os
-import pty
 import re
 import shutil
 import signal
-import struct
 import subprocess
-import termios
 import time
 import unittest
 
@@ -273,50 +269,6 @@ class Cancelling(CliTest):
 
     def test_sigterm_leaves_nothing(self):
         self.cancel(signal.SIGTERM)
-
-
-class ProgressDisplay(CliTest):
-    RUN = ("mesh", "--sites", "40000", "--solver", "lloyd", "--tolerance", "1e-9",
-           "--max-iterations", "1500", "--threads", "1")
-
-    def on_a_terminal(self, *more, run=RUN):
-        """Returns the output of a run whose standard error is a terminal."""
-        master, slave = pty.openpty()
-        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
-        started = subprocess.Popen([self.binary(), *run, *more], cwd=self.folder,
-                                   stdout=subprocess.DEVNULL, stderr=slave)
-        os.close(slave)
-        shown = b""
-        while True:
-            try:
-                part = os.read(master, 4096)
-            except OSError:
-                break
-            if not part:
-                break
-            shown += part
-        os.close(master)
-        self.assertEqual(started.wait(TIMEOUT), 0)
-        return shown.decode()
-
-    def test_progress_is_shown_on_a_terminal_and_cleared(self):
-        shown = self.on_a_terminal()
-        self.assertRegex(shown, r"\riteration \d+  energy/bound 1\.\d+  residual \d\.\de-\d+")
-        self.assertRegex(shown, r"about \d+ s left")
-        self.assertNotIn("\n", shown)
-        self.assertRegex(shown, r"\r +\r$")
-        self.assertLess(max(map(len, shown.split("\r"))), 80)
-
-    def test_a_search_shows_its_lowest_energy_and_its_budget(self):
-        shown = self.on_a_terminal(run=("mesh", "--sites", "150", "--start", "best"))
-        self.assertRegex(shown, r"\rsearch: start \d+  lowest energy/bound 1\.\d+  \d+ % of the budget")
-        self.assertLess(max(map(len, shown.split("\r"))), 80)
-
-    def test_quiet_shows_no_progress(self):
-        self.assertEqual(self.on_a_terminal("--quiet"), "")
-
-    def test_progress_is_not_shown_elsewhere(self):
-        self.succeed(*self.RUN)
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ std::map<std::string, std::string> files_in(const TemporaryFolder& folder) {
 std::map<std::string, std::string> files_written(int n_threads) {
     const TemporaryFolder folder;
     const RunSummary outcome =
-        run_job(job_for_every_format(folder, n_threads), [](const Progress&) { return true; });
+        run_job(job_for_every_format(folder, n_threads), [](const JobProgress&) { return true; });
     EXPECT_EQ(outcome.run.stop, Stop::kConverged);
     return files_in(folder);
 }
@@ -65,7 +65,7 @@ TEST(JobStaging, ReportsTheFaultOfTheFirstFileInTheList) {
     }
     for (int k = 0; k < 20; ++k) {
         try {
-            run_job(job, [](const Progress&) { return true; });
+            run_job(job, [](const JobProgress&) { return true; });
             FAIL() << "no fault";
         } catch (const InvalidInput& error) {
             ASSERT_THAT(error.what(), HasSubstr("q.nc"));

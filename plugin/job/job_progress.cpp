@@ -1,0 +1,140 @@
+#include "plugin/job/job_progress.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace pcvt {
+namespace {
+
+/// The time between two calls of the callback in a phase that does not iterate.
+constexpr std::chrono::milliseconds kBetweenCalls{100};
+
+/// The part of the way that a residual has come down, on a logarithmic scale.
+double share_of_digits(double first, double residual, double tolerance) {
+    if (!(first > tolerance) || !(tolerance > 0) || !(residual > 0)) return 0;
+    return std::log(first / residual) / std::log(first / tolerance);
+}
+
+double share_of_start(const Progress& progress) {
+    return progress.budget > 0 ? double(progress.evaluations) / progress.budget : progress.share;
+}
+
+}  // namespace
+
+JobMonitor::JobMonitor(const JobCallback& callback, const Target& target)
+    : callback_(callback), target_(target) {}
+
+bool JobMonitor::report(const JobProgress& progress) const {
+    return !callback_ || callback_(progress);
+}
+
+void JobMonitor::require_wanted() const {
+    if (cancelled_) throw Cancelled{};
+}
+
+bool JobMonitor::start_iteration(const Progress& progress) {
+    now_.phase = Phase::kStarting;
+    now_.text = progress.budget > 0 ? "searching" : "placing the sites";
+    now_.fraction = std::clamp(share_of_start(progress), now_.fraction, 1.0);
+    now_.run = progress;
+    return report(now_);
+}
+
+bool JobMonitor::iteration(const Progress& progress) {
+    if (now_.phase != Phase::kOptimising || now_.text.empty()) {
+        now_ = {.phase = Phase::kOptimising, .text = "optimising", .fraction = 0, .run = {}};
+        first_residual_ = progress.residual;
+    }
+    double share = share_of_digits(first_residual_, progress.residual, target_.tolerance);
+    if (target_.max_iterations > 0) {
+        share = std::max(share, double(progress.iteration) / target_.max_iterations);
+    }
+    now_.fraction = std::clamp(share, now_.fraction, 1.0);
+    now_.run = progress;
+    return report(now_);
+}
+
+void JobMonitor::watch(const std::function<void()>& work) {
+    if (!callback_) {
+        work();
+        return;
+    }
+    std::exception_ptr fault;
+    bool ended = false;
+    const auto run = [&] {
+        try {
+            work();
+        } catch (...) {
+            fault = std::current_exception();
+        }
+        const std::lock_guard lock(mutex_);
+        ended = true;
+        changed_.notify_one();
+    };
+    std::thread worker;
+    try {
+        worker = std::thread(run);
+    } catch (const std::system_error&) {
+        run();  // Without a second thread the callback hears of the phases at the end.
+    }
+    const auto join = [&worker] {
+        if (worker.joinable()) worker.join();
+    };
+    try {
+        report_until(ended);
+    } catch (...) {
+        cancelled_ = true;
+        join();
+        throw;
+    }
+    join();
+    require_wanted();
+    if (fault) std::rethrow_exception(fault);
+}
+
+/// Reports every change, and the state at least every kBetweenCalls, until the work has ended.
+void JobMonitor::report_until(const bool& ended) {
+    std::unique_lock lock(mutex_);
+    for (bool last = false; !last;) {
+        changed_.wait_for(lock, kBetweenCalls, [&] { return ended || !unseen_.empty(); });
+        last = ended;
+        std::vector<JobProgress> states = std::exchange(unseen_, {});
+        states.push_back(now_);
+        lock.unlock();
+        for (const JobProgress& state : states) {
+            if (!cancelled_ && !report(state)) cancelled_ = true;
+        }
+        lock.lock();
+    }
+}
+
+void JobMonitor::begin(Phase phase, const std::string& text) {
+    require_wanted();
+    const std::lock_guard lock(mutex_);
+    now_.phase = phase;
+    now_.text = text;
+    now_.fraction = 0;
+    unseen_.push_back(now_);
+    changed_.notify_one();
+}
+
+void JobMonitor::describe(const std::string& text) {
+    require_wanted();
+    const std::lock_guard lock(mutex_);
+    now_.text = text;
+    unseen_.push_back(now_);
+    changed_.notify_one();
+}
+
+void JobMonitor::advance(double fraction) {
+    require_wanted();
+    const std::lock_guard lock(mutex_);
+    now_.fraction = std::clamp(fraction, now_.fraction, 1.0);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "mesher/cvt/cvt.hpp"
+
+namespace pcvt {
+
+/// The parts of a run, in their order. A run leaves out the parts that it does not need.
+enum class Phase { kStarting, kOptimising, kBuilding, kProving, kWriting };
+
+/// The state of a run.
+struct JobProgress {
+    Phase phase = Phase::kOptimising;
+    /// The phase in words: "optimising", "writing big.msh, 2 of 3".
+    std::string text;
+    /// The part of the phase that is done, from 0 to 1. It never falls within a phase. Negative:
+    /// unknown.
+    double fraction = -1;
+    /// The last iteration.
+    Progress run;
+};
+
+/// Called on the calling thread once an iteration, at the beginning of each phase and of each file,
+/// and ten times a second while later phases last. Returning false cancels the run.
+using JobCallback = std::function<bool(const JobProgress&)>;
+
+/// Thrown through a run whose callback has returned false.
+struct Cancelled {};
+
+/// Reports the progress of one run to its callback.
+///
+///   JobMonitor monitor(callback, {.tolerance = 1e-6});
+///   compute_cvt(lattice, points, {.progress = [&](auto& p) { return monitor.iteration(p); }});
+///   monitor.watch([&] {
+///       monitor.begin(Phase::kBuilding, "building the tile");
+///       build();
+///   });
+class JobMonitor {
+   public:
+    /// The ends of the optimisation, from which its fraction follows.
+    struct Target {
+        double tolerance = 0;
+        /// Negative: no limit.
+        int max_iterations = -1;
+    };
+
+    /// @param callback  may be empty; must outlive the monitor.
+    JobMonitor(const JobCallback& callback, const Target& target);
+
+    /// Report one iteration of the start, or of the optimisation. For the calling thread.
+    /// @returns whether the run goes on.
+    bool start_iteration(const Progress& progress);
+    bool iteration(const Progress& progress);
+
+    /// Runs `work` on a thread of its own while this one calls the callback, so that a long step
+    /// does not delay it. For the calling thread.
+    /// @throws Cancelled, or the exception of `work`.
+    void watch(const std::function<void()>& work);
+
+    // The steps of the work. Any thread may call them; they throw Cancelled in a cancelled run.
+
+    void begin(Phase phase, const std::string& text);
+    /// Changes the words of the phase.
+    void describe(const std::string& text);
+    /// Raises the fraction of the phase to `fraction`.
+    void advance(double fraction);
+
+   private:
+    bool report(const JobProgress& progress) const;
+    void report_until(const bool& ended);
+    void require_wanted() const;
+
+    const JobCallback& callback_;
+    Target target_;
+    double first_residual_ = 0;
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    JobProgress now_;
+    /// States that the callback must see before `now_`.
+    std::vector<JobProgress> unseen_;
+    std::atomic<bool> cancelled_ = false;
+};
+
+}  // namespace pcvt
