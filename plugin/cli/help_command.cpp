@@ -3,12 +3,18 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <array>
 #include <vector>
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
 #include "io/tile_formats.hpp"
+#include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
+#include "plugin/cli/manual/manual_page.hpp"
+#include "plugin/cli/manual/shell_completion.hpp"
+#include "plugin/cli/option_values.hpp"
+#include "plugin/job/version.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -52,17 +58,15 @@ std::string formats_help() {
     return text + "\nExample:\n  pcvt mesh --sites 300 --mesh grains -o tile.msh -o tile.svg\n";
 }
 
-}  // namespace
-
-std::string formula_words() {
-    return std::string("functions: ") + kFunctions + ";\nconstants: " + kConstants;
+/// Refuses a topic that is not among the words.
+[[noreturn]] void refuse_topic(const std::string& topic, const std::vector<std::string>& words,
+                               const std::string& remedy) {
+    const std::string meant = nearest_word(topic, words);
+    throw InvalidInput("help " + in_quotes(topic) + ": unknown; " +
+                       (meant.empty() ? remedy : "did you mean " + meant + "?"));
 }
 
-void add_help_options(CLI::App& app, std::string& topic) {
-    app.add_option("TOPIC", topic, "a command, density or formats")->type_name("");
-}
-
-std::string help_text(const CLI::App& app, const std::string& topic) {
+std::string topic_text(const CLI::App& app, const std::string& topic) {
     if (topic.empty()) {
         // app.help() returns the help of the command that was parsed, which is `help`.
         return app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal);
@@ -75,10 +79,56 @@ std::string help_text(const CLI::App& app, const std::string& topic) {
         topics.push_back(command->get_name());
     }
     topics.insert(topics.end(), {"density", "formats"});
-    const std::string meant = nearest_word(topic, topics);
-    throw InvalidInput(
-        "help " + in_quotes(topic) + ": unknown; " +
-        (meant.empty() ? "take a command, density or formats" : "did you mean " + meant + "?"));
+    refuse_topic(topic, topics, "take a command, density or formats");
+}
+
+std::string man_text(const CLI::App& app, const std::string& name) {
+    const std::vector<CommandWords> commands = option_tables(app);
+    std::vector<std::string> names;
+    for (const CommandWords& command : commands) {
+        if (command.name == name) {
+            const bool is_pcvt = name.empty();
+            return manual_page(commands, command, version(),
+                               is_pcvt ? std::vector<ManualSection>{{"Formats", formats_help()},
+                                                                    {"Densities", density_help()}}
+                                       : std::vector<ManualSection>{});
+        }
+        names.push_back(command.name);
+    }
+    refuse_topic(name, names, "--man takes a command, or none");
+}
+
+/// A shell and its script, which completes the command line; a table of choices.
+struct ShellRow {
+    const char* word;
+    int abi_value;
+    std::string (*script)(const std::vector<CommandWords>& commands);
+};
+constexpr std::array kShells{ShellRow{"bash", 0, bash_completion},
+                             ShellRow{"zsh", 1, zsh_completion}};
+
+constexpr const char* kTopics = "mesh|pattern|study|check|density|formats";
+
+}  // namespace
+
+std::string formula_words() {
+    return std::string("functions: ") + kFunctions + ";\nconstants: " + kConstants;
+}
+
+void add_help_options(CLI::App& app, HelpOptions& options) {
+    app.add_option("TOPIC", options.topic, "a command, density or formats")
+        ->type_name("")
+        ->option_text(kTopics);
+    app.add_flag("--man", options.man, "the page of a command, or of pcvt, for man");
+    app.add_option("--completion", options.shell, "the script that completes the command line")
+        ->type_name(listed_words(kShells, "|", "|"));
+}
+
+std::string help_text(const CLI::App& app, const HelpOptions& options) {
+    if (!options.shell.empty()) {
+        return chosen_row("--completion", options.shell, kShells).script(option_tables(app));
+    }
+    return options.man ? man_text(app, options.topic) : topic_text(app, options.topic);
 }
 
 }  // namespace pcvt::cli

@@ -11,11 +11,22 @@ namespace pcvt::cli {
 /// The words of formulas in one line, for the help of --density.
 std::string formula_words();
 
-/// Adds the argument of `pcvt help [COMMAND|density|formats]`; parsing fills `topic`.
-void add_help_options(CLI::App& app, std::string& topic);
+/// The options of `pcvt help`.
+struct HelpOptions {
+    /// A command, `density` or `formats`; empty: the overview.
+    std::string topic;
+    /// Whether the page of the manual is wanted.
+    bool man = false;
+    /// The shell whose completion is wanted; empty: none.
+    std::string shell;
+};
 
-/// Returns the text about `topic`: a command of `app`, `density` or `formats`; empty: the overview.
+/// Adds the arguments of `pcvt help [COMMAND|density|formats]`; parsing fills `options`.
+void add_help_options(CLI::App& app, HelpOptions& options);
+
+/// Returns the text that `pcvt help` prints.
+/// @param app  the parser of the whole command line.
 /// @throws InvalidInput naming the topics.
-std::string help_text(const CLI::App& app, const std::string& topic);
+std::string help_text(const CLI::App& app, const HelpOptions& options);
 
 }  // namespace pcvt::cli

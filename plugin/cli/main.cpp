@@ -39,7 +39,7 @@ struct CommandLine {
     MeshOptions pattern_options;
     StudyOptions study_options;
     CheckOptions check_options;
-    std::string help_topic;
+    HelpOptions help_options;
 };
 
 void describe(CommandLine& line) {
@@ -60,7 +60,7 @@ void describe(CommandLine& line) {
     add_pattern_options(*line.pattern, line.pattern_options);
     add_study_options(*line.study, line.study_options);
     add_check_options(*line.check, line.check_options);
-    add_help_options(*line.help, line.help_topic);
+    add_help_options(*line.help, line.help_options);
     app.footer(std::string(kExamples) + exit_code_help());
 }
 
@@ -90,7 +90,7 @@ ExitCode run_chosen(const CommandLine& line) {
                                  line.study_options);
     }
     if (line.check->parsed()) return run_check(*line.check, line.check_options);
-    print(help_text(line.app, line.help_topic));
+    print(help_text(line.app, line.help_options));
     return ExitCode::kDone;
 }
 

@@ -88,7 +88,8 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
         app.add_option(name, value, description)->type_name(form);
     };
     app.option_defaults()->group("Study");
-    add("STUDY", options.name, "", "table1, fig7, fig8, fig9, fig10 or fig11");
+    add("STUDY", options.name, "", "one of the studies below");
+    app.get_option("STUDY")->option_text("table1|fig7|fig8|fig9|fig10|fig11");
     add("--sites", options.sites, "N,N,...", "numbers of sites [the paper's, see below]");
     add("--runs", options.runs, "R", "random starts for each number of sites [see below]");
     add("--seed", options.seed, "S",

@@ -1,0 +1,68 @@
+#include "plugin/cli/manual/option_table.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+
+namespace pcvt::cli {
+namespace {
+
+std::vector<std::string> alternatives(const std::string& form) {
+    return form.empty() ? std::vector<std::string>() : CLI::detail::split(form, '|');
+}
+
+/// Whether an alternative of a form is typed as it is there.
+bool is_literal(const std::string& word) {
+    return std::all_of(word.begin(), word.end(),
+                       [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); });
+}
+
+OptionWords words_of(const CLI::Option& option) {
+    OptionWords words;
+    words.is_argument = option.get_positional();
+    if (words.is_argument) {
+        words.names.push_back(option.get_single_name());
+    } else {
+        for (const std::string& name : option.get_snames()) words.names.push_back("-" + name);
+        for (const std::string& name : option.get_lnames()) words.names.push_back("--" + name);
+    }
+    const bool takes_value = option.get_items_expected_max() > 0;
+    words.form = !option.get_option_text().empty() ? option.get_option_text()
+                 : takes_value                     ? option.get_type_name()
+                                                   : "";
+    words.description = option.get_description();
+    words.group = option.get_group();
+    words.is_repeatable = option.get_items_expected_max() > 1;
+    return words;
+}
+
+CommandWords table_of(const CLI::App& app, const std::string& name) {
+    CommandWords command{name, app.get_description(), {}, app.get_footer()};
+    for (const CLI::Option* option : app.get_options()) {
+        if (!option->get_group().empty()) command.options.push_back(words_of(*option));
+    }
+    return command;
+}
+
+}  // namespace
+
+std::vector<std::string> OptionWords::values() const {
+    std::vector<std::string> words = alternatives(form);
+    std::erase_if(words, [](const std::string& word) { return !is_literal(word); });
+    return words;
+}
+
+bool OptionWords::takes_file() const {
+    return form.find("FILE") != std::string::npos || (is_argument && names.front() == "FILE");
+}
+
+std::vector<CommandWords> option_tables(const CLI::App& app) {
+    std::vector<CommandWords> tables{table_of(app, "")};
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        tables.push_back(table_of(*command, command->get_name()));
+    }
+    return tables;
+}
+
+}  // namespace pcvt::cli
