@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/solvers/msh_groups.hpp"
 #include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 namespace {
 
-using Words = std::vector<std::string_view>;
+using Words = MshRows::Words;
 
 constexpr int kLine = 1;
 constexpr int kTriangle = 2;
@@ -38,15 +39,6 @@ std::size_t n_nodes(int type) {
 /// The number of entries of an affine map, a 4 x 4 matrix stored row by row.
 constexpr int kAffine = 16;
 
-/// A line element and the curve that it lies on.
-struct LineElement {
-    int curve;
-    int from;
-    int to;
-    std::optional<int> middle;
-    int line;
-};
-
 /// The link of one slave curve in $Periodic.
 struct CurveLink {
     Vec2 translation;
@@ -56,14 +48,17 @@ struct CurveLink {
 class MshParser {
    public:
     MshParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), file_{.name = name, .index_base = 1} {}
+        : rows_(name, text), file_{.name = name, .index_base = 1} {}
 
     FileTileBuilder parse() {
-        if (!next_filled() || scanner_.words() != Words{"$MeshFormat"}) {
+        if (!rows_.next_filled() || rows_.words() != Words{"$MeshFormat"}) {
             throw BadFile(name() + ": does not begin with $MeshFormat; give a file in MSH 4.1");
         }
         do parse_section();
-        while (next_filled());
+        while (rows_.next_filled());
+        if (is_ours_) {
+            group_fault_ = groups_.fault(name(), file_.numbered, surfaces_, lines_);
+        }
         // Sites count in a file of pcvt alone, and node sites determine the cells of triangles.
         if (!is_ours_ || !file_.numbered.node_sites.empty()) file_.numbered.triangle_sites.clear();
         if (!is_ours_) file_.numbered.node_sites.clear();
@@ -71,46 +66,18 @@ class MshParser {
         return std::move(file_);
     }
 
+    /// As MshGroups::fault(), after parse(). A fault of nodes or triangles matters more.
+    const std::optional<std::string>& group_fault() const { return group_fault_; }
+
    private:
     const std::string& name() const { return file_.name; }
 
-    /// Advances to the next line that is not blank; returns false at the end of the text.
-    bool next_filled() {
-        while (scanner_.next()) {
-            if (!scanner_.words().empty()) return true;
-        }
-        return false;
-    }
-
-    /// Returns the words of the next line of a section.
-    const Words& row() {
-        if (!next_filled()) {
-            throw BadFile(name() + ": ends inside of a section; give the whole file");
-        }
-        return scanner_.words();
-    }
-    const Words& row(std::size_t n_words) {
-        if (row().size() != n_words) {
-            scanner_.throw_bad_file("the line has " + std::to_string(scanner_.words().size()) +
-                                    " words where " + std::to_string(n_words) +
-                                    " belong; write the file again");
-        }
-        return scanner_.words();
-    }
-    int integer(std::size_t word) const { return scanner_.integer(scanner_.words()[word]); }
-    double number(std::size_t word) const { return scanner_.number(scanner_.words()[word]); }
-    int count(std::size_t word) const {
-        const int n = integer(word);
-        if (n < 0) scanner_.throw_bad_file("a count is negative; correct it");
-        return n;
-    }
-
     void parse_section() {
         // A section begins with $NAME and ends with $EndNAME.
-        const std::string section(scanner_.words().front());
+        const std::string section(rows_.words().front());
         if (section.size() < 2 || section[0] != '$' || section.starts_with("$End")) {
-            scanner_.throw_bad_file(in_quotes(section) +
-                                    " does not begin a section; write the file again");
+            rows_.throw_bad_file(in_quotes(section) +
+                                 " does not begin a section; write the file again");
         }
         const std::string end = "$End" + section.substr(1);
         // Parsers that search for the end of their section have passed it: return.
@@ -119,6 +86,10 @@ class MshParser {
         } else if (section == "$Comments") {
             parse_comments(end);
             return;
+        } else if (section == "$PhysicalNames" && is_ours_) {
+            groups_.parse_names(rows_);
+        } else if (section == "$Entities" && is_ours_) {
+            groups_.parse_entities(rows_);
         } else if (section == "$Nodes") {
             parse_nodes();
         } else if (section == "$Elements") {
@@ -132,159 +103,161 @@ class MshParser {
             parse_data(end, file_.numbered.triangle_sites);
             return;
         } else {
-            while (row().front() != end) continue;
+            while (rows_.next_row().front() != end) continue;
             return;
         }
         // The other parsers stop before it.
-        if (row().front() != end)
-            scanner_.throw_bad_file("the section has more lines than its count; correct the count");
+        if (rows_.next_row().front() != end)
+            rows_.throw_bad_file("the section has more lines than its count; correct the count");
     }
 
     void parse_format() {
-        row(3);
-        if (scanner_.words()[0] != "4.1") {
-            scanner_.throw_bad_file("the version is " + in_quotes(scanner_.words()[0]) +
-                                    "; save the file as MSH 4.1");
+        rows_.next_row(3);
+        if (rows_.words()[0] != "4.1") {
+            rows_.throw_bad_file("the version is " + in_quotes(rows_.words()[0]) +
+                                 "; save the file as MSH 4.1");
         }
-        if (scanner_.words()[1] != "0")
-            scanner_.throw_bad_file("the file is binary; save it as ASCII");
+        if (rows_.words()[1] != "0") rows_.throw_bad_file("the file is binary; save it as ASCII");
     }
 
     void parse_comments(const std::string& end) {
-        while (row().front() != end) {
-            const Words& words = scanner_.words();
+        while (rows_.next_row().front() != end) {
+            const Words& words = rows_.words();
             if (words.size() < 2 || words[0] != "pcvt") continue;
             is_ours_ = true;
             const Words values(words.begin() + 2, words.end());
             if (words[1] == "kind") {
-                file_.take_kind(scanner_, values);
+                file_.take_kind(rows_.scanner(), values);
             } else if (words[1] == "lattice") {
-                file_.take_lattice(scanner_, values);
+                file_.take_lattice(rows_.scanner(), values);
             } else {
-                scanner_.throw_bad_file("pcvt does not know " + in_quotes(words[1]) +
-                                        "; remove the line");
+                rows_.throw_bad_file("pcvt does not know " + in_quotes(words[1]) +
+                                     "; remove the line");
             }
         }
     }
 
     void parse_nodes() {
-        row(4);
-        for (int block = count(0); block > 0; --block) {
-            row(4);
-            if (integer(2) != 0)
-                scanner_.throw_bad_file("nodes with parameters; save without them");
-            const int n = count(3);
+        rows_.next_row(4);
+        for (int block = rows_.count(0); block > 0; --block) {
+            rows_.next_row(4);
+            if (rows_.integer(2) != 0)
+                rows_.throw_bad_file("nodes with parameters; save without them");
+            const int n = rows_.count(3);
             const std::size_t first = file_.numbered.nodes.size();
             for (int k = 0; k < n; ++k) {
-                row(1);
-                file_.numbered.nodes.push_back({integer(0), scanner_.line(), Vec2::Zero()});
+                rows_.next_row(1);
+                file_.numbered.nodes.push_back({rows_.integer(0), rows_.line(), Vec2::Zero()});
             }
             for (int k = 0; k < n; ++k) {
-                row(3);
-                if (number(2) != 0)
-                    scanner_.throw_bad_file("z is not 0; move the tile to the plane z = 0");
-                file_.numbered.nodes[first + static_cast<std::size_t>(k)].point = {number(0),
-                                                                                   number(1)};
+                rows_.next_row(3);
+                if (rows_.number(2) != 0)
+                    rows_.throw_bad_file("z is not 0; move the tile to the plane z = 0");
+                file_.numbered.nodes[first + static_cast<std::size_t>(k)].point = {rows_.number(0),
+                                                                                   rows_.number(1)};
             }
         }
     }
 
     void parse_elements() {
-        row(4);
-        for (int block = count(0); block > 0; --block) {
-            row(4);
-            const int dimension = integer(0);
-            const int entity = integer(1);
-            const int type = integer(2);
+        rows_.next_row(4);
+        for (int block = rows_.count(0); block > 0; --block) {
+            rows_.next_row(4);
+            const int dimension = rows_.integer(0);
+            const int entity = rows_.integer(1);
+            const int type = rows_.integer(2);
             if (n_nodes(type) == 0) {
-                scanner_.throw_bad_file("elements of type " + std::to_string(type) +
-                                        " are no triangles; give a mesh of triangles");
+                rows_.throw_bad_file("elements of type " + std::to_string(type) +
+                                     " are no triangles; give a mesh of triangles");
             }
-            for (int n = count(3); n > 0; --n)
-                parse_element(type, dimension == kCurves ? entity : -1);
+            for (int n = rows_.count(3); n > 0; --n) parse_element(type, dimension, entity);
         }
     }
 
-    void parse_element(int type, int curve) {
+    void parse_element(int type, int dimension, int entity) {
         const std::size_t n = n_nodes(type);
-        row(1 + n);
+        rows_.next_row(1 + n);
         if (type == kTriangle || type == kTriangle6) {
             std::vector<int> nodes;
-            for (std::size_t k = 1; k <= n; ++k) nodes.push_back(integer(k));
-            file_.numbered.triangles.push_back({integer(0), scanner_.line(), std::move(nodes)});
-        } else if (type != kPoint && curve >= 0) {
+            for (std::size_t k = 1; k <= n; ++k) nodes.push_back(rows_.integer(k));
+            file_.numbered.triangles.push_back({rows_.integer(0), rows_.line(), std::move(nodes)});
+            surfaces_.push_back(entity);
+        } else if (type != kPoint && dimension == kCurves) {
             std::optional<int> middle;
-            if (type == kLine3) middle = integer(3);
-            lines_.push_back({.curve = curve,
-                              .from = integer(1),
-                              .to = integer(2),
+            if (type == kLine3) middle = rows_.integer(3);
+            lines_.push_back({.curve = entity,
+                              .from = rows_.integer(1),
+                              .to = rows_.integer(2),
                               .middle = middle,
-                              .line = scanner_.line()});
+                              .line = rows_.line()});
         }
     }
 
     void parse_periodic() {
-        row(1);
-        for (int n = count(0); n > 0; --n) parse_link();
+        rows_.next_row(1);
+        for (int n = rows_.count(0); n > 0; --n) parse_link();
     }
 
     void parse_link() {
-        row(3);
-        const bool of_curves = integer(0) == kCurves;
-        const int slave = integer(1);
+        rows_.next_row(3);
+        const bool of_curves = rows_.integer(0) == kCurves;
+        const int slave = rows_.integer(1);
         const Vec2 translation = parse_translation();
-        row(1);
-        for (int n = count(0); n > 0; --n) {
-            row(2);
-            file_.numbered.links.push_back({integer(0), integer(1), scanner_.line(), translation});
+        rows_.next_row(1);
+        for (int n = rows_.count(0); n > 0; --n) {
+            rows_.next_row(2);
+            file_.numbered.links.push_back(
+                {rows_.integer(0), rows_.integer(1), rows_.line(), translation});
             if (!of_curves) continue;
             CurveLink& link = curves_[slave];
             link.translation = translation;
-            link.master_of[integer(0)] = integer(1);
+            link.master_of[rows_.integer(0)] = rows_.integer(1);
         }
     }
 
     Vec2 parse_translation() {
-        row(kAffine + 1);
+        rows_.next_row(kAffine + 1);
         for (int k = 0; k < kAffine; ++k) {
             const bool shift = k == 3 || k == 7;
             const double identity = k % 5 == 0 ? 1 : 0;
-            if (shift || number(static_cast<std::size_t>(k) + 1) == identity) continue;
-            scanner_.throw_bad_file(
+            if (shift || rows_.number(static_cast<std::size_t>(k) + 1) == identity) continue;
+            rows_.throw_bad_file(
                 "the affine map of the slave is not a translation in the plane; write the file "
                 "again with pcvt");
         }
-        return {number(4), number(8)};
+        return {rows_.number(4), rows_.number(8)};
     }
 
     /// Reads the view named "cell_id"; skips the others.
     void parse_data(const std::string& end, std::vector<NumberedItems::SiteOf>& sites) {
         // The first string tag is the name.
         std::string view;
-        for (int n = (row(1), count(0)); n > 0; --n) {
-            row();
-            if (view.empty()) view = std::string(scanner_.words().front());
+        for (int n = (rows_.next_row(1), rows_.count(0)); n > 0; --n) {
+            rows_.next_row();
+            if (view.empty()) view = std::string(rows_.words().front());
         }
         if (view != "\"cell_id\"") {
-            while (row().front() != end) continue;
+            while (rows_.next_row().front() != end) continue;
             return;
         }
         // Skip the real tags; the last integer tag is the number of values.
-        for (int n = (row(1), count(0)); n > 0; --n) row();
+        for (int n = (rows_.next_row(1), rows_.count(0)); n > 0; --n) rows_.next_row();
         int n_values = 0;
-        for (int n = (row(1), count(0)); n > 0; --n) n_values = (row(1), count(0));
+        for (int n = (rows_.next_row(1), rows_.count(0)); n > 0; --n)
+            n_values = (rows_.next_row(1), rows_.count(0));
         for (; n_values > 0; --n_values) {
-            row(2);
+            rows_.next_row(2);
             // Elements other than triangles have no cell and the value -1.
-            if (number(1) >= 0) sites.push_back({integer(0), scanner_.line(), integer(1)});
+            if (rows_.number(1) >= 0)
+                sites.push_back({rows_.integer(0), rows_.line(), rows_.integer(1)});
         }
-        if (row().front() != end)
-            scanner_.throw_bad_file("the section has more lines than its count; correct the count");
+        if (rows_.next_row().front() != end)
+            rows_.throw_bad_file("the section has more lines than its count; correct the count");
     }
 
     /// Pairs the lines of each slave curve with their partners.
     void collect_edges() {
-        for (const LineElement& element : lines_) {
+        for (const MshLine& element : lines_) {
             const auto curve = curves_.find(element.curve);
             if (curve == curves_.end()) continue;
             const std::map<int, int>& master_of = curve->second.master_of;
@@ -302,10 +275,14 @@ class MshParser {
         }
     }
 
-    LineScanner scanner_;
+    MshRows rows_;
     FileTileBuilder file_;
-    std::vector<LineElement> lines_;
+    MshGroups groups_;
+    /// The tag of the surface of each triangle.
+    std::vector<int> surfaces_;
+    std::vector<MshLine> lines_;
     std::map<int, CurveLink> curves_;
+    std::optional<std::string> group_fault_;
     bool is_ours_ = false;
 };
 
@@ -314,7 +291,10 @@ class MshParser {
 TileFile decode_msh(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     const EncodedFile& msh = files.front();
     refuse_binary(msh.path, msh.bytes, "save it as ASCII, MSH 4.1");
-    return finish(MshParser(msh.path, msh.bytes).parse(), lattice, Precision::kDouble);
+    MshParser parser(msh.path, msh.bytes);
+    TileFile file = finish(parser.parse(), lattice, Precision::kDouble);
+    if (parser.group_fault()) throw BadFile(*parser.group_fault());
+    return file;
 }
 
 }  // namespace pcvt

@@ -5,8 +5,9 @@
 #include <map>
 
 #include "io/bytes/text.hpp"
+#include "io/solvers/msh_entities.hpp"
+#include "io/solvers/msh_groups.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/seam_segments.hpp"
 #include "io/tiles/solver_nodes.hpp"
 #include "io/tiles/triangle_elements.hpp"
 
@@ -19,7 +20,6 @@ constexpr int kTriangle[] = {0, 2, 9};
 constexpr int kPoints = 0;
 constexpr int kCurves = 1;
 constexpr int kSurfaces = 2;
-constexpr int kSurface = 1;
 
 template <class Number>
 void append_words(std::string& text, std::initializer_list<Number> numbers) {
@@ -35,75 +35,129 @@ void append_line(std::string& text, std::initializer_list<Number> numbers) {
     text.back() = '\n';
 }
 
-/// The boundary in Gmsh's entities: seam segment k is curve k + 1 and begins at point k + 1.
-struct Seam {
-    std::vector<SeamSegment> segments;
-    /// The physical group of all curves with one offset, counted from 1.
-    std::map<Offset, int> groups;
+/// The entities of a tile with their tags: point and curve k have the tag k + 1, the surface of a
+/// cell has the tag site + 1. Tags of physical groups are distinct over the dimensions, because
+/// GetDP has one list of groups for curves and surfaces: site + 1 again, then those of the curves.
+struct Model {
+    MshEntities entities;
+    /// Of each vertex; 0 where there is no point.
+    std::vector<int> point_tag;
+    /// The physical group of all curves with one offset.
+    std::map<Offset, int> seam_groups;
+    int boundary_group;
+    bool has_boundary;
 
-    int n_segments() const { return static_cast<int>(segments.size()); }
-    int begin(int segment) const { return segments[segment].vertices.front(); }
-    int surface_group() const { return static_cast<int>(groups.size()) + 1; }
+    int n_curves() const { return static_cast<int>(entities.curves.size()); }
+    int group(const MshCurve& curve) const {
+        return curve.is_seam() ? seam_groups.at(curve.offset) : boundary_group;
+    }
 };
 
-Seam make_seam(const Tile& tile, const SolverNodes& nodes) {
-    Seam seam{seam_segments(tile, nodes.middles), {}};
-    for (const SeamSegment& segment : seam.segments) seam.groups[segment.offset] = 0;
-    int n = 0;
-    for (auto& [offset, group] : seam.groups) group = ++n;
-    return seam;
+Model make_model(const Tile& tile, const SolverNodes& nodes) {
+    Model model{msh_entities(tile, nodes), std::vector<int>(tile.points.size(), 0), {}, 0, false};
+    for (std::size_t k = 0; k < model.entities.points.size(); ++k) {
+        model.point_tag[model.entities.points[k]] = static_cast<int>(k) + 1;
+    }
+    for (const MshCurve& curve : model.entities.curves) {
+        if (curve.is_seam()) model.seam_groups[curve.offset] = 0;
+    }
+    model.has_boundary = !model.entities.curves.back().is_seam();
+    int tag = model.entities.surfaces.back().site + 1;
+    for (auto& [offset, group] : model.seam_groups) group = ++tag;
+    model.boundary_group = tag + 1;
+    return model;
 }
 
-void append_head(std::string& text, const Tile& tile, const Seam& seam) {
+void append_name(std::string& text, int dimension, int group, const std::string& name) {
+    append_words(text, {dimension, group});
+    text += '"' + name + "\"\n";
+}
+
+void append_head(std::string& text, const Tile& tile, const Model& model) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
     text += "pcvt kind " + file_word(tile.kind) + "\npcvt lattice ";
     append_line(text, {a.x(), a.y(), b.x(), b.y()});
-    text += "$EndComments\n$PhysicalNames\n" + std::to_string(seam.surface_group()) + "\n";
-    for (const auto& [offset, group] : seam.groups) {
-        text += "1 " + std::to_string(group) + " \"" + seam_name(offset) + "\"\n";
+    text += "$EndComments\n$PhysicalNames\n";
+    const std::size_t n = model.seam_groups.size() + model.entities.surfaces.size();
+    append_line(text, {static_cast<int>(n) + (model.has_boundary ? 1 : 0)});
+    for (const auto& [offset, group] : model.seam_groups) {
+        append_name(text, kCurves, group, seam_name(offset));
     }
-    text += "2 " + std::to_string(seam.surface_group()) + " \"tile\"\n$EndPhysicalNames\n";
+    if (model.has_boundary) append_name(text, kCurves, model.boundary_group, kGrainBoundary);
+    for (const MshSurface& cell : model.entities.surfaces) {
+        append_name(text, kSurfaces, cell.site + 1, kCellGroup + std::to_string(cell.site));
+    }
+    text += "$EndPhysicalNames\n";
 }
+
+/// The smallest box around some points.
+struct Bounds {
+    Vec2 low;
+    Vec2 high;
+
+    explicit Bounds(const Vec2& p) : low(p), high(p) {}
+    void add(const Vec2& p) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+};
 
 /// Appends `min_x min_y 0 max_x max_y 0 `.
-template <class Vertices>
-void append_bounds(std::string& text, const Tile& tile, const Vertices& vertices) {
-    Vec2 low = tile.points[vertices.front()];
-    Vec2 high = low;
-    for (const int v : vertices) {
-        low = low.cwiseMin(tile.points[v]);
-        high = high.cwiseMax(tile.points[v]);
-    }
-    append_words(text, {low.x(), low.y(), 0.0, high.x(), high.y(), 0.0});
+void append_bounds(std::string& text, const Bounds& bounds) {
+    append_words(text, {bounds.low.x(), bounds.low.y(), 0.0});
+    append_words(text, {bounds.high.x(), bounds.high.y(), 0.0});
 }
 
-void append_entities(std::string& text, const Tile& tile, const Seam& seam) {
-    // Numbers of points, curves, surfaces and volumes.
-    const int n = seam.n_segments();
-    text += "$Entities\n";
-    append_line(text, {n, n, 1, 0});
+void append_points(std::string& text, const Tile& tile, const Model& model) {
     // Points without a physical group.
-    for (int k = 0; k < n; ++k) {
-        const Vec2& p = tile.points[seam.begin(k)];
-        append_words(text, {k + 1});
+    for (std::size_t k = 0; k < model.entities.points.size(); ++k) {
+        const Vec2& p = tile.points[model.entities.points[k]];
+        append_words(text, {static_cast<int>(k) + 1});
         append_words(text, {p.x(), p.y(), 0.0});
         append_line(text, {0});
     }
+}
+
+void append_curves(std::string& text, const Tile& tile, const Model& model) {
     // Curves with their physical group and their two ends.
-    for (int k = 0; k < n; ++k) {
-        const SeamSegment& segment = seam.segments[k];
+    for (int k = 0; k < model.n_curves(); ++k) {
+        const MshCurve& curve = model.entities.curves[k];
+        Bounds bounds(tile.points[curve.vertices.front()]);
+        for (const int v : curve.vertices) bounds.add(tile.points[v]);
         append_words(text, {k + 1});
-        append_bounds(text, tile, segment.vertices);
-        append_line(text, {1, seam.groups.at(segment.offset), 2, k + 1, -((k + 1) % n + 1)});
+        append_bounds(text, bounds);
+        append_line(text, {1, model.group(curve), 2, model.point_tag[curve.vertices.front()],
+                           -model.point_tag[curve.vertices.back()]});
     }
-    // The surface, with all curves as its boundary.
-    text += "1 ";
-    append_bounds(text, tile, tile.faces.corners);
-    append_words(text, {1, seam.surface_group(), n});
-    for (int k = 0; k < n; ++k) append_words(text, {k + 1});
-    text.back() = '\n';
+}
+
+void append_surfaces(std::string& text, const Tile& tile, const Model& model) {
+    // Surfaces with the curves that have them on their left, and on their right.
+    for (const MshSurface& cell : model.entities.surfaces) {
+        Bounds bounds(tile.points[tile.faces[cell.triangles.front()].front()]);
+        for (const int f : cell.triangles) {
+            for (const int v : tile.faces[f]) bounds.add(tile.points[v]);
+        }
+        append_words(text, {cell.site + 1});
+        append_bounds(text, bounds);
+        const std::size_t n = cell.left_of.size() + cell.right_of.size();
+        append_words(text, {1, cell.site + 1, static_cast<int>(n)});
+        for (const int k : cell.left_of) append_words(text, {k + 1});
+        for (const int k : cell.right_of) append_words(text, {-(k + 1)});
+        text.back() = '\n';
+    }
+}
+
+void append_entities(std::string& text, const Tile& tile, const Model& model) {
+    // Numbers of points, curves, surfaces and volumes.
+    text += "$Entities\n";
+    append_line(text, {static_cast<int>(model.entities.points.size()), model.n_curves(),
+                       static_cast<int>(model.entities.surfaces.size()), 0});
+    append_points(text, tile, model);
+    append_curves(text, tile, model);
+    append_surfaces(text, tile, model);
     text += "$EndEntities\n";
 }
 
@@ -119,73 +173,64 @@ void append_block(std::string& text, const SolverNodes& nodes, int dimension, in
 }
 
 /// Returns the nodes of a curve without its ends.
-std::vector<int> inner_nodes(const SeamSegment& segment) {
-    std::vector<int> inner(segment.vertices.begin() + 1, segment.vertices.end() - 1);
-    inner.insert(inner.end(), segment.middles.begin(), segment.middles.end());
+std::vector<int> inner_nodes(const MshCurve& curve) {
+    std::vector<int> inner(curve.vertices.begin() + 1, curve.vertices.end() - 1);
+    inner.insert(inner.end(), curve.middles.begin(), curve.middles.end());
     return inner;
 }
 
-/// Returns the nodes of the surface that lie on no curve.
-std::vector<int> surface_nodes(const SolverNodes& nodes, const Seam& seam) {
-    std::vector<bool> inside(nodes.points.size(), true);
-    for (const SeamSegment& segment : seam.segments) {
-        for (const int v : segment.vertices) inside[v] = false;
-        for (const int v : segment.middles) inside[v] = false;
-    }
-    std::vector<int> inner;
-    for (int v = 0; v < nodes.n_nodes(); ++v) {
-        if (inside[v]) inner.push_back(v);
-    }
-    return inner;
-}
-
-void append_nodes(std::string& text, const SolverNodes& nodes, const Seam& seam) {
-    const std::vector<int> surface = surface_nodes(nodes, seam);
-    int n_blocks = seam.n_segments() + (surface.empty() ? 0 : 1);
-    for (const SeamSegment& segment : seam.segments)
-        n_blocks += inner_nodes(segment).empty() ? 0 : 1;
+void append_nodes(std::string& text, const SolverNodes& nodes, const Model& model) {
+    const MshEntities& entities = model.entities;
+    std::size_t n_blocks = entities.points.size();
+    for (const MshCurve& curve : entities.curves) n_blocks += inner_nodes(curve).empty() ? 0 : 1;
+    for (const MshSurface& cell : entities.surfaces) n_blocks += cell.nodes.empty() ? 0 : 1;
     text += "$Nodes\n";
-    append_line(text, {n_blocks, nodes.n_nodes(), 1, nodes.n_nodes()});
-    for (int k = 0; k < seam.n_segments(); ++k) {
-        append_block(text, nodes, kPoints, k + 1, {seam.begin(k)});
+    append_line(text, {static_cast<int>(n_blocks), nodes.n_nodes(), 1, nodes.n_nodes()});
+    for (std::size_t k = 0; k < entities.points.size(); ++k) {
+        append_block(text, nodes, kPoints, static_cast<int>(k) + 1, {entities.points[k]});
     }
-    for (int k = 0; k < seam.n_segments(); ++k) {
-        append_block(text, nodes, kCurves, k + 1, inner_nodes(seam.segments[k]));
+    for (int k = 0; k < model.n_curves(); ++k) {
+        append_block(text, nodes, kCurves, k + 1, inner_nodes(entities.curves[k]));
     }
-    append_block(text, nodes, kSurfaces, kSurface, surface);
+    for (const MshSurface& cell : entities.surfaces) {
+        append_block(text, nodes, kSurfaces, cell.site + 1, cell.nodes);
+    }
     text += "$EndNodes\n";
 }
 
-int n_lines(const Seam& seam) {
+int n_lines(const Model& model) {
     int n = 0;
-    for (const SeamSegment& segment : seam.segments)
-        n += static_cast<int>(segment.vertices.size()) - 1;
+    for (const MshCurve& curve : model.entities.curves)
+        n += static_cast<int>(curve.vertices.size()) - 1;
     return n;
 }
 
 void append_elements(std::string& text, const Tile& tile, const SolverNodes& nodes,
-                     const Seam& seam) {
+                     const Model& model) {
     // Lines come first in the file; their numbers follow the numbers of the triangles.
-    const int n_elements = tile.n_faces() + n_lines(seam);
+    const int n_elements = tile.n_faces() + n_lines(model);
+    const int n_blocks = model.n_curves() + static_cast<int>(model.entities.surfaces.size());
     text += "$Elements\n";
-    append_line(text, {seam.n_segments() + 1, n_elements, 1, n_elements});
+    append_line(text, {n_blocks, n_elements, 1, n_elements});
     int element = tile.n_faces();
-    for (int k = 0; k < seam.n_segments(); ++k) {
-        const SeamSegment& segment = seam.segments[k];
-        const std::size_t n = segment.vertices.size() - 1;
+    for (int k = 0; k < model.n_curves(); ++k) {
+        const MshCurve& curve = model.entities.curves[k];
+        const std::size_t n = curve.vertices.size() - 1;
         append_line(text, {kCurves, k + 1, kLine[tile.order], static_cast<int>(n)});
         for (std::size_t e = 0; e < n; ++e) {
-            append_words(text, {++element, segment.vertices[e] + 1, segment.vertices[e + 1] + 1});
-            if (!segment.middles.empty()) append_words(text, {segment.middles[e] + 1});
+            append_words(text, {++element, curve.vertices[e] + 1, curve.vertices[e + 1] + 1});
+            if (!curve.middles.empty()) append_words(text, {curve.middles[e] + 1});
             text.back() = '\n';
         }
     }
-    // Triangles.
-    append_line(text, {kSurfaces, kSurface, kTriangle[tile.order], tile.n_faces()});
-    for (int f = 0; f < tile.n_faces(); ++f) {
-        append_words(text, {f + 1});
-        for (const int v : element_nodes(tile, nodes, f)) append_words(text, {v + 1});
-        text.back() = '\n';
+    for (const MshSurface& cell : model.entities.surfaces) {
+        const int n = static_cast<int>(cell.triangles.size());
+        append_line(text, {kSurfaces, cell.site + 1, kTriangle[tile.order], n});
+        for (const int f : cell.triangles) {
+            append_words(text, {f + 1});
+            for (const int v : element_nodes(tile, nodes, f)) append_words(text, {v + 1});
+            text.back() = '\n';
+        }
     }
     text += "$EndElements\n";
 }
@@ -203,9 +248,9 @@ void append_link(std::string& text, const Tile& tile, int dimension, int slave, 
     append_line(text, {static_cast<int>(n_nodes)});
 }
 
-void append_curve_link(std::string& text, const Tile& tile, const Seam& seam, int k) {
-    const SeamSegment& slave = seam.segments[k];
-    const SeamSegment& master = seam.segments[slave.partner];
+void append_curve_link(std::string& text, const Tile& tile, const Model& model, int k) {
+    const MshCurve& slave = model.entities.curves[k];
+    const MshCurve& master = model.entities.curves[slave.partner];
     const auto append_pairs = [&](const std::vector<int>& slaves, const std::vector<int>& masters) {
         for (std::size_t v = 0; v < slaves.size(); ++v) {
             append_line(text, {slaves[v] + 1, masters[slaves.size() - 1 - v] + 1});
@@ -217,22 +262,23 @@ void append_curve_link(std::string& text, const Tile& tile, const Seam& seam, in
     append_pairs(slave.middles, master.middles);
 }
 
-void append_periodic(std::string& text, const Tile& tile, const Seam& seam) {
-    std::map<int, int> point_of;
-    std::map<int, VertexPair> slaves;
-    for (int k = 0; k < seam.n_segments(); ++k) point_of[seam.begin(k)] = k + 1;
+void append_periodic(std::string& text, const Tile& tile, const Model& model) {
+    std::map<int, VertexPair> point_links;
     for (const VertexPair& pair : tile.vertex_pairs) {
-        if (point_of.count(pair.w) > 0) slaves.emplace(point_of[pair.w], pair);
+        if (model.point_tag[pair.w] > 0) point_links.emplace(model.point_tag[pair.w], pair);
+    }
+    std::vector<int> slaves;
+    for (int k = 0; k < model.n_curves(); ++k) {
+        const MshCurve& curve = model.entities.curves[k];
+        if (curve.is_seam() && curve.offset < Offset{}) slaves.push_back(k);
     }
     text += "$Periodic\n";
-    append_line(text, {static_cast<int>(slaves.size()) + seam.n_segments() / 2});
-    for (const auto& [point, pair] : slaves) {
-        append_link(text, tile, kPoints, point, point_of.at(pair.v), pair.offset, 1);
+    append_line(text, {static_cast<int>(point_links.size() + slaves.size())});
+    for (const auto& [point, pair] : point_links) {
+        append_link(text, tile, kPoints, point, model.point_tag[pair.v], pair.offset, 1);
         append_line(text, {pair.w + 1, pair.v + 1});
     }
-    for (int k = 0; k < seam.n_segments(); ++k) {
-        if (seam.segments[k].offset < Offset{}) append_curve_link(text, tile, seam, k);
-    }
+    for (const int k : slaves) append_curve_link(text, tile, model, k);
     text += "$EndPeriodic\n";
 }
 
@@ -254,14 +300,14 @@ std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path) {
     require_triangles(tile.kind, path);
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);
-    const Seam seam = make_seam(tile, nodes);
+    const Model model = make_model(tile, nodes);
     std::string text;
-    append_head(text, tile, seam);
-    append_entities(text, tile, seam);
-    append_nodes(text, nodes, seam);
-    append_elements(text, tile, nodes, seam);
-    append_periodic(text, tile, seam);
-    append_data(text, "ElementData", element_cells(tile), n_lines(seam));
+    append_head(text, tile, model);
+    append_entities(text, tile, model);
+    append_nodes(text, nodes, model);
+    append_elements(text, tile, nodes, model);
+    append_periodic(text, tile, model);
+    append_data(text, "ElementData", element_cells(tile), n_lines(model));
     if (!tile.vertex_site.empty()) append_data(text, "NodeData", tile.vertex_site, 0);
     return only_file(path, std::move(text));
 }

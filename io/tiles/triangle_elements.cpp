@@ -3,9 +3,8 @@
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
-namespace {
 
-int corner_nearest_to_centroid(const Tile& tile, int f) {
+int owner_corner(const Tile& tile, int f) {
     const auto corners = tile.faces[f];
     const Vec2 centroid =
         (tile.points[corners[0]] + tile.points[corners[1]] + tile.points[corners[2]]) / 3;
@@ -17,8 +16,6 @@ int corner_nearest_to_centroid(const Tile& tile, int f) {
     return nearest;
 }
 
-}  // namespace
-
 void require_triangles(MeshKind kind, const std::string& path) {
     if (kind != MeshKind::kVoronoi) return;
     throw InvalidInput(path + ": the format has no polygons; use --mesh delaunay or --mesh grains");
@@ -29,7 +26,7 @@ std::vector<SiteId> element_cells(const Tile& tile) {
     std::vector<SiteId> cells;
     cells.reserve(static_cast<std::size_t>(tile.n_faces()));
     for (int f = 0; f < tile.n_faces(); ++f) {
-        cells.push_back(tile.vertex_site[corner_nearest_to_centroid(tile, f)]);
+        cells.push_back(tile.vertex_site[owner_corner(tile, f)]);
     }
     return cells;
 }

@@ -17,4 +17,7 @@ void require_triangles(MeshKind kind, const std::string& path);
 /// to that of the corner nearest to its centroid; a cell may then have no triangle.
 std::vector<SiteId> element_cells(const Tile& tile);
 
+/// The vertex whose cell owns the Delaunay triangle f.
+int owner_corner(const Tile& tile, int f);
+
 }  // namespace pcvt

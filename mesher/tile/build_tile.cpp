@@ -32,6 +32,8 @@ void report(const TileOptions& options, double share) {
 struct LaidOut {
     PeriodicMesh mesh;
     std::vector<Offset> placement;
+    /// Of grains, as Tile::grain_site_points.
+    std::vector<Vec2> grain_site_points = {};
 };
 
 LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, double h, TileFigures& figures) {
@@ -67,9 +69,13 @@ LaidOut mesh_cells(const TileOptions& options, const LaidOut& cells, double h,
             cells.mesh.point(corner.corner) + cells.mesh.lattice.translation(cells.placement[f]);
         figures.grains->sharp_corners.push_back({cells.mesh.site[f], p, corner.angle});
     }
-    std::vector<Offset> placement;
-    for (const int f : grains.cell) placement.push_back(cells.placement[f]);
-    return {std::move(grains.triangles), std::move(placement)};
+    LaidOut laid_out{std::move(grains.triangles), {}};
+    for (const int f : grains.cell) {
+        laid_out.placement.push_back(cells.placement[f]);
+        laid_out.grain_site_points.push_back(cells.mesh.site_points[f] +
+                                             cells.mesh.lattice.translation(cells.placement[f]));
+    }
+    return laid_out;
 }
 
 PeriodicMesh without_shortest(PeriodicMesh cells, double shortest) {
@@ -104,6 +110,7 @@ BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& option
     if (options.kind == MeshKind::kGrains) laid_out = mesh_cells(options, laid_out, h, figures);
     report(options, kGrainsEnd);
     Tile tile = make_tile(laid_out.mesh, laid_out.placement);
+    tile.grain_site_points = std::move(laid_out.grain_site_points);
     if (options.kind == MeshKind::kGrains) tile.order = options.order;
     figures.n_edge_pairs = static_cast<int>(tile.edge_pairs.size());
     figures.n_boundary_edges = 2 * figures.n_edge_pairs;

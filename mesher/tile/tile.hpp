@@ -60,6 +60,9 @@ struct Tile {
     std::vector<EdgePair> edge_pairs = {};
     /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
     std::vector<Vec2> site_points = {};
+    /// Grains of a tile in memory: where the site of the cell lies that each face belongs to, which
+    /// distinguishes a cell from its images. Files do not hold it.
+    std::vector<Vec2> grain_site_points = {};
     /// Files whose faces do not share all of their vertices: for each of the last vertices the
     /// earlier one, itself no copy, whose position it repeats. May be empty all the same.
     std::vector<int> copies = {};

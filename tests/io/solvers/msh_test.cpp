@@ -47,18 +47,23 @@ TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
     }
 }
 
-TEST(Msh, TheSeamBecomesCurvesPointsAndLinks) {
+TEST(Msh, CellsBecomeSurfacesAndTheirBoundariesCurves) {
     const std::string text =
         encode_msh(testing::triangle_grid_tile(Lattice({2, 0}, {1, 3}), 2, 1), "t.msh")[0].bytes;
-    EXPECT_THAT(text, HasSubstr("$PhysicalNames\n5\n1 1 \"seam_-1_0\"\n1 2 \"seam_0_-1\"\n"
-                                "1 3 \"seam_0_1\"\n1 4 \"seam_1_0\"\n2 5 \"tile\"\n"));
-    EXPECT_THAT(text, HasSubstr("$Entities\n4 4 1 0\n1 0 0 0 0\n"));
-    EXPECT_THAT(text, HasSubstr("\n1 0 0 0 2 0 0 1 3 2 1 -2\n"));
-    // Three points are images of the first one, at + b, + a + b and + a; two curves are slaves.
+    EXPECT_THAT(text, HasSubstr("$PhysicalNames\n7\n1 3 \"seam_-1_0\"\n1 4 \"seam_0_-1\"\n"
+                                "1 5 \"seam_0_1\"\n1 6 \"seam_1_0\"\n1 7 \"grain_boundary\"\n"
+                                "2 1 \"cell_0\"\n2 2 \"cell_1\"\n$End"));
+    EXPECT_THAT(text, HasSubstr("$Entities\n6 9 2 0\n1 0 0 0 0\n"));
+    // The curve from point 1 to point 2 belongs to seam_0_1 and lies on the left of its cell.
+    EXPECT_THAT(text, HasSubstr("\n1 0 0 0 1 0 0 1 5 2 1 -2\n"));
+    // Three curves lie between cells: the first one from point 1 to point 5.
+    EXPECT_THAT(text, HasSubstr("\n7 0 0 0 2 3 0 1 7 2 1 -5\n"));
+    EXPECT_THAT(text, HasSubstr("\n1 0 0 0 3 3 0 1 1 6 2 3 5 6 7 -9\n"));
+    // Four points are images of others; three curves are slaves.
     EXPECT_THAT(text,
-                HasSubstr("$Periodic\n5\n0 2 1\n16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n1\n3 1\n"));
-    EXPECT_THAT(text, HasSubstr("\n1 3 1\n16 1 0 0 1 0 1 0 3 0 0 1 0 0 0 0 1\n3\n"));
-    EXPECT_THAT(text, HasSubstr("$ElementData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n10\n"));
+                HasSubstr("$Periodic\n7\n0 3 1\n16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n1\n3 1\n"));
+    EXPECT_THAT(text, HasSubstr("\n1 4 2\n16 1 0 0 1 0 1 0 3 0 0 1 0 0 0 0 1\n2\n6 3\n5 2\n"));
+    EXPECT_THAT(text, HasSubstr("$ElementData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n13\n1 1\n2 0\n"));
     EXPECT_THAT(text, HasSubstr("\n5 -1\n"));
     EXPECT_THAT(text, HasSubstr("$NodeData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n6\n1 0\n2 1\n"));
 }
@@ -126,15 +131,32 @@ TEST(Msh, AWrongLinkIsRefuted) {
 }
 
 TEST(Msh, AWrongLineOfTheSeamIsRefuted) {
-    const auto refuted = [](const std::string& piece, const std::string& other) {
-        std::string text = encode_msh(testing::triangle_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
-        text.replace(text.find(piece), piece.size(), other);
-        const TileFile file = decode_msh({{"t.msh", text}}, std::nullopt);
-        EXPECT_THROW(compare_edge_pairs(file.tile, prove_tile(file.tile, file.precision)),
-                     NotATile);
+    const std::string text =
+        encode_msh(testing::triangle_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
+    const TileFile file = read(testing::exchanged(text, "\n13 9 8\n", "\n13 8 9\n"));
+    EXPECT_THROW(compare_edge_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
+    EXPECT_THAT(fault_of(testing::exchanged(text, "\n13 9 8\n", "\n13 8 7\n")),
+                HasSubstr(": $Periodic has no master for an end of this line; "));
+}
+
+TEST(Msh, GroupsThatDoNotFitTheCellsAreRefused) {
+    const std::string text = encode_msh(testing::grain_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
+    const auto fault = [&](const std::string& piece, const std::string& other) {
+        return fault_of(testing::exchanged(text, piece, other));
     };
-    refuted("\n13 9 8\n", "\n13 8 9\n");
-    refuted("\n13 9 8\n", "\n13 8 7\n");
+    EXPECT_EQ(fault_of(text), "");
+    EXPECT_THAT(
+        fault("2 3 \"cell_2\"", "2 3 \"cell_9\""),
+        HasSubstr(": the triangle is in the physical group 'cell_9', but its cell_id is 2"));
+    EXPECT_THAT(
+        fault("\n1 0\n2 0\n", "\n1 1\n2 0\n"),
+        HasSubstr(": the triangle is in the physical group 'cell_0', but its cell_id is 1"));
+    // A line between two cells becomes one between a node and another cell's node.
+    EXPECT_THAT(fault("\n17 2 5\n", "\n17 2 4\n"),
+                HasSubstr(": the line of grain_boundary is not between two triangles; "));
+    EXPECT_THAT(fault("1 9 \"grain_boundary\"", "1 9 \"walls\""),
+                HasSubstr(": the edge from node 2 to node 5 lies between two cells, but not in"));
+    EXPECT_THAT(fault("\"cell_0\"", "cell_0"), HasSubstr(": the name of the group is not in quot"));
 }
 
 TEST(Msh, NonFiniteCoordinatesAreInternalErrors) {

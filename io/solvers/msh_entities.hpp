@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "io/tiles/solver_nodes.hpp"
+
+namespace pcvt {
+
+/// A curve of Gmsh: a chain of edges on which two cells meet, or that bounds the tile.
+struct MshCurve {
+    /// Both ends included, so two or more; a closed curve ends where it begins.
+    std::vector<int> vertices;
+    /// Of order 2 the nodes between them: middles[k] after vertices[k].
+    std::vector<int> middles;
+    /// Indices of the surfaces on both sides; `right` < 0 where the curve bounds the tile.
+    int left;
+    int right = -1;
+    /// Where it bounds the tile: the translation to its partner, and the index of that curve, which
+    /// runs the other way.
+    Offset offset = {};
+    int partner = -1;
+
+    bool is_seam() const { return right < 0; }
+};
+
+/// A surface of Gmsh: the triangles of all images of one cell in the tile.
+struct MshSurface {
+    SiteId site;
+    std::vector<int> triangles = {};
+    /// Indices of its curves, rising; a curve with the surface on both sides twice.
+    std::vector<int> left_of = {};
+    std::vector<int> right_of = {};
+    /// The nodes inside, which lie on none of its curves.
+    std::vector<int> nodes = {};
+};
+
+/// The entities that Gmsh needs to know cells and their boundaries. Laws, tested by number:
+///
+///   (1) Two triangles with a common edge belong to one cell, or a curve contains the edge.
+///   (2) Curves end at points and contain no other points; the points of the seam are closed under
+///       identification.
+///   (3) Every node is a point, or inside of one curve, or inside of one surface.
+struct MshEntities {
+    /// The vertex of each point.
+    std::vector<int> points;
+    /// The seam first, counter-clockwise; then the boundaries between cells.
+    std::vector<MshCurve> curves;
+    /// By rising site; cells without a triangle have none.
+    std::vector<MshSurface> surfaces;
+};
+
+/// Example usage:
+///     const SolverNodes nodes = solver_nodes(tile);
+///     for (const MshSurface& cell : msh_entities(tile, nodes).surfaces) count(cell.triangles);
+///
+/// @param nodes  solver_nodes() of the tile.
+/// @pre the tile consists of triangles and has its edge_pairs.
+/// @throws InternalError where its boundary is not one loop.
+MshEntities msh_entities(const Tile& tile, const SolverNodes& nodes);
+
+}  // namespace pcvt

@@ -1,0 +1,130 @@
+#include "io/solvers/msh_entities.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "io/tiles/triangle_cells.hpp"
+#include "mesher/tile/build_tile.hpp"
+#include "tests/support/grid_tile.hpp"
+#include "tests/support/solver_tiles.hpp"
+#include "tests/support/tile_equality.hpp"
+
+namespace pcvt {
+namespace {
+
+using Edge = std::pair<int, int>;
+
+Edge edge(int v, int w) { return {std::min(v, w), std::max(v, w)}; }
+
+Tile tile_of(int n, const TileOptions& options) {
+    const Lattice lattice({1, 0}, {0.3, 0.9});
+    return build_tile(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, 5))), options)
+        .tile;
+}
+
+/// Tiles in which cells are cut, meet their own images, or own no triangle.
+std::vector<Tile> tiles() {
+    std::vector<Tile> all = testing::solver_tiles(testing::awkward_lattices());
+    for (const int n : {1, 2, 7, 60}) {
+        all.push_back(tile_of(n, {.kind = MeshKind::kDelaunay}));
+        all.push_back(tile_of(n, {.kind = MeshKind::kGrains, .order = 2, .columns = 2}));
+        all.push_back(tile_of(n, {.kind = MeshKind::kGrains, .outline = Outline::kBox}));
+    }
+    return all;
+}
+
+/// The triangles at each edge.
+std::map<Edge, std::vector<int>> faces_at_edges(const Tile& tile) {
+    std::map<Edge, std::vector<int>> faces;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        const auto corners = tile.faces[f];
+        for (int k = 0; k < 3; ++k) faces[edge(corners[k], corners[(k + 1) % 3])].push_back(f);
+    }
+    return faces;
+}
+
+std::map<Edge, const MshCurve*> curves_at_edges(const MshEntities& entities) {
+    std::map<Edge, const MshCurve*> curves;
+    for (const MshCurve& curve : entities.curves) {
+        for (std::size_t k = 0; k + 1 < curve.vertices.size(); ++k) {
+            const Edge e = edge(curve.vertices[k], curve.vertices[k + 1]);
+            EXPECT_TRUE(curves.emplace(e, &curve).second);
+        }
+    }
+    return curves;
+}
+
+TEST(MshEntities, Law1EdgesBetweenCellsAndNoOthersAreOnCurves) {
+    for (const Tile& tile : tiles()) {
+        const MshEntities entities = msh_entities(tile, solver_nodes(tile));
+        const TriangleCells cells(tile);
+        const auto curves = curves_at_edges(entities);
+        for (const auto& [ends, faces] : faces_at_edges(tile)) {
+            const auto found = curves.find(ends);
+            const bool is_boundary = faces.size() == 1;
+            ASSERT_EQ(found != curves.end(), is_boundary || !cells.same(faces[0], faces[1]));
+            if (found == curves.end()) continue;
+            EXPECT_EQ(found->second->is_seam(), is_boundary);
+            std::multiset<SiteId> sites{entities.surfaces[found->second->left].site};
+            if (!is_boundary) sites.insert(entities.surfaces[found->second->right].site);
+            std::multiset<SiteId> wanted;
+            for (const int f : faces) wanted.insert(cells.site(f));
+            EXPECT_EQ(sites, wanted);
+        }
+    }
+}
+
+TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
+    for (const Tile& tile : tiles()) {
+        const MshEntities entities = msh_entities(tile, solver_nodes(tile));
+        const std::set<int> points(entities.points.begin(), entities.points.end());
+        for (std::size_t k = 0; k < entities.curves.size(); ++k) {
+            const MshCurve& curve = entities.curves[k];
+            for (const int v : curve.vertices) {
+                const bool is_end = v == curve.vertices.front() || v == curve.vertices.back();
+                ASSERT_EQ(points.contains(v), is_end);
+            }
+            if (!curve.is_seam()) continue;
+            const MshCurve& partner = entities.curves[curve.partner];
+            EXPECT_EQ(partner.partner, static_cast<int>(k));
+            EXPECT_EQ(partner.offset, -curve.offset);
+            ASSERT_EQ(partner.vertices.size(), curve.vertices.size());
+            const Vec2 t = tile.lattice.translation(curve.offset);
+            for (std::size_t v = 0; v < curve.vertices.size(); ++v) {
+                const Vec2& p = tile.points[curve.vertices[v]];
+                const Vec2& q = tile.points[partner.vertices[curve.vertices.size() - 1 - v]];
+                EXPECT_LT((q - p - t).norm(), 1e-12 * (p.norm() + t.norm()));
+            }
+        }
+    }
+}
+
+TEST(MshEntities, Law3EachNodeBelongsToOneEntityAndEachTriangleToOneSurface) {
+    for (const Tile& tile : tiles()) {
+        const SolverNodes nodes = solver_nodes(tile);
+        const MshEntities entities = msh_entities(tile, nodes);
+        std::vector<int> owners(nodes.points.size(), 0);
+        for (const int v : entities.points) ++owners[v];
+        for (const MshCurve& curve : entities.curves) {
+            for (std::size_t k = 1; k + 1 < curve.vertices.size(); ++k) ++owners[curve.vertices[k]];
+            for (const int v : curve.middles) ++owners[v];
+            EXPECT_EQ(curve.middles.size(), tile.order == 2 ? curve.vertices.size() - 1 : 0);
+        }
+        std::vector<int> triangles;
+        for (const MshSurface& cell : entities.surfaces) {
+            for (const int v : cell.nodes) ++owners[v];
+            triangles.insert(triangles.end(), cell.triangles.begin(), cell.triangles.end());
+            EXPECT_FALSE(cell.triangles.empty());
+        }
+        EXPECT_EQ(owners, std::vector<int>(nodes.points.size(), 1));
+        std::sort(triangles.begin(), triangles.end());
+        EXPECT_EQ(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        EXPECT_EQ(static_cast<int>(triangles.size()), tile.n_faces());
+    }
+}
+
+}  // namespace
+}  // namespace pcvt
