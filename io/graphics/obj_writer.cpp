@@ -10,6 +10,7 @@
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/palette.hpp"
+#include "mesher/tile/texture_coordinates.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -92,11 +93,17 @@ std::string obj_text(const Tile& tile, const std::vector<int>& sides,
         text += 'v';
         append_words(text, {p.x(), p.y(), 0.0});
     }
+    for (const auto& [u, v] : texture_coordinates(tile)) {
+        text += "vt";
+        append_words(text, {double(u), double(v)});
+    }
     for (int f = 0; f < tile.n_faces(); ++f) {
         if (f == 0 || sides[f] != sides[f - 1]) text += "usemtl " + material(tile, sides[f]) + "\n";
         text += 'f';
         for (const int v : tile.faces[f]) {
             text += ' ';
+            append_number(text, v + 1);
+            text += '/';
             append_number(text, v + 1);
         }
         text += '\n';

@@ -15,7 +15,9 @@ std::vector<std::string> obj_paths(const std::string& path);
 /// the seam twice, in comments that begin with `# pcvt` and in NAME.seam.json.
 ///
 /// Faces are grouped by material, fewest sides first, and keep their order within a group; vertices
-/// keep theirs. The comments count vertices from 1, as the faces do; the sidecar counts from 0.
+/// keep theirs. Vertex k has the texture coordinate k, its lattice coordinates
+/// (mesher/tile/texture_coordinates.hpp). The comments count vertices from 1, as the faces do; the
+/// sidecar counts from 0.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_obj(tile, "tile.obj")) {

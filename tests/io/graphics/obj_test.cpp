@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"
 #include "io/tiles/palette.hpp"
@@ -88,14 +90,44 @@ TEST(Obj, CompanionsLieBesideTheFile) {
 
 TEST(Obj, FacesAreGroupedByTheirNumberOfSides) {
     const auto files = encode_obj(cells_to_be_sorted(), "t.obj");
-    EXPECT_THAT(files[0].bytes, HasSubstr("usemtl sides_3\nf 2 3 7\n"
-                                          "usemtl sides_4\nf 3 4 5 6\n"
-                                          "usemtl sides_5\nf 1 2 7 8 9\n"));
+    EXPECT_THAT(files[0].bytes, HasSubstr("usemtl sides_3\nf 2/2 3/3 7/7\n"
+                                          "usemtl sides_4\nf 3/3 4/4 5/5 6/6\n"
+                                          "usemtl sides_5\nf 1/1 2/2 7/7 8/8 9/9\n"));
     EXPECT_THAT(files[0].bytes, HasSubstr("# pcvt sites 8 9 7\n"));
     EXPECT_THAT(files[1].bytes, HasSubstr("newmtl sides_3\nKd "));
     EXPECT_THAT(files[1].bytes, HasSubstr("newmtl sides_5\nKd "));
     const TileFile file = decode_obj(files, std::nullopt);
     EXPECT_THAT(file.tile.face_site, ::testing::ElementsAre(8, 9, 7));
+}
+
+/// Returns the numbers of each line of `text` that begins with `word`.
+std::vector<Vec2> lines_of(const std::string& text, const std::string& word) {
+    std::vector<Vec2> numbers;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string first;
+        Vec2 pair;
+        if (words >> first >> pair.x() >> pair.y() && first == word) numbers.push_back(pair);
+    }
+    return numbers;
+}
+
+TEST(Obj, TextureCoordinatesOfPartnersDifferByTheOffset) {
+    for (const Lattice& lattice : testing::awkward_lattices()) {
+        for (const Tile& tile :
+             {testing::grid_tile(lattice, 7, 5), testing::triangle_grid_tile(lattice, 3, 5)}) {
+            const std::string text = encode_obj(tile, "t.obj")[0].bytes;
+            const std::vector<Vec2> uv = lines_of(text, "vt");
+            ASSERT_EQ(uv.size(), tile.points.size());
+            for (const VertexPair& pair : tile.vertex_pairs) {
+                EXPECT_EQ(uv[pair.w] - uv[pair.v], Vec2(pair.offset.i, pair.offset.j));
+            }
+            for (int v = 0; v < tile.n_vertices(); ++v) {
+                EXPECT_LT((uv[v] - lattice.to_lattice(tile.points[v])).norm(), 1e-6);
+            }
+        }
+    }
 }
 
 TEST(Obj, CommentsCountFromOne) {
