@@ -61,10 +61,16 @@ std::vector<EncodedFile> write_sites(const Points& sites, const std::string& pat
     return only_file(path, encode_sites(sites));
 }
 
-/// The picture shows sizes, which the densities determine.
-std::vector<EncodedFile> write_graded_svg(const Tile& tile, std::span<const double>,
-                                          const std::string& path) {
-    return encode_graded_svg(tile, path);
+/// The picture of a graded mesh shows sizes, which the densities determine.
+std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
+                                   const std::string& path) {
+    return options.site_densities.empty() ? encode_svg(tile, path) : encode_graded_svg(tile, path);
+}
+
+std::vector<EncodedFile> write_html(const Tile& tile, const FileOptions& options,
+                                    const std::string& path) {
+    if (options.site_densities.empty()) return encode_html(tile, path);
+    return encode_graded_html(tile, options.site_densities, path);
 }
 
 constexpr std::array<TileFormat, 13> kFormats{{
@@ -74,17 +80,20 @@ constexpr std::array<TileFormat, 13> kFormats{{
      .read = decode_obj,
      .paths = obj_paths},
     {.extension = ".ply",
-     .description = "PLY, ASCII with double coordinates",
+     .description = "PLY, ASCII with double coordinates, or float with --float32",
      .write = encode_ply,
-     .read = decode_ply},
+     .read = decode_ply,
+     .takes_single_precision = true},
     {.extension = ".glb",
      .description = "glTF 2.0, one binary file",
      .write = encode_glb,
-     .read = decode_gltf},
+     .read = decode_gltf,
+     .takes_gltf_nodes = true},
     {.extension = ".gltf",
      .description = "glTF 2.0, one text file",
      .write = encode_gltf,
-     .read = decode_gltf},
+     .read = decode_gltf,
+     .takes_gltf_nodes = true},
     {.extension = ".om",
      .description = "OpenMesh, with the identification as properties",
      .write = encode_om,
@@ -106,14 +115,10 @@ constexpr std::array<TileFormat, 13> kFormats{{
      .write = encode_vtu,
      .read = decode_vtu,
      .highest_order = 2},
-    {.extension = ".svg",
-     .description = "a picture",
-     .write = encode_svg,
-     .write_graded = write_graded_svg},
+    {.extension = ".svg", .description = "a picture", .write = write_svg},
     {.extension = ".html",
      .description = "a page that shows the tile in any browser",
-     .write = encode_html,
-     .write_graded = encode_graded_html},
+     .write = write_html},
     {.extension = ".foam",
      .description = "OpenFOAM, a case folder that icoFoam runs",
      .write = encode_foam,
@@ -138,8 +143,9 @@ std::vector<std::string> single_path(const std::string& path) { return {path}; }
 std::span<const TileFormat> tile_formats() { return kFormats; }
 
 std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
-                                     const std::string& path) {
-    return std::get<TileWriter*>(format.write)(tile, path);
+                                     const std::string& path, const FileOptions& options) {
+    if (const auto* write = std::get_if<TileWriter*>(&format.write)) return (*write)(tile, path);
+    return std::get<TileFormWriter*>(format.write)(tile, options, path);
 }
 
 TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& files,

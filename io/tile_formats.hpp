@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
+#include "io/tiles/file_options.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
 #include "mesher/mesh/outline.hpp"
@@ -24,10 +25,9 @@ struct Torus {
 };
 
 using TileWriter = std::vector<EncodedFile>(const Tile& tile, const std::string& path);
-/// Writes a tile of a graded mesh; the densities are those at sites 0 to n - 1 of one period.
-using GradedTileWriter = std::vector<EncodedFile>(const Tile& tile,
-                                                  std::span<const double> site_densities,
-                                                  const std::string& path);
+/// Writes a tile in one of several forms, which the options choose.
+using TileFormWriter = std::vector<EncodedFile>(const Tile& tile, const FileOptions& options,
+                                                const std::string& path);
 using TorusWriter = std::vector<EncodedFile>(const Torus& torus, const std::string& path);
 using SiteWriter = std::vector<EncodedFile>(const Points& sites, const std::string& path);
 
@@ -42,6 +42,7 @@ struct FormatRequest {
     MeshKind kind;
     Outline outline;
     double short_edges;
+    FileOptions files = {};
 };
 
 /// The list of `path` alone.
@@ -60,9 +61,7 @@ struct TileFormat {
     std::string_view description;
     /// Encodes the content of the format, which is a tile, the torus or the sites: one entry per
     /// path.
-    std::variant<TileWriter*, TorusWriter*, SiteWriter*> write;
-    /// Encodes tiles of graded meshes, if the format has another form for them; else nullptr.
-    GradedTileWriter* write_graded = nullptr;
+    std::variant<TileWriter*, TileFormWriter*, TorusWriter*, SiteWriter*> write;
     /// Reads `files` (the file itself first, companions where there are any) back; a lattice
     /// replaces one that the file lacks. Empty if pcvt does not read the format.
     std::variant<std::monostate, TileReader*, GridReader*> read = {};
@@ -75,8 +74,16 @@ struct TileFormat {
     /// Throws InvalidInput with the reason if the format cannot hold the request, OutputError if
     /// its writer cannot be loaded; nullptr if it holds every request.
     void (*check)(const FormatRequest& request) = nullptr;
+    /// The choices of FileOptions that the format takes.
+    bool takes_gltf_nodes = false;
+    bool takes_single_precision = false;
+    bool takes_pixels = false;
+    bool takes_cut_width = false;
 
-    bool needs_tile() const { return std::holds_alternative<TileWriter*>(write); }
+    bool needs_tile() const {
+        return std::holds_alternative<TileWriter*>(write) ||
+               std::holds_alternative<TileFormWriter*>(write);
+    }
     bool is_readable() const { return !std::holds_alternative<std::monostate>(read); }
     bool reads_grid() const { return std::holds_alternative<GridReader*>(read); }
 };
@@ -87,7 +94,7 @@ std::span<const TileFormat> tile_formats();
 /// The bytes of a tile in a format.
 /// @pre format.needs_tile().
 std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
-                                     const std::string& path);
+                                     const std::string& path, const FileOptions& options = {});
 
 /// The tile in the files of a format.
 /// @pre format.is_readable() and not format.reads_grid().

@@ -102,15 +102,21 @@ class BlockReader {
     std::vector<char> block_;
 };
 
-}  // namespace
-
-void append_number(std::string& text, double value) {
+/// Appends the shortest decimal number that reads back as `value` in its precision.
+template <class Number>
+void append_finite(std::string& text, Number value) {
     if (!std::isfinite(value)) throw InternalError("a number to be written is not finite");
     std::array<char, 32> digits;
-    const double written = value == 0 ? 0.0 : value;
+    const Number written = value == 0 ? Number(0) : value;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), written).ptr;
     text.append(digits.data(), end);
 }
+
+}  // namespace
+
+void append_number(std::string& text, double value) { append_finite(text, value); }
+
+void append_number(std::string& text, float value) { append_finite(text, value); }
 
 void append_number(std::string& text, int value) {
     std::array<char, 16> digits;

@@ -18,6 +18,8 @@ namespace pcvt {
 ///
 /// @throws InternalError if `value` is not finite: no text format here can represent it.
 void append_number(std::string& text, double value);
+/// The same for the number that reads back as `value` in single precision.
+void append_number(std::string& text, float value);
 void append_number(std::string& text, int value);
 
 /// Returns the decimal number that the whole of `word` spells. A leading + is allowed; hexadecimal

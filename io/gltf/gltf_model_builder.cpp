@@ -62,11 +62,10 @@ tinygltf::Material& ModelBuilder::add_material(const std::string& name, Colour c
     return material;
 }
 
-void ModelBuilder::add_node(const std::string& name, tinygltf::Primitive primitive) {
-    primitive.material = static_cast<int>(model_.materials.size()) - 1;
+void ModelBuilder::add_node(const std::string& name, std::vector<tinygltf::Primitive> primitives) {
     tinygltf::Mesh& mesh = model_.meshes.emplace_back();
     mesh.name = name;
-    mesh.primitives.push_back(std::move(primitive));
+    mesh.primitives = std::move(primitives);
     model_.nodes[0].children.push_back(static_cast<int>(model_.nodes.size()));
     tinygltf::Node& node = model_.nodes.emplace_back();
     node.name = name;

@@ -34,8 +34,11 @@ class ModelBuilder {
 
     tinygltf::Material& add_material(const std::string& name, Colour colour);
 
-    /// Adds a child of the node `tile` with the material added last.
-    void add_node(const std::string& name, tinygltf::Primitive primitive);
+    /// Returns the material added last.
+    int last_material() const { return static_cast<int>(model_.materials.size()) - 1; }
+
+    /// Adds a child of the node `tile`.
+    void add_node(const std::string& name, std::vector<tinygltf::Primitive> primitives);
 
     tinygltf::Model& model() { return model_; }
 

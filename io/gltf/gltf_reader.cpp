@@ -270,6 +270,27 @@ std::vector<int> read_copies(const Finding& finding, const Json& copies) {
     return originals;
 }
 
+/// Reads cellTriangles: the sites of consecutive triangles.
+void read_cells(const Json& rows, Finding& finding) {
+    const GltfDocument& document = finding.document;
+    if (!rows.is_array()) document.throw_bad_file("extras.periodic.cellTriangles is not a list");
+    std::size_t at = 0;
+    for (const Json& row : rows) {
+        if (!row.is_array() || row.size() != 2) {
+            document.throw_bad_file("an entry of extras.periodic.cellTriangles is not [site, n]");
+        }
+        const std::size_t site = document.count(row[0], "cellTriangles");
+        const std::size_t n = document.count(row[1], "cellTriangles");
+        if (site >= std::size_t{kMaxSite} || n > finding.face_site.size() - at) {
+            document.throw_bad_file("an entry of extras.periodic.cellTriangles is out of range");
+        }
+        std::fill_n(finding.face_site.begin() + std::ptrdiff_t(at), n, static_cast<SiteId>(site));
+        at += n;
+    }
+    if (at == finding.face_site.size()) return;
+    document.throw_bad_file("extras.periodic.cellTriangles does not count all triangles");
+}
+
 MeshKind tile_kind(const Finding& finding) {
     const auto unknown = std::count(finding.face_site.begin(), finding.face_site.end(), -1);
     const Json& kind = finding.periodic_member("kind");
@@ -292,6 +313,8 @@ bool all_known(const std::vector<SiteId>& sites) {
 TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     Finding finding(files.at(0));
     walk_scene(finding);
+    const Json& cells = finding.periodic_member("cellTriangles");
+    if (!cells.is_null()) read_cells(cells, finding);
     Tile tile{.lattice = find_lattice(finding, lattice), .kind = tile_kind(finding)};
     const Json& pairs = finding.periodic_member("vertexPairs");
     if (!pairs.is_null()) tile.vertex_pairs = read_pairs(finding, pairs);

@@ -8,10 +8,11 @@ namespace pcvt {
 /// Reads the tile in a glTF 2.0 file, which encode_gltf() describes. The first bytes decide between
 /// `.gltf` and `.glb`.
 ///
-/// Faces are the triangles of the file. The site of a triangle of a cell comes from _CELL_ID or
-/// from the node's name `cell_<site>`; without either, the file holds Delaunay triangles, whose
-/// sites come from _SITE_ID. Vertex pairs are read; glTF files store no edge pairs. Lines, points,
-/// z, normals and colours are skipped.
+/// Faces are the triangles of the file. The site of a triangle of a cell comes from
+/// extras.periodic.cellTriangles, from the attribute _CELL_ID (with copies of vertices in
+/// extras.periodic.vertexCopies) or from the node's name `cell_<site>`; without any of
+/// them, the file holds Delaunay triangles, whose sites come from _SITE_ID. Vertex pairs are read;
+/// glTF files store no edge pairs. Lines, points, z, normals and colours are skipped.
 ///
 /// Example usage:
 ///     const TileFile file = decode_gltf({{"tile.glb", read_whole_file("tile.glb")}},

@@ -2,37 +2,47 @@
 
 #include <string>
 
-#include "io/gltf/triangle_fan.hpp"
+#include "io/tiles/file_options.hpp"
+#include "io/tiles/triangle_fan.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
 using Point3 = std::array<float, 3>;
 
-/// The triangles of a tile as a glTF file stores them.
-struct Surface {
-    /// The vertices of the tile, followed by the copies.
-    std::vector<Point32> points;
-    /// Vertex points.size() - copies.size() + k is a copy of vertex copies[k].
-    std::vector<int> copies;
-    std::vector<int> indices;
-    /// Face f has the corners indices[face_begin[f]] ... indices[face_begin[f + 1] - 1], three per
-    /// triangle.
-    std::vector<int> face_begin{0};
-    /// One site and one colour per vertex, or empty.
-    std::vector<float> vertex_site;
-    std::vector<Point3> vertex_colour;
+/// Consecutive triangles of one colour.
+struct SurfaceGroup {
+    /// The number of sides of their cells.
+    int sides;
+    /// -1 where the group holds all cells with these sides.
+    SiteId site;
 };
 
-/// Returns the surface of a tile.
-///
-///   Cells               share their vertices if there are at most `max_shared`. Else each cell has
-///                       vertices of its own, with its site and colour: the first cell at a vertex
-///                       keeps it, every other cell gets a copy.
-///   Grains              always have vertices of their own, shared by the triangles of a grain.
-///   Delaunay triangles  share their vertices, each with its own site and colour.
-///
+/// Consecutive triangles of one cell.
+struct CellTriangles {
+    SiteId site;
+    int n_triangles;
+};
+
+/// The triangles of a tile as a glTF file stores them, on the vertices of the tile.
+struct Surface {
+    std::vector<Point32> points;
+    std::vector<int> indices;
+    /// Cells and grains: group g has the corners indices[group_begin[g]] ...
+    /// indices[group_begin[g + 1] - 1], three per triangle.
+    std::vector<SurfaceGroup> groups;
+    std::vector<int> group_begin{0};
+    /// Cells and grains in one node: the cells in the order of their triangles.
+    std::vector<CellTriangles> cells;
+    /// Delaunay triangles: the colour of each vertex.
+    std::vector<Point3> vertex_colour;
+
+    bool is_one_node() const { return !cells.empty() || groups.empty(); }
+};
+
+/// Returns the surface of a tile. Cells and grains have one group for each cell, or in one node one
+/// for each number of sides.
 /// @throws InvalidInput naming the path if float32 cannot hold a coordinate or the area of a cell.
-Surface make_surface(const Tile& tile, int max_shared, const std::string& path);
+Surface make_surface(const Tile& tile, GltfNodes nodes, const std::string& path);
 
 }  // namespace pcvt

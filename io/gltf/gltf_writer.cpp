@@ -15,7 +15,7 @@
 #include "io/tiles/finite.hpp"
 #include "io/tiles/palette.hpp"
 #include "mesher/base/bucket_sort.hpp"
-#include "mesher/tile/tile_valence.hpp"
+#include "mesher/tile/texture_coordinates.hpp"
 
 namespace pcvt {
 namespace {
@@ -45,16 +45,16 @@ std::string periodic_json(const Tile& tile, const Surface& surface) {
     const Vec2& b = tile.lattice.b();
     std::string text = "{";
     if (tile.kind == MeshKind::kGrains) text += "\"kind\":\"" + file_word(tile.kind) + "\",";
-    // Lattice, copies, pairs.
+    // Lattice, cells, pairs.
     text += "\"lattice\":[";
     append_list(text, {a.x(), a.y()});
     text += ',';
     append_list(text, {b.x(), b.y()});
     text += "],";
-    if (!surface.copies.empty()) {
-        text += "\"vertexCopies\":[";
-        for (const int v : surface.copies) {
-            append_number(text, v);
+    if (!surface.cells.empty()) {
+        text += "\"cellTriangles\":[";
+        for (const CellTriangles& cell : surface.cells) {
+            append_list(text, {cell.site, cell.n_triangles});
             text += ',';
         }
         text.back() = ']';
@@ -77,35 +77,57 @@ std::vector<Point3> lifted(const std::vector<Point32>& points, float z) {
     return result;
 }
 
+/// Returns the texture coordinates in glTF's orientation.
+std::vector<TextureCoordinate> downward(std::vector<TextureCoordinate> coordinates) {
+    for (auto& [u, v] : coordinates) v = 1 - v;
+    return coordinates;
+}
+
+void add_triangles(const Tile& tile, const Surface& surface, tinygltf::Primitive primitive,
+                   ModelBuilder& builder) {
+    const std::vector<float> sites(tile.vertex_site.begin(), tile.vertex_site.end());
+    primitive.attributes["COLOR_0"] =
+        builder.add_vertex_data(surface.vertex_colour, TINYGLTF_TYPE_VEC3);
+    primitive.attributes["_SITE_ID"] = builder.add_vertex_data(sites, TINYGLTF_TYPE_SCALAR);
+    primitive.indices = builder.add_indices(
+        surface.indices, {0, static_cast<int>(surface.indices.size())}, surface.points.size());
+    builder.add_material("triangles", kWhite);
+    primitive.material = builder.last_material();
+    builder.add_node("triangles", {std::move(primitive)});
+}
+
+void add_cells(const Surface& surface, tinygltf::Primitive primitive, ModelBuilder& builder) {
+    primitive.indices =
+        builder.add_indices(surface.indices, surface.group_begin, surface.points.size());
+    std::vector<tinygltf::Primitive> primitives;
+    for (const SurfaceGroup& group : surface.groups) {
+        const std::string name = group.site < 0 ? "sides_" + std::to_string(group.sides)
+                                                : "cell_" + std::to_string(group.site);
+        builder.add_material(name, side_colour(group.sides));
+        primitive.material = builder.last_material();
+        primitives.push_back(primitive);
+        ++primitive.indices;
+        if (surface.is_one_node()) continue;
+        builder.add_node(name, std::move(primitives));
+        primitives.clear();
+    }
+    if (surface.is_one_node()) builder.add_node("cells", std::move(primitives));
+}
+
 void add_surface(const Tile& tile, const Surface& surface, ModelBuilder& builder) {
-    // Positions and normals are shared by all primitives.
+    // All primitives share the attributes of vertices.
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
     primitive.attributes["POSITION"] = builder.add_positions(lifted(surface.points, 0));
     primitive.attributes["NORMAL"] = builder.add_vertex_data(
         std::vector<Point3>(surface.points.size(), {0, 0, 1}), TINYGLTF_TYPE_VEC3);
-    // Without vertex sites, each cell has a node of its own.
-    if (surface.vertex_site.empty()) {
-        const std::vector<int> sides = cell_sides(tile);
-        primitive.indices =
-            builder.add_indices(surface.indices, surface.face_begin, surface.points.size());
-        for (int f = 0; f < tile.n_faces(); ++f, ++primitive.indices) {
-            const std::string name = "cell_" + std::to_string(tile.face_site[f]);
-            builder.add_material(name, side_colour(sides[f]));
-            builder.add_node(name, primitive);
-        }
-        return;
+    primitive.attributes["TEXCOORD_0"] =
+        builder.add_vertex_data(downward(texture_coordinates(tile)), TINYGLTF_TYPE_VEC2);
+    if (faces_have_sites(tile.kind)) {
+        add_cells(surface, std::move(primitive), builder);
+    } else {
+        add_triangles(tile, surface, std::move(primitive), builder);
     }
-    // Else one node holds everything, and vertices have colours and sites.
-    const bool cells = faces_have_sites(tile.kind);
-    primitive.attributes["COLOR_0"] =
-        builder.add_vertex_data(surface.vertex_colour, TINYGLTF_TYPE_VEC3);
-    primitive.attributes[cells ? "_CELL_ID" : "_SITE_ID"] =
-        builder.add_vertex_data(surface.vertex_site, TINYGLTF_TYPE_SCALAR);
-    primitive.indices =
-        builder.add_indices(surface.indices, {0, surface.face_begin.back()}, surface.points.size());
-    builder.add_material(cells ? "cells" : "triangles", kWhite);
-    builder.add_node(cells ? "cells" : "triangles", primitive);
 }
 
 /// Returns the ends of each edge in rising order, without edges that float32 collapses.
@@ -128,8 +150,7 @@ std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points)
 }
 
 void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builder) {
-    const std::vector<Point32> points(surface.points.begin(),
-                                      surface.points.end() - std::ssize(surface.copies));
+    const std::vector<Point32>& points = surface.points;
     // Lift the lines above the surface.
     float size = 0;
     for (const std::size_t k : {0, 1}) {
@@ -147,7 +168,8 @@ void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builde
     builder.add_material("outlines", kLineColour).extensions["KHR_materials_unlit"] =
         tinygltf::Value(tinygltf::Value::Object{});
     builder.model().extensionsUsed.emplace_back("KHR_materials_unlit");
-    builder.add_node("outlines", primitive);
+    primitive.material = builder.last_material();
+    builder.add_node("outlines", {std::move(primitive)});
 }
 
 enum class Container { kText, kBinary };
@@ -165,14 +187,14 @@ struct ModelParts {
     std::string periodic;
 };
 
-ModelParts make_model(const Tile& tile, const std::string& path) {
+ModelParts make_model(const Tile& tile, const FileOptions& options, const std::string& path) {
     require_finite(tile);
     const std::vector<SiteId>& sites =
         faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     if (*std::max_element(sites.begin(), sites.end()) >= kMaxSite) {
         throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }
-    const Surface surface = make_surface(tile, kMaxCellNodes, path);
+    const Surface surface = make_surface(tile, options.gltf_nodes, path);
     // Reserve up to four attributes per vertex, and the outlines.
     ModelBuilder builder(surface.points.size() * (3 * sizeof(Point3) + sizeof(float)) +
                          tile.points.size() * sizeof(Point3) +
@@ -231,12 +253,14 @@ std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path
 
 }  // namespace
 
-std::vector<EncodedFile> encode_gltf(const Tile& tile, const std::string& path) {
-    return encode(make_model(tile, path), path, Container::kText);
+std::vector<EncodedFile> encode_gltf(const Tile& tile, const FileOptions& options,
+                                     const std::string& path) {
+    return encode(make_model(tile, options, path), path, Container::kText);
 }
 
-std::vector<EncodedFile> encode_glb(const Tile& tile, const std::string& path) {
-    return encode(make_model(tile, path), path, Container::kBinary);
+std::vector<EncodedFile> encode_glb(const Tile& tile, const FileOptions& options,
+                                    const std::string& path) {
+    return encode(make_model(tile, options, path), path, Container::kBinary);
 }
 
 }  // namespace pcvt

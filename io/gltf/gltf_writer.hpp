@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/tiles/encoded_file.hpp"
+#include "io/tiles/file_options.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -12,26 +13,33 @@ namespace pcvt {
 ///   extras.periodic = {"lattice": [[ax, ay], [bx, by]], "vertexPairs": [[v, w, i, j], ...]}
 ///
 /// where position(w) = position(v) + i a + j b; v and w are indices into the POSITION accessor of
-/// the surface. Grains add "kind": "grains". Coordinates are float32; the lattice keeps double
-/// precision. The children of `tile`:
+/// the surface, which all of its triangles share. Grains add "kind": "grains". Coordinates are
+/// float32; the lattice keeps double precision. The children of `tile`:
 ///
-///   cells, up to kMaxCellNodes  one node and one material per cell, both named `cell_<site>`
-///   more cells, and grains      a node `cells`: colours in COLOR_0, sites in _CELL_ID; vertices
-///                               0 ... V - 1 are the vertices of the tile, and vertex V + k is a
-///                               copy of vertex extras.periodic.vertexCopies[k] for another cell
-///   Delaunay triangles          a node `triangles`: colours by valence, sites in _SITE_ID
-///   always                      a node `outlines`: the edges as lines, lifted by 0.002 of the
-///                               larger side of the tile's bounding box
+///   GltfNodes::kCells   one node and one material per cell or grain, both named `cell_<site>`
+///   GltfNodes::kOne     one node `cells` with one primitive and one material, `sides_<n>`, for
+///   each
+///                       number of sides. extras.periodic.cellTriangles is [[site, n], ...]: the
+///                       next n triangles of the node, primitive by primitive, belong to the site
+///   Delaunay triangles  a node `triangles`: colours by valence, sites in _SITE_ID
+///   always              a node `outlines`: the edges as lines, lifted by 0.002 of the larger side
+///                       of the tile's bounding box
+///
+/// GltfNodes::kBySize is kCells for up to kMaxCellNodes cells, else kOne; grains are kOne.
+/// TEXCOORD_0 is (u, 1 - v) with the lattice coordinates u and v, because glTF's textures begin at
+/// the top: a picture shows upright, and as `--density` lays it over the domain.
 ///
 /// Example usage:
-///     for (const EncodedFile& file : encode_glb(tile, "tile.glb")) {
+///     for (const EncodedFile& file : encode_glb(tile, {}, "tile.glb")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
 /// @throws InvalidInput   naming the path if float32 cannot hold the tile.
 /// @throws LimitExceeded  naming the path if there are more sites or bytes than glTF can count.
-std::vector<EncodedFile> encode_gltf(const Tile& tile, const std::string& path);
-std::vector<EncodedFile> encode_glb(const Tile& tile, const std::string& path);
+std::vector<EncodedFile> encode_gltf(const Tile& tile, const FileOptions& options,
+                                     const std::string& path);
+std::vector<EncodedFile> encode_glb(const Tile& tile, const FileOptions& options,
+                                    const std::string& path);
 
 /// Viewers slow down beyond about this number of nodes.
 inline constexpr int kMaxCellNodes = 2000;

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <utility>
 
 #include "io/bytes/text.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/palette.hpp"
+#include "io/tiles/triangle_fan.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -46,7 +47,7 @@ class SideColours {
 
 void end_line(std::string& text) { text.back() = '\n'; }
 
-std::string header(const Tile& tile) {
+std::string header(const Tile& tile, bool single_precision) {
     // Kind and lattice are comments.
     const bool owned = faces_have_sites(tile.kind);
     const Vec2& a = tile.lattice.a();
@@ -60,7 +61,8 @@ std::string header(const Tile& tile) {
     end_line(text);
     // Vertices have a position, a colour and their place on their orbit.
     text += "element vertex " + std::to_string(tile.n_vertices()) +
-            "\nproperty double x\nproperty double y\nproperty double z\n"
+            (single_precision ? "\nproperty float x\nproperty float y\nproperty float z\n"
+                              : "\nproperty double x\nproperty double y\nproperty double z\n") +
             "property uchar red\nproperty uchar green\nproperty uchar blue\n"
             "property int orbit\nproperty int offset_i\nproperty int offset_j\n";
     if (!owned) text += "property int site\n";
@@ -75,7 +77,7 @@ std::string header(const Tile& tile) {
     return text + "end_header\n";
 }
 
-void append_vertices(std::string& text, const Tile& tile) {
+void append_vertices(std::string& text, const Tile& tile, bool single_precision) {
     const bool owned = faces_have_sites(tile.kind);
     // Delaunay triangles have coloured vertices.
     const std::vector<int> valences = owned ? std::vector<int>() : vertex_valences(tile);
@@ -88,8 +90,9 @@ void append_vertices(std::string& text, const Tile& tile) {
     for (const VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
     // One vertex per line.
     for (int v = 0; v < tile.n_vertices(); ++v) {
-        append_word(text, tile.points[v].x());
-        append_word(text, tile.points[v].y());
+        for (const double x : tile.points[v]) {
+            single_precision ? append_word(text, static_cast<float>(x)) : append_word(text, x);
+        }
         append_word(text, 0);
         text += owned ? plain : colours.of(valences[v]);
         append_word(text, orbits[v].v);
@@ -100,9 +103,8 @@ void append_vertices(std::string& text, const Tile& tile) {
     }
 }
 
-void append_faces(std::string& text, const Tile& tile) {
+void append_faces(std::string& text, const Tile& tile, const std::vector<int>& sides) {
     const bool owned = faces_have_sites(tile.kind);
-    const std::vector<int> sides = owned ? cell_sides(tile) : std::vector<int>();
     const std::string plain = words(kPlain);
     SideColours colours;
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -116,14 +118,45 @@ void append_faces(std::string& text, const Tile& tile) {
     }
 }
 
+std::string ply_text(const Tile& tile, const std::vector<int>& sides, bool single_precision) {
+    std::string text = header(tile, single_precision);
+    append_vertices(text, tile, single_precision);
+    append_faces(text, tile, sides);
+    return text;
+}
+
+/// Returns the tile with its cells as triangles.
+/// @param sides  of the cell of each face; changes with the faces.
+Tile narrowed(const Tile& tile, std::vector<int>& sides, const std::string& path) {
+    const std::vector<Point32> points = single_precision_points(tile, path);
+    if (tile.kind != MeshKind::kVoronoi) return tile;
+    Tile narrow = tile;
+    narrow.faces = {};
+    narrow.face_site.clear();
+    const std::vector<int> sides_of_cells = std::exchange(sides, {});
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        std::vector<int> corners;
+        append_fan(tile, f, points, corners, path);
+        for (std::size_t c = 0; c < corners.size(); c += 3) {
+            narrow.faces.add(std::span(corners).subspan(c, 3));
+            narrow.face_site.push_back(tile.face_site[f]);
+            sides.push_back(sides_of_cells[f]);
+        }
+    }
+    return narrow;
+}
+
 }  // namespace
 
-std::vector<EncodedFile> encode_ply(const Tile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_ply(const Tile& tile, const FileOptions& options,
+                                    const std::string& path) {
     require_finite(tile);
-    std::string text = header(tile);
-    append_vertices(text, tile);
-    append_faces(text, tile);
-    return only_file(path, std::move(text));
+    std::vector<int> sides;
+    if (faces_have_sites(tile.kind)) sides = cell_sides(tile);
+    const bool single = options.single_precision;
+    if (!single) return only_file(path, ply_text(tile, sides, single));
+    const Tile narrow = narrowed(tile, sides, path);
+    return only_file(path, ply_text(narrow, sides, single));
 }
 
 }  // namespace pcvt

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
+#include "io/tiles/file_options.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -16,12 +17,17 @@ namespace pcvt {
 /// vertex on it, and its offset: position = position(orbit) + offset_i a + offset_j b. `site` is a
 /// property of faces (cells and grains) or of vertices (Delaunay triangles).
 ///
+/// With options.single_precision, coordinates are 32-bit floats, and cells are fans of triangles of
+/// their site, because viewers such as three.js draw no polygon of more than four corners.
+///
 /// Example usage:
-///     for (const EncodedFile& file : encode_ply(tile, "tile.ply")) {
+///     for (const EncodedFile& file : encode_ply(tile, {}, "tile.ply")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_ply(const Tile& tile, const std::string& path);
+/// @throws InvalidInput  naming the path if float32 cannot hold the tile.
+std::vector<EncodedFile> encode_ply(const Tile& tile, const FileOptions& options,
+                                    const std::string& path);
 
 }  // namespace pcvt

@@ -37,6 +37,9 @@ static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
 static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
 static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
 
+static_assert(find_word(kGltfNodes, "cells")->abi_value == PCVT_NODES_CELLS);
+static_assert(find_word(kGltfNodes, "one")->abi_value == PCVT_NODES_ONE);
+
 std::optional<Start> start(const pcvt_options& options) {
     if (options.sites != nullptr && options.start != PCVT_START_DEFAULT) {
         throw InvalidInput("start is for drawn sites, but sites gives them; leave one out");
@@ -142,6 +145,20 @@ Outline tile_outline(std::int32_t outline) {
     if (outline == PCVT_WHOLE) return Outline::kWhole;
     if (outline == PCVT_BOX) return Outline::kBox;
     throw InvalidInput("outline " + std::to_string(outline) + " is unknown; take one of pcvt.h");
+}
+
+FileOptions file_options(const pcvt_write_options& options) {
+    FileOptions result;
+    if (options.gltf_nodes != PCVT_NODES_DEFAULT) {
+        result.gltf_nodes = chosen_row("gltf_nodes", options.gltf_nodes, kGltfNodes).nodes;
+    }
+    result.single_precision = options.single_precision != 0;
+    if (options.pixels < 0) throw InvalidInput("pixels is negative; take 0 or more");
+    result.pixels = options.pixels;
+    require_finite("cut_width", &options.cut_width, 1);
+    if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
+    result.cut_width = options.cut_width;
+    return result;
 }
 
 Job make_job(const pcvt_options& options) {

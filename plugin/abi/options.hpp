@@ -42,4 +42,8 @@ Job make_job(const pcvt_options& options);
 MeshKind tile_kind(std::int32_t kind);
 Outline tile_outline(std::int32_t outline);
 
+/// The forms of files that the options choose.
+/// @throws InvalidInput naming the field.
+FileOptions file_options(const pcvt_write_options& options);
+
 }  // namespace pcvt::abi

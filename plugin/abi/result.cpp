@@ -192,6 +192,7 @@ bool Result::write(const WriteRequest& request, const JobCallback& callback) con
     job.meshes = {request.layout.kind};
     job.outline = request.layout.outline;
     if (!request.path.empty()) job.outputs = {request.path};
+    job.file_options = request.files;
     job.report = request.report;
     job.force = request.replace;
     const std::vector<JobFile> files = plan_files(job);

@@ -38,7 +38,8 @@ struct WriteRequest {
     /// Empty: none, like `report`.
     std::string path;
     Layout layout;
-    std::string report;
+    FileOptions files = {};
+    std::string report = {};
     bool replace = false;
 };
 

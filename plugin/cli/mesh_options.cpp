@@ -141,6 +141,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
         ->type_name("FILE")
         ->option_text("FILE")
         ->allow_extra_args(false);
+    add_file_choices(app, options.files);
     add(app, "--report", options.report, "FILE.json", "figures of the run");
     app.add_flag("--force", options.force, "replace existing files");
     app.add_flag("--quiet", options.quiet, "no summary and no progress");
@@ -294,6 +295,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_grains(app, options, job);
     read_numbers(app, options, job);
     read_density(app, options, job);
+    job.file_options = file_options(app, options.files);
     job.outputs = options.outputs;
     if (app.count("--report") > 0 && !options.report.ends_with(".json")) {
         throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");

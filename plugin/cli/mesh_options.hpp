@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "plugin/cli/file_choices.hpp"
 #include "plugin/job/job.hpp"
 
 namespace CLI {
@@ -34,6 +35,7 @@ struct MeshOptions {
     std::string repeat;
     std::string origin;
     std::vector<std::string> outputs;
+    FileChoices files;
     std::string report;
     std::string threads;
     bool strict = false;

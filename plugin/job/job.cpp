@@ -199,6 +199,7 @@ RunSummary write_job(const Job& job, const Computation& result, const TileSource
                      const JobCallback& callback) {
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
+    check_file_options(job, files);
     require_all_writable(job, files);
     Stopwatch watch(result.seconds);
     JobMonitor monitor(callback, target_of(job));
@@ -213,6 +214,7 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
     check_job(job);
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
+    check_file_options(job, files);
     require_all_writable(job, files);
     try {
         return run(job, files, callback);

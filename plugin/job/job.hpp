@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/tiles/file_options.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/energy/stability.hpp"
@@ -77,6 +78,8 @@ struct Job {
     /// `origin`.
     bool finds_origin = false;
 
+    /// The forms of files, for the formats that have several; without densities.
+    FileOptions file_options;
     /// Files to write. The extension selects the format; `.txt` files hold the sites.
     std::vector<std::string> outputs;
     /// Empty: no report.

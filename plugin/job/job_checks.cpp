@@ -82,6 +82,32 @@ void check_density(const Job& job) {
     }
 }
 
+/// A choice of FileOptions, as messages name it, and the formats that take it.
+struct FileChoice {
+    const char* name;
+    bool TileFormat::*taken;
+    bool (*is_made)(const FileOptions& options);
+};
+constexpr FileChoice kFileChoices[] = {
+    {"glTF nodes", &TileFormat::takes_gltf_nodes,
+     [](const FileOptions& options) { return options.gltf_nodes != GltfNodes::kBySize; }},
+    {"32-bit coordinates", &TileFormat::takes_single_precision,
+     [](const FileOptions& options) { return options.single_precision; }},
+    {"a number of pixels", &TileFormat::takes_pixels,
+     [](const FileOptions& options) { return options.pixels != 0; }},
+    {"a width to cut", &TileFormat::takes_cut_width,
+     [](const FileOptions& options) { return options.cut_width != 0; }},
+};
+
+std::string extensions_that_take(const FileChoice& choice) {
+    std::string text;
+    for (const TileFormat& format : tile_formats()) {
+        if (!(format.*choice.taken)) continue;
+        text += (text.empty() ? "" : " or ") + std::string(format.extension);
+    }
+    return text;
+}
+
 }  // namespace
 
 bool has_mesh(const Job& job, bool MeshKindRow::*property) {
@@ -97,6 +123,23 @@ void check_order(const Job& job, const std::vector<JobFile>& files) {
     if (held) return;
     throw InvalidInput("no output holds the mid-side nodes of order 2; add one of " +
                        second_order_extensions() + ", or take order 1");
+}
+
+void check_file_options(const Job& job, const std::vector<JobFile>& files) {
+    for (const FileChoice& choice : kFileChoices) {
+        const bool taken = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
+            return file.format->*choice.taken;
+        });
+        if (taken || files.empty() || !choice.is_made(job.file_options)) continue;
+        throw InvalidInput(std::string("no output takes ") + choice.name + "; add one of " +
+                           extensions_that_take(choice) + ", or leave the option out");
+    }
+    if (job.file_options.gltf_nodes == GltfNodes::kCells &&
+        !has_mesh(job, &MeshKindRow::faces_have_sites)) {
+        throw InvalidInput(
+            "Delaunay triangles have no cells that could be nodes; take the mesh voronoi or "
+            "grains, or leave the glTF nodes out");
+    }
 }
 
 void check_job(const Job& job) {

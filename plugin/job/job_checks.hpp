@@ -15,4 +15,8 @@ bool has_mesh(const Job& job, bool MeshKindRow::*property);
 /// @throws InvalidInput if the job has files, and none of them holds mid-side nodes.
 void check_order(const Job& job, const std::vector<JobFile>& files);
 
+/// Requires for each choice in job.file_options a file whose format takes it.
+/// @throws InvalidInput if the job has files, and none of them takes the choice.
+void check_file_options(const Job& job, const std::vector<JobFile>& files);
+
 }  // namespace pcvt

@@ -41,7 +41,8 @@ void check_format(const Job& job, const TileFormat& format, MeshKind kind,
             format.check({.lattice = job.lattice.repeated(job.columns, job.rows),
                           .kind = kind,
                           .outline = job.outline,
-                          .short_edges = job.short_edges});
+                          .short_edges = job.short_edges,
+                          .files = job.file_options});
         } catch (const InvalidInput& error) {
             throw InvalidInput("-o " + path + ": " + error.what());
         }

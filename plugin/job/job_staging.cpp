@@ -21,10 +21,11 @@ class FileEncoder {
 
     std::vector<EncodedFile> encode() const { return std::visit(*this, file_.format->write); }
 
-    std::vector<EncodedFile> operator()(TileWriter* write) const {
-        const bool graded = job_.density && file_.format->write_graded != nullptr;
-        if (!graded) return write(tile(), path());
-        return file_.format->write_graded(tile(), result_.site_densities, path());
+    std::vector<EncodedFile> operator()(TileWriter* write) const { return write(tile(), path()); }
+    std::vector<EncodedFile> operator()(TileFormWriter* write) const {
+        FileOptions options = job_.file_options;
+        options.site_densities = result_.site_densities;
+        return write(tile(), options, path());
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
         const PeriodicMesh cells = repeated(periodic_mesh(result_.cvt.delaunay, MeshKind::kVoronoi),

@@ -28,7 +28,7 @@ const TileFormat& glb() { return *find_tile_format("t.glb"); }
 
 std::string refusal(const Tile& tile, const Vec2& origin) {
     try {
-        prove_tile_files(glb(), encode_glb(tile, "t.glb"), tile, origin);
+        prove_tile_files(glb(), encode_glb(tile, {}, "t.glb"), tile, origin);
     } catch (const InvalidInput& error) {
         return error.what();
     }
@@ -38,18 +38,18 @@ std::string refusal(const Tile& tile, const Vec2& origin) {
 TEST(FileProof, AFaithfulFileIsProved) {
     const Tile tile = cells(Lattice::rectangle(1, 1), 8);
     EXPECT_NO_THROW(verify_generated_tile(tile));
-    EXPECT_NO_THROW(prove_tile_files(glb(), encode_glb(tile, "t.glb"), tile, Vec2::Zero()));
+    EXPECT_NO_THROW(prove_tile_files(glb(), encode_glb(tile, {}, "t.glb"), tile, Vec2::Zero()));
 }
 
 TEST(FileProof, ABrokenFileOfATileThatFitsIsAFaultOfPcvt) {
     const Tile tile = cells(Lattice::rectangle(1, 1), 8);
     Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-3;
-    EXPECT_THROW(prove_tile_files(glb(), encode_glb(moved, "t.glb"), tile, Vec2::Zero()),
+    EXPECT_THROW(prove_tile_files(glb(), encode_glb(moved, {}, "t.glb"), tile, Vec2::Zero()),
                  InternalError);
     Tile unpaired = tile;
     unpaired.vertex_pairs.pop_back();
-    EXPECT_THROW(prove_tile_files(glb(), encode_glb(unpaired, "t.glb"), tile, Vec2::Zero()),
+    EXPECT_THROW(prove_tile_files(glb(), encode_glb(unpaired, {}, "t.glb"), tile, Vec2::Zero()),
                  InternalError);
 }
 

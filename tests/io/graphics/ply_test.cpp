@@ -58,7 +58,7 @@ TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
         for (Tile tile : {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
                           testing::triangle_grid_tile(lattice, 2, 5),
                           testing::grain_grid_tile(lattice, 2, 5)}) {
-            const auto files = encode_ply(tile, "dir/t.ply");
+            const auto files = encode_ply(tile, {}, "dir/t.ply");
             ASSERT_EQ(files.size(), 1U);
             EXPECT_EQ(files[0].path, "dir/t.ply");
             const TileFile file = decode_ply(files, std::nullopt);
@@ -71,9 +71,46 @@ TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
     }
 }
 
+TEST(Ply, SinglePrecisionHoldsFloatsAndTriangles) {
+    for (const Lattice& lattice : testing::awkward_lattices()) {
+        for (const Tile& tile :
+             {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
+              testing::triangle_grid_tile(lattice, 2, 5),
+              testing::grain_grid_tile(lattice, 2, 5)}) {
+            const auto files = encode_ply(tile, {.single_precision = true}, "t.ply");
+            EXPECT_THAT(files[0].bytes, HasSubstr("property float x\n"));
+            EXPECT_THAT(files[0].bytes, ::testing::Not(HasSubstr("double")));
+            const TileFile file = decode_ply(files, std::nullopt);
+            EXPECT_EQ(file.precision, Precision::kSingle);
+            EXPECT_EQ(file.tile.kind, tile.kind);
+            for (int f = 0; f < file.tile.n_faces(); ++f) EXPECT_EQ(file.tile.face_size(f), 3);
+            for (int v = 0; v < tile.n_vertices(); ++v) {
+                EXPECT_EQ(file.tile.points[v].cast<float>(), tile.points[v].cast<float>());
+            }
+            const TileProof proof = prove_tile(file.tile, file.precision);
+            EXPECT_NO_THROW(compare_vertex_pairs(file.tile, proof));
+            EXPECT_NEAR(proof.area, tile.lattice.area(), 1e-5 * tile.lattice.area());
+        }
+    }
+}
+
+TEST(Ply, TrianglesOfACellKeepItsSiteAndColour) {
+    const Tile tile = testing::grid_tile(kSquare, 3, 1);
+    const auto files = encode_ply(tile, {.single_precision = true}, "t.ply");
+    const Tile back = decode_ply(files, std::nullopt).tile;
+    EXPECT_THAT(back.face_site, ElementsAre(0, 0, 1, 1, 2, 2));
+    EXPECT_EQ(back.n_vertices(), tile.n_vertices());
+}
+
+TEST(Ply, RefusesTilesThatFloat32CannotHold) {
+    const Tile tile = testing::grid_tile(Lattice::rectangle(1e60, 1e60), 2, 2);
+    EXPECT_THROW(encode_ply(tile, {.single_precision = true}, "t.ply"), InvalidInput);
+}
+
 TEST(Ply, ListsBecomeWiderOnlyForFacesThatNeedIt) {
     Tile tile = testing::grid_tile(kSquare, 1, 1);
-    EXPECT_THAT(encode_ply(tile, "")[0].bytes, HasSubstr("property list uchar int vertex_indices"));
+    EXPECT_THAT(encode_ply(tile, {}, "")[0].bytes,
+                HasSubstr("property list uchar int vertex_indices"));
     tile.points.clear();
     tile.faces.corners.clear();
     tile.vertex_pairs.clear();
@@ -82,7 +119,7 @@ TEST(Ply, ListsBecomeWiderOnlyForFacesThatNeedIt) {
         tile.faces.corners.push_back(v);
     }
     tile.faces.begin = {0, 256};
-    const auto files = encode_ply(tile, "");
+    const auto files = encode_ply(tile, {}, "");
     EXPECT_THAT(files[0].bytes, HasSubstr("property list int int vertex_indices"));
     EXPECT_EQ(decode_ply(files, std::nullopt).tile.faces.corners, tile.faces.corners);
 }
@@ -180,12 +217,12 @@ TEST(Ply, AThirdDimensionIsRefused) {
 TEST(Ply, NonFiniteCoordinatesAreInternalErrors) {
     Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
-    EXPECT_THROW(encode_ply(tile, "t.ply"), InternalError);
+    EXPECT_THROW(encode_ply(tile, {}, "t.ply"), InternalError);
 }
 
 TEST(Ply, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
-    const std::string bytes = encode_ply(testing::grid_tile(kSquare, 2, 2), "t.ply")[0].bytes;
+    const std::string bytes = encode_ply(testing::grid_tile(kSquare, 2, 2), {}, "t.ply")[0].bytes;
     int n_refused = 0;
     for (int k = 0; k < 4000; ++k) {
         const std::string fault = fault_of(testing::mutated(bytes, random));

@@ -35,6 +35,9 @@ static void print_numbers(void) {
     NUMBER(PCVT_GRAINS);
     NUMBER(PCVT_WHOLE);
     NUMBER(PCVT_BOX);
+    NUMBER(PCVT_NODES_DEFAULT);
+    NUMBER(PCVT_NODES_CELLS);
+    NUMBER(PCVT_NODES_ONE);
     NUMBER(PCVT_STOP_CONVERGED);
     NUMBER(PCVT_STOP_ITERATION_LIMIT);
     NUMBER(PCVT_STOP_STALLED);
@@ -172,6 +175,11 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, reserved);
     FIELD(pcvt_write_options, progress);
     FIELD(pcvt_write_options, progress_data);
+    FIELD(pcvt_write_options, gltf_nodes);
+    FIELD(pcvt_write_options, single_precision);
+    FIELD(pcvt_write_options, pixels);
+    FIELD(pcvt_write_options, reserved_2);
+    FIELD(pcvt_write_options, cut_width);
 }
 
 int main(void) {

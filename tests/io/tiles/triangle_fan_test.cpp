@@ -1,4 +1,4 @@
-#include "io/gltf/triangle_fan.hpp"
+#include "io/tiles/triangle_fan.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,10 @@
-#include "io/gltf/triangle_fan.hpp"
+#include "io/tiles/triangle_fan.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "mesher/base/error.hpp"
 
 namespace pcvt {
 namespace {
@@ -65,6 +67,34 @@ std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners) {
         }
     }
     return fan_from(corners, best);
+}
+
+std::vector<Point32> single_precision_points(const Tile& tile, const std::string& path) {
+    std::vector<Point32> points;
+    points.reserve(tile.points.size());
+    for (const Vec2& p : tile.points) {
+        // Adding zero turns -0 into 0.
+        points.push_back({static_cast<float>(p.x()) + 0.0f, static_cast<float>(p.y()) + 0.0f});
+        if (!std::isfinite(points.back()[0]) || !std::isfinite(points.back()[1])) {
+            throw InvalidInput(path + ": coordinates too large for float32; write another format");
+        }
+    }
+    return points;
+}
+
+void append_fan(const Tile& cells, int face, const std::vector<Point32>& points,
+                std::vector<int>& corners, const std::string& path) {
+    std::vector<Point32> polygon;
+    for (const int v : cells.faces[face]) polygon.push_back(points[v]);
+    const std::vector<FanTriangle> fan = triangle_fan(polygon);
+    if (fan.empty()) {
+        throw InvalidInput(path + ": the cell of site " + std::to_string(cells.face_site[face]) +
+                           " has no area in float32; write another format or bring the tile " +
+                           "nearer to the origin");
+    }
+    for (const FanTriangle& triangle : fan) {
+        for (const int corner : triangle) corners.push_back(cells.faces[face][corner]);
+    }
 }
 
 }  // namespace pcvt

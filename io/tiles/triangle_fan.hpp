@@ -2,11 +2,14 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
+
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
-/// A point of the plane as glTF stores it.
+/// A point of the plane in single precision.
 using Point32 = std::array<float, 2>;
 /// The indices of three corners, counter-clockwise.
 using FanTriangle = std::array<int, 3>;
@@ -20,5 +23,15 @@ using FanTriangle = std::array<int, 3>;
 /// @param corners counter-clockwise, three or more.
 /// @returns       triples of indices into `corners`.
 std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners);
+
+/// Returns the vertices of a tile in single precision.
+/// @throws InvalidInput naming the path if float32 cannot hold a coordinate.
+std::vector<Point32> single_precision_points(const Tile& tile, const std::string& path);
+
+/// Appends the corners of the fan of a face of cells, three vertices of the tile per triangle.
+/// @param points  those of single_precision_points().
+/// @throws InvalidInput naming the path if the face has no area in float32.
+void append_fan(const Tile& cells, int face, const std::vector<Point32>& points,
+                std::vector<int>& corners, const std::string& path);
 
 }  // namespace pcvt

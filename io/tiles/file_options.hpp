@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+namespace pcvt {
+
+/// Whether each cell of a glTF file is a node of its own: where there are few cells, always, never.
+enum class GltfNodes { kBySize, kCells, kOne };
+
+/// The choices of a user, with their words in options and their numbers in pcvt.h.
+struct GltfNodesRow {
+    GltfNodes nodes;
+    const char* word;
+    int abi_value;
+};
+inline constexpr std::array kGltfNodes{GltfNodesRow{GltfNodes::kCells, "cells", 1},
+                                       GltfNodesRow{GltfNodes::kOne, "one", 2}};
+
+inline constexpr int kDefaultPixels = 1024;
+
+/// What a writer may need besides the tile. The rows of the table of formats name the members that
+/// a format takes.
+struct FileOptions {
+    /// Of graded meshes: the densities at sites 0 to n - 1 of one period; else empty.
+    std::span<const double> site_densities = {};
+    GltfNodes gltf_nodes = GltfNodes::kBySize;
+    /// PLY: 32-bit coordinates and triangles, as viewers need them.
+    bool single_precision = false;
+    /// Images: the number of pixels of a row; 0: kDefaultPixels.
+    int pixels = 0;
+    /// SVG and DXF for cutters: the width of the tile in millimetres; 0: a coloured picture as SVG,
+    /// and DXF in the unit of the period vectors.
+    double cut_width = 0;
+};
+
+}  // namespace pcvt

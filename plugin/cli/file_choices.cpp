@@ -1,0 +1,50 @@
+#include "plugin/cli/file_choices.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "plugin/cli/option_values.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+constexpr int kMostPixelsOfARow = 1 << 16;
+
+}  // namespace
+
+void add_file_choices(CLI::App& app, FileChoices& choices) {
+    app.add_option("--glb-nodes", choices.glb_nodes,
+                   "of .glb and .gltf; cells: a node and a material for each cell;\n"
+                   "one: one node, vertices shared by all cells, a material for each\n"
+                   "number of sides [cells up to 2000 cells, else and for grains one]")
+        ->type_name(listed_words(kGltfNodes, "|", "|"));
+    app.add_flag("--float32", choices.float32,
+                 "of .ply: 32-bit coordinates, and cells as triangles, which viewers\n"
+                 "such as three.js need");
+    app.add_option("--pixels", choices.pixels,
+                   "width of .png: one period, from u = 0 to 1 and from v = 0 at the bottom\n"
+                   "to 1, which repeats without a seam, as the texture of .obj and .glb\n"
+                   "too [" +
+                       std::to_string(kDefaultPixels) + "]")
+        ->type_name("N");
+    app.add_option("--cut", choices.cut,
+                   "of .svg and .dxf: only lines to cut, each edge once, in a tile MM\n"
+                   "millimetres wide [.svg: a picture; .dxf: the unit of the periods]")
+        ->type_name("MM");
+}
+
+FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
+    FileOptions options;
+    if (app.count("--glb-nodes") > 0) {
+        options.gltf_nodes = chosen_row("--glb-nodes", choices.glb_nodes, kGltfNodes).nodes;
+    }
+    options.single_precision = choices.float32;
+    if (app.count("--pixels") > 0) {
+        options.pixels = whole_number("--pixels", choices.pixels, 1, kMostPixelsOfARow);
+    }
+    if (app.count("--cut") > 0) options.cut_width = positive_number("--cut", choices.cut);
+    return options;
+}
+
+}  // namespace pcvt::cli

@@ -1,0 +1,110 @@
+"""blender ... --python blender_import.py -- FILE.glb|FILE.obj...
+
+Runs inside Blender: imports each file and checks that
+  its faces lie upright and cover the area of the period parallelogram,
+  with "Merge Vertices" on, a .glb of one node is one mesh whose boundary edges are those of the tile,
+  at each corner u a + v b is the position, so that a picture lies upright on the tile,
+  a .glb has one object for each cell or one for all.
+"""
+
+import json
+import struct
+import sys
+from collections import Counter
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+SINGLE = 2e-6
+
+
+def require(holds, complaint):
+    if not holds:
+        raise AssertionError(complaint)
+
+
+def read_glb(path):
+    """Returns the lattice, and the corners of the triangles of all primitives as vertex indices."""
+    data = path.read_bytes()
+    size = struct.unpack_from("<I", data, 12)[0]
+    root, binary = json.loads(data[20:20 + size]), data[28 + size:]
+    indices = []
+    for mesh in root["meshes"]:
+        for primitive in mesh["primitives"]:
+            if primitive.get("mode", 4) != 4:
+                continue
+            accessor = root["accessors"][primitive["indices"]]
+            view = root["bufferViews"][accessor["bufferView"]]
+            at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+            kind = {5123: "<u2", 5125: "<u4"}[accessor["componentType"]]
+            indices.append(np.frombuffer(binary, kind, accessor["count"], at).astype(int))
+    return np.array(root["nodes"][0]["extras"]["periodic"]["lattice"]), np.concatenate(indices)
+
+
+def n_boundary_edges(faces):
+    uses = Counter(frozenset(edge) for face in faces
+                   for edge in zip(face, face[1:] + face[:1]))
+    return sum(n == 1 for n in uses.values())
+
+
+def read_obj(path):
+    """Returns the lattice and the faces as lists of vertices."""
+    lines = [line.split() for line in path.read_text(encoding="ascii").splitlines()]
+    lattice = next(line[3:] for line in lines if line[:3] == ["#", "pcvt", "lattice"])
+    faces = [[int(word.split("/")[0]) - 1 for word in line[1:]] for line in lines
+             if line and line[0] == "f"]
+    return np.array(lattice, float).reshape(2, 2), faces
+
+
+def load(path):
+    """Imports a file into an empty scene; returns its meshes of faces."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    if path.suffix == ".obj":
+        bpy.ops.wm.obj_import(filepath=str(path))
+    else:
+        # Other shadings fail in Debian 12, whose numpy has no numpy.bool.
+        bpy.ops.import_scene.gltf(filepath=str(path), merge_vertices=True, import_shading="FLAT")
+    return [item for item in bpy.data.objects if item.type == "MESH" and item.data.polygons]
+
+
+def require_texture(item, lattice):
+    """Returns the area of the faces."""
+    mesh = item.data
+    points = np.array([item.matrix_world @ vertex.co for vertex in mesh.vertices])
+    require(np.abs(points[:, 1]).max() < SINGLE, "the tile does not lie in the upright plane")
+    plane = points[:, [0, 2]]
+    require(len(mesh.uv_layers) == 1, f"{len(mesh.uv_layers)} UV maps")
+    uv = np.array([corner.uv for corner in mesh.uv_layers[0].data])
+    vertex = np.array([corner.vertex_index for corner in mesh.loops])
+    off = np.abs(uv @ lattice - plane[vertex]).max()
+    require(off < SINGLE * np.abs(lattice).max(), f"a texture coordinate is off by {off}")
+    return sum(polygon.area for polygon in mesh.polygons)
+
+
+def check(path):
+    items = load(path)
+    if path.suffix == ".obj":
+        lattice, faces = read_obj(path)
+        expected = 1
+    else:
+        lattice, corners = read_glb(path)
+        faces = corners.reshape(-1, 3).tolist()
+        expected = sum("cell_" in item.name for item in bpy.data.objects) or 1
+    require(len(items) == expected, f"{len(items)} objects in place of {expected}")
+    area = sum(require_texture(item, lattice) for item in items)
+    require(abs(area - abs(np.linalg.det(lattice))) < 1e-5 * area, f"the area is {area}")
+    if expected > 1:
+        print(f"{path}: {expected} objects")
+        return
+    found = n_boundary_edges([list(polygon.vertices) for polygon in items[0].data.polygons])
+    wanted = n_boundary_edges(faces)
+    require(found == wanted, f"{found} boundary edges in place of {wanted}")
+    print(f"{path}: one object, {len(items[0].data.polygons)} faces, {found} boundary edges")
+
+
+for name in sys.argv[sys.argv.index("--") + 1:]:
+    try:
+        check(Path(name))
+    except AssertionError as fault:
+        raise AssertionError(f"{name}: {fault}") from fault
