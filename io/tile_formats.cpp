@@ -4,6 +4,8 @@
 #include <array>
 #include <filesystem>
 
+#include "io/cutting/dxf_writer.hpp"
+#include "io/cutting/svg_cut_writer.hpp"
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
 #include "io/graphics/obj_reader.hpp"
@@ -17,6 +19,7 @@
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/page/html_writer.hpp"
+#include "io/pictures/png_writer.hpp"
 #include "io/pictures/svg_writer.hpp"
 #include "io/run_files/site_writer.hpp"
 #include "io/solvers/inp_reader.hpp"
@@ -47,6 +50,11 @@ void require_mpas_torus(const FormatRequest& request) {
     require_mpas_writer();
 }
 
+void require_image_size(const FormatRequest& request) {
+    const int pixels = request.files.pixels;
+    image_height(request.lattice, pixels == 0 ? kDefaultPixels : pixels);
+}
+
 std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {
     MpasGrid grid = mpas_grid(torus.cells, torus.origin);
     if (!torus.site_densities.empty()) fill_mesh_density(torus.site_densities, grid);
@@ -64,6 +72,7 @@ std::vector<EncodedFile> write_sites(const Points& sites, const std::string& pat
 /// The picture of a graded mesh shows sizes, which the densities determine.
 std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
                                    const std::string& path) {
+    if (options.cut_width > 0) return encode_svg_cut(tile, options.cut_width, path);
     return options.site_densities.empty() ? encode_svg(tile, path) : encode_graded_svg(tile, path);
 }
 
@@ -73,7 +82,7 @@ std::vector<EncodedFile> write_html(const Tile& tile, const FileOptions& options
     return encode_graded_html(tile, options.site_densities, path);
 }
 
-constexpr std::array<TileFormat, 13> kFormats{{
+constexpr std::array<TileFormat, 15> kFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
      .write = encode_obj,
@@ -115,7 +124,19 @@ constexpr std::array<TileFormat, 13> kFormats{{
      .write = encode_vtu,
      .read = decode_vtu,
      .highest_order = 2},
-    {.extension = ".svg", .description = "a picture", .write = write_svg},
+    {.extension = ".svg",
+     .description = "a picture, or with --cut lines for cutters",
+     .write = write_svg,
+     .takes_cut_width = true},
+    {.extension = ".png",
+     .description = "an image of one period that repeats without a seam",
+     .write = encode_tile_png,
+     .check = require_image_size,
+     .takes_pixels = true},
+    {.extension = ".dxf",
+     .description = "DXF R12 with each edge once, for cutters",
+     .write = encode_dxf,
+     .takes_cut_width = true},
     {.extension = ".html",
      .description = "a page that shows the tile in any browser",
      .write = write_html},

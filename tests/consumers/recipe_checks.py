@@ -107,7 +107,8 @@ def check_openfoam(folder, text):
 
 
 def check_graphics(folder, text):
-    require_files(folder, "tile.html", "tile.glb", "tile.ply", "repeated.svg")
+    require_files(folder, "tile.html", "tile.glb", "tile.ply", "repeated.svg", "tile.png", "one.glb",
+                  "viewer.ply", "cut.dxf", "cut.svg")
     require("Mesh is two-manifold" in text and "Genus is 0" in text, "MeshLab finds faults")
 
 

@@ -27,8 +27,8 @@ std::vector<TileFormat> formats_of_tiles() {
 }
 
 TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
-    for (const char* name : {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".html", ".msh",
-                             ".inp", ".vtu", ".foam", ".nc", ".txt"}) {
+    for (const char* name : {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".png", ".dxf",
+                             ".html", ".msh", ".inp", ".vtu", ".foam", ".nc", ".txt"}) {
         ASSERT_NE(find_tile_format(std::string("a.b/c") + name), nullptr) << name;
         EXPECT_EQ(find_tile_format(std::string("a.b/c") + name)->extension, name);
     }
@@ -56,8 +56,9 @@ TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
 TEST(TileFormats, EveryFormatReadsItsOwnFilesButPictures) {
     for (const TileFormat& format : formats_of_tiles()) {
         const Tile tile = example(format);
-        const bool is_picture = format.extension == ".svg" || format.extension == ".html";
-        ASSERT_EQ(!format.is_readable(), is_picture);
+        const auto is_picture = {".svg", ".png", ".dxf", ".html"};
+        ASSERT_EQ(!format.is_readable(), std::find(is_picture.begin(), is_picture.end(),
+                                                   format.extension) != is_picture.end());
         if (!format.is_readable()) continue;
         const TileFile file = decode_tile(format, encode_tile(format, tile, "t"), {});
         EXPECT_NE(file.has_vertex_pairs, format.is_folder) << format.extension;

@@ -11,7 +11,7 @@ import unittest
 
 from support.cli import TIMEOUT, CliTest, main
 
-EVERY_FORMAT = ("obj", "ply", "glb", "gltf", "om", "svg", "html")
+EVERY_FORMAT = ("obj", "ply", "glb", "gltf", "om", "svg", "png", "dxf", "html")
 REPORT_KEYS = ["version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations",
                "evaluations", "hessians", "cg_products", "energy", "energy_bound", "residual",
                "minimum", "hexagons", "valences", "mirrors", "threads", "seconds", "files"]
@@ -73,7 +73,7 @@ class Files(CliTest):
 
     def test_several_threads_write_the_files_of_one_and_report_the_first_fault(self):
         run = ("mesh", "--sites", 40, "--period", "1,1.1547005383792515", "--start", "lattice", "--force", "--quiet",
-               *outputs(formats=("obj", "ply", "glb", "gltf", "om", "svg", "html", "vtu", "foam", "nc", "txt")),
+               *outputs(formats=("obj", "ply", "glb", "gltf", "om", "svg", "png", "dxf", "html", "vtu", "foam", "nc", "txt")),
                "-o", "u.om", "-o", "u.nc")
         self.succeed(*run, "--threads", 1)
         first = self.contents()

@@ -38,6 +38,26 @@ class Files(CliTest):
             files = self.contents()
             self.assertEqual(files["python.ply"], files["command.ply"])
 
+    def test_the_forms_of_files_are_those_of_the_command(self):
+        result = pcvt.mesh(60, OBLIQUE)
+        for extension, option, arguments in (("glb", ("--glb-nodes", "one"), {"gltf_nodes": "one"}),
+                                             ("ply", ("--float32",), {"float32": True}),
+                                             ("png", ("--pixels", 90), {"pixels": 90}),
+                                             ("svg", ("--cut", 90), {"cut_width": 90}),
+                                             ("dxf", ("--cut", 90), {"cut_width": 90})):
+            self.succeed("mesh", "--sites", 60, "--lattice", "1,0,0.37,0.81", *option, "-o",
+                         f"command.{extension}")
+            result.write(self.path(f"python.{extension}"), **arguments)
+            files = self.contents()
+            self.assertEqual(files[f"python.{extension}"], files[f"command.{extension}"])
+            with self.assertRaisesRegex(pcvt.ArgumentError, "no output takes"):
+                result.write(self.path("python.obj"), **arguments)
+        for arguments, words in (({"gltf_nodes": "two"}, "cells"), ({"pixels": -1}, "negative"),
+                                 ({"pixels": 1 << 40}, "range"), ({"cut_width": -2}, "negative"),
+                                 ({"pixels": 30000}, "at most")):
+            with self.assertRaisesRegex(pcvt.ArgumentError, words):
+                result.write(self.path("python.png"), **arguments)
+
     def test_given_sites_lead_to_the_same_bytes(self):
         given = np.random.default_rng(5).random((80, 2))
         np.savetxt(self.path("given"), given, fmt="%.17g")

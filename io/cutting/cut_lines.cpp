@@ -1,0 +1,35 @@
+#include "io/cutting/cut_lines.hpp"
+
+#include "io/tiles/finite.hpp"
+#include "mesher/tile/tile_edges.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Steps of a millimetre to which lengths in millimetres are rounded.
+constexpr double kSteps = 1e6;
+
+}  // namespace
+
+CutLines cut_lines(const Tile& tile, double width) {
+    require_finite(tile);
+    Vec2 low = tile.points.front();
+    Vec2 high = low;
+    for (const Vec2& p : tile.points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const auto place = [&](const Vec2& p) -> Vec2 {
+        if (width == 0) return p - low;
+        const Vec2 scaled = width / (high.x() - low.x()) * (p - low);
+        return (kSteps * scaled).array().round().matrix() / kSteps;
+    };
+    CutLines lines{{}, {}, place(high)};
+    for (const TileEdge& edge : tile_edges(tile)) {
+        (edge.on_seam ? lines.seam : lines.inner)
+            .push_back({place(tile.points[edge.v]), place(tile.points[edge.w])});
+    }
+    return lines;
+}
+
+}  // namespace pcvt

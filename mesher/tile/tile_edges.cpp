@@ -1,0 +1,67 @@
+#include "mesher/tile/tile_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pcvt {
+namespace {
+
+/// The side of a face from one vertex to the next.
+struct Side {
+    int from;
+    int to;
+    int face;
+
+    std::array<int, 3> key() const { return {std::min(from, to), std::max(from, to), from}; }
+    bool is_opposite(const Side& other) const { return from == other.to && to == other.from; }
+};
+
+bool is_before(const Side& side, const Side& other) { return side.key() < other.key(); }
+
+/// Returns the sides of all faces; those of one edge lie side by side.
+std::vector<Side> sorted_sides(const Tile& tile) {
+    std::vector<Side> sides;
+    sides.reserve(tile.faces.corners.size());
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        int from = tile.faces[f].back();
+        for (const int to : tile.faces[f]) sides.push_back({std::exchange(from, to), to, f});
+    }
+    std::sort(sides.begin(), sides.end(), is_before);
+    return sides;
+}
+
+/// Returns the face that runs from `from` to `to`.
+int face_at(const std::vector<Side>& sides, int from, int to) {
+    return std::lower_bound(sides.begin(), sides.end(), Side{from, to, 0}, is_before)->face;
+}
+
+}  // namespace
+
+std::vector<TileEdge> tile_edges(const Tile& tile) {
+    const std::vector<Side> sides = sorted_sides(tile);
+    std::vector<TileEdge> edges;
+    edges.reserve(sides.size() / 2 + 2 * tile.edge_pairs.size());
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+        const auto [from, to, face] = sides[s];
+        if (s + 1 < sides.size() && sides[s].is_opposite(sides[s + 1])) {
+            edges.push_back(
+                {.v = from, .w = to, .left = face, .right = sides[++s].face, .on_seam = false});
+        }
+    }
+    // The faces at the two sides of a pair are neighbours.
+    for (const EdgePair& pair : tile.edge_pairs) {
+        const int left = face_at(sides, pair.v0, pair.v1);
+        const int right = face_at(sides, pair.w1, pair.w0);
+        edges.push_back(
+            {.v = pair.v0, .w = pair.v1, .left = left, .right = right, .on_seam = true});
+        edges.push_back(
+            {.v = pair.w1, .w = pair.w0, .left = right, .right = left, .on_seam = true});
+    }
+    std::sort(edges.begin(), edges.end(), [](const TileEdge& e, const TileEdge& f) {
+        return std::minmax(e.v, e.w) < std::minmax(f.v, f.w);
+    });
+    return edges;
+}
+
+}  // namespace pcvt

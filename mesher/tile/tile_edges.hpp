@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// An edge of a tile: face `left` runs from v to w along it, face `right` from w to v. On the seam
+/// `right` lies across it, at the partner of the edge.
+struct TileEdge {
+    int v;
+    int w;
+    int left;
+    int right;
+    bool on_seam;
+};
+
+/// Returns each edge of a tile once, sorted by its smaller and then its larger vertex. Both edges
+/// of a pair of the seam are edges of the tile. Cost: O(n log n).
+///
+/// Example usage:
+///   for (const TileEdge& edge : tile_edges(tile)) length += (p[edge.w] - p[edge.v]).norm();
+/// @pre the tile obeys its laws (mesher/proof).
+std::vector<TileEdge> tile_edges(const Tile& tile);
+
+}  // namespace pcvt

@@ -1,0 +1,92 @@
+#include "io/pictures/periodic_canvas.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <random>
+
+namespace pcvt {
+namespace {
+
+using ::testing::Each;
+using ::testing::ElementsAre;
+
+constexpr int kWidth = 24;
+constexpr int kHeight = 16;
+
+/// Random shapes, all moved by the same number of pixels. Their corners are multiples of 1/64.
+RgbImage scene(int x, int y) {
+    std::mt19937_64 random(3);
+    const auto place = [&]() -> Vec2 {
+        return {static_cast<double>(random() % (64 * kWidth)) / 64 + x,
+                static_cast<double>(random() % (64 * kHeight)) / 64 + y};
+    };
+    PeriodicCanvas canvas(kWidth, kHeight);
+    for (int k = 0; k < 20; ++k) {
+        const auto colour = static_cast<PackedColour>(random() % 0x1000000);
+        canvas.add_polygon(std::array{place(), place(), place()}, colour);
+        canvas.add_stroke(place(), place(), 1.5, ~colour & 0xffffff);
+        const Vec2 centre = place();
+        canvas.add_stroke(centre, centre, 3, colour);
+    }
+    return canvas.render();
+}
+
+std::vector<unsigned char> rolled(const RgbImage& image, int x, int y) {
+    std::vector<unsigned char> rgb(image.rgb.size());
+    for (int row = 0; row < image.height; ++row) {
+        for (int k = 0; k < 3 * image.width; ++k) {
+            const int to_row = (row + y) % image.height;
+            const int to = (k + 3 * x) % (3 * image.width);
+            rgb[to_row * 3 * image.width + to] = image.rgb[row * 3 * image.width + k];
+        }
+    }
+    return rgb;
+}
+
+// Law 1.
+TEST(PeriodicCanvas, MovedShapesGiveTheRolledImage) {
+    const RgbImage image = scene(0, 0);
+    for (const auto& [x, y] : {std::pair(1, 0), std::pair(0, 1), std::pair(7, 13)}) {
+        EXPECT_EQ(scene(x, y).rgb, rolled(image, x, y));
+    }
+}
+
+// Law 2.
+TEST(PeriodicCanvas, ShapesMovedByPeriodsGiveTheSameImage) {
+    EXPECT_EQ(scene(-3 * kWidth, 5 * kHeight).rgb, scene(0, 0).rgb);
+}
+
+TEST(PeriodicCanvas, APixelIsTheMeanOfWhatCoversIt) {
+    PeriodicCanvas canvas(2, 1);
+    canvas.add_polygon(std::array{Vec2(0, 0), Vec2(2, 0), Vec2(2, 1), Vec2(0, 1)}, 0x000000);
+    canvas.add_polygon(std::array{Vec2(1.75, 0), Vec2(2.5, 0), Vec2(2.5, 1), Vec2(1.75, 1)},
+                       0x0000ff);
+    EXPECT_THAT(canvas.render().rgb, ElementsAre(0, 0, 128, 0, 0, 64));
+}
+
+TEST(PeriodicCanvas, StrokesHaveRoundEnds) {
+    PeriodicCanvas canvas(64, 64);
+    canvas.add_polygon(std::array{Vec2(0, 0), Vec2(64, 0), Vec2(64, 64), Vec2(0, 64)}, 0x000000);
+    canvas.add_stroke({20, 32}, {44, 32}, 16, 0xffffff);
+    const RgbImage image = canvas.render();
+    double area = 0;
+    for (std::size_t k = 0; k < image.rgb.size(); k += 3) area += image.rgb[k] / 255.0;
+    EXPECT_NEAR(area, 24 * 16 + 3.14159 * 64, 1);
+}
+
+TEST(PeriodicCanvas, AShapeWiderThanTheCanvasCoversIt) {
+    PeriodicCanvas canvas(5, 4);
+    canvas.add_stroke({1, 1}, {1, 1}, 40, 0x010101);
+    EXPECT_THAT(canvas.render().rgb, Each(1));
+    EXPECT_THAT(PeriodicCanvas(5, 4).render().rgb, Each(255));
+}
+
+TEST(PeriodicCanvas, GapsTakeTheColourToTheirLeft) {
+    PeriodicCanvas canvas(4, 1);
+    canvas.add_polygon(std::array{Vec2(1, 0), Vec2(2, 0), Vec2(2, 1), Vec2(1, 1)}, 0x010101);
+    EXPECT_THAT(canvas.render().rgb, Each(1));
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,147 @@
+#include "io/pictures/png_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "io/pictures/cell_colours.hpp"
+#include "io/run_files/png_image.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/tile/build_tile.hpp"
+#include "tests/support/tile_equality.hpp"
+
+namespace pcvt {
+namespace {
+
+const Lattice kRectangle = Lattice::rectangle(2, 1);
+const Lattice kOblique({1, 0}, {0.37, 0.81});
+constexpr int kWidth = 256;
+
+Tile tile(const Lattice& lattice, MeshKind kind, Outline outline) {
+    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 40, 5)));
+    TileOptions options;
+    options.kind = kind;
+    options.outline = outline;
+    return build_tile(delaunay, options).tile;
+}
+
+Tile moved(Tile tile, const Vec2& by) {
+    for (Vec2& p : tile.points) p += by;
+    for (Vec2& p : tile.site_points) p += by;
+    return tile;
+}
+
+std::vector<unsigned char> rolled(const RgbImage& image, int x, int y) {
+    std::vector<unsigned char> rgb(image.rgb.size());
+    for (int row = 0; row < image.height; ++row) {
+        for (int k = 0; k < 3 * image.width; ++k) {
+            const int to_row = (row + y) % image.height;
+            const int to = (k + 3 * x) % (3 * image.width);
+            rgb[to_row * 3 * image.width + to] = image.rgb[row * 3 * image.width + k];
+        }
+    }
+    return rgb;
+}
+
+int n_different(const std::vector<unsigned char>& image, const std::vector<unsigned char>& other) {
+    int n = 0;
+    for (std::size_t k = 0; k < image.size(); ++k) n += image[k] != other[k];
+    return n;
+}
+
+TEST(PngWriter, AMovedTileGivesTheRolledImage) {
+    for (const Lattice& lattice : {kRectangle, kOblique}) {
+        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
+            const Tile at_zero = tile(lattice, kind, Outline::kWhole);
+            const RgbImage image = draw_period(at_zero, false, kWidth);
+            const int x = 37;
+            const int y = 11;
+            const Vec2 by =
+                double(x) / kWidth * lattice.a() - double(y) / image.height * lattice.b();
+            const RgbImage other = draw_period(moved(at_zero, by), false, kWidth);
+            ASSERT_EQ(image.height, other.height);
+            // Rounding moves a sample across an edge now and then.
+            EXPECT_LE(n_different(other.rgb, rolled(image, x, y)), 6);
+        }
+    }
+}
+
+TEST(PngWriter, TheOutlineDoesNotShow) {
+    for (const Lattice& lattice : {kRectangle, kOblique}) {
+        const RgbImage whole =
+            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kWhole), false, kWidth);
+        const RgbImage box =
+            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kBox), false, kWidth);
+        EXPECT_LE(n_different(whole.rgb, box.rgb), 30);
+    }
+}
+
+/// Returns the sum of the differences between two columns.
+int step(const RgbImage& image, int column, int other) {
+    int sum = 0;
+    for (int row = 0; row < image.height; ++row) {
+        for (int k = 0; k < 3; ++k) {
+            const auto at = [&](int x) -> int {
+                return image.rgb[3 * (row * image.width + x) + k];
+            };
+            sum += std::abs(at(column) - at(other));
+        }
+    }
+    return sum;
+}
+
+TEST(PngWriter, TheLastColumnContinuesInTheFirst) {
+    const RgbImage image =
+        draw_period(tile(kRectangle, MeshKind::kVoronoi, Outline::kBox), false, kWidth);
+    int most = 0;
+    for (int x = 0; x + 1 < kWidth; ++x) most = std::max(most, step(image, x, x + 1));
+    EXPECT_LE(step(image, kWidth - 1, 0), most);
+    EXPECT_GT(step(image, 0, kWidth / 2), 2 * most);
+}
+
+TEST(PngWriter, ShowsUToTheRightAndVUpwards) {
+    for (const Lattice& lattice : testing::awkward_lattices()) {
+        const Tile cells = tile(lattice, MeshKind::kVoronoi, Outline::kWhole);
+        const std::vector<std::string> colours = colours_by_sides(cells).of_face;
+        const RgbImage image = draw_period(cells, false, 600);
+        for (int f = 0; f < cells.n_faces(); ++f) {
+            // Between the dot at the site and a corner.
+            const Vec2 p = 0.6 * cells.site_points[f] + 0.4 * cells.points[cells.faces[f][0]];
+            const Vec2 u = lattice.to_lattice(p);
+            const int x = static_cast<int>((u.x() - std::floor(u.x())) * image.width);
+            const int row = static_cast<int>((1 - (u.y() - std::floor(u.y()))) * image.height);
+            const std::size_t at = 3 * (static_cast<std::size_t>(row) * image.width + x);
+            const auto expected = std::stoul(colours[f].substr(1), nullptr, 16);
+            const unsigned long shown =
+                image.rgb[at] << 16 | image.rgb[at + 1] << 8 | image.rgb[at + 2];
+            EXPECT_EQ(shown, expected) << f;
+        }
+    }
+}
+
+TEST(PngWriter, FilesHaveTheSizeAndPixelsOfTheImage) {
+    const Tile cells = tile(kRectangle, MeshKind::kVoronoi, Outline::kWhole);
+    const auto files = encode_tile_png(cells, {.pixels = 300}, "t.png");
+    ASSERT_EQ(files.size(), 1U);
+    const GreyImage read = decode_png("t.png", files[0].bytes);
+    EXPECT_EQ(read.width, 300);
+    EXPECT_EQ(read.height, 150);
+    const RgbImage image = draw_period(cells, false, 300);
+    for (std::size_t k = 0; k < read.grey.size(); ++k) {
+        const unsigned char* rgb = &image.rgb[3 * k];
+        EXPECT_NEAR(read.grey[k], (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]) / 255,
+                    1e-5);
+    }
+    EXPECT_EQ(decode_png("t", encode_tile_png(cells, {}, "t")[0].bytes).width, kDefaultPixels);
+}
+
+TEST(PngWriter, RefusesImagesThatAreTooLarge) {
+    EXPECT_EQ(image_height(kRectangle, 10000), 5000);
+    EXPECT_THROW(image_height(kRectangle, 20000), InvalidInput);
+    EXPECT_EQ(image_height(Lattice::rectangle(1000, 1), 10), 1);
+}
+
+}  // namespace
+}  // namespace pcvt
