@@ -107,6 +107,9 @@ enum {
     PCVT_PHASE_WRITE = 4
 };
 
+/** Whether a result is a minimum of the energy, as the eigenvalues of the Hessian prove. */
+enum { PCVT_MINIMUM_UNKNOWN = 0, PCVT_MINIMUM_YES = 1, PCVT_MINIMUM_NO = 2 };
+
 /** The state of a run. Later versions may append fields. */
 typedef struct pcvt_progress {
     size_t struct_size;
@@ -313,6 +316,11 @@ PCVT_API pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view,
 
 PCVT_API pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view,
                                          size_t view_size);
+
+/** @param minimum  becomes PCVT_MINIMUM_...: unknown if the run did not converge, has a density or
+ * more than 10,000 sites, or if an eigenvalue is too small. The first call takes time of order
+ * n^1.5. Any thread, any number of calls on one result at once. */
+PCVT_API pcvt_status pcvt_get_minimum(const pcvt_result* result, int32_t* minimum);
 
 /** @param kind  PCVT_VORONOI or PCVT_DELAUNAY. */
 PCVT_API pcvt_status pcvt_get_mesh(const pcvt_result* result, int32_t kind, pcvt_mesh* view,

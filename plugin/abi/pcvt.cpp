@@ -197,6 +197,14 @@ pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view
     return give("pcvt_statistics", view, view_size, [&] { return content(result).statistics(); });
 }
 
+pcvt_status pcvt_get_minimum(const pcvt_result* result, int32_t* minimum) {
+    return guarded([&](const std::fenv_t&) {
+        if (minimum == nullptr) throw pcvt::InvalidInput("minimum is a null pointer");
+        *minimum = content(result).minimum();
+        return pcvt_status{PCVT_OK};
+    });
+}
+
 pcvt_status pcvt_get_mesh(const pcvt_result* result, int32_t kind, pcvt_mesh* view,
                           size_t view_size) {
     return give("pcvt_mesh", view, view_size,

@@ -82,6 +82,11 @@ std::int32_t stop_number(Stop stop) {
     return stop == Stop::kIterationLimit ? PCVT_STOP_ITERATION_LIMIT : PCVT_STOP_STALLED;
 }
 
+std::int32_t minimum_number(const std::optional<Minimum>& minimum) {
+    if (minimum == Minimum::kYes) return PCVT_MINIMUM_YES;
+    return minimum == Minimum::kNo ? PCVT_MINIMUM_NO : PCVT_MINIMUM_UNKNOWN;
+}
+
 }  // namespace
 
 Result::Result(Job job, Computation computed)
@@ -142,6 +147,10 @@ pcvt_statistics Result::statistics() const {
             .evaluations = cvt.run.evaluations,
             .n_threads = job_.n_threads,
             .n_mirrors = cvt.counts.n_mirrors.value_or(-1)};
+}
+
+std::int32_t Result::minimum() const {
+    return minimum_.get([&] { return minimum_number(minimum_of(computed_.cvt)); });
 }
 
 pcvt_mesh Result::mesh(MeshKind kind) const {

@@ -61,6 +61,8 @@ class Result {
     double energy_bound() const;
     pcvt_sites sites() const;
     pcvt_statistics statistics() const;
+    /// PCVT_MINIMUM_...
+    std::int32_t minimum() const;
     /// @throws BadGeometry if cells are too small, as tile() and write().
     pcvt_mesh mesh(MeshKind kind) const;
     /// @throws InvalidInput for Delaunay triangles in a box.
@@ -80,6 +82,7 @@ class Result {
     std::array<Lazy<PeriodicMesh>, kMeshKinds.size()> meshes_;
     std::array<std::array<Lazy<TileArrays>, 2>, kMeshKinds.size()> tiles_;
     Lazy<std::vector<int>> valences_;
+    Lazy<std::int32_t> minimum_;
 };
 
 }  // namespace pcvt::abi

@@ -56,13 +56,6 @@ CvtResult tessellate(const Job& job, JobStart& start, JobMonitor& monitor, Stopw
     return compute_cvt(job.lattice, std::move(start.points), options);
 }
 
-std::optional<Minimum> minimum_of(const CvtResult& result) {
-    const Sites& sites = result.delaunay.sites();
-    const bool few = sites.n_sites() <= kMostSitesForStability;
-    if (result.run.stop != Stop::kConverged || result.density || !few) return {};
-    return stability(sites);
-}
-
 RunSummary summarize(const Computation& computation, std::span<const BuiltTile> tiles) {
     const CvtResult& cvt = computation.cvt;
     RunSummary summary;
@@ -182,6 +175,13 @@ std::optional<Computation> compute_job(const Job& job, const JobCallback& callba
     } catch (const Cancelled&) {
         return std::nullopt;
     }
+}
+
+std::optional<Minimum> minimum_of(const CvtResult& result) {
+    const Sites& sites = result.delaunay.sites();
+    const bool few = sites.n_sites() <= kMostSitesForStability;
+    if (result.run.stop != Stop::kConverged || result.density || !few) return {};
+    return stability(sites);
 }
 
 Points wrapped_sites(const CvtResult& result, const Vec2& origin) {

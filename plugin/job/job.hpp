@@ -130,7 +130,7 @@ struct RunSummary {
     int n_sites = 0;
     /// length^4; `nullopt` with a density.
     std::optional<double> energy_bound;
-    /// Of a run that converged, up to kMostSitesForStability sites.
+    /// As minimum_of() returns it.
     std::optional<Minimum> minimum;
     /// `nullopt` if the triangulation was built without mirrors.
     std::optional<int> n_mirrors;
@@ -166,6 +166,9 @@ void check_job(const Job& job);
 
 /// Computes the tessellation; `nullopt` after a cancelled run.
 std::optional<Computation> compute_job(const Job& job, const JobCallback& callback);
+/// Whether the result is a minimum, according to its Hessian; `nullopt` if the run did not
+/// converge, has a density, or has more than kMostSitesForStability sites. Cost: of order n^1.5.
+std::optional<Minimum> minimum_of(const CvtResult& result);
 /// The optimised sites, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
 Points wrapped_sites(const CvtResult& result, const Vec2& origin);
 /// Makes the tiles of a job, proved, one for each of job.meshes; they must outlive the call. May be

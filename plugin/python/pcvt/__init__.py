@@ -21,9 +21,13 @@ the translation i a + j b, with a, b the rows of `lattice`.
 
 import operator
 import os
-from ctypes import byref, c_void_p, sizeof
+from ctypes import byref, c_int32, c_void_p, sizeof
 
-import numpy as np
+try:
+    import numpy as np
+except ModuleNotFoundError as missing:
+    raise ModuleNotFoundError("pcvt needs numpy; install it: pip install numpy, or on Debian "
+                              "python3-numpy", name=missing.name) from None
 
 from . import _library
 from ._callbacks import Callbacks, Progress
@@ -65,6 +69,17 @@ def _doubles(name, values, *shape):
     return array
 
 
+def _period_vectors(lattice, period):
+    if period is None:
+        return ((1, 0), (0, 1)) if lattice is None else lattice
+    if lattice is not None:
+        raise ArgumentError("lattice and period exclude each other; give one of the two")
+    width, height = _doubles("period", period, 2)
+    if not (width > 0 and height > 0):
+        raise ArgumentError(f"period {period!r}: a side is not above 0; give two positive lengths")
+    return ((width, 0), (0, height))
+
+
 def _set_integers(options, **integers):
     for name, value in integers.items():
         setattr(options, name, operator.index(value))
@@ -97,7 +112,7 @@ def _set_functions(options, density, callbacks):
         options.density_source = _text("density", density)
 
 
-def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0), origin=(0, 0),
+def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None):
@@ -106,7 +121,8 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
 
     sites           the number of sites, drawn from `seed`; or their positions, shape (n, 2), anywhere
                     in the plane
-    lattice         (2, 2), the period vectors as rows a, b
+    lattice         (2, 2), the period vectors as rows a, b; None: the unit square
+    period          (width, height) of a rectangle, in place of lattice
     density         periodic, finite and positive: a function of x, y, each float64 of shape (m,),
                     that returns shape (m,) or one number; or, as text, an expression in x, y, u, v
                     or the name of a .png file. None: uniform. A function is called on the calling
@@ -138,7 +154,7 @@ def mesh(sites, lattice=((1, 0), (0, 1)), density=None, *, density_range=(0, 0),
                   start=_choice("start", start, _STARTS),
                   solver=_choice("solver", solver, _SOLVERS))
     options.find_origin = isinstance(origin, str) and origin == "auto"
-    _set_doubles(options, lattice=_doubles("lattice", lattice, 2, 2).ravel(),
+    _set_doubles(options, lattice=_doubles("lattice", _period_vectors(lattice, period), 2, 2).ravel(),
                  origin=(0, 0) if options.find_origin else origin, density_range=density_range)
     options.tolerance, options.grain_size = tolerance, grain_size
     options.short_edges = short_edges
@@ -174,6 +190,16 @@ class Result:
         figures["valences"] = self._handle.array(view.valences, np.int32, view.n_valences)
         figures["stop"] = STOPS[view.stop]
         return Statistics(**figures)
+
+    @property
+    def minimum(self):
+        """Whether the result is a minimum of the energy, as the eigenvalues of its Hessian prove: True, or
+        False for a saddle. None where they prove neither, for a run that did not converge, with a
+        density, and above 10,000 sites. The first use takes time of order n^1.5.
+        """
+        number = c_int32()
+        checked(library.pcvt_get_minimum(self._handle.pointer, byref(number)))
+        return (None, True, False)[number.value]
 
     def mesh(self, kind="voronoi"):
         """The cells ("voronoi") or triangles ("delaunay") on the torus, a TorusMesh."""

@@ -116,6 +116,7 @@ _FUNCTIONS = {
     "pcvt_free": (None, c_void_p),
     "pcvt_get_sites": (c_int32, c_void_p, POINTER(Sites), c_size_t),
     "pcvt_get_statistics": (c_int32, c_void_p, POINTER(Statistics), c_size_t),
+    "pcvt_get_minimum": (c_int32, c_void_p, POINTER(c_int32)),
     "pcvt_get_mesh": (c_int32, c_void_p, c_int32, POINTER(Mesh), c_size_t),
     "pcvt_get_tile": (c_int32, c_void_p, c_int32, c_int32, POINTER(Tile), c_size_t),
     "pcvt_write": (c_int32, c_void_p, c_char_p, POINTER(WriteOptions)),

@@ -1,8 +1,13 @@
 """Pictures of tiles, by matplotlib."""
 
 import numpy as np
-from matplotlib import pyplot
-from matplotlib.collections import LineCollection, PolyCollection
+
+try:
+    from matplotlib import pyplot
+    from matplotlib.collections import LineCollection, PolyCollection
+except ModuleNotFoundError as missing:
+    raise ModuleNotFoundError("plots need matplotlib; install it: pip install matplotlib, or on Debian "
+                              "python3-matplotlib", name=missing.name) from None
 
 from ._palette import PALE, SIDES
 

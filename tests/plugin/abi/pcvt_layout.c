@@ -46,6 +46,9 @@ static void print_numbers(void) {
     NUMBER(PCVT_PHASE_BUILD);
     NUMBER(PCVT_PHASE_PROVE);
     NUMBER(PCVT_PHASE_WRITE);
+    NUMBER(PCVT_MINIMUM_UNKNOWN);
+    NUMBER(PCVT_MINIMUM_YES);
+    NUMBER(PCVT_MINIMUM_NO);
 }
 
 static void print_progress(void) {

@@ -59,12 +59,15 @@ static void null_pointers_are_refused(void) {
     pcvt_options options = options_for(10);
     pcvt_result* result = generated(&options);
     pcvt_sites sites;
+    int32_t minimum;
     CHECK(pcvt_options_init(NULL, sizeof options, PCVT_ABI_VERSION) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_generate(&options, NULL) == PCVT_ERROR_ARGUMENT);
     REFUSED(NULL, PCVT_ERROR_ARGUMENT, "null");
     CHECK(pcvt_get_sites(NULL, &sites, sizeof sites) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_get_sites(result, NULL, sizeof sites) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_get_statistics(result, NULL, 0) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_minimum(result, NULL) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_minimum(NULL, &minimum) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_get_mesh(result, PCVT_VORONOI, NULL, 0) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, NULL, 0) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(NULL, "t.obj", NULL) == PCVT_ERROR_ARGUMENT);

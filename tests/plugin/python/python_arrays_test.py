@@ -85,6 +85,18 @@ class Arrays(unittest.TestCase):
         self.assertEqual(len(freed), 1)
         free(freed[0])
 
+    def test_a_period_is_the_lattice_of_a_rectangle(self):
+        given = pcvt.mesh(20, ((2, 0), (0, 0.5)))
+        result = pcvt.mesh(20, period=(2, 0.5))
+        np.testing.assert_array_equal(result.lattice, [[2, 0], [0, 0.5]])
+        np.testing.assert_array_equal(result.sites, given.sites)
+
+    def test_a_result_is_known_to_be_a_minimum_or_a_saddle(self):
+        self.assertIs(pcvt.mesh(100).minimum, True)
+        self.assertIs(pcvt.mesh(10, start="lattice", max_iterations=0).minimum, False)
+        self.assertIsNone(pcvt.mesh(100, max_iterations=3).minimum)
+        self.assertIsNone(pcvt.mesh(100, density="1 + u").minimum)
+
     def test_statistics_describe_the_run(self):
         figures = pcvt.mesh(100, max_iterations=3).statistics
         self.assertEqual((figures.stop, figures.n_sites, figures.iterations),

@@ -96,6 +96,11 @@ class Loading(CliTest):
         done = python("-c", self.IMPORT, PCVT_LIBRARY="", PYTHONPATH=str(self.folder))
         self.assertEqual(done.stdout, f"{pcvt.version()} False\n", done.stderr)
 
+    def test_a_missing_package_is_named_with_the_remedy(self):
+        for name, use in (("numpy", "import pcvt"), ("matplotlib", "import pcvt; pcvt.mesh(9).plot()")):
+            done = python("-c", f"import sys; sys.modules['{name}'] = None; {use}")
+            self.assertRegex(done.stderr, rf"ModuleNotFoundError: .* need\w* {name}; .*pip install {name}")
+
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "matplotlib is missing")
     def test_the_sample_draws_its_figure(self):
         figure = self.path("figure.png")

@@ -38,6 +38,11 @@ class Refusals(unittest.TestCase):
         self.refuse(pcvt.ArgumentError, "solver 'magic' is unknown; .*lbfgs", solver="magic")
         self.refuse(pcvt.ArgumentError, "zero byte", density="x\0")
 
+    def test_periods_that_are_no_rectangle(self):
+        self.refuse(pcvt.ArgumentError, "exclude each other", lattice=((1, 0), (0, 1)), period=(1, 1))
+        self.refuse(pcvt.ArgumentError, r"period \(2, 0\): a side is not above 0", period=(2, 0))
+        self.refuse(pcvt.ArgumentError, "period has the shape", period=2)
+
     def test_unwritable_files_name_the_path(self):
         with self.assertRaisesRegex(OSError, "/dev/null/tile.ply"):
             pcvt.mesh(10).write("/dev/null/tile.ply")
