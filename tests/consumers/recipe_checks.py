@@ -203,6 +203,7 @@ ROWS = {
     ("Samples", "Slurm"): Row(check_slurm, programs=("munged", "slurmctld", "slurmd", "sbatch"),
                               as_root=True, wrapper="slurm_node"),
     ("plugin", "Install"): Row(reason="tests/install/run installs pcvt and builds against it"),
+    ("plugin", "Packages"): Row(reason="tests/install/packages makes the packages and uses them"),
     ("plugin", "C and C++ through pcvt.h"): Row(check_c_program, programs=("cc",)),
     ("plugin", "Python"): Row(check_python, modules=("matplotlib",)),
     ("mesher", "From sites to a tile"): Row(reason="a diagram"),
