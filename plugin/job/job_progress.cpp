@@ -39,7 +39,7 @@ void JobMonitor::require_wanted() const {
 
 bool JobMonitor::start_iteration(const Progress& progress) {
     now_.phase = Phase::kStarting;
-    now_.text = progress.budget > 0 ? "searching" : "placing the sites";
+    now_.text = (progress.budget > 0 ? "searching" : "placing the sites") + target_.note;
     now_.fraction = std::clamp(share_of_start(progress), now_.fraction, 1.0);
     now_.run = progress;
     return report(now_);
@@ -47,7 +47,10 @@ bool JobMonitor::start_iteration(const Progress& progress) {
 
 bool JobMonitor::iteration(const Progress& progress) {
     if (now_.phase != Phase::kOptimising || now_.text.empty()) {
-        now_ = {.phase = Phase::kOptimising, .text = "optimising", .fraction = 0, .run = {}};
+        now_ = {.phase = Phase::kOptimising,
+                .text = "optimising" + target_.note,
+                .fraction = 0,
+                .run = {}};
         first_residual_ = progress.residual;
     }
     double share = share_of_digits(first_residual_, progress.residual, target_.tolerance);
@@ -116,6 +119,8 @@ void JobMonitor::report_until(const bool& ended) {
 void JobMonitor::begin(Phase phase, const std::string& text) {
     require_wanted();
     const std::lock_guard lock(mutex_);
+    // The end of the phase before, unless that was the optimisation, which reports by itself.
+    if (now_.phase >= Phase::kBuilding) unseen_.push_back(now_);
     now_.phase = phase;
     now_.text = text;
     now_.fraction = 0;

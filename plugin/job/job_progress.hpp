@@ -48,6 +48,8 @@ class JobMonitor {
         double tolerance = 0;
         /// Negative: no limit.
         int max_iterations = -1;
+        /// Follows the words of the optimisation, ", seed 4".
+        std::string note = {};
     };
 
     /// @param callback  may be empty; must outlive the monitor.

@@ -88,6 +88,18 @@ void expect_toruses(const PeriodicMesh& cells, double part) {
     expect_torus(box, in_place(box), mesh_grains(box, size));
 }
 
+TEST(Grains, ProgressRisesToAboutOne) {
+    const PeriodicMesh cells = optimised_cells(Lattice::rectangle(1, 1), 2000, 1);
+    for (const double size : {1.0 / 3, 1.0 / 6}) {
+        std::vector<double> shares;
+        mesh_grains(cells, size * spacing(cells), [&](double share) { shares.push_back(share); });
+        ASSERT_GT(shares.size(), 4U);
+        EXPECT_LT(shares.front(), 0.5);
+        EXPECT_GT(*std::max_element(shares.begin(), shares.end()), 0.7);
+        for (const double share : shares) EXPECT_TRUE(share >= 0 && share <= 1);
+    }
+}
+
 TEST(Grains, AreProvedForOneSiteAndMoreOnEveryLattice) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 3, 8, 25}) {

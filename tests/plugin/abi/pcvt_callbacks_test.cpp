@@ -7,14 +7,18 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "io/bytes/output.hpp"
 #include "plugin/abi/guard.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace pcvt::abi {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::StrEq;
 
 pcvt_options options_for(int n_sites) {
@@ -89,6 +93,70 @@ TEST(Callbacks, MayCallTheLibrary) {
         return static_cast<int>(progress->iteration == 3 && generate(nullptr) != PCVT_OK);
     };
     EXPECT_EQ(generate(nested), PCVT_OK);
+}
+
+/// The words of the phases that a call has reported; the call is cancelled in phase `last`.
+struct Phases {
+    int last = -1;
+    std::vector<std::string> words = {};
+
+    static int note(const pcvt_progress* progress, void* data) {
+        Phases& phases = *static_cast<Phases*>(data);
+        EXPECT_GE(progress->fraction, 0);
+        EXPECT_LE(progress->fraction, 1);
+        if (phases.words.empty() || phases.words.back() != progress->phase_text) {
+            phases.words.emplace_back(progress->phase_text);
+        }
+        return static_cast<int>(progress->phase == phases.last);
+    }
+};
+
+/// A result of 1000 sites, whose run reported to `phases`.
+pcvt_result* generated(Phases& phases) {
+    pcvt_options options = options_for(1000);
+    options.progress = Phases::note;
+    options.progress_data = &phases;
+    pcvt_result* result = nullptr;
+    EXPECT_EQ(pcvt_generate(&options, &result), PCVT_OK);
+    return result;
+}
+
+/// Writes to `path` and reports to `phases`.
+pcvt_status written(const pcvt_result* result, const std::string& path, Phases& phases) {
+    pcvt_write_options options{};
+    options.struct_size = sizeof options;
+    options.progress = Phases::note;
+    options.progress_data = &phases;
+    return pcvt_write(result, path.c_str(), &options);
+}
+
+TEST(Callbacks, PhasesOfARunAndOfAWriteAreNamed) {
+    const pcvt::testing::TemporaryFolder folder;
+    Phases of_run;
+    Phases of_write;
+    pcvt_result* result = generated(of_run);
+    EXPECT_THAT(of_run.words, ElementsAre("placing the sites", "optimising"));
+    EXPECT_EQ(written(result, folder / "t.ply", of_write), PCVT_OK);
+    EXPECT_THAT(of_write.words,
+                ElementsAre("building the tile", "proving the tile", "writing t.ply, 1 of 1"));
+    // The second file takes the tile of the first.
+    of_write.words.clear();
+    EXPECT_EQ(written(result, folder / "t.obj", of_write), PCVT_OK);
+    EXPECT_THAT(of_write.words, ElementsAre("writing t.obj, 1 of 1"));
+    pcvt_free(result);
+}
+
+TEST(Callbacks, AWriteIsCancelledInAnyPhase) {
+    for (const int last : {PCVT_PHASE_BUILD, PCVT_PHASE_PROVE, PCVT_PHASE_WRITE}) {
+        const pcvt::testing::TemporaryFolder folder;
+        Phases of_run;
+        Phases of_write{.last = last};
+        pcvt_result* result = generated(of_run);
+        EXPECT_EQ(written(result, folder / "t.ply", of_write), PCVT_CANCELLED);
+        EXPECT_THAT(pcvt_last_error(), StrEq("cancelled by the progress callback"));
+        EXPECT_THAT(folder.names(), IsEmpty());
+        pcvt_free(result);
+    }
 }
 
 TEST(LastError, BelongsToTheThread) {

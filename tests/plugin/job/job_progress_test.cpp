@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -139,8 +140,10 @@ TEST(JobProgress, AFractionNeverFalls) {
             recorder.monitor.describe("more");
         }
     });
-    recorder.fractions.pop_back();
-    EXPECT_THAT(recorder.fractions, ElementsAre(0, 0.7, 0.7, 1));
+    std::vector<double>& seen = recorder.fractions;
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    EXPECT_THAT(seen, ElementsAre(0, 0.7, 1));
 }
 
 TEST(JobProgress, FaultsOfTheWorkComeThrough) {

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import tempfile
 import threading
 import unittest
 
@@ -54,6 +55,24 @@ class Stopping(unittest.TestCase):
         self.assertEqual([state.iteration for state in seen], list(range(8)))
         self.assertLess(seen[-1].energy, seen[0].energy)
         self.assertGreater(seen[-1].energy, seen[-1].energy_bound)
+
+    def test_phases_are_named_and_a_write_can_be_cancelled(self):
+        seen = []
+        result = pcvt.mesh(1000, progress=seen.append)
+        self.assertEqual(list(dict.fromkeys(state.phase for state in seen)), ["start", "optimise"])
+        self.assertEqual(seen[-1].phase_text, "optimising")
+        self.assertEqual(seen[-1].fraction, 1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "t.vtu")
+            with self.assertRaisesRegex(pcvt.Cancelled, "cancelled"):
+                result.write(path, progress=lambda state: state.phase == "write")
+            self.assertEqual(os.listdir(folder), [])
+            seen.clear()
+            result.write(path, "grains", progress=seen.append)
+            self.assertEqual(list(dict.fromkeys(state.phase for state in seen)), ["build", "prove", "write"])
+            self.assertEqual(seen[-1].phase_text, "writing t.vtu, 1 of 1")
+            with self.assertRaisesRegex(LookupError, "mine"):
+                result.write(path, replace=True, progress=lambda _: {}["mine"])
 
     def test_exceptions_of_progress_come_through(self):
         for error in (KeyboardInterrupt, SystemExit, LookupError):
