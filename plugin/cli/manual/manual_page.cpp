@@ -90,8 +90,11 @@ std::string footer_sections(const std::string& footer) {
         if (!lines_of(body).empty()) roff += verbatim(body);
         body.clear();
     };
-    for (const std::string& line : lines_of(footer)) {
-        const bool is_title = !line.empty() && line[0] != ' ' && line.ends_with(':');
+    const std::vector<std::string> lines = lines_of(footer);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const std::string& line = lines[k];
+        const bool before_indented = k + 1 < lines.size() && lines[k + 1].starts_with(' ');
+        const bool is_title = before_indented && !line.starts_with(' ') && line.ends_with(':');
         if (is_title) {
             close();
             roff += heading(line.substr(0, line.size() - 1));

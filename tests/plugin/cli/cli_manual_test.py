@@ -1,6 +1,9 @@
 """pcvt help: the pages of the manual and the completion of the command line."""
 
+import os
+import pty
 import re
+import select
 import shutil
 import subprocess
 import unittest
@@ -34,7 +37,7 @@ class Pages(CliTest):
                 self.assertIn("--help", options)
                 text = self.shown(self.page(*command))
                 for option in options:
-                    self.assertRegex(text, rf"(?m)^ +(-h, )?{option}( |$)")
+                    self.assertRegex(text, rf"(?m)^ +(-h, )?{option}( |,|$)")
 
     def test_examples_are_as_in_the_help(self):
         for command in COMMANDS[:4]:
@@ -114,39 +117,43 @@ class Bash(CliTest):
 
 @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
 class Zsh(CliTest):
-    # Types a line and a tabulator into an interactive zsh and prints its screen.
-    TYPE = r"""
-zmodload zsh/zpty
-zpty shell 'zsh -f -i'
-zpty -w shell 'PS1="> "; fpath=($PWD $fpath); autoload -U compinit; compinit -u -d ./dump; bindkey "^I" complete-word; zstyle ":completion:*" list-prompt ""; pcvt() { }; LISTMAX=999; echo RE''ADY'
-zpty -r shell text '*READY*'
-zpty -n -w shell "$1"$'\t'
-sleep 1
-zpty -n -w shell $'\n'
-zpty -w shell 'echo E''ND'
-zpty -r shell text '*END*'
-print -r -- $text
-zpty -d shell
-"""
+    PREPARE = (b'PS1="> "; fpath=($PWD $fpath); autoload -U compinit; compinit -u -d ./dump; pcvt() { }; '
+               b'echo RE""ADY\n')
 
-    def screen(self, line):
+    def shown(self, master, last):
+        """Returns the output of a terminal up to the text `last`, or until there is no more for seconds."""
+        text = ""
+        while last not in text and select.select([master], [], [], 3)[0]:
+            text += os.read(master, 4096).decode()
+        return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]|\x00|\x07", "", text)
+
+    def screen(self, line, last):
+        """Types a line and a tabulator into an interactive zsh and returns its answer."""
         self.write("_pcvt", self.succeed("help", "--completion", "zsh"))
-        self.write("type", self.TYPE)
-        done = subprocess.run(["zsh", "-f", "type", line], cwd=self.folder, capture_output=True,
-                              check=False, timeout=60)
-        text = re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]|.\x08", "", done.stdout.decode())
+        master, slave = pty.openpty()
+        with subprocess.Popen(["zsh", "-f", "-i"], cwd=self.folder, stdin=slave, stdout=slave, stderr=slave,
+                              env={**os.environ, "TERM": "vt100"}, start_new_session=True) as shell:
+            os.close(slave)
+            os.write(master, self.PREPARE)
+            self.shown(master, "READY\r")
+            self.shown(master, "> ")
+            os.write(master, line.encode() + b"\t")
+            text = self.shown(master, last)
+            shell.kill()
+        os.close(master)
         self.assertNotRegex(text, r"_pcvt:\d+|command not found|parse error")
         return text
 
     def test_commands_options_values_and_files(self):
         self.write("tile.obj", "")
         for line, words in (("pcvt me", ["pcvt mesh "]),
-                            ("pcvt mesh --tole", ["pcvt mesh --tolerance"]),
-                            ("pcvt mesh --mesh ", ["voronoi", "delaunay", "grains"]),
-                            ("pcvt check ti", ["pcvt check tile.obj"]),
+                            ("pcvt mesh --tole", ["pcvt mesh --tolerance "]),
+                            ("pcvt mesh --mesh ", ["delaunay", "grains", "voronoi"]),
+                            ("pcvt mesh --outline b", ["pcvt mesh --outline box "]),
+                            ("pcvt check ti", ["pcvt check tile.obj "]),
                             ("pcvt study fig1", ["fig10", "fig11"])):
             with self.subTest(line):
-                screen = self.screen(line)
+                screen = self.screen(line, words[-1])
                 for word in words:
                     self.assertIn(word, screen)
 
