@@ -14,6 +14,7 @@
 #include "io/graphics/om_writer.hpp"
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
+#include "io/mpas/mpas_graph.hpp"
 #include "io/mpas/mpas_reader.hpp"
 #include "io/mpas/mpas_writer.hpp"
 #include "io/openfoam/foam_reader.hpp"
@@ -50,6 +51,11 @@ void require_mpas_torus(const FormatRequest& request) {
     require_mpas_writer();
 }
 
+/// The mesh, and the graph of its cells beside it.
+std::vector<std::string> mpas_paths(const std::string& path) {
+    return {path, std::filesystem::path(path).replace_extension(".graph.info").string()};
+}
+
 void require_image_size(const FormatRequest& request) {
     const int pixels = request.files.pixels;
     image_height(request.lattice, pixels == 0 ? kDefaultPixels : pixels);
@@ -58,7 +64,8 @@ void require_image_size(const FormatRequest& request) {
 std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {
     MpasGrid grid = mpas_grid(torus.cells, torus.origin);
     if (!torus.site_densities.empty()) fill_mesh_density(torus.site_densities, grid);
-    return only_file(path, encode_mpas(grid));
+    const std::vector<std::string> paths = mpas_paths(path);
+    return {{paths[0], encode_mpas(grid)}, {paths[1], encode_mpas_graph(grid)}};
 }
 
 MpasGrid read_mpas(const std::vector<EncodedFile>& files) {
@@ -148,9 +155,11 @@ constexpr std::array<TileFormat, 15> kFormats{{
      .is_folder = true,
      .check = require_whole_cells},
     {.extension = ".nc",
-     .description = "MPAS mesh of the whole torus, which is rectangular",
+     .description =
+         "MPAS mesh of the whole torus, which is rectangular, with .graph.info beside it",
      .write = write_mpas,
      .read = read_mpas,
+     .paths = mpas_paths,
      .check = require_mpas_torus},
     {.extension = ".txt",
      .description = "the sites, in the order of the input",

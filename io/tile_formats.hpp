@@ -80,6 +80,7 @@ struct TileFormat {
     bool takes_pixels = false;
     bool takes_cut_width = false;
 
+    bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {
         return std::holds_alternative<TileWriter*>(write) ||
                std::holds_alternative<TileFormWriter*>(write);

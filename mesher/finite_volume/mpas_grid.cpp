@@ -78,12 +78,10 @@ void require_acute(const PeriodicMesh& cells, const Halfedges& edges) {
     }
     if (worst < 0) return;
     const auto site = [&](int h) { return to_string(cells.site[edges.cell(h)]); };
-    throw InvalidInput("the Delaunay triangle of sites " + site(worst) + ", " +
-                       site(edges.opposite(worst)) + " and " +
-                       site(edges.opposite(edges.previous(worst))) + " has an angle of " +
-                       degrees(smallest) +
-                       " degrees at the first; MPAS needs acute triangles: use another seed or "
-                       "number of sites");
+    throw UnsuitableCells(
+        "the Delaunay triangle of sites " + site(worst) + ", " + site(edges.opposite(worst)) +
+        " and " + site(edges.opposite(edges.previous(worst))) + " has an angle of " +
+        degrees(smallest) + " degrees at the first, and MPAS needs acute triangles");
 }
 
 void require_near_neighbours(const PeriodicMesh& cells, const Halfedges& edges,

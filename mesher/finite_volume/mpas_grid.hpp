@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "mesher/base/error.hpp"
 #include "mesher/mesh/periodic_mesh.hpp"
 
 namespace pcvt {
@@ -53,6 +54,12 @@ struct MpasGrid {
 /// @throws InvalidInput for any other lattice.
 Vec2 rectangular_periods(const Lattice& lattice);
 
+/// The cells of these sites do not suit an output; the cells of other sites may.
+class UnsuitableCells : public InvalidInput {
+   public:
+    using InvalidInput::InvalidInput;
+};
+
 /// Builds the staggered mesh of Voronoi cells.
 ///
 /// Example usage:
@@ -61,10 +68,10 @@ Vec2 rectangular_periods(const Lattice& lattice);
 ///
 /// @param cells   Voronoi cells with their sites; the cell of face f has index f.
 /// @param origin  corner of the domain that contains the points.
-/// @throws InvalidInput if the lattice is not rectangular; if a Delaunay triangle is not acute
-///         (its circumcentre would lie outside it, and a kite would be negative; the message names
-///         the worst triangle); or if neighbours lie half a period apart, so that the nearest image
-///         is ambiguous.
+/// @throws UnsuitableCells if a Delaunay triangle is not acute: its circumcentre would lie outside
+///         it, and a kite would be negative. The message names the worst triangle.
+/// @throws InvalidInput if the lattice is not rectangular, or if neighbours lie half a period
+///         apart, so that the nearest image is ambiguous.
 MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin);
 
 /// Sets mesh_density from the density of each site. The grid may contain several copies of the

@@ -23,6 +23,7 @@ constexpr int kMostIterations = std::numeric_limits<int>::max();
 constexpr int kMostThreads = 1024;
 constexpr int kMostPerEdge = 1000;
 constexpr int kLargestBudget = 2'000'000'000;
+constexpr int kMostRetries = 1'000'000;
 
 /// The outlines as the other choices: a word and PCVT_WHOLE or PCVT_BOX of pcvt.h.
 struct OutlineRow {
@@ -82,6 +83,9 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Sites and lattice");
     add(app, "--sites", options.sites, "N", "N sites, 1 to 268435456, placed by --start");
     add(app, "--seed", options.seed, "S", "of the random numbers [0]");
+    add(app, "--retry", options.retry, "K",
+        "take the next seed, at most K times, while an output refuses the cells\n(.nc: obtuse "
+        "triangles) [0]");
     add(app, "--input", options.input, "FILE",
         "read the sites, \"x y\" a line, # comments; - is standard input");
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
@@ -172,13 +176,16 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
         throw InvalidInput("--input: the name is empty; give a file, or - for standard input");
     }
     if (drawn) job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
-    for (const char* name : {"--seed", "--start"}) {
+    for (const char* name : {"--seed", "--retry", "--start"}) {
         if (from_file && app.count(name) > 0) {
             throw InvalidInput(std::string(name) +
                                " is for random sites, but --input gives them; remove one");
         }
     }
     if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
+    if (app.count("--retry") > 0) {
+        job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
+    }
     if (from_file && options.input != "-") job.inputs.push_back(options.input);
 }
 

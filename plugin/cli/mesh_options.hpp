@@ -16,6 +16,7 @@ namespace pcvt::cli {
 struct MeshOptions {
     std::string sites;
     std::string seed;
+    std::string retry;
     std::string input;
     std::string period;
     std::string lattice;

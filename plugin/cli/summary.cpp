@@ -100,12 +100,19 @@ std::string density_lines(const DensityFigures& density) {
                                     figure(density.quadrature_error) + " of their spacing");
 }
 
+std::string seed_text(const Job& job, const RunSummary& summary) {
+    return std::to_string(summary.seed) + ", because an output refused the cells of seed " +
+           std::to_string(job.seed) +
+           (summary.seed - job.seed > 1 ? " to " + std::to_string(summary.seed - 1) : "");
+}
+
 }  // namespace
 
 std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
     text += line("sites", std::to_string(summary.n_sites));
     text += line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
+    if (summary.seed != job.seed) text += line("seed", seed_text(job, summary));
     text += line("stop", std::string(stop_name(summary.run.stop)) + " after " +
                              std::to_string(summary.run.iterations) + " iterations, " +
                              std::to_string(summary.run.evaluations) + " evaluations");

@@ -37,7 +37,11 @@ class Stopwatch {
     JobSeconds seconds_;
 };
 
-JobMonitor::Target target_of(const Job& job) { return {job.tolerance, job.max_iterations}; }
+JobMonitor::Target target_of(const Job& job) {
+    return {.tolerance = job.tolerance,
+            .max_iterations = job.max_iterations,
+            .note = job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""};
+}
 
 CvtResult tessellate(const Job& job, JobStart& start, JobMonitor& monitor, Stopwatch& watch) {
     CvtOptions options;
@@ -56,11 +60,13 @@ CvtResult tessellate(const Job& job, JobStart& start, JobMonitor& monitor, Stopw
     return compute_cvt(job.lattice, std::move(start.points), options);
 }
 
-RunSummary summarize(const Computation& computation, std::span<const BuiltTile> tiles) {
+RunSummary summarize(const Job& job, const Computation& computation,
+                     std::span<const BuiltTile> tiles) {
     const CvtResult& cvt = computation.cvt;
     RunSummary summary;
     summary.run = cvt.run;
     summary.n_sites = cvt.delaunay.sites().n_sites();
+    summary.seed = job.seed;
     if (!cvt.density) summary.energy_bound = cvt.energy_bound;
     summary.minimum = minimum_of(cvt);
     summary.n_mirrors = cvt.counts.n_mirrors;
@@ -128,7 +134,7 @@ RunSummary finish(const Job& job, const std::vector<JobFile>& files, const Compu
     RunSummary summary;
     monitor.watch([&] {
         const std::span<const BuiltTile> tiles = make_tiles(monitor);
-        summary = summarize(result, tiles);
+        summary = summarize(job, result, tiles);
         watch.stop(&JobSeconds::build);
         stage(job, files, result, tiles, monitor, watch, summary, outputs);
     });
@@ -138,8 +144,8 @@ RunSummary finish(const Job& job, const std::vector<JobFile>& files, const Compu
     return summary;
 }
 
-RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
-    Stopwatch watch;
+RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback,
+               Stopwatch& watch) {
     JobMonitor monitor(callback, target_of(job));
     const Computation result = compute(job, monitor, watch);
     std::vector<BuiltTile> tiles;
@@ -148,6 +154,15 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
         return std::span<const BuiltTile>(tiles);
     };
     return finish(job, files, result, make_tiles, monitor, watch);
+}
+
+/// The advice behind the message of an output that refuses the cells.
+std::string remedy(const Job& job) {
+    if (job.max_iterations == 0) return "; optimise the sites: leave --max-iterations 0 out";
+    if (job.points.cols() > 0) return "; try a smaller --tolerance, or other sites";
+    if (job.retries == 0) return "; try another --seed or a smaller --tolerance, or add --retry 20";
+    return "; " + std::to_string(job.retries + 1) + " seeds from " + std::to_string(job.seed) +
+           " on were tried: try a smaller --tolerance, or other --sites";
 }
 
 }  // namespace
@@ -207,6 +222,9 @@ RunSummary write_job(const Job& job, const Computation& result, const TileSource
         return finish(job, files, result, tiles, monitor, watch);
     } catch (const Cancelled&) {
         return {};
+    } catch (const UnsuitableCells& error) {
+        throw UnsuitableCells(std::string(error.what()) +
+                              "; try another seed or a smaller tolerance");
     }
 }
 
@@ -216,10 +234,17 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
     check_order(job, files);
     check_file_options(job, files);
     require_all_writable(job, files);
-    try {
-        return run(job, files, callback);
-    } catch (const Cancelled&) {
-        return {};
+    check_retries(job, files);
+    Stopwatch watch;
+    Job next = job;
+    for (int k = 0;; ++k, ++next.seed) {
+        try {
+            return run(next, files, callback, watch);
+        } catch (const Cancelled&) {
+            return {};
+        } catch (const UnsuitableCells& error) {
+            if (k == job.retries) throw UnsuitableCells(error.what() + remedy(job));
+        }
     }
 }
 

@@ -42,6 +42,9 @@ struct Job {
     /// The most evaluations of the global search; 0: default_search_budget(n_sites).
     int budget = 0;
     std::uint64_t seed = 0;
+    /// If an output refuses the cells (UnsuitableCells), the run is repeated with the next seed, at
+    /// most so often. For drawn sites and outputs that can refuse.
+    int retries = 0;
 
     Solver solver = Solver::kLbfgs;
     double tolerance = 1e-6;
@@ -128,6 +131,8 @@ struct RunSummary {
     /// As in Computation::cvt. kCancelled: no file was written, and no other member is set.
     RunStatistics run = {.stop = Stop::kCancelled};
     int n_sites = 0;
+    /// The seed that was used, which follows Job::seed where outputs refused the seeds before it.
+    std::uint64_t seed = 0;
     /// length^4; `nullopt` with a density.
     std::optional<double> energy_bound;
     /// As minimum_of() returns it.
@@ -153,6 +158,7 @@ struct RunSummary {
 /// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
 ///                        sites (DuplicateSites names the ids) and a tile too fine for a file's
 ///                        format.
+/// @throws UnsuitableCells  an output refuses the cells, also those of the retries.
 /// @throws OutputError    a file cannot be written, or exists and `force` is not set.
 /// @throws LimitExceeded  too many sites or faces.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.

@@ -142,6 +142,20 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
     }
 }
 
+void check_retries(const Job& job, const std::vector<JobFile>& files) {
+    if (job.retries == 0) return;
+    if (job.points.cols() > 0 || job.start == Start::kLattice) {
+        throw InvalidInput("--retry takes other seeds, but these sites have none; leave it out");
+    }
+    const bool refusable = std::any_of(
+        files.begin(), files.end(), [](const JobFile& file) { return file.format->needs_torus(); });
+    if (!refusable) {
+        throw InvalidInput(
+            "--retry is for outputs that refuse some cells; add one of .nc, or "
+            "leave it out");
+    }
+}
+
 void check_job(const Job& job) {
     check_density(job);
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;

@@ -19,4 +19,8 @@ void check_order(const Job& job, const std::vector<JobFile>& files);
 /// @throws InvalidInput if the job has files, and none of them takes the choice.
 void check_file_options(const Job& job, const std::vector<JobFile>& files);
 
+/// Requires that retries have an effect: drawn sites, and an output that can refuse their cells.
+/// @throws InvalidInput if they have none.
+void check_retries(const Job& job, const std::vector<JobFile>& files);
+
 }  // namespace pcvt

@@ -64,7 +64,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .version = version(),
         .sites = summary.n_sites,
         .lattice = job.lattice,
-        .seed = job.seed,
+        .seed = summary.seed,
         .solver = solver_row(job.solver).word,
         .start = start_name(job),
         .stop = stop_name(summary.run.stop),

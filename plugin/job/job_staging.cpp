@@ -32,6 +32,8 @@ class FileEncoder {
                                             job_.columns, job_.rows);
         try {
             return write({cells, job_.origin, result_.site_densities}, path());
+        } catch (const UnsuitableCells& error) {
+            throw UnsuitableCells("-o " + path() + ": " + error.what());
         } catch (const InvalidInput& error) {
             throw InvalidInput("-o " + path() + ": " + error.what());
         }

@@ -175,7 +175,7 @@ TEST(MpasGrid, ObtuseAndRightTrianglesAreNamed) {
     const Lattice square = Lattice::rectangle(1, 1);
     const PeriodicMesh random =
         cell_mesh(PeriodicDelaunay(Sites(square, uniform_points(square, 50, 2))));
-    EXPECT_THAT(fault_of(random), HasSubstr("MPAS needs acute triangles: use another seed"));
+    EXPECT_THAT(fault_of(random), HasSubstr("MPAS needs acute triangles"));
 }
 
 TEST(MpasGrid, TooFewCellsForTheNearestImageAreRefused) {

@@ -1,5 +1,6 @@
 """pcvt mesh and check with the formats of flow solvers: case folders, C-grids, short edges."""
 
+import json
 import os
 import re
 import shutil
@@ -94,7 +95,7 @@ class CGrid(CliTest):
     def test_it_is_proved_and_shared_by_all_meshes(self):
         self.succeed("mesh", "--sites", 60, "--period", "1,0.7", "--mesh", "voronoi", "--mesh",
                      "delaunay", "--repeat", "2x1", "-o", "t.nc", "--quiet")
-        self.assertEqual(list(self.contents()), ["t.nc"])
+        self.assertEqual(set(self.contents()), {"t.nc", "t.graph.info"})
         line = self.succeed("check", "t.nc", "--period", "2,0.7")
         self.assertRegex(line, r"^t\.nc: an MPAS mesh: 120 cells, 360 edges, 240 vertices, period 2 x 0\.7, "
                          r".*TRiSK identity within \S+e-1[3-9]\n$")
@@ -103,10 +104,65 @@ class CGrid(CliTest):
         run = ("mesh", "--sites", 60, "-o", "t.nc")
         self.refuse(2, "-o t.nc: MPAS supports only periods along x and y; use a rectangular lattice", *run,
                     "--lattice", "1,0,0.3,0.9")
-        self.refuse(2, "Delaunay triangle of sites .* MPAS needs acute triangles: use another seed", *run,
-                    "--max-iterations", 0)
+        self.refuse(2, "Delaunay triangle of sites .*MPAS needs acute triangles; .*leave --max-iterations 0 out",
+                    *run, "--max-iterations", 0)
         self.refuse(2, "half a period apart.*repeat", "mesh", "--sites", 2, "-o", "t.nc", "--period", "1,1.3")
         self.refuse(2, "leave --short-edges out", *run, "--short-edges", "0.1")
+
+    # Twelve iterations leave obtuse triangles for some seeds and none for others.
+    HARD = ("mesh", "--sites", 30, "--max-iterations", 12, "-o", "t.nc", "-o", "s.txt")
+
+    def suits(self, seed):
+        done = self.run_pcvt(*self.HARD, "--seed", seed, "--force")
+        self.assertIn(done.returncode, (0, 2))
+        for path in self.folder.iterdir():
+            path.unlink()
+        return done.returncode == 0
+
+    def hard_seed(self, n_refused):
+        """Returns a seed that is refused like those that follow, n_refused in all; the next suits."""
+        suited = [self.suits(seed) for seed in range(40)]
+        for seed in range(40 - n_refused):
+            if not any(suited[seed:seed + n_refused]) and suited[seed + n_refused]:
+                return seed
+        return self.fail(f"no such seed: {suited}")
+
+    def test_a_retry_takes_the_next_seed_that_suits(self):
+        seed = self.hard_seed(2)
+        self.refuse(2, "MPAS needs acute triangles; try another --seed or a smaller --tolerance, or add --retry",
+                    *self.HARD, "--seed", seed)
+        self.refuse(2, f"MPAS needs acute triangles; 2 seeds from {seed} on were tried", *self.HARD, "--seed",
+                    seed, "--retry", 1)
+        text = self.succeed(*self.HARD, "--seed", seed, "--retry", 5, "--report", "r.json")
+        self.assertRegex(text, rf"(?m)^seed +{seed + 2}, because an output refused the cells of seed {seed} "
+                         rf"to {seed + 1}$")
+        report = json.loads(self.path("r.json").read_text())
+        self.assertEqual(report["seed"], seed + 2)
+        self.assertEqual(report["files"], ["t.nc", "t.graph.info", "s.txt"])
+        retried = {name: data for name, data in self.contents().items() if name != "r.json"}
+        self.succeed(*self.HARD, "--seed", seed + 2, "--force")
+        self.assertEqual({name: self.contents()[name] for name in retried}, retried)
+
+    def test_a_retry_without_effect_is_refused(self):
+        self.write("sites.txt", "0 0\n0.5 0.5\n")
+        self.refuse(2, "--retry is for random sites, but --input gives them", "mesh", "--input", "sites.txt", "-o",
+                    "t.nc", "--retry", 3)
+        self.refuse(2, "--retry is for outputs that refuse some cells", "mesh", "--sites", 30, "-o", "t.obj",
+                    "--retry", 3)
+        self.refuse(2, "--retry takes other seeds", "mesh", "--sites", 30, "-o", "t.nc", "--start", "lattice",
+                    "--retry", 3)
+        self.refuse(2, "--retry is not for pattern", "pattern", "--sites", 30, "-o", "t.nc", "--retry", 3)
+
+    def test_the_graph_lists_the_neighbours_of_each_cell(self):
+        self.succeed("mesh", "--sites", 60, "--period", "1,0.7", "-o", "grid.nc", "--quiet")
+        head, *lines = self.path("grid.graph.info").read_text().splitlines()
+        self.assertEqual(head, "60 180")
+        neighbours = [set(map(int, line.split())) for line in lines]
+        self.assertEqual(sum(map(len, neighbours)), 360)
+        self.assertEqual(len(neighbours), 60)
+        for cell, others in enumerate(neighbours, 1):
+            self.assertNotIn(cell, others)
+            self.assertTrue(all(cell in neighbours[other - 1] for other in others))
 
     def test_damaged_files_are_refused(self):
         self.succeed("mesh", "--sites", 60, "--period", "1,0.7", "-o", "t.nc", "--quiet")

@@ -44,7 +44,7 @@ TEST(JobFiles, ACaseIsAFolderAndTheCGridOneForAllMeshes) {
     EXPECT_EQ(files[0].folder, "t-delaunay.foam");
     EXPECT_EQ(files[0].paths.front(), "t-delaunay.foam/constant/polyMesh/points");
     EXPECT_TRUE(files[2].format->reads_grid());
-    EXPECT_THAT(files[2].paths, ElementsAre("t.nc"));
+    EXPECT_THAT(files[2].paths, ElementsAre("t.nc", "t.graph.info"));
 }
 
 TEST(JobFiles, ACGridNeedsARectangleAndEveryEdge) {
