@@ -55,9 +55,11 @@ SiteFile read_sites(const std::string& path) {
 BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate) {
     const int first = file.lines[static_cast<std::size_t>(duplicate.first())];
     const int second = file.lines[static_cast<std::size_t>(duplicate.second())];
+    const bool same = file.points.col(duplicate.first()) == file.points.col(duplicate.second());
     return BadFile(file.name + ":" + std::to_string(second) +
                    ": the site coincides with the site of line " + std::to_string(first) +
-                   " modulo the lattice, to 1e-9 of the spacing; remove one");
+                   " modulo the lattice, to 1e-9 of the spacing; remove one" +
+                   (same ? "" : ", or give the periods by --period or --lattice"));
 }
 
 }  // namespace pcvt

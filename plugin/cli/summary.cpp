@@ -1,11 +1,15 @@
 #include "plugin/cli/summary.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
 namespace {
+
+/// Sites that are farther from the domain than this lie outside, in units of the period vectors.
+constexpr double kDomainMargin = 1e-9;
 
 std::string vector_text(const Vec2& v) {
     // Adding 0 turns -0 into 0.
@@ -23,6 +27,22 @@ std::string valence_text(const RunSummary& summary) {
                        std::to_string(summary.n_sites) + " cells; sides";
     for (const auto& [sides, count] : summary.valences) {
         text += " " + std::to_string(sides) + ":" + std::to_string(count);
+    }
+    return text;
+}
+
+/// The number of sites, and how many of those that a file gave lie outside of the domain.
+std::string site_text(const Job& job, const RunSummary& summary) {
+    const auto is_outside = [&job](const Vec2& p) {
+        const Eigen::Array2d u = job.lattice.to_lattice(p - job.origin).array();
+        return (u < -kDomainMargin).any() || (u > 1 + kDomainMargin).any();
+    };
+    const auto columns = job.points.colwise();
+    const auto n_outside = std::count_if(columns.begin(), columns.end(), is_outside);
+    std::string text = std::to_string(summary.n_sites);
+    if (n_outside > 0) {
+        text += "; " + std::to_string(n_outside) +
+                " of the file lie outside of the domain and count modulo the lattice";
     }
     return text;
 }
@@ -110,7 +130,7 @@ std::string seed_text(const Job& job, const RunSummary& summary) {
 
 std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
-    text += line("sites", std::to_string(summary.n_sites));
+    text += line("sites", site_text(job, summary));
     text += line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
     if (summary.seed != job.seed) text += line("seed", seed_text(job, summary));
     text += line("stop", std::string(stop_name(summary.run.stop)) + " after " +

@@ -12,6 +12,7 @@ namespace pcvt {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -64,9 +65,12 @@ TEST(SiteReader, FaultsOfTheWholeFileNameTheFile) {
 
 TEST(SiteReader, DuplicatesAreReportedWithTheirLines) {
     const SiteFile file = parse_sites("s.txt", "# head\n0 0\n0.5 0.5\n\n1 0\n");
-    EXPECT_STREQ(duplicate_lines(file, DuplicateSites(0, 2)).what(),
-                 "s.txt:5: the site coincides with the site of line 2 modulo the lattice, "
-                 "to 1e-9 of the spacing; remove one");
+    EXPECT_STREQ(
+        duplicate_lines(file, DuplicateSites(0, 2)).what(),
+        "s.txt:5: the site coincides with the site of line 2 modulo the lattice, "
+        "to 1e-9 of the spacing; remove one, or give the periods by --period or --lattice");
+    const SiteFile same = parse_sites("s.txt", "0.5 1\n0.5 1\n");
+    EXPECT_THAT(duplicate_lines(same, DuplicateSites(0, 1)).what(), EndsWith("; remove one"));
 }
 
 TEST(SiteReader, WrittenSitesReadBackExactlyAndInOrder) {

@@ -175,6 +175,14 @@ class Words(CliTest):
                      "hexagons", "boundary edges in", "t.obj", "t.mtl", "t.seam.json", "seconds"):
             self.assertIn(word, text)
 
+    def test_the_summary_counts_the_sites_outside_of_the_domain(self):
+        self.path("s.txt").write_text("0 0\n1 0.5\n1.4 0.7\n-0.3 0.8\n")
+        text = self.succeed("mesh", "--input", "s.txt", "--max-iterations", 0)
+        self.assertRegex(text, "sites +4; 2 of the file lie outside of the domain")
+        text = self.succeed("mesh", "--input", "s.txt", "--max-iterations", 0, "--period", "2,1",
+                            "--origin", "-0.5,0")
+        self.assertRegex(text, "sites +4\n")
+
     def test_quiet_says_nothing(self):
         self.assertEqual(self.succeed("mesh", "--sites", 30, "--quiet", "-o", "t.obj"), "")
 
