@@ -7,6 +7,16 @@ namespace pcvt {
 namespace {
 
 constexpr int kMostEdits = 2;
+constexpr std::size_t kShortestBeginning = 3;
+
+/// Returns the only word that begins with `beginning`, or else an empty string.
+std::string only_continuation(std::string_view beginning, const std::vector<std::string>& words) {
+    const auto continues = [&](const std::string& word) { return word.starts_with(beginning); };
+    if (beginning.size() < kShortestBeginning || std::ranges::count_if(words, continues) != 1) {
+        return {};
+    }
+    return *std::ranges::find_if(words, continues);
+}
 
 }  // namespace
 
@@ -41,7 +51,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
         nearest = cost < least_cost ? candidate : std::string();
         least_cost = cost;
     }
-    return nearest;
+    const bool is_near = least_cost <= 2 * most;
+    return is_near ? nearest : only_continuation(word, words);
 }
 
 }  // namespace pcvt

@@ -50,8 +50,8 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
     }
     if (values.size() != count) {
         throw_bad_value(option, text,
-                        std::to_string(values.size()) + " numbers where " + std::to_string(count) +
-                            " are expected; give " + form);
+                        std::to_string(values.size()) + " of " + std::to_string(count) +
+                            " numbers; give " + form);
     }
     return values;
 }

@@ -36,5 +36,12 @@ TEST(NearestWord, WordsThatAreEquallyNearAreNotChosenBetween) {
     EXPECT_EQ(nearest_word("fig111", {"fig10", "fig11", "fig7"}), "fig11");
 }
 
+TEST(NearestWord, TheOnlyWordWithThisBeginningIsMeant) {
+    const std::vector<std::string> words = {"tolerance", "density", "density-range"};
+    EXPECT_EQ(nearest_word("tol", words), "tolerance");
+    EXPECT_EQ(nearest_word("to", words), "");
+    EXPECT_EQ(nearest_word("den", words), "");
+}
+
 }  // namespace
 }  // namespace pcvt
