@@ -76,6 +76,12 @@ std::vector<EncodedFile> write_sites(const Points& sites, const std::string& pat
     return only_file(path, encode_sites(sites));
 }
 
+std::vector<EncodedFile> write_inp(const Tile& tile, const FileOptions& options,
+                                   const std::string& path) {
+    const bool stress = options.element == PlaneElement::kStress;
+    return stress ? encode_plane_stress_inp(tile, path) : encode_inp(tile, path);
+}
+
 /// The picture of a graded mesh shows sizes, which the densities determine.
 std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
                                    const std::string& path) {
@@ -122,10 +128,11 @@ constexpr std::array<TileFormat, 15> kFormats{{
      .highest_order = 2},
     {.extension = ".inp",
      .description = "Abaqus and CalculiX with *EQUATION, triangles only",
-     .write = encode_inp,
+     .write = write_inp,
      .read = decode_inp,
      .holds_polygons = false,
-     .highest_order = 2},
+     .highest_order = 2,
+     .takes_element = true},
     {.extension = ".vtu",
      .description = "VTK unstructured grid, ASCII, with double coordinates",
      .write = encode_vtu,

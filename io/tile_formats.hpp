@@ -79,6 +79,7 @@ struct TileFormat {
     bool takes_single_precision = false;
     bool takes_pixels = false;
     bool takes_cut_width = false;
+    bool takes_element = false;
 
     bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {

@@ -95,6 +95,9 @@ enum { PCVT_WHOLE = 0, PCVT_BOX = 1 };
 /** The nodes of a glTF file: one for each cell, or one for all, which then share their vertices. */
 enum { PCVT_NODES_DEFAULT = 0, PCVT_NODES_CELLS = 1, PCVT_NODES_ONE = 2 };
 
+/** The elements of .inp files: plane strain, plane stress. */
+enum { PCVT_CPE = 0, PCVT_CPS = 1 };
+
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
 
@@ -265,10 +268,10 @@ typedef struct pcvt_write_options {
     int32_t reserved;   /**< 0 */
     pcvt_progress_callback progress; /**< [NULL] */
     void* progress_data;
-    int32_t gltf_nodes; /**< PCVT_NODES_... of .glb and .gltf [by the number of cells] */
+    int32_t gltf_nodes;       /**< PCVT_NODES_... of .glb and .gltf [by the number of cells] */
     int32_t single_precision; /**< not 0: .ply with 32-bit coordinates and triangles [0] */
     int32_t pixels;           /**< width of .png [0: 1024] */
-    int32_t reserved_2;       /**< 0 */
+    int32_t element;          /**< of .inp [PCVT_CPE] */
     double cut_width; /**< .svg and .dxf with lines to cut alone, of a tile with this width in
                          millimetres [0: a picture as .svg, .dxf in the unit of the periods] */
 } pcvt_write_options;

@@ -8,9 +8,12 @@
 #include "io/bytes/text.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/fixed_width_numbers.hpp"
+#include "io/tiles/plane_element.hpp"
 #include "io/tiles/seam_segments.hpp"
 #include "io/tiles/solver_nodes.hpp"
+#include "io/tiles/triangle_cells.hpp"
 #include "io/tiles/triangle_elements.hpp"
+#include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -39,8 +42,10 @@ double largest_number(const Tile& tile) {
 /// Builds the text of one file, card by card.
 class InpText {
    public:
-    InpText(const Tile& tile, std::string path)
+    InpText(const Tile& tile, PlaneElement element, std::string path)
         : tile_(tile),
+          element_(element),
+          cells_(tile),
           nodes_(solver_nodes(tile)),
           path_(std::move(path)),
           numbers_(largest_number(tile)) {}
@@ -101,8 +106,10 @@ class InpText {
     }
 
     void append_elements() {
-        text_ += tile_.order == 2 ? "*ELEMENT,TYPE=CPE6,ELSET=EALL\n"
-                                  : "*ELEMENT,TYPE=CPE3,ELSET=EALL\n";
+        text_ += std::string("*ELEMENT,TYPE=") + find_row(kPlaneElements, [this](const auto& row) {
+                                                     return row.element == element_;
+                                                 })->word;
+        text_ += tile_.order == 2 ? "6,ELSET=EALL\n" : "3,ELSET=EALL\n";
         for (int f = 0; f < tile_.n_faces(); ++f) {
             append_number(text_, f + 1);
             for (const int v : element_nodes(tile_, nodes_, f)) {
@@ -121,24 +128,48 @@ class InpText {
     }
 
     void append_cells() {
-        const std::vector<SiteId> cells = element_cells(tile_);
         std::map<SiteId, std::vector<int>> elements;
-        for (int f = 0; f < tile_.n_faces(); ++f) elements[cells[f]].push_back(f + 1);
+        for (int f = 0; f < tile_.n_faces(); ++f) elements[cells_.site(f)].push_back(f + 1);
+        add_cells_without_triangles(elements);
         for (const auto& [cell, ids] : elements) {
             text_ += "*ELSET,ELSET=CELL_" + std::to_string(cell) + "\n";
             append_ids(ids);
         }
     }
 
+    void add_cells_without_triangles(std::map<SiteId, std::vector<int>>& elements) const {
+        if (tile_.vertex_site.empty()) return;
+        std::map<SiteId, std::vector<int>> touching;
+        for (int f = 0; f < tile_.n_faces(); ++f) {
+            for (const int v : tile_.faces[f]) {
+                const SiteId site = tile_.vertex_site[v];
+                if (elements.count(site) > 0) continue;
+                std::vector<int>& ids = touching[site];
+                // A triangle with two images of the site touches it once.
+                if (ids.empty() || ids.back() != f + 1) ids.push_back(f + 1);
+            }
+        }
+        elements.merge(touching);
+    }
+
+    void append_node_set(const std::string& name, std::vector<int> nodes) {
+        if (nodes.empty()) return;
+        for (int& v : nodes) ++v;
+        text_ += "*NSET,NSET=" + name + "\n";
+        append_ids(nodes);
+    }
+
     void append_node_sets() {
+        const CellContacts contacts = cell_contacts(tile_, nodes_, cells_);
+        append_node_set("GRAIN_BOUNDARY", contacts.of_two_cells);
+        append_node_set("TRIPLE_POINTS", contacts.of_three_cells);
         std::map<Offset, std::set<int>> seams;
         for (const SeamSegment& segment : seam_segments(tile_, nodes_.middles)) {
-            for (const int v : segment.vertices) seams[segment.offset].insert(v + 1);
-            for (const int v : segment.middles) seams[segment.offset].insert(v + 1);
+            for (const int v : segment.vertices) seams[segment.offset].insert(v);
+            for (const int v : segment.middles) seams[segment.offset].insert(v);
         }
         for (const auto& [offset, ids] : seams) {
-            text_ += "*NSET,NSET=" + seam_name(offset) + "\n";
-            append_ids({ids.begin(), ids.end()});
+            append_node_set(seam_name(offset), {ids.begin(), ids.end()});
         }
         text_ += "*NSET,NSET=FIXED\n1\n";
     }
@@ -172,18 +203,28 @@ class InpText {
     }
 
     const Tile& tile_;
+    PlaneElement element_;
+    TriangleCells cells_;
     SolverNodes nodes_;
     std::string path_;
     FixedWidthNumbers numbers_;
     std::string text_;
 };
 
+std::vector<EncodedFile> encode(const Tile& tile, PlaneElement element, const std::string& path) {
+    require_triangles(tile.kind, path);
+    require_finite(tile);
+    return only_file(path, InpText(tile, element, path).write());
+}
+
 }  // namespace
 
 std::vector<EncodedFile> encode_inp(const Tile& tile, const std::string& path) {
-    require_triangles(tile.kind, path);
-    require_finite(tile);
-    return only_file(path, InpText(tile, path).write());
+    return encode(tile, PlaneElement::kStrain, path);
+}
+
+std::vector<EncodedFile> encode_plane_stress_inp(const Tile& tile, const std::string& path) {
+    return encode(tile, PlaneElement::kStress, path);
 }
 
 }  // namespace pcvt

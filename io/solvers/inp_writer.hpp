@@ -8,11 +8,13 @@
 
 namespace pcvt {
 
-/// Encodes the mesh part of an Abaqus or CalculiX input, which a job includes: triangles CPE3
-/// (CPE6 for order 2). Node v + 1 is vertex v, element f + 1 is face f.
+/// Encodes the mesh part of an Abaqus or CalculiX input, which a job includes: plane strain
+/// triangles CPE3 (CPE6 for order 2). Node v + 1 is vertex v, element f + 1 is face f.
 ///
-/// Element sets: `EALL`, and one set `CELL_s` for each cell with site s (element_cells()).
-/// Node sets: `NALL`; `seam_I_J`, the boundary nodes that I a + J b takes to their partners;
+/// Element sets: `EALL`, and one set `CELL_s` for each cell with site s (element_cells()). A cell
+/// that owns no Delaunay triangle has the triangles at its site, which their owners have as well.
+/// Node sets: `NALL`; `GRAIN_BOUNDARY` and `TRIPLE_POINTS`, the nodes at which two or three cells
+/// meet, or more (cell_contacts()); `seam_I_J`, the nodes that I a + J b takes to their partners;
 /// `FIXED`, one representative, which holds the tile; `CONTROL_1` and `CONTROL_2`, two nodes
 /// outside of the mesh whose displacements are the mean strain: node 1 carries e_xx and e_xy, node
 /// 2 carries e_yy in its second component.
@@ -35,5 +37,8 @@ namespace pcvt {
 ///                        that 20 characters cannot hold its numbers.
 /// @throws InternalError  if a coordinate is not finite.
 std::vector<EncodedFile> encode_inp(const Tile& tile, const std::string& path);
+
+/// The same with plane stress triangles, CPS3 or CPS6.
+std::vector<EncodedFile> encode_plane_stress_inp(const Tile& tile, const std::string& path);
 
 }  // namespace pcvt

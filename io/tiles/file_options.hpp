@@ -3,6 +3,8 @@
 #include <array>
 #include <span>
 
+#include "io/tiles/plane_element.hpp"
+
 namespace pcvt {
 
 /// Whether each cell of a glTF file is a node of its own: where there are few cells, always, never.
@@ -32,6 +34,8 @@ struct FileOptions {
     /// SVG and DXF for cutters: the width of the tile in millimetres; 0: a coloured picture as SVG,
     /// and DXF in the unit of the period vectors.
     double cut_width = 0;
+    /// Inputs of solvers that name the types of their elements.
+    PlaneElement element = PlaneElement::kStrain;
 };
 
 }  // namespace pcvt

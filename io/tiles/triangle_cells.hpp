@@ -13,7 +13,7 @@ namespace pcvt {
 ///     if (!cells.same(f, g)) boundary.push_back(edge_between(f, g));
 ///
 /// A tile that was read from a file does not hold where the sites of its grains lie: images of a
-/// grain count as one cell there.
+/// grain inside of the tile count as one cell there.
 class TriangleCells {
    public:
     /// @pre the faces of the tile are triangles.

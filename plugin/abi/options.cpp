@@ -33,6 +33,8 @@ const auto& chosen_row(const char* name, std::int32_t value, const Table& table)
 static_assert(mesh_kind_row(MeshKind::kVoronoi).abi_value == PCVT_VORONOI);
 static_assert(mesh_kind_row(MeshKind::kDelaunay).abi_value == PCVT_DELAUNAY);
 static_assert(mesh_kind_row(MeshKind::kGrains).abi_value == PCVT_GRAINS);
+static_assert(find_abi_value(kPlaneElements, PCVT_CPE)->element == PlaneElement::kStrain);
+static_assert(find_abi_value(kPlaneElements, PCVT_CPS)->element == PlaneElement::kStress);
 static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
 static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
 static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
@@ -158,6 +160,7 @@ FileOptions file_options(const pcvt_write_options& options) {
     require_finite("cut_width", &options.cut_width, 1);
     if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
     result.cut_width = options.cut_width;
+    result.element = chosen_row("element", options.element, kPlaneElements).element;
     return result;
 }
 

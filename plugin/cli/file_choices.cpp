@@ -32,6 +32,9 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                    "of .svg and .dxf: only lines to cut, each edge once, in a tile MM\n"
                    "millimetres wide [.svg: a picture; .dxf: the unit of the periods]")
         ->type_name("MM");
+    app.add_option("--element", choices.element,
+                   "of .inp: elements for plane strain (CPE) or plane stress (CPS) [CPE]")
+        ->type_name(listed_words(kPlaneElements, "|", "|"));
 }
 
 FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
@@ -44,6 +47,9 @@ FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
         options.pixels = whole_number("--pixels", choices.pixels, 1, kMostPixelsOfARow);
     }
     if (app.count("--cut") > 0) options.cut_width = positive_number("--cut", choices.cut);
+    if (app.count("--element") > 0) {
+        options.element = chosen_row("--element", choices.element, kPlaneElements).element;
+    }
     return options;
 }
 

@@ -16,6 +16,7 @@ struct FileChoices {
     bool float32 = false;
     std::string pixels;
     std::string cut;
+    std::string element;
 };
 
 /// Adds the options to `app`; parsing fills `choices`.

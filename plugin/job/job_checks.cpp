@@ -97,6 +97,8 @@ constexpr FileChoice kFileChoices[] = {
      [](const FileOptions& options) { return options.pixels != 0; }},
     {"a width to cut", &TileFormat::takes_cut_width,
      [](const FileOptions& options) { return options.cut_width != 0; }},
+    {"a type of elements", &TileFormat::takes_element,
+     [](const FileOptions& options) { return options.element != PlaneElement::kStrain; }},
 };
 
 std::string extensions_that_take(const FileChoice& choice) {

@@ -42,6 +42,7 @@ __all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Prog
 _STARTS = ("default", "random", "coarse", "lattice", "best")
 _GLTF_NODES = ("default", "cells", "one")
 _SOLVERS = ("default", "lbfgs", "lloyd", "newton")
+_ELEMENTS = ("CPE", "CPS")
 
 
 def version():
@@ -213,7 +214,8 @@ class Result:
         return Tile(self._handle, self._handle.view(library.pcvt_get_tile, _library.Tile, *numbers))
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
-              gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, progress=None):
+              gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE",
+              progress=None):
         """Writes a tile, or the sites for the extension .txt; the extension selects the format.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
@@ -225,12 +227,14 @@ class Result:
         float32     of .ply: 32-bit coordinates, and cells as triangles
         pixels      width of .png; 0: 1024
         cut_width   of .svg and .dxf: lines to cut alone, of a tile with this width in millimetres
+        element     of .inp: CPE (plane strain) or CPS (plane stress)
         progress    called with a Progress ten times a second; a true return value cancels
         """
         options = _library.WriteOptions(
             struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
             outline=_choice("outline", outline, OUTLINES), replace=bool(replace),
             gltf_nodes=_choice("gltf_nodes", gltf_nodes, _GLTF_NODES),
+            element=_choice("element", element, _ELEMENTS),
             single_precision=bool(float32), cut_width=cut_width,
             report=None if report is None else _text("report", report))
         _set_integers(options, pixels=pixels)

@@ -105,7 +105,7 @@ class WriteOptions(ctypes.Structure):
                 ("outline", c_int32), ("replace", c_int32), ("reserved", c_int32),
                 ("progress", ProgressCallback), ("progress_data", c_void_p),
                 ("gltf_nodes", c_int32), ("single_precision", c_int32), ("pixels", c_int32),
-                ("reserved_2", c_int32), ("cut_width", c_double)]
+                ("element", c_int32), ("cut_width", c_double)]
 
 
 _FUNCTIONS = {

@@ -1,9 +1,13 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
+#include "io/tiles/triangle_elements.hpp"
+#include "mesher/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
@@ -85,6 +89,53 @@ TEST(Inp, NumbersBeyondTwentyCharactersAreRefusedOrRoundedWithinTheTolerance) {
         const TileFile file = decode_inp(encode_inp(tile, "t.inp"), std::nullopt);
         EXPECT_NO_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)));
     }
+}
+
+TEST(Inp, EachDelaunayCellHasElements) {
+    constexpr int kSites = 60;
+    const Sites sites(kSquare, uniform_points(kSquare, kSites, 5));
+    const Tile tile = build_tile(PeriodicDelaunay(sites), {.kind = MeshKind::kDelaunay}).tile;
+    const std::vector<SiteId> owners = element_cells(tile);
+    const std::string text = encode_inp(tile, "t.inp")[0].bytes;
+    for (SiteId s = 0; s < kSites; ++s) {
+        const std::string set = "\n*ELSET,ELSET=CELL_" + std::to_string(s) + "\n";
+        ASSERT_THAT(text, HasSubstr(set));
+        const auto element = std::stoul(text.substr(text.find(set) + set.size()));
+        const auto corners = tile.faces[static_cast<int>(element) - 1];
+        EXPECT_TRUE(std::any_of(corners.begin(), corners.end(),
+                                [&](int v) { return tile.vertex_site[v] == s; }));
+    }
+    EXPECT_LT(std::set<SiteId>(owners.begin(), owners.end()).size(), std::size_t{kSites});
+    EXPECT_NO_THROW(prove_tile(read(text).tile, Precision::kDouble));
+}
+
+TEST(Inp, CellsMeetAtTheNodesOfTheirSets) {
+    Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
+    const auto sets = [&] {
+        const std::string text = encode_inp(tile, "t.inp")[0].bytes;
+        const std::size_t begin = text.find("*NSET,NSET=GRAIN_BOUNDARY\n");
+        return text.substr(begin, text.find("*NSET,NSET=seam") - begin);
+    };
+    // Four cells meet at each of the nine nodes.
+    const std::string all = "1,2,3,4,5,6,7,8\n9\n";
+    EXPECT_EQ(sets(), "*NSET,NSET=GRAIN_BOUNDARY\n" + all + "*NSET,NSET=TRIPLE_POINTS\n" + all);
+    // A whole cell meets its images at the seam, and three of them at its corners.
+    for (SiteId& site : tile.face_site) site = 0;
+    tile.grain_site_points.assign(8, {0.5, 0.5});
+    EXPECT_EQ(sets(),
+              "*NSET,NSET=GRAIN_BOUNDARY\n1,2,3,4,6,7,8,9\n*NSET,NSET=TRIPLE_POINTS\n1,3,7,9\n");
+    // The lower and the upper row are parts of two images, which the seam at the bottom only cuts.
+    for (int f = 0; f < 8; ++f) tile.grain_site_points[f] = {0.5, f < 4 ? 0 : 1};
+    EXPECT_EQ(sets(), "*NSET,NSET=GRAIN_BOUNDARY\n1,3,4,5,6,7,9\n*NSET,NSET=TRIPLE_POINTS\n4,6\n");
+}
+
+TEST(Inp, ElementsAreForPlaneStressOnRequest) {
+    Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
+    EXPECT_THAT(encode_plane_stress_inp(tile, "t.inp")[0].bytes, HasSubstr("TYPE=CPS3,ELSET=EALL"));
+    tile.order = 2;
+    const auto files = encode_plane_stress_inp(tile, "t.inp");
+    EXPECT_THAT(files[0].bytes, HasSubstr("TYPE=CPS6,ELSET=EALL"));
+    EXPECT_NO_THROW(prove_tile(decode_inp(files, std::nullopt).tile, Precision::kDouble));
 }
 
 TEST(Inp, PolygonsAreRefusedWithARemedy) {

@@ -38,6 +38,8 @@ static void print_numbers(void) {
     NUMBER(PCVT_NODES_DEFAULT);
     NUMBER(PCVT_NODES_CELLS);
     NUMBER(PCVT_NODES_ONE);
+    NUMBER(PCVT_CPE);
+    NUMBER(PCVT_CPS);
     NUMBER(PCVT_STOP_CONVERGED);
     NUMBER(PCVT_STOP_ITERATION_LIMIT);
     NUMBER(PCVT_STOP_STALLED);
@@ -181,7 +183,7 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, gltf_nodes);
     FIELD(pcvt_write_options, single_precision);
     FIELD(pcvt_write_options, pixels);
-    FIELD(pcvt_write_options, reserved_2);
+    FIELD(pcvt_write_options, element);
     FIELD(pcvt_write_options, cut_width);
 }
 

@@ -71,6 +71,17 @@ class Files(CliTest):
         self.assertEqual(files["python.ply"], files["command.ply"])
         np.testing.assert_array_equal(np.loadtxt(self.path("command.txt")), result.sites)
 
+    def test_elements_are_those_of_the_command(self):
+        for element in ("CPE", "CPS"):
+            self.succeed("mesh", "--sites", 12, "--mesh", "grains", "--element", element, "-o",
+                         f"command{element}.inp")
+            pcvt.mesh(12).write(self.path(f"python{element}.inp"), "grains", element=element)
+            files = self.contents()
+            self.assertEqual(files[f"python{element}.inp"], files[f"command{element}.inp"])
+        self.assertNotEqual(files["pythonCPE.inp"], files["pythonCPS.inp"])
+        with self.assertRaisesRegex(pcvt.ArgumentError, "element 'C3D' is unknown; take one of CPE"):
+            pcvt.mesh(12).write(self.path("no.inp"), "grains", element="C3D")
+
     def test_files_are_replaced_on_request_only(self):
         result = pcvt.mesh(10)
         result.write(self.path("tile.ply"), report=self.path("tile.json"))
