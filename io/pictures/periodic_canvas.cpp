@@ -23,6 +23,51 @@ std::int64_t first_sample(double position) {
     return static_cast<std::int64_t>(std::ceil(kSamples * position - 0.5));
 }
 
+/// Finds where the horizontal line at y enters and leaves a polygon.
+void find_crossings(std::span<const Vec2> corners, double y, std::vector<double>& crossings) {
+    Vec2 from = corners.back();
+    for (const Vec2& to : corners) {
+        // Both faces at an edge compute its crossing from its lower end.
+        const auto& [low, high] =
+            std::minmax(from, to, [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
+        if (low.y() <= y && y < high.y()) {
+            const double part = (y - low.y()) / (high.y() - low.y());
+            crossings.push_back(low.x() + part * (high.x() - low.x()));
+        }
+        from = to;
+    }
+    std::sort(crossings.begin(), crossings.end());
+}
+
+/// Finds where the horizontal line at y enters and leaves a stroke, the hull of two discs.
+void find_crossings(const Vec2& from, const Vec2& to, double radius, double y,
+                    std::vector<double>& crossings) {
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    const auto include = [&](double x) {
+        left = std::min(left, x);
+        right = std::max(right, x);
+    };
+    // The discs.
+    for (const Vec2& centre : {from, to}) {
+        const double square = radius * radius - (y - centre.y()) * (y - centre.y());
+        if (square < 0) continue;
+        include(centre.x() - std::sqrt(square));
+        include(centre.x() + std::sqrt(square));
+    }
+    // The two sides of the line.
+    const Vec2 along = to - from;
+    const double length = along.norm();
+    if (length > 0) {
+        const Vec2 across = radius / length * Vec2(-along.y(), along.x());
+        for (const Vec2& side : {across, Vec2(-across)}) {
+            const double part = (y - from.y() - side.y()) / along.y();
+            if (part >= 0 && part <= 1) include(from.x() + side.x() + part * along.x());
+        }
+    }
+    if (left < right) crossings = {left, right};
+}
+
 void fill_gaps(std::span<PackedColour> samples) {
     const auto covered = std::find_if(samples.begin(), samples.end(),
                                       [](PackedColour colour) { return colour != kUncovered; });
@@ -75,56 +120,17 @@ void PeriodicCanvas::add_stroke(const Vec2& from, const Vec2& to, double width,
     corners_.push_back(to);
 }
 
-/// Finds where a horizontal line enters and leaves a shape.
-void PeriodicCanvas::crossings_at(const Shape& shape, double y,
-                                  std::vector<double>& crossings) const {
-    crossings.clear();
-    const std::span corners = std::span(corners_).subspan(shape.first_corner, shape.n_corners);
-    if (shape.radius < 0) {
-        Vec2 from = corners.back();
-        for (const Vec2& to : corners) {
-            // Both faces at an edge compute its crossing from its lower end.
-            const auto& [low, high] =
-                std::minmax(from, to, [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
-            if (low.y() <= y && y < high.y()) {
-                const double part = (y - low.y()) / (high.y() - low.y());
-                crossings.push_back(low.x() + part * (high.x() - low.x()));
-            }
-            from = to;
-        }
-        std::sort(crossings.begin(), crossings.end());
-        return;
-    }
-    // A stroke is the hull of two discs, which is convex.
-    double left = std::numeric_limits<double>::infinity();
-    double right = -left;
-    const auto include = [&](double x) {
-        left = std::min(left, x);
-        right = std::max(right, x);
-    };
-    for (const Vec2& centre : corners) {
-        const double half = shape.radius * shape.radius - (y - centre.y()) * (y - centre.y());
-        if (half < 0) continue;
-        include(centre.x() - std::sqrt(half));
-        include(centre.x() + std::sqrt(half));
-    }
-    const Vec2 along = corners[1] - corners[0];
-    const double length = along.norm();
-    if (length > 0) {
-        const Vec2 across = shape.radius / length * Vec2(-along.y(), along.x());
-        for (const Vec2& side : {across, Vec2(-across)}) {
-            const double part = (y - corners[0].y() - side.y()) / along.y();
-            if (part >= 0 && part <= 1) include(corners[0].x() + side.x() + part * along.x());
-        }
-    }
-    if (left < right) crossings = {left, right};
-}
-
 /// Paints the samples of one line.
 /// @param y  of the line, in the copy of the canvas where the shape lies.
 void PeriodicCanvas::paint_row(const Shape& shape, double y, std::span<PackedColour> samples,
                                std::vector<double>& crossings) const {
-    crossings_at(shape, y, crossings);
+    crossings.clear();
+    const std::span corners = std::span(corners_).subspan(shape.first_corner, shape.n_corners);
+    if (shape.radius < 0) {
+        find_crossings(corners, y, crossings);
+    } else {
+        find_crossings(corners[0], corners[1], shape.radius, y, crossings);
+    }
     const int n = kSamples * width_;
     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
         const std::int64_t begin = first_sample(crossings[k]);
@@ -137,12 +143,8 @@ void PeriodicCanvas::paint_row(const Shape& shape, double y, std::span<PackedCol
     }
 }
 
-RgbImage PeriodicCanvas::render() const {
-    // List the shapes that touch each row of pixels, in their order, with the unwrapped row.
-    struct Touch {
-        std::size_t shape;
-        std::int64_t row;
-    };
+/// Lists the shapes that touch each row of pixels, in their order.
+std::vector<std::vector<PeriodicCanvas::Touch>> PeriodicCanvas::touches() const {
     std::vector<std::vector<Touch>> rows(static_cast<std::size_t>(height_));
     for (std::size_t s = 0; s < shapes_.size(); ++s) {
         const std::span corners =
@@ -154,22 +156,30 @@ RgbImage PeriodicCanvas::render() const {
         const auto last = static_cast<std::int64_t>(std::floor(high->y() + reach));
         for (auto row = static_cast<std::int64_t>(std::floor(low->y() - reach)); row <= last;
              ++row) {
-            rows[wrapped(row, height_)].push_back({s, row});
+            const int place = wrapped(row, height_);
+            const auto period = static_cast<int>((row - place) / height_);
+            rows[place].push_back({static_cast<int>(s), period});
         }
     }
+    return rows;
+}
+
+RgbImage PeriodicCanvas::render() const {
+    const std::vector<std::vector<Touch>> rows = touches();
     // Paint row after row.
     RgbImage image{width_, height_, {}};
     image.rgb.reserve(std::size_t{3} * width_ * height_);
     const std::size_t n = std::size_t{kSamples} * width_;
     std::vector<PackedColour> samples(kSamples * n);
     std::vector<double> crossings;
-    for (const std::vector<Touch>& touches : rows) {
+    for (int row = 0; row < height_; ++row) {
         std::fill(samples.begin(), samples.end(), kUncovered);
         for (std::size_t line = 0; line < kSamples; ++line) {
             const std::span painted = std::span(samples).subspan(line * n, n);
             const double depth = (static_cast<double>(line) + 0.5) / kSamples;
-            for (const auto& [shape, row] : touches) {
-                paint_row(shapes_[shape], static_cast<double>(row) + depth, painted, crossings);
+            for (const auto& [shape, period] : rows[row]) {
+                const double y = static_cast<double>(period) * height_ + row + depth;
+                paint_row(shapes_[shape], y, painted, crossings);
             }
             fill_gaps(painted);
         }

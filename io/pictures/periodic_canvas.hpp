@@ -52,9 +52,15 @@ class PeriodicCanvas {
         PackedColour colour;
     };
 
+    /// A shape on a row of pixels, and the number of heights that its corners lie below it.
+    struct Touch {
+        int shape;
+        int period;
+    };
+
+    std::vector<std::vector<Touch>> touches() const;
     void paint_row(const Shape& shape, double y, std::span<PackedColour> samples,
                    std::vector<double>& crossings) const;
-    void crossings_at(const Shape& shape, double y, std::vector<double>& crossings) const;
 
     int width_;
     int height_;

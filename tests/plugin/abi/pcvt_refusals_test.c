@@ -142,6 +142,30 @@ static void every_status_has_a_distinct_text(void) {
     }
 }
 
+static void unknown_forms_of_files_are_refused(void) {
+    pcvt_options options = options_for(5);
+    pcvt_result* result = generated(&options);
+    pcvt_write_options forms;
+    memset(&forms, 0, sizeof forms);
+    forms.struct_size = sizeof forms;
+    forms.gltf_nodes = 9;
+    CHECK(pcvt_write(result, "t.glb", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "gltf_nodes 9") != NULL);
+    forms.gltf_nodes = PCVT_NODES_ONE;
+    CHECK(pcvt_write(result, "t.obj", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), ".glb") != NULL);
+    forms.gltf_nodes = PCVT_NODES_DEFAULT;
+    forms.pixels = -1;
+    CHECK(pcvt_write(result, "t.png", &forms) == PCVT_ERROR_ARGUMENT);
+    forms.pixels = 0;
+    forms.cut_width = (double)NAN;
+    CHECK(pcvt_write(result, "t.dxf", &forms) == PCVT_ERROR_ARGUMENT);
+    forms.cut_width = 0;
+    forms.reserved_2 = 1;
+    CHECK(pcvt_write(result, "t.dxf", &forms) == PCVT_ERROR_ABI);
+    pcvt_free(result);
+}
+
 int main(void) {
     sizes_and_versions_that_do_not_fit_are_refused();
     the_interface_has_the_version_of_the_library();
@@ -151,6 +175,7 @@ int main(void) {
     numbers_that_are_not_finite_are_refused();
     values_out_of_range_are_refused();
     unknown_tiles_are_refused();
+    unknown_forms_of_files_are_refused();
     coincident_sites_are_named();
     every_status_has_a_distinct_text();
     return end_of_claims();
