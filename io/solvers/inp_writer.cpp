@@ -6,13 +6,13 @@
 #include <set>
 
 #include "io/bytes/text.hpp"
+#include "io/elements/fixed_width_numbers.hpp"
+#include "io/elements/seam_segments.hpp"
+#include "io/elements/solver_nodes.hpp"
+#include "io/elements/triangle_cells.hpp"
+#include "io/elements/triangle_elements.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/fixed_width_numbers.hpp"
 #include "io/tiles/plane_element.hpp"
-#include "io/tiles/seam_segments.hpp"
-#include "io/tiles/solver_nodes.hpp"
-#include "io/tiles/triangle_cells.hpp"
-#include "io/tiles/triangle_elements.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <numeric>
 
-#include "io/tiles/seam_segments.hpp"
-#include "io/tiles/triangle_cells.hpp"
+#include "io/elements/seam_segments.hpp"
+#include "io/elements/triangle_cells.hpp"
 #include "mesher/base/bucket_sort.hpp"
 
 namespace pcvt {

@@ -5,11 +5,11 @@
 #include <map>
 
 #include "io/bytes/text.hpp"
+#include "io/elements/solver_nodes.hpp"
+#include "io/elements/triangle_elements.hpp"
 #include "io/solvers/msh_entities.hpp"
 #include "io/solvers/msh_groups.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/solver_nodes.hpp"
-#include "io/tiles/triangle_elements.hpp"
 
 namespace pcvt {
 namespace {

@@ -3,9 +3,9 @@
 #include <numeric>
 
 #include "io/bytes/text.hpp"
+#include "io/elements/solver_nodes.hpp"
+#include "io/elements/triangle_elements.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/solver_nodes.hpp"
-#include "io/tiles/triangle_elements.hpp"
 
 namespace pcvt {
 namespace {

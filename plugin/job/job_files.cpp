@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "io/bytes/nearest_word.hpp"
-#include "io/tiles/triangle_elements.hpp"
+#include "io/elements/triangle_elements.hpp"
 #include "plugin/job/distinct_paths.hpp"
 
 namespace pcvt {

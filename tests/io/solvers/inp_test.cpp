@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "io/elements/triangle_elements.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
-#include "io/tiles/triangle_elements.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/grid_tile.hpp"

@@ -1,4 +1,4 @@
-#include "io/tiles/fixed_width_numbers.hpp"
+#include "io/elements/fixed_width_numbers.hpp"
 
 #include <array>
 #include <charconv>

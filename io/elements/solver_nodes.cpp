@@ -1,4 +1,4 @@
-#include "io/tiles/solver_nodes.hpp"
+#include "io/elements/solver_nodes.hpp"
 
 namespace pcvt {
 

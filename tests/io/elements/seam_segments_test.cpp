@@ -1,4 +1,4 @@
-#include "io/tiles/seam_segments.hpp"
+#include "io/elements/seam_segments.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "io/tiles/triangle_elements.hpp"
+#include "io/elements/triangle_elements.hpp"
 
 #include "mesher/base/error.hpp"
 

@@ -1,11 +1,11 @@
-#include "io/tiles/triangle_cells.hpp"
+#include "io/elements/triangle_cells.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <numeric>
 
-#include "io/tiles/triangle_elements.hpp"
+#include "io/elements/triangle_elements.hpp"
 
 namespace pcvt {
 namespace {
