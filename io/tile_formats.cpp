@@ -82,17 +82,10 @@ std::vector<EncodedFile> write_inp(const Tile& tile, const FileOptions& options,
     return stress ? encode_plane_stress_inp(tile, path) : encode_inp(tile, path);
 }
 
-/// The picture of a graded mesh shows sizes, which the densities determine.
 std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
                                    const std::string& path) {
     if (options.cut_width > 0) return encode_svg_cut(tile, options.cut_width, path);
-    return options.site_densities.empty() ? encode_svg(tile, path) : encode_graded_svg(tile, path);
-}
-
-std::vector<EncodedFile> write_html(const Tile& tile, const FileOptions& options,
-                                    const std::string& path) {
-    if (options.site_densities.empty()) return encode_html(tile, path);
-    return encode_graded_html(tile, options.site_densities, path);
+    return encode_svg(tile, options, path);
 }
 
 constexpr std::array<TileFormat, 15> kFormats{{
@@ -100,22 +93,26 @@ constexpr std::array<TileFormat, 15> kFormats{{
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
      .write = encode_obj,
      .read = decode_obj,
-     .paths = obj_paths},
+     .paths = obj_paths,
+     .takes_colouring = true},
     {.extension = ".ply",
      .description = "PLY, ASCII with double coordinates, or float with --float32",
      .write = encode_ply,
      .read = decode_ply,
-     .takes_single_precision = true},
+     .takes_single_precision = true,
+     .takes_colouring = true},
     {.extension = ".glb",
      .description = "glTF 2.0, one binary file",
      .write = encode_glb,
      .read = decode_gltf,
-     .takes_gltf_nodes = true},
+     .takes_gltf_nodes = true,
+     .takes_colouring = true},
     {.extension = ".gltf",
      .description = "glTF 2.0, one text file",
      .write = encode_gltf,
      .read = decode_gltf,
-     .takes_gltf_nodes = true},
+     .takes_gltf_nodes = true,
+     .takes_colouring = true},
     {.extension = ".om",
      .description = "OpenMesh, with the identification as properties",
      .write = encode_om,
@@ -141,19 +138,23 @@ constexpr std::array<TileFormat, 15> kFormats{{
     {.extension = ".svg",
      .description = "a picture, or with --cut lines for cutters",
      .write = write_svg,
-     .takes_cut_width = true},
+     .takes_cut_width = true,
+     .takes_colouring = true,
+     .takes_background = true},
     {.extension = ".png",
      .description = "an image of one period that repeats without a seam",
      .write = encode_tile_png,
      .check = require_image_size,
-     .takes_pixels = true},
+     .takes_pixels = true,
+     .takes_colouring = true},
     {.extension = ".dxf",
      .description = "DXF R12 with each edge once, for cutters",
      .write = encode_dxf,
      .takes_cut_width = true},
     {.extension = ".html",
      .description = "a page that shows the tile in any browser",
-     .write = write_html},
+     .write = encode_html,
+     .takes_colouring = true},
     {.extension = ".foam",
      .description = "OpenFOAM, a case folder that icoFoam runs",
      .write = encode_foam,

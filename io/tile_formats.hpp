@@ -80,6 +80,8 @@ struct TileFormat {
     bool takes_pixels = false;
     bool takes_cut_width = false;
     bool takes_element = false;
+    bool takes_colouring = false;
+    bool takes_background = false;
 
     bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {

@@ -98,6 +98,15 @@ enum { PCVT_NODES_DEFAULT = 0, PCVT_NODES_CELLS = 1, PCVT_NODES_ONE = 2 };
 /** The elements of .inp files: plane strain, plane stress. */
 enum { PCVT_CPE = 0, PCVT_CPS = 1 };
 
+/** The quantity that the colours of a file show, in formats with colours. */
+enum {
+    PCVT_COLOUR_DEFAULT = 0, /**< each format has its own */
+    PCVT_COLOUR_SIDES = 1,
+    PCVT_COLOUR_SIZE = 2,
+    PCVT_COLOUR_CELLS = 3, /**< neighbours differ */
+    PCVT_COLOUR_DENSITY = 4
+};
+
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
 
@@ -265,15 +274,16 @@ typedef struct pcvt_write_options {
     int32_t kind;       /**< [PCVT_VORONOI] */
     int32_t outline;    /**< [PCVT_WHOLE] */
     int32_t replace;    /**< not 0: replace existing files [0] */
-    int32_t reserved;   /**< 0 */
+    int32_t colour;     /**< PCVT_COLOUR_... [PCVT_COLOUR_DEFAULT] */
     pcvt_progress_callback progress; /**< [NULL] */
     void* progress_data;
     int32_t gltf_nodes;       /**< PCVT_NODES_... of .glb and .gltf [by the number of cells] */
     int32_t single_precision; /**< not 0: .ply with 32-bit coordinates and triangles [0] */
     int32_t pixels;           /**< width of .png [0: 1024] */
     int32_t element;          /**< of .inp [PCVT_CPE] */
-    double cut_width; /**< .svg and .dxf with lines to cut alone, of a tile with this width in
-                         millimetres [0: a picture as .svg, .dxf in the unit of the periods] */
+    double cut_width;       /**< .svg and .dxf with lines to cut alone, of a tile with this width in
+                               millimetres [0: a picture as .svg, .dxf in the unit of the periods] */
+    const char* background; /**< of .svg, "#rrggbb" or "none" [NULL: none] */
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */

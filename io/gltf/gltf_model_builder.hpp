@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/colours/palette.hpp"
 #include "io/gltf/gltf_surface.hpp"
-#include "io/tiles/palette.hpp"
 
 namespace pcvt {
 

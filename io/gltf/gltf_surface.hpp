@@ -12,9 +12,9 @@ using Point3 = std::array<float, 3>;
 
 /// Consecutive triangles of one colour.
 struct SurfaceGroup {
-    /// The number of sides of their cells.
-    int sides;
-    /// -1 where the group holds all cells with these sides.
+    /// The class of their colour.
+    int colour;
+    /// -1 where the group holds all cells of this colour.
     SiteId site;
 };
 
@@ -41,8 +41,9 @@ struct Surface {
 };
 
 /// Returns the surface of a tile. Cells and grains have one group for each cell, or in one node one
-/// for each number of sides.
+/// for each colour.
 /// @throws InvalidInput naming the path if float32 cannot hold a coordinate or the area of a cell.
-Surface make_surface(const Tile& tile, GltfNodes nodes, const std::string& path);
+Surface make_surface(const Tile& tile, const TileColours& colours, GltfNodes nodes,
+                     const std::string& path);
 
 }  // namespace pcvt

@@ -9,11 +9,11 @@
 #include <sstream>
 
 #include "io/bytes/text.hpp"
+#include "io/colours/palette.hpp"
 #include "io/gltf/gltf_container.hpp"
 #include "io/gltf/gltf_model_builder.hpp"
 #include "io/gltf/gltf_surface.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/palette.hpp"
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/tile/texture_coordinates.hpp"
 
@@ -96,14 +96,15 @@ void add_triangles(const Tile& tile, const Surface& surface, tinygltf::Primitive
     builder.add_node("triangles", {std::move(primitive)});
 }
 
-void add_cells(const Surface& surface, tinygltf::Primitive primitive, ModelBuilder& builder) {
+void add_cells(const Surface& surface, const TileColours& colours, tinygltf::Primitive primitive,
+               ModelBuilder& builder) {
     primitive.indices =
         builder.add_indices(surface.indices, surface.group_begin, surface.points.size());
     std::vector<tinygltf::Primitive> primitives;
     for (const SurfaceGroup& group : surface.groups) {
-        const std::string name = group.site < 0 ? "sides_" + std::to_string(group.sides)
-                                                : "cell_" + std::to_string(group.site);
-        builder.add_material(name, side_colour(group.sides));
+        const ColourClass& shown = colours.classes[group.colour];
+        const std::string name = group.site < 0 ? shown.name : "cell_" + std::to_string(group.site);
+        builder.add_material(name, shown.colour);
         primitive.material = builder.last_material();
         primitives.push_back(primitive);
         ++primitive.indices;
@@ -114,7 +115,8 @@ void add_cells(const Surface& surface, tinygltf::Primitive primitive, ModelBuild
     if (surface.is_one_node()) builder.add_node("cells", std::move(primitives));
 }
 
-void add_surface(const Tile& tile, const Surface& surface, ModelBuilder& builder) {
+void add_surface(const Tile& tile, const Surface& surface, const TileColours& colours,
+                 ModelBuilder& builder) {
     // All primitives share the attributes of vertices.
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -124,7 +126,7 @@ void add_surface(const Tile& tile, const Surface& surface, ModelBuilder& builder
     primitive.attributes["TEXCOORD_0"] =
         builder.add_vertex_data(downward(texture_coordinates(tile)), TINYGLTF_TYPE_VEC2);
     if (faces_have_sites(tile.kind)) {
-        add_cells(surface, std::move(primitive), builder);
+        add_cells(surface, colours, std::move(primitive), builder);
     } else {
         add_triangles(tile, surface, std::move(primitive), builder);
     }
@@ -194,12 +196,14 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
     if (*std::max_element(sites.begin(), sites.end()) >= kMaxSite) {
         throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }
-    const Surface surface = make_surface(tile, options.gltf_nodes, path);
+    const TileColours colours =
+        tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.site_densities);
+    const Surface surface = make_surface(tile, colours, options.gltf_nodes, path);
     // Reserve up to four attributes per vertex, and the outlines.
     ModelBuilder builder(surface.points.size() * (3 * sizeof(Point3) + sizeof(float)) +
                          tile.points.size() * sizeof(Point3) +
                          (surface.indices.size() + 2 * tile.faces.corners.size()) * sizeof(int));
-    add_surface(tile, surface, builder);
+    add_surface(tile, surface, colours, builder);
     add_outlines(tile, surface, builder);
     builder.model().nodes[0].extras =
         tinygltf::Value(tinygltf::Value::Object{{"periodic", tinygltf::Value(0)}});

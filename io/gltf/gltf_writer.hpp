@@ -17,10 +17,10 @@ namespace pcvt {
 /// float32; the lattice keeps double precision. The children of `tile`:
 ///
 ///   GltfNodes::kCells   one node and one material per cell or grain, both named `cell_<site>`
-///   GltfNodes::kOne     one node `cells` with one primitive and one material, `sides_<n>`, for
-///   each
-///                       number of sides. extras.periodic.cellTriangles is [[site, n], ...]: the
-///                       next n triangles of the node, primitive by primitive, belong to the site
+///   GltfNodes::kOne     one node `cells` with one primitive and one material for each
+///                       colour, by default `sides_<n>`. extras.periodic.cellTriangles is [[site,
+///                       n], ...]: the next n triangles of the node, primitive by primitive, belong
+///                       to the site
 ///   Delaunay triangles  a node `triangles`: colours by valence, sites in _SITE_ID
 ///   always              a node `outlines`: the edges as lines, lifted by 0.002 of the larger side
 ///                       of the tile's bounding box

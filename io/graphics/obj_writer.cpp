@@ -9,9 +9,7 @@
 #include "io/bytes/text.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/palette.hpp"
 #include "mesher/tile/texture_coordinates.hpp"
-#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -37,14 +35,16 @@ void append_words(std::string& text, std::initializer_list<Number> numbers) {
     text += '\n';
 }
 
-std::string material(const Tile& tile, int sides) {
-    return faces_have_sites(tile.kind) ? "sides_" + std::to_string(sides) : "triangle";
-}
-
-/// Returns the number of sides that selects the material of each face.
-std::vector<int> sides_of_faces(const Tile& tile) {
-    if (faces_have_sites(tile.kind)) return cell_sides(tile);
-    return std::vector<int>(static_cast<std::size_t>(tile.n_faces()), 3);
+/// Returns the colours of the faces, which are materials. Triangles have one.
+TileColours material_colours(const Tile& tile, const FileOptions& options) {
+    if (faces_have_sites(tile.kind)) {
+        const Colouring colouring = options.colouring.value_or(Colouring::kSides);
+        return tile_colours(tile, colouring, options.site_densities);
+    }
+    TileColours grey;
+    grey.classes.push_back({kTriangleColour, "triangle", ""});
+    grey.class_of.assign(static_cast<std::size_t>(tile.n_faces()), 0);
+    return grey;
 }
 
 /// Returns the tile with its faces in the order `order`.
@@ -84,8 +84,9 @@ void append_seam(std::string& text, const Tile& tile) {
     text += '\n';
 }
 
-std::string obj_text(const Tile& tile, const std::vector<int>& sides,
+std::string obj_text(const Tile& tile, const TileColours& colours,
                      const std::string& material_file) {
+    const std::vector<int>& material = colours.class_of;
     std::string text = kExplanation;
     append_seam(text, tile);
     text += "mtllib " + material_file + "\n";
@@ -98,7 +99,9 @@ std::string obj_text(const Tile& tile, const std::vector<int>& sides,
         append_words(text, {double(u), double(v)});
     }
     for (int f = 0; f < tile.n_faces(); ++f) {
-        if (f == 0 || sides[f] != sides[f - 1]) text += "usemtl " + material(tile, sides[f]) + "\n";
+        if (f == 0 || material[f] != material[f - 1]) {
+            text += "usemtl " + colours.classes[material[f]].name + "\n";
+        }
         text += 'f';
         for (const int v : tile.faces[f]) {
             text += ' ';
@@ -111,13 +114,12 @@ std::string obj_text(const Tile& tile, const std::vector<int>& sides,
     return text;
 }
 
-std::string mtl_text(const Tile& tile, const std::vector<int>& sides) {
+std::string mtl_text(const TileColours& colours) {
     std::string text = "# Materials of a periodic tile, written by pcvt\n";
-    for (const int n : std::set<int>(sides.begin(), sides.end())) {
-        const bool owned = faces_have_sites(tile.kind);
-        const Colour colour = owned ? side_colour(n) : kTriangleColour;
-        text += "newmtl " + material(tile, n) + "\nKd";
-        append_words(text, {colour.r, colour.g, colour.b});
+    for (const int k : std::set<int>(colours.class_of.begin(), colours.class_of.end())) {
+        const ColourClass& material = colours.classes[k];
+        text += "newmtl " + material.name + "\nKd";
+        append_words(text, {material.colour.r, material.colour.g, material.colour.b});
     }
     return text;
 }
@@ -131,18 +133,21 @@ std::vector<std::string> obj_paths(const std::string& path) {
     return {path, with(".mtl"), with(".seam.json")};
 }
 
-std::vector<EncodedFile> encode_obj(const Tile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_obj(const Tile& tile, const FileOptions& options,
+                                    const std::string& path) {
     require_finite(tile);
-    std::vector<int> sides = sides_of_faces(tile);
-    std::vector<int> order(sides.size());
+    TileColours colours = material_colours(tile, options);
+    std::vector<int>& material = colours.class_of;
+    std::vector<int> order(material.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int f, int g) { return sides[f] < sides[g]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int f, int g) { return material[f] < material[g]; });
     const Tile sorted = with_faces_in_order(tile, order);
-    std::sort(sides.begin(), sides.end());
+    std::sort(material.begin(), material.end());
     const std::vector<std::string> paths = obj_paths(path);
     const std::string material_file = std::filesystem::path(paths[1]).filename().string();
-    std::vector<EncodedFile> files = only_file(paths[0], obj_text(sorted, sides, material_file));
-    files.push_back({paths[1], mtl_text(sorted, sides)});
+    std::vector<EncodedFile> files = only_file(paths[0], obj_text(sorted, colours, material_file));
+    files.push_back({paths[1], mtl_text(colours)});
     files.push_back({paths[2], encode_seam(sorted)});
     return files;
 }

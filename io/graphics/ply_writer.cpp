@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/colours/palette.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/palette.hpp"
 #include "io/tiles/triangle_fan.hpp"
-#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -32,18 +30,12 @@ std::string words(Colour colour) {
     return text;
 }
 
-/// The colour of each number of sides as words, computed once.
-class SideColours {
-   public:
-    const std::string& of(int sides) {
-        const auto [found, is_new] = words_.try_emplace(sides);
-        if (is_new) found->second = words(side_colour(sides));
-        return found->second;
-    }
-
-   private:
-    std::map<int, std::string> words_;
-};
+/// Returns the colour of each class as words.
+std::vector<std::string> class_words(const TileColours& colours) {
+    std::vector<std::string> result;
+    for (const ColourClass& shown : colours.classes) result.push_back(words(shown.colour));
+    return result;
+}
 
 void end_line(std::string& text) { text.back() = '\n'; }
 
@@ -77,12 +69,12 @@ std::string header(const Tile& tile, bool single_precision) {
     return text + "end_header\n";
 }
 
-void append_vertices(std::string& text, const Tile& tile, bool single_precision) {
+void append_vertices(std::string& text, const Tile& tile, const TileColours& colours,
+                     bool single_precision) {
     const bool owned = faces_have_sites(tile.kind);
     // Delaunay triangles have coloured vertices.
-    const std::vector<int> valences = owned ? std::vector<int>() : vertex_valences(tile);
     const std::string plain = words(kPlain);
-    SideColours colours;
+    const std::vector<std::string> coloured = class_words(colours);
     // A vertex without a pair is its own representative.
     std::vector<VertexPair> orbits;
     orbits.reserve(tile.points.size());
@@ -94,7 +86,7 @@ void append_vertices(std::string& text, const Tile& tile, bool single_precision)
             single_precision ? append_word(text, static_cast<float>(x)) : append_word(text, x);
         }
         append_word(text, 0);
-        text += owned ? plain : colours.of(valences[v]);
+        text += owned ? plain : coloured[colours.class_of[v]];
         append_word(text, orbits[v].v);
         append_word(text, orbits[v].offset.i);
         append_word(text, orbits[v].offset.j);
@@ -103,44 +95,44 @@ void append_vertices(std::string& text, const Tile& tile, bool single_precision)
     }
 }
 
-void append_faces(std::string& text, const Tile& tile, const std::vector<int>& sides) {
+void append_faces(std::string& text, const Tile& tile, const TileColours& colours) {
     const bool owned = faces_have_sites(tile.kind);
     const std::string plain = words(kPlain);
-    SideColours colours;
+    const std::vector<std::string> coloured = class_words(colours);
     for (int f = 0; f < tile.n_faces(); ++f) {
         append_word(text, tile.face_size(f));
         for (const int v : tile.faces[f]) {
             append_word(text, v);
         }
-        text += owned ? colours.of(sides[f]) : plain;
+        text += owned ? coloured[colours.class_of[f]] : plain;
         if (owned) append_word(text, tile.face_site[f]);
         end_line(text);
     }
 }
 
-std::string ply_text(const Tile& tile, const std::vector<int>& sides, bool single_precision) {
+std::string ply_text(const Tile& tile, const TileColours& colours, bool single_precision) {
     std::string text = header(tile, single_precision);
-    append_vertices(text, tile, single_precision);
-    append_faces(text, tile, sides);
+    append_vertices(text, tile, colours, single_precision);
+    append_faces(text, tile, colours);
     return text;
 }
 
 /// Returns the tile with its cells as triangles.
-/// @param sides  of the cell of each face; changes with the faces.
-Tile narrowed(const Tile& tile, std::vector<int>& sides, const std::string& path) {
+/// @param class_of  the class of the colour of each face; changes with the faces.
+Tile narrowed(const Tile& tile, std::vector<int>& class_of, const std::string& path) {
     const std::vector<Point32> points = single_precision_points(tile, path);
     if (tile.kind != MeshKind::kVoronoi) return tile;
     Tile narrow = tile;
     narrow.faces = {};
     narrow.face_site.clear();
-    const std::vector<int> sides_of_cells = std::exchange(sides, {});
+    const std::vector<int> classes_of_cells = std::exchange(class_of, {});
     for (int f = 0; f < tile.n_faces(); ++f) {
         std::vector<int> corners;
         append_fan(tile, f, points, corners, path);
         for (std::size_t c = 0; c < corners.size(); c += 3) {
             narrow.faces.add(std::span(corners).subspan(c, 3));
             narrow.face_site.push_back(tile.face_site[f]);
-            sides.push_back(sides_of_cells[f]);
+            class_of.push_back(classes_of_cells[f]);
         }
     }
     return narrow;
@@ -151,12 +143,12 @@ Tile narrowed(const Tile& tile, std::vector<int>& sides, const std::string& path
 std::vector<EncodedFile> encode_ply(const Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     require_finite(tile);
-    std::vector<int> sides;
-    if (faces_have_sites(tile.kind)) sides = cell_sides(tile);
+    TileColours colours =
+        tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.site_densities);
     const bool single = options.single_precision;
-    if (!single) return only_file(path, ply_text(tile, sides, single));
-    const Tile narrow = narrowed(tile, sides, path);
-    return only_file(path, ply_text(narrow, sides, single));
+    if (!single) return only_file(path, ply_text(tile, colours, single));
+    const Tile narrow = narrowed(tile, colours.class_of, path);
+    return only_file(path, ply_text(narrow, colours, single));
 }
 
 }  // namespace pcvt

@@ -13,7 +13,7 @@ const THEMES = {
         dot: '#30343c',
         casing: '#ffffff',
         accent: '#d9187f',
-        seams: ['#17993b', '#6500e6', '#732244', '#007db2', '#8a6d00', '#5d4037'],
+        seams: ['#077974', '#812ed1', '#975944', '#0d93e2', '#799946', '#db1879'],
         sides: ['#14215c', '#255fb0', '#62b0df', '#f3efe4', '#f2a23c', '#cb4b1e', '#701518'],
     },
     dark: {
@@ -31,7 +31,9 @@ const THEMES = {
 };
 
 /** From small to large, each lighter than the one before; distinguishable for colour-blind eyes. */
-const RAMP = ['#3a57a6', '#3f8cb8', '#67bba6', '#b7dc9c', '#fbf3c4'];
+const RAMP = ['#3a57a6', '#4086b7', '#5fb3b0', '#98cb90', '#d7e894', '#fff9d6'];
+/** Of cells that differ from their neighbours; the tile says which cell has which colour. */
+const CELLS = ['#93e9f4', '#f7d689', '#b9dca5', '#d5908a', '#c5aded', '#f3efe4', '#80c5bd'];
 const STEPS = 32;
 /** Dashes in widths of the line, so that no reader depends on the hues of the seam. */
 const DASHES = [[], [4, 2.5], [0.01, 2.2], [5, 2.2, 0.01, 2.2], [8, 3], [2, 2]];
@@ -72,6 +74,8 @@ class Colouring {
         const classes = new Int32Array(tile.nFaces);
         if (mode === 'sides')
             this.bySides(tile, theme, classes);
+        else if (mode === 'cells')
+            this.byCells(tile, classes);
         else
             this.byValue(tile, mode, classes);
         this.start = new Int32Array(this.colours.length + 1);
@@ -101,6 +105,13 @@ class Colouring {
         this.colours = this.entries.map((entry) => entry.colour);
         const classOf = new Map(numbers.map((n, k) => [n, k]));
         for (let f = 0; f < tile.nFaces; ++f) classes[f] = classOf.get(tile.sides[tile.cellOf[f]]);
+    }
+
+    /** Colours that differ between neighbours and mean nothing else. */
+    byCells(tile, classes) {
+        this.title = `Neighbouring ${tile.kind} differ`;
+        this.colours = CELLS;
+        classes.set(tile.colourClasses);
     }
 
     /** Classes of equal steps on a logarithmic scale, or a linear one where a value is not > 0. */

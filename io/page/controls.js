@@ -40,6 +40,8 @@ class Controls {
         element('with-dual').hidden = !tile.hasDual;
         element('with-sites').hidden = tile.kind === 'grains';
         if (tile.hasTriangles) element('mode-sides').textContent = 'Valence';
+        element('with-cells').hidden = tile.hasTriangles;
+        if (tile.kind === 'grains') element('mode-cells').textContent = 'Grains';
         element('dual-label').textContent = tile.hasTriangles ? 'Dual cells' : 'Dual triangles';
     }
 
@@ -63,8 +65,9 @@ class Controls {
 
     connectSettings() {
         const {viewer, options} = this;
-        const modes =
-            this.tile.densities.length > 0 ? ['sides', 'size', 'density'] : ['sides', 'size'];
+        const modes = ['sides', 'size'];
+        if (!this.tile.hasTriangles) modes.push('cells');
+        if (this.tile.densities.length > 0) modes.push('density');
         viewer.mode = choiceOf(options.get('colour'), modes, viewer.mode);
         for (const radio of document.querySelectorAll('[name=mode]')) {
             radio.checked = radio.value === viewer.mode;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
+#include "io/tiles/file_options.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -13,31 +13,28 @@ namespace pcvt {
 /// tile in it, repeats it, and names the cell and the partner edges under the pointer.
 ///
 /// The page holds the tile as JSON in the element `data`:
-///   {"format": "pcvt page", "version": 1, "name": "tile.html", "graded": false,
+///   {"format": "pcvt page", "version": 1, "name": "tile.html", "colouring": "sides",
 ///    "kind": "cells" | "triangles" | "grains", "lattice": [[ax, ay], [bx, by]],
 ///    "points": [x, y, ...], "faces": [[v, ...], ...], "sites": [s, ...], "sides": [n, ...],
-///    "site_points": [x, y, ...], "densities": [d, ...],
+///    "site_points": [x, y, ...], "densities": [d, ...], "classes": [k, ...],
 ///    "vertex_pairs": [[v, w, i, j], ...], "edge_pairs": [[v0, v1, w0, w1, i, j], ...]}
 ///
 /// `sites` has one entry for each face of cells and grains and for each vertex of triangles;
 /// `sides` are the sides of each face's cell, or the valence of each vertex. `site_points` are
-/// those of cells; it is empty otherwise. Laws, tested by number:
+/// those of cells; it is empty otherwise. `densities` are those at sites 0 to n - 1 of one period,
+/// and `classes` the colours that differ between neighbours, one for each face of cells and grains.
+/// Laws, tested by number:
 ///   (1) The JSON gives points, faces, sites and pairs back exactly.
 ///   (2) The data holds no '<', so that no name can end the element.
 ///   (3) The page without its data is smaller than 300 KB and names no address of a network.
 ///
 /// Example usage:
-///     for (const EncodedFile& file : encode_html(tile, "tile.html")) {
+///     for (const EncodedFile& file : encode_html(tile, {}, "tile.html")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_html(const Tile& tile, const std::string& path);
-
-/// Encodes the same page with the density of each site; the cells are coloured by size at first.
-/// @param site_densities  at sites 0 to n - 1; those of repeated tiles continue periodically.
-std::vector<EncodedFile> encode_graded_html(const Tile& tile,
-                                            std::span<const double> site_densities,
-                                            const std::string& path);
+std::vector<EncodedFile> encode_html(const Tile& tile, const FileOptions& options,
+                                     const std::string& path);
 
 }  // namespace pcvt

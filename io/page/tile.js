@@ -16,6 +16,7 @@ class Tile {
         this.points = Float64Array.from(data.points);
         this.sitePoints = data.site_points.length > 0 ? Float64Array.from(data.site_points) : null;
         this.densities = data.densities;
+        this.colourClasses = data.classes;
         this.hasTriangles = this.kind === 'triangles';
         this.storeFaces(data.faces);
         this.measureBox();

@@ -14,12 +14,11 @@ constexpr double kLine = 17;
 constexpr double kEntryHeight = 30;
 /// The width of an entry's mark and of the gap after its label.
 constexpr double kEntryGap = 40;
-/// The width of a character of 13 pixel sans-serif, rather too large.
-constexpr double kCharacter = 6.6;
+/// Of the caption of all panels, in pixels.
+constexpr double kHeadingSize = 16;
 /// Below this spacing in pixels, dots would merge into grey.
 constexpr double kLeastDottedSpacing = 7;
 constexpr const char* kEdgeColour = "#565c68";
-constexpr const char* kInk = "#1c1f26";
 
 /// The positions of the panels, in pixels.
 struct Grid {
@@ -118,8 +117,8 @@ std::string draw_panel(const CellPanel& panel, const Vec2& corner, double size) 
     std::string svg = std::string("<g stroke=\"") + kEdgeColour +
                       "\" stroke-width=\"0.7\" stroke-linejoin=\"round\">\n" +
                       draw_cells(panel, frame) + draw_sites(panel, frame) + "</g>\n";
-    svg += std::string("<path fill=\"none\" stroke-width=\"1.2\" stroke=\"") + kInk + "\" d=\"" +
-           outline + "\"/>\n";
+    svg += std::string("<path") + kSvgLineClass + " fill=\"none\" stroke-width=\"1.2\" stroke=\"" +
+           kSvgInk + "\" d=\"" + outline + "\"/>\n";
     double y = corner.y() + frame.height() + 5;
     for (std::size_t k = 0; k < panel.caption.size(); ++k) {
         y += kLine;
@@ -133,7 +132,7 @@ std::string draw_entries(const std::vector<LegendEntry>& entries, double y) {
     std::string svg;
     for (const LegendEntry& entry : entries) {
         svg += legend_entry(x, y, entry);
-        x += kEntryGap + kCharacter * static_cast<double>(n_characters(entry.label));
+        x += kEntryGap + svg_text_width(entry.label, kSvgFontSize);
     }
     return svg;
 }
@@ -141,7 +140,7 @@ std::string draw_entries(const std::vector<LegendEntry>& entries, double y) {
 double entries_width(const std::vector<LegendEntry>& entries) {
     double x = 2 * kMargin;
     for (const LegendEntry& entry : entries) {
-        x += kEntryGap + kCharacter * static_cast<double>(n_characters(entry.label));
+        x += kEntryGap + svg_text_width(entry.label, kSvgFontSize);
     }
     return x;
 }
@@ -153,11 +152,12 @@ std::string encode_cell_panels(const Legend& legend, const std::vector<CellPanel
     Grid grid{layout, static_cast<int>(panels.size()), 0};
     for (const CellPanel& panel : panels)
         grid.n_lines = std::max(grid.n_lines, panel.caption.size());
-    const double heading = 2 * kMargin + 9 * static_cast<double>(n_characters(legend.caption));
+    const double heading = 2 * kMargin + svg_bold_text_width(legend.caption, kHeadingSize);
     const double width = std::max({grid.width(), heading, entries_width(legend.entries)});
     std::string svg = svg_head(legend.caption, width, grid.height() + kEntryHeight);
-    svg += std::string(R"(<g font-family="sans-serif" font-size="13" fill=")") + kInk + "\">\n";
-    svg += svg_text({kMargin, 32}, legend.caption, R"( font-weight="bold" font-size="16")");
+    svg += svg_text_group();
+    svg += svg_text({kMargin, 32}, legend.caption,
+                    R"( font-weight="bold")" + svg_attribute("font-size", kHeadingSize));
     for (int k = 0; k < grid.n_panels; ++k) {
         svg += draw_panel(panels[k], grid.corner(k), layout.size);
     }

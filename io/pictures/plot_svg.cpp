@@ -1,10 +1,10 @@
 #include "io/pictures/plot_svg.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
+#include "io/bytes/text.hpp"
+#include "io/pictures/plot_ticks.hpp"
 #include "io/pictures/svg_canvas.hpp"
 #include "mesher/base/error.hpp"
 
@@ -17,109 +17,9 @@ constexpr double kLeft = 72;
 constexpr double kRight = 26;
 constexpr double kTop = 96;
 constexpr double kBottom = 56;
-/// The average width of a character of 13 pixel sans-serif.
-constexpr double kCharacter = 6.9;
-constexpr const char* kInk = "#1c1f26";
 constexpr const char* kFaint = "#e4e6ea";
 /// The margin between the outermost points and the border, as a share of the range.
 constexpr double kAir = 0.04;
-/// The approximate number of ticks of a linear axis.
-constexpr int kWantedTicks = 6;
-constexpr std::size_t kFewestTicks = 3;
-/// Relative rounding errors of this size do not remove a tick from its axis.
-constexpr double kRounding = 1e-9;
-
-/// Returns the step of 1, 2 or 5 times a power of ten that is nearest, by ratio, to the wanted one.
-double nice_step(double range) {
-    const double rough = range / kWantedTicks;
-    const double decade = std::pow(10.0, std::floor(std::log10(rough)));
-    const double digit = rough / decade;
-    // The bounds are the geometric means of neighbouring steps.
-    if (digit < std::sqrt(2)) return decade;
-    if (digit < std::sqrt(10)) return 2 * decade;
-    if (digit < std::sqrt(50)) return 5 * decade;
-    return 10 * decade;
-}
-
-std::vector<double> linear_ticks(double low, double high) {
-    const double step = nice_step(high - low);
-    std::vector<double> ticks;
-    const double air = kRounding * (high - low);
-    for (double k = std::ceil((low - air) / step); k * step <= high + air; ++k) {
-        ticks.push_back(k * step);
-    }
-    return ticks;
-}
-
-std::vector<double> digit_ticks(double low, double high, const std::vector<int>& digits) {
-    std::vector<double> ticks;
-    for (int k = static_cast<int>(std::floor(std::log10(low)));
-         k <= static_cast<int>(std::ceil(std::log10(high))); ++k) {
-        for (const int digit : digits) {
-            const double tick = digit * std::pow(10.0, k);
-            if (tick >= low * (1 - kRounding) && tick <= high * (1 + kRounding)) {
-                ticks.push_back(tick);
-            }
-        }
-    }
-    return ticks;
-}
-
-std::string superscript(int exponent) {
-    static const std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴",
-                                                     "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "⁻" : "";
-    for (const char digit : std::to_string(std::abs(exponent))) text += kDigits[digit - '0'];
-    return text;
-}
-
-/// Returns `value` with `digits` decimals.
-std::string fixed(double value, int digits) {
-    std::array<char, 400> text{};
-    const auto end =
-        std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed, digits).ptr;
-    return {text.begin(), end};
-}
-
-int exponent_of(double value) {
-    return value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)) + kRounding));
-}
-
-/// The labels of the ticks of one axis, and the power of ten that multiplies them.
-struct TickLabels {
-    std::vector<std::string> texts;
-    std::string factor;
-};
-
-TickLabels linear_labels(const std::vector<double>& ticks) {
-    TickLabels labels;
-    double largest = 0;
-    for (const double tick : ticks) largest = std::max(largest, std::abs(tick));
-    int exponent = exponent_of(largest);
-    if (exponent >= -2 && exponent <= 4) exponent = 0;
-    if (exponent != 0) labels.factor = "× 10" + superscript(exponent);
-    const double unit = std::pow(10.0, exponent);
-    const double step = ticks.size() > 1 ? (ticks[1] - ticks[0]) / unit : 1;
-    for (const double tick : ticks) {
-        labels.texts.push_back(fixed(tick / unit + 0.0, std::max(0, -exponent_of(step))));
-    }
-    return labels;
-}
-
-std::string logarithmic_label(double tick, bool as_power) {
-    const int exponent = exponent_of(tick);
-    if (!as_power) return fixed(tick, std::max(0, -exponent));
-    const long digit = std::lround(tick / std::pow(10.0, exponent));
-    return (digit == 1 ? "" : std::to_string(digit) + "·") + "10" + superscript(exponent);
-}
-
-TickLabels logarithmic_labels(const std::vector<double>& ticks) {
-    TickLabels labels;
-    const bool as_power = ticks.front() < 1e-2 || ticks.back() > 9999;
-    for (const double tick : ticks) labels.texts.push_back(logarithmic_label(tick, as_power));
-    return labels;
-}
-
 /// Maps the values along one axis to pixels.
 class Scale {
    public:
@@ -145,10 +45,7 @@ class Scale {
         if (!logarithmic_) return axis_ticks(low_, high_, false);
         return axis_ticks(std::pow(10, low_), std::pow(10, high_), true);
     }
-    TickLabels labels() const {
-        return logarithmic_ && ticks().size() > 1 ? logarithmic_labels(ticks())
-                                                  : linear_labels(ticks());
-    }
+    TickLabels labels() const { return tick_labels(ticks(), logarithmic_); }
 
    private:
     double place(double value) const { return logarithmic_ ? std::log10(value) : value; }
@@ -187,6 +84,8 @@ class Panel {
         for (const PlotSeries& series : plot_.series) svg += bars(series) + dots(series);
         return svg;
     }
+
+    Vec2 pixel(const Vec2& point) const { return {x_.pixel(point.x()), y_.pixel(point.y())}; }
 
    private:
     Bounds bounds(int axis) const {
@@ -253,7 +152,7 @@ std::string Panel::legend() const {
             svg += straight({x, kRow - 4}, {x + 22, kRow - 4}, line_stroke(series));
         if (has_dots(series)) svg += disc({x + 11, kRow - 4}, 3.5, series.colour);
         svg += svg_text({x + kMarkWidth, kRow}, series.label, "");
-        x += kMarkWidth + kCharacter * static_cast<double>(n_characters(series.label)) + kGap;
+        x += kMarkWidth + svg_text_width(series.label, kSvgFontSize) + kGap;
     }
     return svg;
 }
@@ -264,10 +163,11 @@ std::string Panel::x_axis() const {
     std::string svg;
     for (std::size_t k = 0; k < ticks.size(); ++k) {
         const double x = x_.pixel(ticks[k]);
-        svg += straight({x, kTop}, {x, bottom()}, stroke(kFaint, 1));
+        svg += straight({x, kTop}, {x, bottom()}, kSvgGridClass + stroke(kFaint, 1));
         svg += svg_text({x, bottom() + 18}, labels.texts[k], R"( text-anchor="middle")");
     }
-    svg += straight({left_ + kLeft, bottom()}, {right(), bottom()}, stroke(kInk, 1));
+    svg += straight({left_ + kLeft, bottom()}, {right(), bottom()},
+                    kSvgLineClass + stroke(kSvgInk, 1));
     const std::string factor = labels.factor.empty() ? "" : " (" + labels.factor + ")";
     return svg + svg_text({(left_ + kLeft + right()) / 2, bottom() + 42}, plot_.x.label + factor,
                           R"( text-anchor="middle")");
@@ -279,12 +179,11 @@ std::string Panel::y_axis() const {
     std::string svg;
     for (std::size_t k = 0; k < ticks.size(); ++k) {
         const double y = y_.pixel(ticks[k]);
-        svg += straight({left_ + kLeft, y}, {right(), y}, stroke(kFaint, 1));
+        svg += straight({left_ + kLeft, y}, {right(), y}, kSvgGridClass + stroke(kFaint, 1));
         svg += svg_text({left_ + kLeft - 8, y + 4}, labels.texts[k], R"( text-anchor="end")");
     }
     const std::string factor = labels.factor.empty() ? "" : " (" + labels.factor + ")";
-    return svg + svg_text({left_ + kLeft, kTop - 16}, plot_.y.label + factor,
-                          std::string(" fill=\"") + kPlotGrey + "\"");
+    return svg + svg_text({left_ + kLeft, kTop - 16}, plot_.y.label + factor, "");
 }
 
 std::string Panel::line(const PlotSeries& series) const {
@@ -327,20 +226,33 @@ std::string Panel::dots(const PlotSeries& series) const {
 
 }  // namespace
 
-std::vector<double> axis_ticks(double low, double high, bool logarithmic) {
-    if (!logarithmic) return linear_ticks(low, high);
-    for (const std::vector<int>& digits :
-         {std::vector<int>{1}, {1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
-        std::vector<double> ticks = digit_ticks(low, high, digits);
-        if (ticks.size() >= kFewestTicks) return ticks;
+std::string plot_points(const std::vector<Plot>& plots) {
+    std::string json = "[";
+    for (std::size_t k = 0; k < plots.size(); ++k) {
+        const Panel panel(plots[k], kPanelWidth * static_cast<double>(k));
+        for (const PlotSeries& series : plots[k].series) {
+            if (series.mark == PlotSeries::Mark::kDashes) continue;
+            json += json.size() > 1 ? ",\n" : "";
+            json += "{\"label\": \"" + series.label + "\", \"points\": [";
+            for (const Vec2& point : series.points) {
+                json += json.back() == '[' ? "[" : ", [";
+                const Vec2 pixel = panel.pixel(point);
+                append_pixels(json, pixel.x());
+                append_pixels(json += ',', pixel.y());
+                append_number(json += ',', point.x());
+                append_number(json += ',', point.y());
+                json += ']';
+            }
+            json += "]}";
+        }
     }
-    return linear_ticks(low, high);
+    return json + "]";
 }
 
 std::string encode_plots(const std::string& title, const std::vector<Plot>& plots) {
     std::string svg =
         svg_head(title, kPanelWidth * static_cast<double>(plots.size()), kPanelHeight);
-    svg += std::string(R"(<g font-family="sans-serif" font-size="13" fill=")") + kInk + "\">\n";
+    svg += svg_text_group();
     for (std::size_t k = 0; k < plots.size(); ++k) {
         svg += Panel(plots[k], kPanelWidth * static_cast<double>(k)).draw();
     }

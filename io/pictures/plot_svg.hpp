@@ -8,10 +8,10 @@
 namespace pcvt {
 
 /// Colours of series that colour-blind readers can distinguish as well.
-inline constexpr const char* kPlotBlue = "#255fb0";
+inline constexpr const char* kPlotBlue = "#3b78d0";
 inline constexpr const char* kPlotOrange = "#cb4b1e";
 inline constexpr const char* kPlotGreen = "#0a8f63";
-inline constexpr const char* kPlotGrey = "#6a7180";
+inline constexpr const char* kPlotGrey = "#7a8291";
 
 struct PlotAxis {
     /// The label with its unit, if it has one.
@@ -45,14 +45,13 @@ struct Plot {
     std::vector<PlotSeries> series;
 };
 
-/// Returns the ticks of an axis from `low` to `high`, rising. Ticks of a linear axis have a
-/// distance of 1, 2 or 5 times a power of ten. A logarithmic axis takes the first of these sets
-/// with at least three ticks: powers of ten; their multiples by 1, 2 and 5; by 1 to 9; the ticks of
-/// a linear axis.
-std::vector<double> axis_ticks(double low, double high, bool logarithmic);
-
 /// Encodes an SVG picture of the plots side by side, each with its title, legend, axes and grid.
 /// @throws InternalError if a point cannot be drawn, or there is none.
 std::string encode_plots(const std::string& title, const std::vector<Plot>& plots);
+
+/// Returns the points of all series as JSON, for pages that show values under the pointer:
+/// [{"label": "periodic CVT", "points": [[px, py, x, y], ...]}, ...], px and py the pixels in the
+/// picture of encode_plots(). Dashed series, which are no data, are left out.
+std::string plot_points(const std::vector<Plot>& plots);
 
 }  // namespace pcvt

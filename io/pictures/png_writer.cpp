@@ -8,12 +8,10 @@
 #include <new>
 #include <set>
 
-#include "io/pictures/cell_colours.hpp"
+#include "io/colours/colouring.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/palette.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/tile/tile_edges.hpp"
-#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -27,9 +25,17 @@ constexpr PackedColour kDotColour = 0x30343c;
 constexpr double kPictureSide = 800;
 constexpr double kLeastDottedSpacing = 9;
 constexpr int kRegular = 6;
+constexpr const char* kRegularClass = "sides_6";
 
-PackedColour packed(const std::string& hex_colour) {
-    return static_cast<PackedColour>(std::stoul(hex_colour.substr(1), nullptr, 16));
+PackedColour packed(Colour colour) {
+    return static_cast<PackedColour>(std::stoul(hex(colour).substr(1), nullptr, 16));
+}
+
+/// Returns the colours of the faces, or of the sites of Delaunay triangles.
+std::vector<Colour> colour_list(const TileColours& colours) {
+    std::vector<Colour> list;
+    for (const int k : colours.class_of) list.push_back(colours.classes[k].colour);
+    return list;
 }
 
 /// Returns the number of sites of a tile, whatever its pieces.
@@ -68,7 +74,7 @@ class PeriodPainter {
         for (const Vec2& u : coordinates) places_.push_back(pixel(u));
     }
 
-    void draw_faces(const std::vector<std::string>& colour_of) {
+    void draw_faces(const std::vector<Colour>& colour_of) {
         std::vector<Vec2> corners;
         for (int f = 0; f < tile_.n_faces(); ++f) {
             corners.clear();
@@ -93,17 +99,16 @@ class PeriodPainter {
         }
     }
 
-    void draw_valences() {
-        const std::vector<int> valences = vertex_valences(tile_);
+    void draw_sites(const TileColours& colours) {
         const bool dense = spacing_ < kLeastDottedSpacing;
         const double size = dense ? 0.7 * spacing_ : width(0.36, 3, 16);
         for (int v = 0; v < tile_.n_vertices(); ++v) {
-            const bool regular = valences[v] == kRegular;
+            const ColourClass& mark = colours.classes[colours.class_of[v]];
+            const bool regular = mark.name == kRegularClass;
             const double rim = regular ? width(0.09, 0.6, 6) : size + width(0.06, 0.3, 2);
             if (!dense) canvas_.add_stroke(places_[v], places_[v], scale_ * rim, kDotColour);
             if (regular) continue;
-            canvas_.add_stroke(places_[v], places_[v], scale_ * size,
-                               packed(hex(side_colour(valences[v]))));
+            canvas_.add_stroke(places_[v], places_[v], scale_ * size, packed(mark.colour));
         }
     }
 
@@ -179,18 +184,22 @@ int image_height(const Lattice& lattice, int width) {
                        std::to_string(std::max(1, static_cast<int>(most))) + " pixels");
 }
 
-RgbImage draw_period(const Tile& tile, bool graded, int width) {
+RgbImage draw_period(const Tile& tile, const FileOptions& options, int width) {
     require_finite(tile);
     const MeshKindRow& kind = mesh_kind_row(tile.kind);
+    const Colouring colouring =
+        options.colouring.value_or(default_picture_colouring(tile, options.site_densities));
+    const TileColours colours = tile_colours(tile, colouring, options.site_densities);
+    const bool graded = colouring_row(colouring).shows_values;
     PeriodPainter painter(tile, width, image_height(tile.lattice, width));
     if (!kind.faces_have_sites) {
-        const std::string pale = hex(side_colour(kRegular));
-        painter.draw_faces(std::vector<std::string>(tile.faces.begin.size() - 1, pale));
+        const std::size_t n_faces = tile.faces.begin.size() - 1;
+        painter.draw_faces(std::vector<Colour>(n_faces, side_colour(kRegular)));
         painter.draw_edges(is_edge, kTriangleEdgeColour, painter.width(0.03, 0.05, 1.6));
-        painter.draw_valences();
+        painter.draw_sites(colours);
         return painter.render();
     }
-    painter.draw_faces((graded ? colours_by_size(tile) : colours_by_sides(tile)).of_face);
+    painter.draw_faces(colour_list(colours));
     if (kind.grain_size) {
         painter.draw_edges(is_edge, kTriangleEdgeColour, painter.width(0.01, 0.03, 0.8));
         painter.draw_edges(is_grain_boundary, kEdgeColour, painter.width(0.04, 0.08, 2));
@@ -220,8 +229,7 @@ std::string encode_png(const RgbImage& image) {
 std::vector<EncodedFile> encode_tile_png(const Tile& tile, const FileOptions& options,
                                          const std::string& path) {
     const int width = options.pixels == 0 ? kDefaultPixels : options.pixels;
-    const bool graded = !options.site_densities.empty();
-    return only_file(path, encode_png(draw_period(tile, graded, width)));
+    return only_file(path, encode_png(draw_period(tile, options, width)));
 }
 
 }  // namespace pcvt

@@ -22,8 +22,7 @@ int image_height(const Lattice& lattice, int width);
 ///
 /// Colours and edges are those of encode_svg(), without seam, domain and legend; a box outline
 /// leaves no cut.
-/// @param graded  whether cells are coloured by size.
-RgbImage draw_period(const Tile& tile, bool graded, int width);
+RgbImage draw_period(const Tile& tile, const FileOptions& options, int width);
 
 /// Encodes an image as PNG.
 std::string encode_png(const RgbImage& image);

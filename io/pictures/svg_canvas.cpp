@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <string_view>
 
 namespace pcvt {
 namespace {
@@ -14,6 +15,25 @@ constexpr double kTypicalSide = 800;
 constexpr double kLongestSide = 1600;
 /// The longest attribute. libxml2, which librsvg and others use, refuses about 10 MB.
 constexpr std::size_t kLongestAttribute = 1 << 20;
+
+/// The colours of text and lines on a dark background.
+constexpr const char* kDarkRules =
+    ".ink { fill: #e8eaef } .rule { stroke: #e8eaef } .grid { stroke: #343944 }";
+/// White has more contrast than black on backgrounds of less luminance.
+constexpr double kDark = 0.18;
+
+/// The ratio of the widths of bold and of regular text.
+constexpr double kBold = 1.12;
+
+/// Returns a bound on the width of a character in ems, after DejaVu Sans; the first byte of a
+/// character in UTF-8 counts for all of its bytes.
+double character_width(char c) {
+    if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) return 0;
+    if (c < 0) return 0.9;
+    if (std::string_view(" .,:;()|'!").find(c) != std::string_view::npos) return 0.41;
+    if (std::string_view("mMwW%@").find(c) != std::string_view::npos) return 1;
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? 0.64 : 0.84;
+}
 
 std::string escaped(const std::string& text) {
     std::string result;
@@ -100,14 +120,24 @@ std::string svg_attribute(const std::string& name, double pixels) {
     return text + '"';
 }
 
-std::string svg_head(const std::string& title, double width, double height) {
+std::string svg_head(const std::string& title, double width, double height,
+                     const std::optional<Colour>& background) {
     const std::string size = svg_attribute("width", width) + svg_attribute("height", height);
     std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg")" + size + " viewBox=\"0 0 ";
     append_pixels(text, width);
     text += ' ';
     append_pixels(text, height);
-    return text + "\">\n<title>" + escaped(title) + "</title>\n<rect" + size +
-           " fill=\"#ffffff\"/>\n";
+    text += "\">\n<title>" + escaped(title) + "</title>\n";
+    if (!background) {
+        return text + "<style>@media (prefers-color-scheme: dark) { " + kDarkRules + " }</style>\n";
+    }
+    if (luminance(*background) < kDark) text += "<style>" + std::string(kDarkRules) + "</style>\n";
+    return text + "<rect" + size + " fill=\"" + hex(*background) + "\"/>\n";
+}
+
+std::string svg_text_group() {
+    return std::string("<g") + kSvgTextClass + R"( font-family="sans-serif")" +
+           svg_attribute("font-size", kSvgFontSize) + " fill=\"" + kSvgInk + "\">\n";
 }
 
 std::string svg_text(const Vec2& place, const std::string& text, const std::string& attributes) {
@@ -115,10 +145,14 @@ std::string svg_text(const Vec2& place, const std::string& text, const std::stri
            ">" + escaped(text) + "</text>\n";
 }
 
-std::size_t n_characters(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    }));
+double svg_text_width(const std::string& text, double font_size) {
+    double ems = 0;
+    for (const char c : text) ems += character_width(c);
+    return font_size * ems;
+}
+
+double svg_bold_text_width(const std::string& text, double font_size) {
+    return kBold * svg_text_width(text, font_size);
 }
 
 }  // namespace pcvt

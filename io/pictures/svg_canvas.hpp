@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "io/colours/palette.hpp"
 #include "mesher/lattice/lattice.hpp"
 
 namespace pcvt {
@@ -57,13 +59,33 @@ class SvgPath {
 /// Returns ` name="value"` with a number of pixels.
 std::string svg_attribute(const std::string& name, double pixels);
 
-/// Returns the first lines of a picture: its size in pixels, its title and a white background.
-std::string svg_head(const std::string& title, double width, double height);
+/// The colour of text and of lines that are not part of a drawing, on a light background.
+inline constexpr const char* kSvgInk = "#1c1f26";
+
+/// Classes of elements that svg_head() recolours on a dark background: text, lines in the colour of
+/// text, and the lines of a grid.
+inline constexpr const char* kSvgTextClass = " class=\"ink\"";
+inline constexpr const char* kSvgLineClass = " class=\"rule\"";
+inline constexpr const char* kSvgGridClass = " class=\"grid\"";
+
+/// Returns the first lines of a picture: its size in pixels, its title and its background. Without
+/// a background, the page shows through, and the elements of the classes above become light where
+/// the reader prefers dark pages.
+std::string svg_head(const std::string& title, double width, double height,
+                     const std::optional<Colour>& background = {});
+
+/// Returns the first line of the group that holds the text of a picture.
+std::string svg_text_group();
 
 /// Returns a <text> at a position in pixels; &, < and > in the text are escaped.
 std::string svg_text(const Vec2& place, const std::string& text, const std::string& attributes);
 
-/// Returns the number of characters of a text in UTF-8.
-std::size_t n_characters(const std::string& text);
+/// The size of text without another size, in pixels.
+inline constexpr double kSvgFontSize = 13;
+
+/// Returns a bound on the width of a text in pixels, in every common sans-serif font; DejaVu Sans
+/// and Verdana are the widest of them.
+double svg_text_width(const std::string& text, double font_size);
+double svg_bold_text_width(const std::string& text, double font_size);
 
 }  // namespace pcvt

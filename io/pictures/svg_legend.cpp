@@ -9,18 +9,18 @@ constexpr double kMargin = 20;
 constexpr double kLine = 22;
 constexpr double kMarkWidth = 22;
 constexpr double kGap = 18;
-/// The width of a character of 13 pixel sans-serif, rather too large.
-constexpr double kCharacter = 7;
 /// The least width of a row beneath the drawing.
 constexpr double kShortestRow = 400;
 /// The legend lies beside a drawing with a larger ratio of height to width.
 constexpr double kTall = 1.6;
 
-double text_width(const std::string& text) {
-    return kCharacter * static_cast<double>(n_characters(text));
+double entry_width(const LegendEntry& entry) {
+    return kMarkWidth + svg_text_width(entry.label, kSvgFontSize);
 }
 
-double entry_width(const LegendEntry& entry) { return kMarkWidth + text_width(entry.label); }
+double caption_width(const Legend& legend) {
+    return svg_bold_text_width(legend.caption, kSvgFontSize);
+}
 
 std::string mark_at(double x, double y, const LegendEntry& entry) {
     const std::string colour = "=\"" + entry.colour + "\"";
@@ -31,22 +31,23 @@ std::string mark_at(double x, double y, const LegendEntry& entry) {
                    colour + "/>\n";
         case LegendEntry::Mark::kDisc:
             return "<circle" + svg_attribute("cx", x + 7) + svg_attribute("cy", y - 4) +
-                   R"( r="6" stroke="#30343c" stroke-width="1" fill)" + colour + "/>\n";
+                   R"( r="6" stroke="#8b919c" stroke-width="1" fill)" + colour + "/>\n";
         default:
             break;
     }
     const bool dashed = entry.mark == LegendEntry::Mark::kDashes;
     std::string line = "<line" + svg_attribute("x1", x) + svg_attribute("y1", y - 4) +
                        svg_attribute("x2", x + 15) + svg_attribute("y2", y - 4);
-    line += dashed ? R"( stroke-width="1.2" stroke-dasharray="4 3" stroke)"
-                   : R"( stroke-width="3.5" stroke-linecap="round" stroke)";
+    line +=
+        dashed ? kSvgLineClass + std::string(R"( stroke-width="1.2" stroke-dasharray="4 3" stroke)")
+               : R"( stroke-width="3.5" stroke-linecap="round" stroke)";
     return line + colour + "/>\n";
 }
 
 PlacedLegend beside(const Legend& legend, const SvgFrame& frame) {
     const double x = frame.width();
     double y = kMargin + 12;
-    double widest = text_width(legend.caption) * 1.1;
+    double widest = caption_width(legend);
     std::string svg = svg_text({x, y}, legend.caption, R"( font-weight="bold")");
     for (const LegendEntry& entry : legend.entries) {
         y += kLine;
@@ -60,7 +61,7 @@ PlacedLegend beneath(const Legend& legend, const SvgFrame& frame) {
     const double row_end = std::max(frame.width() - kMargin, kMargin + kShortestRow);
     double x = kMargin;
     double y = frame.height() + 12;
-    double right = x + text_width(legend.caption) * 1.1;
+    double right = x + caption_width(legend);
     std::string svg = svg_text({x, y}, legend.caption, R"( font-weight="bold")");
     y += kLine;
     for (const LegendEntry& entry : legend.entries) {
@@ -70,9 +71,9 @@ PlacedLegend beneath(const Legend& legend, const SvgFrame& frame) {
         }
         svg += legend_entry(x, y, entry);
         x += entry_width(entry) + kGap;
-        right = std::max(right, x);
+        right = std::max(right, x - kGap);
     }
-    return {svg, std::max(frame.width(), right), y + kMargin};
+    return {svg, std::max(frame.width(), right + kMargin), y + kMargin};
 }
 
 }  // namespace

@@ -10,15 +10,13 @@
 #include <tuple>
 #include <utility>
 
-#include "io/pictures/cell_colours.hpp"
+#include "io/colours/colouring.hpp"
+#include "io/colours/palette.hpp"
 #include "io/pictures/svg_canvas.hpp"
 #include "io/pictures/svg_domain.hpp"
 #include "io/pictures/svg_legend.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/palette.hpp"
 #include "mesher/lattice/polygon.hpp"
-#include "mesher/mesh/valence.hpp"
-#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,17 +24,20 @@ namespace {
 constexpr const char* kEdgeColour = "#565c68";
 constexpr const char* kGradedEdgeColour = "#262a33";
 constexpr const char* kTriangleEdgeColour = "#8b919c";
+constexpr const char* kPaleColour = "#f3efe4";
 constexpr const char* kDotColour = "#30343c";
 constexpr const char* kDomainColour = "#1c1f26";
-/// Hues that no cell has, one per translation class; a whole outline has at most four classes.
-constexpr std::array kSeamColours{"#0a8f63", "#8a36b5", "#d9187f", "#6f7600", "#0099a8", "#5d4037"};
+/// Lies under the dashes, so that they are visible on cells and pages of every lightness.
+constexpr const char* kDomainCasing = "#ffffff";
 /// Below this spacing in pixels, dots would merge into grey.
 constexpr double kLeastDottedSpacing = 9;
-constexpr int kRegular = 6;
+/// Sites of this valence have a small dot in place of a mark.
+constexpr const char* kRegularClass = "sides_6";
 
-/// A tile, its position on the canvas, and the spacing h of its sites in pixels.
+/// A tile with its colours, its position on the canvas, and the spacing h of its sites in pixels.
 struct Drawing {
     const Tile& tile;
+    const TileColours& colours;
     SvgFrame frame;
     double spacing;
 
@@ -69,7 +70,7 @@ std::vector<std::pair<Offset, std::string>> seam_colours(const Tile& tile) {
     }
     std::vector<std::pair<Offset, std::string>> colours;
     for (const auto& [length, negative] : classes) {
-        colours.emplace_back(-negative, kSeamColours[colours.size() % kSeamColours.size()]);
+        colours.emplace_back(-negative, hex(seam_colour(colours.size())));
     }
     return colours;
 }
@@ -99,28 +100,32 @@ bool holds_site(const Tile& tile, int face) {
     return true;
 }
 
-std::string draw_cells(const Drawing& drawing, const CellColours& colours, bool dotted) {
-    // One path per colour, and one for all dots.
+/// Draws the faces, one path per colour, with edges of these attributes.
+std::string draw_coloured(const Drawing& drawing, const std::string& edge) {
     const Tile& tile = drawing.tile;
-    std::map<std::string, SvgPath> by_colour;
-    SvgPath dots(drawing.frame);
+    std::vector<SvgPath> by_class(drawing.colours.classes.size(), SvgPath(drawing.frame));
     for (int f = 0; f < tile.n_faces(); ++f) {
-        add_face(tile, f, by_colour.try_emplace(colours.of_face[f], drawing.frame).first->second);
+        add_face(tile, f, by_class[drawing.colours.class_of[f]]);
     }
+    std::string svg;
+    for (std::size_t k = 0; k < by_class.size(); ++k) {
+        svg += by_class[k].element(fill(hex(drawing.colours.classes[k].colour)).append(edge));
+    }
+    return svg;
+}
+
+std::string draw_cells(const Drawing& drawing, bool graded) {
+    const Tile& tile = drawing.tile;
+    const double edge_width = drawing.width(0.03, 0.06, 1.6);
+    std::string svg =
+        draw_coloured(drawing, stroke(graded ? kGradedEdgeColour : kEdgeColour, edge_width));
+    if (graded || drawing.spacing < kLeastDottedSpacing) return svg;
+    // Dots lie over the cells.
+    SvgPath dots(drawing.frame);
     for (int f = 0; f < tile.n_faces() && !tile.site_points.empty(); ++f) {
         if (holds_site(tile, f)) dots.dot(tile.site_points[f]);
     }
-    // Dots lie over the cells.
-    std::string svg;
-    const std::string edge =
-        stroke(dotted ? kEdgeColour : kGradedEdgeColour, drawing.width(0.03, 0.06, 1.6));
-    for (const auto& [colour, path] : by_colour) {
-        svg += path.element(fill(colour).append(edge));
-    }
-    if (dotted && drawing.spacing >= kLeastDottedSpacing) {
-        svg += dots.element(stroke(kDotColour, drawing.width(0.09, 0.6, 6)));
-    }
-    return svg;
+    return svg + dots.element(stroke(kDotColour, drawing.width(0.09, 0.6, 6)));
 }
 
 /// Returns the edges between triangles of different sites.
@@ -141,16 +146,8 @@ SvgPath grain_boundaries(const Drawing& drawing) {
     return path;
 }
 
-std::string draw_grains(const Drawing& drawing, const CellColours& colours) {
-    const Tile& tile = drawing.tile;
-    std::map<std::string, SvgPath> by_colour;
-    for (int f = 0; f < tile.n_faces(); ++f) {
-        add_face(tile, f, by_colour.try_emplace(colours.of_face[f], drawing.frame).first->second);
-    }
-    std::string svg;
-    const std::string edge = stroke(kTriangleEdgeColour, drawing.width(0.01, 0.03, 0.8));
-    for (const auto& [colour, path] : by_colour) svg += path.element(fill(colour).append(edge));
-    return svg +
+std::string draw_grains(const Drawing& drawing) {
+    return draw_coloured(drawing, stroke(kTriangleEdgeColour, drawing.width(0.01, 0.03, 0.8))) +
            grain_boundaries(drawing).element(stroke(kEdgeColour, drawing.width(0.04, 0.08, 2)));
 }
 
@@ -158,33 +155,33 @@ std::string draw_triangles(const Drawing& drawing) {
     const Tile& tile = drawing.tile;
     SvgPath faces(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) add_face(tile, f, faces);
-    return faces.element(fill(hex(side_colour(kRegular))) +
+    return faces.element(fill(kPaleColour) +
                          stroke(kTriangleEdgeColour, drawing.width(0.03, 0.05, 1.6)));
 }
 
-std::string draw_faces(const Drawing& drawing, const CellColours& colours, bool dotted) {
+std::string draw_faces(const Drawing& drawing, bool graded) {
     const MeshKindRow& kind = mesh_kind_row(drawing.tile.kind);
     if (!kind.faces_have_sites) return draw_triangles(drawing);
-    return kind.grain_size ? draw_grains(drawing, colours) : draw_cells(drawing, colours, dotted);
+    return kind.grain_size ? draw_grains(drawing) : draw_cells(drawing, graded);
 }
 
-/// Draws the marks of valences, which lie over the seam so that none of them is partly hidden.
-std::string draw_valences(const Drawing& drawing) {
+/// Draws the marks of sites, which lie over the seam so that none of them is partly hidden.
+std::string draw_sites(const Drawing& drawing) {
     const Tile& tile = drawing.tile;
-    const std::vector<int> valences = vertex_valences(tile);
-    std::map<int, SvgPath> by_valence;
+    std::vector<SvgPath> by_class(drawing.colours.classes.size(), SvgPath(drawing.frame));
     for (int v = 0; v < tile.n_vertices(); ++v) {
-        by_valence.try_emplace(valences[v], drawing.frame).first->second.dot(tile.points[v]);
+        by_class[drawing.colours.class_of[v]].dot(tile.points[v]);
     }
     std::string svg;
     const bool dense = drawing.spacing < kLeastDottedSpacing;
     const double size = dense ? 0.7 * drawing.spacing : drawing.width(0.36, 3, 16);
-    for (const auto& [valence, path] : by_valence) {
-        const bool regular = valence == kRegular;
-        const double rim = drawing.width(0.06, 0.3, 2);
-        const double dot = drawing.width(0.09, 0.6, 6);
-        if (!dense) svg += path.element(stroke(kDotColour, regular ? dot : size + rim));
-        if (!regular) svg += path.element(stroke(hex(side_colour(valence)), size));
+    const double rim = drawing.width(0.06, 0.3, 2);
+    const double dot = drawing.width(0.09, 0.6, 6);
+    for (std::size_t k = 0; k < by_class.size(); ++k) {
+        const ColourClass& mark = drawing.colours.classes[k];
+        const bool regular = mark.name == kRegularClass;
+        if (!dense) svg += by_class[k].element(stroke(kDotColour, regular ? dot : size + rim));
+        if (!regular) svg += by_class[k].element(stroke(hex(mark.colour), size));
     }
     return svg;
 }
@@ -192,8 +189,9 @@ std::string draw_valences(const Drawing& drawing) {
 std::string draw_domain(const std::vector<Vec2>& corners, const Drawing& drawing) {
     SvgPath path(drawing.frame);
     path.move(corners[0]).line(corners[1]).line(corners[2]).line(corners[3]).close();
-    return path.element(" stroke-dasharray=\"6 4\"" +
-                        stroke(kDomainColour, drawing.width(0.04, 0.8, 1.4)));
+    const double width = drawing.width(0.04, 0.8, 1.4);
+    return path.element(stroke(kDomainCasing, width + 0.8) + " stroke-opacity=\"0.75\"") +
+           path.element(" stroke-dasharray=\"6 4\"" + stroke(kDomainColour, width));
 }
 
 std::string draw_seam(const Drawing& drawing) {
@@ -215,18 +213,6 @@ std::string counted(int n, const std::string& noun) {
     return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
-/// Returns the valences of the representatives, one per site.
-std::vector<int> site_valences(const Tile& tile) {
-    std::vector<int> valences = vertex_valences(tile);
-    std::vector<bool> is_copy(valences.size());
-    for (const VertexPair& pair : tile.vertex_pairs) is_copy[pair.w] = true;
-    std::vector<int> result;
-    for (int v = 0; v < tile.n_vertices(); ++v) {
-        if (!is_copy[v]) result.push_back(valences[v]);
-    }
-    return result;
-}
-
 std::string caption(const Tile& tile) {
     const int n = count_sites(tile);
     const std::string triangles = counted(tile.n_faces(), "triangle");
@@ -240,19 +226,20 @@ std::string caption(const Tile& tile) {
                                             : counted(tile.n_faces(), "piece") + " of cells");
 }
 
-std::vector<LegendEntry> valence_entries(const Tile& tile) {
+std::vector<LegendEntry> colour_entries(const Tile& tile, const TileColours& colours) {
+    const bool owned = faces_have_sites(tile.kind);
     std::vector<LegendEntry> entries;
-    for (const auto& [valence, count] : histogram(site_valences(tile))) {
-        const std::string label = "valence " + std::to_string(valence) + ": ";
-        entries.push_back({LegendEntry::Mark::kDisc,
-                           valence == kRegular ? kDotColour : hex(side_colour(valence)),
-                           label + std::to_string(count)});
+    for (const ColourClass& shown : colours.classes) {
+        if (shown.label.empty()) continue;
+        const bool dotted = !owned && shown.name == kRegularClass;
+        entries.push_back({owned ? LegendEntry::Mark::kPatch : LegendEntry::Mark::kDisc,
+                           dotted ? kDotColour : hex(shown.colour), shown.label});
     }
     return entries;
 }
 
-Legend make_legend(const Tile& tile, const SvgDomain& domain, std::vector<LegendEntry> entries) {
-    Legend legend{caption(tile), std::move(entries)};
+Legend make_legend(const Tile& tile, const SvgDomain& domain, const TileColours& colours) {
+    Legend legend{caption(tile) + colours.explanation, colour_entries(tile, colours)};
     for (const auto& [offset, colour] : seam_colours(tile)) {
         const std::string pair = std::to_string(offset.i) + ", " + std::to_string(offset.j);
         legend.entries.push_back({LegendEntry::Mark::kStroke, colour, "seam (" + pair + ")"});
@@ -261,7 +248,7 @@ Legend make_legend(const Tile& tile, const SvgDomain& domain, std::vector<Legend
     return legend;
 }
 
-std::string encode(const Tile& tile, bool by_size) {
+std::string encode(const Tile& tile, const FileOptions& options) {
     require_finite(tile);
     // The frame includes the tile and the fundamental domain.
     const SvgDomain domain = drawn_domain(tile);
@@ -269,34 +256,30 @@ std::string encode(const Tile& tile, bool by_size) {
     drawn.insert(drawn.end(), domain.corners.begin(), domain.corners.end());
     const SvgFrame frame(drawn);
     const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_sites(tile));
-    const Drawing drawing{tile, frame, spacing};
     // The legend explains the colours and determines the size of the canvas.
-    const bool coloured = faces_have_sites(tile.kind);
-    CellColours colours;
-    if (coloured) colours = by_size ? colours_by_size(tile) : colours_by_sides(tile);
-    Legend legend = make_legend(tile, domain, coloured ? colours.meaning : valence_entries(tile));
-    if (coloured && by_size) legend.caption += " by size; h = sqrt(area / n)";
+    const Colouring colouring =
+        options.colouring.value_or(default_picture_colouring(tile, options.site_densities));
+    const TileColours colours = tile_colours(tile, colouring, options.site_densities);
+    const Drawing drawing{tile, colours, frame, spacing};
+    const Legend legend = make_legend(tile, domain, colours);
     const PlacedLegend placed = place_legend(legend, frame);
 
     // Draw from the bottom to the top.
-    std::string svg = svg_head(legend.caption, placed.width, placed.height);
+    std::string svg = svg_head(legend.caption, placed.width, placed.height, options.background);
     svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-    svg += draw_faces(drawing, colours, !by_size);
+    svg += draw_faces(drawing, colouring_row(colouring).shows_values);
     svg += draw_domain(domain.corners, drawing);
     svg += draw_seam(drawing);
-    if (tile.kind == MeshKind::kDelaunay) svg += draw_valences(drawing);
-    svg += "</g>\n<g font-family=\"sans-serif\" font-size=\"13\" fill=\"#1c1f26\">\n";
+    if (tile.kind == MeshKind::kDelaunay) svg += draw_sites(drawing);
+    svg += "</g>\n" + svg_text_group();
     return svg + placed.svg + "</g>\n</svg>\n";
 }
 
 }  // namespace
 
-std::vector<EncodedFile> encode_svg(const Tile& tile, const std::string& path) {
-    return only_file(path, encode(tile, false));
-}
-
-std::vector<EncodedFile> encode_graded_svg(const Tile& tile, const std::string& path) {
-    return only_file(path, encode(tile, true));
+std::vector<EncodedFile> encode_svg(const Tile& tile, const FileOptions& options,
+                                    const std::string& path) {
+    return only_file(path, encode(tile, options));
 }
 
 }  // namespace pcvt

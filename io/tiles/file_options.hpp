@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
+#include "io/colours/colouring.hpp"
 #include "io/tiles/plane_element.hpp"
 
 namespace pcvt {
@@ -26,6 +28,10 @@ inline constexpr int kDefaultPixels = 1024;
 struct FileOptions {
     /// Of graded meshes: the densities at sites 0 to n - 1 of one period; else empty.
     std::span<const double> site_densities = {};
+    /// The quantity that colours show; `nullopt`: each format has its own default.
+    std::optional<Colouring> colouring = {};
+    /// Of pictures; `nullopt`: the page behind the picture shows through.
+    std::optional<Colour> background = {};
     GltfNodes gltf_nodes = GltfNodes::kBySize;
     /// PLY: 32-bit coordinates and triangles, as viewers need them.
     bool single_precision = false;

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "mesher/base/choices.hpp"
+#include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_start.hpp"
 
 namespace pcvt::abi {
@@ -35,6 +36,10 @@ static_assert(mesh_kind_row(MeshKind::kDelaunay).abi_value == PCVT_DELAUNAY);
 static_assert(mesh_kind_row(MeshKind::kGrains).abi_value == PCVT_GRAINS);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPE)->element == PlaneElement::kStrain);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPS)->element == PlaneElement::kStress);
+static_assert(colouring_row(Colouring::kSides).abi_value == PCVT_COLOUR_SIDES);
+static_assert(colouring_row(Colouring::kSize).abi_value == PCVT_COLOUR_SIZE);
+static_assert(colouring_row(Colouring::kCells).abi_value == PCVT_COLOUR_CELLS);
+static_assert(colouring_row(Colouring::kDensity).abi_value == PCVT_COLOUR_DENSITY);
 static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
 static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
 static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
@@ -151,6 +156,10 @@ Outline tile_outline(std::int32_t outline) {
 
 FileOptions file_options(const pcvt_write_options& options) {
     FileOptions result;
+    if (options.colour != PCVT_COLOUR_DEFAULT) {
+        result.colouring = chosen_row("colour", options.colour, kColourings).colouring;
+    }
+    if (options.background != nullptr) result.background = background_colour(options.background);
     if (options.gltf_nodes != PCVT_NODES_DEFAULT) {
         result.gltf_nodes = chosen_row("gltf_nodes", options.gltf_nodes, kGltfNodes).nodes;
     }

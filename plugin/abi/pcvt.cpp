@@ -111,7 +111,6 @@ pcvt_status write(const Result& result, const char* path, const pcvt_write_optio
                   const std::fenv_t& host) {
     pcvt_write_options options{};
     if (given != nullptr) options = read_struct("pcvt_write_options", given);
-    if (options.reserved != 0) throw AbiMismatch("reserved is not 0; set it to 0");
     const WriteRequest request{.path = path == nullptr ? "" : path,
                                .layout = {tile_kind(options.kind), tile_outline(options.outline)},
                                .files = file_options(options),

@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "plugin/cli/option_values.hpp"
+#include "plugin/job/job_checks.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -14,10 +15,18 @@ constexpr int kMostPixelsOfARow = 1 << 16;
 }  // namespace
 
 void add_file_choices(CLI::App& app, FileChoices& choices) {
+    app.add_option("--colour", choices.colour,
+                   "the quantity that colours show; cells: neighbours differ [sides; in\n"
+                   "pictures of grains cells, and of other cells with --density size]")
+        ->type_name(listed_words(kColourings, "|", "|"));
+    app.add_option("--background", choices.background,
+                   "of .svg; none: the page shows through, and text follows light and\n"
+                   "dark pages [none]")
+        ->type_name("none|#rrggbb");
     app.add_option("--glb-nodes", choices.glb_nodes,
                    "of .glb and .gltf; cells: a node and a material for each cell;\n"
                    "one: one node, vertices shared by all cells, a material for each\n"
-                   "number of sides [cells up to 2000 cells, else and for grains one]")
+                   "colour [cells up to 2000 cells, else and for grains one]")
         ->type_name(listed_words(kGltfNodes, "|", "|"));
     app.add_flag("--float32", choices.float32,
                  "of .ply: 32-bit coordinates, and cells as triangles, which viewers\n"
@@ -39,6 +48,12 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
 
 FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
     FileOptions options;
+    if (app.count("--colour") > 0) {
+        options.colouring = chosen_row("--colour", choices.colour, kColourings).colouring;
+    }
+    if (app.count("--background") > 0) {
+        options.background = background_colour(choices.background);
+    }
     if (app.count("--glb-nodes") > 0) {
         options.gltf_nodes = chosen_row("--glb-nodes", choices.glb_nodes, kGltfNodes).nodes;
     }

@@ -12,6 +12,8 @@ namespace pcvt::cli {
 
 /// The options that choose the forms of files, as the user typed them; empty if not given.
 struct FileChoices {
+    std::string colour;
+    std::string background;
     std::string glb_nodes;
     bool float32 = false;
     std::string pixels;

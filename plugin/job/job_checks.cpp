@@ -99,6 +99,10 @@ constexpr FileChoice kFileChoices[] = {
      [](const FileOptions& options) { return options.cut_width != 0; }},
     {"a type of elements", &TileFormat::takes_element,
      [](const FileOptions& options) { return options.element != PlaneElement::kStrain; }},
+    {"a colouring", &TileFormat::takes_colouring,
+     [](const FileOptions& options) { return options.colouring.has_value(); }},
+    {"a background", &TileFormat::takes_background,
+     [](const FileOptions& options) { return options.background.has_value(); }},
 };
 
 std::string extensions_that_take(const FileChoice& choice) {
@@ -128,6 +132,10 @@ void check_order(const Job& job, const std::vector<JobFile>& files) {
 }
 
 void check_file_options(const Job& job, const std::vector<JobFile>& files) {
+    const std::optional<Colouring>& colouring = job.file_options.colouring;
+    if (colouring && colouring_row(*colouring).needs_density && !job.density) {
+        throw InvalidInput("there is no density to show in colours; give one, or colour by size");
+    }
     for (const FileChoice& choice : kFileChoices) {
         const bool taken = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
             return file.format->*choice.taken;
@@ -142,6 +150,13 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
             "Delaunay triangles have no cells that could be nodes; take the mesh voronoi or "
             "grains, or leave the glTF nodes out");
     }
+}
+
+std::optional<Colour> background_colour(const std::string& word) {
+    if (word == "none") return std::nullopt;
+    if (const auto colour = colour_of_hex(word)) return colour;
+    throw InvalidInput("background " + word +
+                       ": not a colour; take none or #rrggbb, such as #ffffff");
 }
 
 void check_retries(const Job& job, const std::vector<JobFile>& files) {

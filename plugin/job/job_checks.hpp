@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "plugin/job/job_files.hpp"
@@ -22,5 +24,9 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files);
 /// Requires that retries have an effect: drawn sites, and an output that can refuse their cells.
 /// @throws InvalidInput if they have none.
 void check_retries(const Job& job, const std::vector<JobFile>& files);
+
+/// The colour of "none" or "#rrggbb".
+/// @throws InvalidInput for other words.
+std::optional<Colour> background_colour(const std::string& word);
 
 }  // namespace pcvt

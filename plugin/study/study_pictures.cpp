@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "io/tiles/palette.hpp"
+#include "io/colours/palette.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "mesher/mesh/voronoi.hpp"
 

@@ -40,6 +40,7 @@ __all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Prog
            "OutputError"]
 
 _STARTS = ("default", "random", "coarse", "lattice", "best")
+_COLOURS = ("default", "sides", "size", "cells", "density")
 _GLTF_NODES = ("default", "cells", "one")
 _SOLVERS = ("default", "lbfgs", "lloyd", "newton")
 _ELEMENTS = ("CPE", "CPS")
@@ -215,7 +216,7 @@ class Result:
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
               gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE",
-              progress=None):
+              progress=None, colour="default", background="none"):
         """Writes a tile, or the sites for the extension .txt; the extension selects the format.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
@@ -229,12 +230,15 @@ class Result:
         cut_width   of .svg and .dxf: lines to cut alone, of a tile with this width in millimetres
         element     of .inp: CPE (plane strain) or CPS (plane stress)
         progress    called with a Progress ten times a second; a true return value cancels
+        colour      what colours show: sides, size, cells (neighbours differ) or density
+        background  of .svg: none or #rrggbb
         """
         options = _library.WriteOptions(
             struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
             outline=_choice("outline", outline, OUTLINES), replace=bool(replace),
             gltf_nodes=_choice("gltf_nodes", gltf_nodes, _GLTF_NODES),
             element=_choice("element", element, _ELEMENTS),
+            colour=_choice("colour", colour, _COLOURS), background=_text("background", background),
             single_precision=bool(float32), cut_width=cut_width,
             report=None if report is None else _text("report", report))
         _set_integers(options, pixels=pixels)

@@ -102,10 +102,10 @@ class Statistics(ctypes.Structure):
 
 class WriteOptions(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("report", c_char_p), ("kind", c_int32),
-                ("outline", c_int32), ("replace", c_int32), ("reserved", c_int32),
+                ("outline", c_int32), ("replace", c_int32), ("colour", c_int32),
                 ("progress", ProgressCallback), ("progress_data", c_void_p),
                 ("gltf_nodes", c_int32), ("single_precision", c_int32), ("pixels", c_int32),
-                ("element", c_int32), ("cut_width", c_double)]
+                ("element", c_int32), ("cut_width", c_double), ("background", c_char_p)]
 
 
 _FUNCTIONS = {

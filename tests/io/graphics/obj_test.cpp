@@ -2,9 +2,9 @@
 
 #include <sstream>
 
+#include "io/colours/palette.hpp"
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"
-#include "io/tiles/palette.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/tile_equality.hpp"
@@ -68,7 +68,7 @@ TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
               testing::triangle_grid_tile(lattice, 2, 5),
               testing::grain_grid_tile(lattice, 2, 5)}) {
-            const auto files = encode_obj(tile, "dir/t.obj");
+            const auto files = encode_obj(tile, {}, "dir/t.obj");
             const TileFile file = decode_obj(files, std::nullopt);
             testing::expect_same_tile(file.tile, tile);
             EXPECT_TRUE(file.has_vertex_pairs && file.has_edge_pairs);
@@ -79,7 +79,7 @@ TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
 }
 
 TEST(Obj, CompanionsLieBesideTheFile) {
-    const auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), "a.b/tile.v2.obj");
+    const auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), {}, "a.b/tile.v2.obj");
     ASSERT_EQ(files.size(), 3U);
     EXPECT_EQ(files[0].path, "a.b/tile.v2.obj");
     EXPECT_EQ(files[1].path, "a.b/tile.v2.mtl");
@@ -89,7 +89,7 @@ TEST(Obj, CompanionsLieBesideTheFile) {
 }
 
 TEST(Obj, FacesAreGroupedByTheirNumberOfSides) {
-    const auto files = encode_obj(cells_to_be_sorted(), "t.obj");
+    const auto files = encode_obj(cells_to_be_sorted(), {}, "t.obj");
     EXPECT_THAT(files[0].bytes, HasSubstr("usemtl sides_3\nf 2/2 3/3 7/7\n"
                                           "usemtl sides_4\nf 3/3 4/4 5/5 6/6\n"
                                           "usemtl sides_5\nf 1/1 2/2 7/7 8/8 9/9\n"));
@@ -117,7 +117,7 @@ TEST(Obj, TextureCoordinatesOfPartnersDifferByTheOffset) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
         for (const Tile& tile :
              {testing::grid_tile(lattice, 7, 5), testing::triangle_grid_tile(lattice, 3, 5)}) {
-            const std::string text = encode_obj(tile, "t.obj")[0].bytes;
+            const std::string text = encode_obj(tile, {}, "t.obj")[0].bytes;
             const std::vector<Vec2> uv = lines_of(text, "vt");
             ASSERT_EQ(uv.size(), tile.points.size());
             for (const VertexPair& pair : tile.vertex_pairs) {
@@ -131,7 +131,7 @@ TEST(Obj, TextureCoordinatesOfPartnersDifferByTheOffset) {
 }
 
 TEST(Obj, CommentsCountFromOne) {
-    const auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), "t.obj");
+    const auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), {}, "t.obj");
     EXPECT_THAT(files[0].bytes, HasSubstr("# pcvt vertex_pair 1 4 1 1\n"));
     EXPECT_THAT(files[0].bytes, HasSubstr("# pcvt edge_pair 1 2 3 4 0 1\n"));
     EXPECT_THAT(files[2].bytes, HasSubstr("[0, 3, 1, 1]"));
@@ -213,7 +213,7 @@ TEST(Obj, BinaryFilesAreRefused) {
 }
 
 TEST(Obj, TheSidecarMustAgreeWithTheComments) {
-    auto files = encode_obj(testing::grid_tile(kSquare, 2, 2), "t.obj");
+    auto files = encode_obj(testing::grid_tile(kSquare, 2, 2), {}, "t.obj");
     const std::string sidecar = files[2].bytes;
     const auto fault_with = [&](const std::string& piece, const std::string& other) {
         files[2].bytes = sidecar;
@@ -231,7 +231,7 @@ TEST(Obj, TheSidecarMustAgreeWithTheComments) {
 
 TEST(Obj, TheSidecarGivesTheSeamWhereTheCommentsAreLost) {
     const Tile tile = testing::grid_tile(kSquare, 2, 3);
-    auto files = encode_obj(tile, "t.obj");
+    auto files = encode_obj(tile, {}, "t.obj");
     std::string bare;
     for (std::size_t at = files[0].bytes.find("\nv "); at < files[0].bytes.size(); ++at) {
         bare += files[0].bytes[at];
@@ -241,7 +241,7 @@ TEST(Obj, TheSidecarGivesTheSeamWhereTheCommentsAreLost) {
 }
 
 TEST(Obj, FaultsOfTheSidecarNameIt) {
-    auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), "t.obj");
+    auto files = encode_obj(testing::grid_tile(kSquare, 1, 1), {}, "t.obj");
     const std::string sidecar = files[2].bytes;
     const auto fault_with = [&](const std::string& piece, const std::string& other) {
         files[2].bytes = sidecar;
@@ -270,12 +270,12 @@ TEST(Obj, FaultsOfTheSidecarNameIt) {
 TEST(Obj, NonFiniteCoordinatesAreInternalErrors) {
     Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[3].y() = std::numeric_limits<double>::infinity();
-    EXPECT_THROW(encode_obj(tile, "t.obj"), InternalError);
+    EXPECT_THROW(encode_obj(tile, {}, "t.obj"), InternalError);
 }
 
 TEST(Obj, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(7);
-    const auto files = encode_obj(testing::triangle_grid_tile(kSquare, 2, 2), "t.obj");
+    const auto files = encode_obj(testing::triangle_grid_tile(kSquare, 2, 2), {}, "t.obj");
     int n_refused = 0;
     for (int k = 0; k < 4000; ++k) {
         auto damaged = files;

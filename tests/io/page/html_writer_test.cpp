@@ -25,7 +25,7 @@ using testing::triangle_grid_tile;
 constexpr std::string_view kDataBegin = R"(<script type="application/json" id="data">)";
 
 std::string html(const Tile& tile, const std::string& path = "t.html") {
-    return encode_html(tile, path).at(0).bytes;
+    return encode_html(tile, {}, path).at(0).bytes;
 }
 
 /// Returns the text of the element `data` as a browser sees it: up to the first end of a script.
@@ -121,11 +121,11 @@ TEST(HtmlPage, DensitiesAreThereWhenTheMeshIsGraded) {
     const Tile tile = grid_tile(Lattice::rectangle(1, 1), 2, 1);
     const std::vector<double> densities{0.1, 1e-300};
     const nlohmann::json graded =
-        parsed_data(encode_graded_html(tile, densities, "t.html").at(0).bytes);
-    EXPECT_EQ(graded["graded"], true);
+        parsed_data(encode_html(tile, {.site_densities = densities}, "t.html").at(0).bytes);
+    EXPECT_EQ(graded["colouring"], "size");
     EXPECT_EQ(graded["densities"].get<std::vector<double>>(), densities);
     const nlohmann::json uniform = parsed_data(html(tile));
-    EXPECT_EQ(uniform["graded"], false);
+    EXPECT_EQ(uniform["colouring"], "sides");
     EXPECT_THAT(uniform["densities"], IsEmpty());
 }
 
@@ -140,7 +140,7 @@ TEST(HtmlPage, SidesAreThoseOfTheFacesOrTheValencesOfTheVertices) {
 TEST(HtmlPage, CoordinatesThatAreNotFiniteAreRefused) {
     Tile tile = grid_tile(Lattice::rectangle(1, 1), 2, 1);
     tile.points[2].x() = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(encode_html(tile, "t.html"), InternalError);
+    EXPECT_THROW(encode_html(tile, {}, "t.html"), InternalError);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "io/pictures/cell_panels.hpp"
+#include "io/pictures/plot_ticks.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -84,6 +85,21 @@ TEST(Plot, PointsThatCannotBeDrawnAreRefused) {
     EXPECT_THROW(encode_plots("t", {dots(true, false, {{0, 1}})}), InternalError);
     EXPECT_THROW(encode_plots("t", {dots(false, false, {{0, NAN}})}), InternalError);
     EXPECT_THROW(encode_plots("t", {dots(false, false, {})}), InternalError);
+}
+
+TEST(Plot, ValuesBelongToTheMarksOfThePicture) {
+    Plot plot{.title = "t", .x = {"x"}, .y = {"y", true}, .series = {}};
+    plot.series.push_back({PlotSeries::Mark::kLine, "a", kPlotBlue, {{0, 1}, {4, 100}, {9, 0.5}}});
+    plot.series.push_back({PlotSeries::Mark::kDashes, "bound", kPlotGrey, {{0, 1}, {9, 1}}});
+    const std::string json = plot_points({plot, plot});
+    EXPECT_THAT(json, HasSubstr("{\"label\": \"a\", \"points\": ["));
+    EXPECT_THAT(json, Not(HasSubstr("bound")));
+    const std::vector<Vec2> marks =
+        pairs(encode_plots("t", {plot, plot}).substr(0), R"re([ML"](\d[\d.]*) (\d[\d.]*))re");
+    for (const char* values : {",0,1]", ",4,100]", ",9,0.5]"}) EXPECT_THAT(json, HasSubstr(values));
+    for (const Vec2& pixel : pairs(json, R"re(\[(\d[\d.]*),(\d[\d.]*),)re")) {
+        EXPECT_THAT(marks, ::testing::Contains(pixel));
+    }
 }
 
 TEST(Plot, TextIsEscaped) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "io/pictures/cell_colours.hpp"
+#include "io/colours/colouring.hpp"
 #include "io/run_files/png_image.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/tile/build_tile.hpp"
@@ -55,12 +55,12 @@ TEST(PngWriter, AMovedTileGivesTheRolledImage) {
     for (const Lattice& lattice : {kRectangle, kOblique}) {
         for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
             const Tile at_zero = tile(lattice, kind, Outline::kWhole);
-            const RgbImage image = draw_period(at_zero, false, kWidth);
+            const RgbImage image = draw_period(at_zero, {}, kWidth);
             const int x = 37;
             const int y = 11;
             const Vec2 by =
                 double(x) / kWidth * lattice.a() - double(y) / image.height * lattice.b();
-            const RgbImage other = draw_period(moved(at_zero, by), false, kWidth);
+            const RgbImage other = draw_period(moved(at_zero, by), {}, kWidth);
             ASSERT_EQ(image.height, other.height);
             // Rounding moves a sample across an edge now and then.
             EXPECT_LE(n_different(other.rgb, rolled(image, x, y)), 6);
@@ -71,9 +71,9 @@ TEST(PngWriter, AMovedTileGivesTheRolledImage) {
 TEST(PngWriter, TheOutlineDoesNotShow) {
     for (const Lattice& lattice : {kRectangle, kOblique}) {
         const RgbImage whole =
-            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kWhole), false, kWidth);
+            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kWhole), {}, kWidth);
         const RgbImage box =
-            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kBox), false, kWidth);
+            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kBox), {}, kWidth);
         EXPECT_LE(n_different(whole.rgb, box.rgb), 30);
     }
 }
@@ -94,7 +94,7 @@ int step(const RgbImage& image, int column, int other) {
 
 TEST(PngWriter, TheLastColumnContinuesInTheFirst) {
     const RgbImage image =
-        draw_period(tile(kRectangle, MeshKind::kVoronoi, Outline::kBox), false, kWidth);
+        draw_period(tile(kRectangle, MeshKind::kVoronoi, Outline::kBox), {}, kWidth);
     int most = 0;
     for (int x = 0; x + 1 < kWidth; ++x) most = std::max(most, step(image, x, x + 1));
     EXPECT_LE(step(image, kWidth - 1, 0), most);
@@ -104,8 +104,8 @@ TEST(PngWriter, TheLastColumnContinuesInTheFirst) {
 TEST(PngWriter, ShowsUToTheRightAndVUpwards) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
         const Tile cells = tile(lattice, MeshKind::kVoronoi, Outline::kWhole);
-        const std::vector<std::string> colours = colours_by_sides(cells).of_face;
-        const RgbImage image = draw_period(cells, false, 600);
+        const TileColours colours = tile_colours(cells, Colouring::kSides, {});
+        const RgbImage image = draw_period(cells, {}, 600);
         for (int f = 0; f < cells.n_faces(); ++f) {
             // Between the dot at the site and a corner.
             const Vec2 p = 0.6 * cells.site_points[f] + 0.4 * cells.points[cells.faces[f][0]];
@@ -113,7 +113,8 @@ TEST(PngWriter, ShowsUToTheRightAndVUpwards) {
             const int x = static_cast<int>((u.x() - std::floor(u.x())) * image.width);
             const int row = static_cast<int>((1 - (u.y() - std::floor(u.y()))) * image.height);
             const std::size_t at = 3 * (static_cast<std::size_t>(row) * image.width + x);
-            const auto expected = std::stoul(colours[f].substr(1), nullptr, 16);
+            const auto expected =
+                std::stoul(hex(colours.classes[colours.class_of[f]].colour).substr(1), nullptr, 16);
             const unsigned long shown =
                 image.rgb[at] << 16 | image.rgb[at + 1] << 8 | image.rgb[at + 2];
             EXPECT_EQ(shown, expected) << f;
@@ -128,7 +129,7 @@ TEST(PngWriter, FilesHaveTheSizeAndPixelsOfTheImage) {
     const GreyImage read = decode_png("t.png", files[0].bytes);
     EXPECT_EQ(read.width, 300);
     EXPECT_EQ(read.height, 150);
-    const RgbImage image = draw_period(cells, false, 300);
+    const RgbImage image = draw_period(cells, {}, 300);
     for (std::size_t k = 0; k < read.grey.size(); ++k) {
         const unsigned char* rgb = &image.rgb[3 * k];
         EXPECT_NEAR(read.grey[k], (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]) / 255,

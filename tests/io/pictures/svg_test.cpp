@@ -4,13 +4,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <random>
 #include <regex>
 #include <sstream>
 
+#include "io/colours/palette.hpp"
 #include "io/pictures/svg_canvas.hpp"
 #include "io/pictures/svg_writer.hpp"
-#include "io/tiles/palette.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/tile_equality.hpp"
 
@@ -25,7 +26,9 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using testing::triangle_grid_tile;
 
-std::string svg(const Tile& tile) { return encode_svg(tile, "t.svg").at(0).bytes; }
+std::string svg(const Tile& tile, const FileOptions& options = {}) {
+    return encode_svg(tile, options, "t.svg").at(0).bytes;
+}
 
 std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
     const std::regex regex(pattern);
@@ -97,13 +100,14 @@ TEST(Svg, CellsHaveTheColourOfTheirSides) {
 TEST(Svg, GrainsHaveABoundaryBetweenSites) {
     Tile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 3, 2);
     tile.whole_sides.assign(std::size_t(tile.n_faces()), 5);
-    const std::string picture = svg(tile);
+    const std::string picture = svg(tile, {.colouring = Colouring::kSides});
     EXPECT_THAT(picture, HasSubstr("<title>Periodic grains, 12 triangles</title>"));
     EXPECT_THAT(picture, HasSubstr("5 sides<"));
     const auto fills = all_matches(picture, R"re(<path fill="([^"]+)")re");
     EXPECT_THAT(fills, ::testing::ElementsAre(hex(side_colour(5))));
     tile.face_site.assign(std::size_t(tile.n_faces()), 0);
-    EXPECT_LT(path_points(svg(tile)).size(), path_points(picture).size());
+    const std::string one = svg(tile, {.colouring = Colouring::kSides});
+    EXPECT_LT(path_points(one).size(), path_points(picture).size());
 }
 
 TEST(Svg, PiecesWithoutTheirSiteHaveNoDot) {
@@ -180,24 +184,109 @@ Tile graded_tile() {
     return tile;
 }
 
+TEST(Svg, GrainsAreColouredOneByOne) {
+    const Tile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 3, 3);
+    const std::string picture = svg(tile);
+    const auto fills = all_matches(picture, R"re(<path fill="([^"]+)")re");
+    EXPECT_THAT(fills.size(), Ge(4u));
+    for (const std::string& colour : fills) EXPECT_NE(colour, hex(side_colour(5)));
+    EXPECT_THAT(picture, Not(HasSubstr("<rect")));
+}
+
+TEST(Svg, DensitiesColourCellsAndSites) {
+    const std::vector<double> densities{1, 2, 4, 8, 16, 32};
+    const FileOptions options{.site_densities = densities, .colouring = Colouring::kDensity};
+    for (const Tile& tile : {grid_tile(Lattice::rectangle(1, 1), 3, 2),
+                             triangle_grid_tile(Lattice::rectangle(1, 1), 3, 2)}) {
+        const std::string picture = svg(tile, options);
+        EXPECT_THAT(picture, HasSubstr(" by density</title>"));
+        for (const char* label : {">1 to 2: 1<", ">8 to 16: 1<", ">32 to 64: 1<"}) {
+            EXPECT_THAT(picture, HasSubstr(label));
+        }
+    }
+}
+
+TEST(Svg, TheBackgroundIsNoneOrTheChosenOne) {
+    const Tile tile = grid_tile(Lattice::rectangle(1, 1), 3, 2);
+    const auto with = [&](const char* colour) {
+        return svg(tile, {.background = colour_of_hex(colour)});
+    };
+    // Without a background, text follows the page.
+    EXPECT_THAT(svg(tile),
+                HasSubstr("@media (prefers-color-scheme: dark) { .ink { fill: #e8eaef }"));
+    EXPECT_THAT(svg(tile), HasSubstr("<g class=\"ink\""));
+    EXPECT_THAT(all_matches(svg(tile), "(<rect width=\"\\d+\" height=\"\\d+\")").size(), 0u);
+    // Text on a given background does not.
+    EXPECT_THAT(with("#ffffff"), HasSubstr(" fill=\"#ffffff\"/>"));
+    EXPECT_THAT(with("#ffffff"), Not(HasSubstr("<style>")));
+    EXPECT_THAT(with("#101418"), HasSubstr("<style>.ink { fill: #e8eaef }"));
+}
+
+/// Advance widths of DejaVu Sans, units of em / 2048; other characters do not occur in the labels.
+double advance(char c) {
+    static const std::map<char, int> kWidths{
+        {' ', 651},  {'(', 799},  {')', 799},  {',', 651},  {'-', 739},  {'.', 651},  {'/', 690},
+        {':', 690},  {';', 690},  {'=', 1716}, {'0', 1303}, {'1', 1303}, {'2', 1303}, {'3', 1303},
+        {'4', 1303}, {'5', 1303}, {'6', 1303}, {'7', 1303}, {'8', 1303}, {'9', 1303}, {'D', 1577},
+        {'P', 1235}, {'V', 1401}, {'a', 1255}, {'b', 1300}, {'c', 1126}, {'d', 1300}, {'e', 1260},
+        {'f', 721},  {'g', 1300}, {'h', 1298}, {'i', 569},  {'l', 569},  {'m', 1995}, {'n', 1298},
+        {'o', 1253}, {'q', 1300}, {'r', 842},  {'s', 1067}, {'t', 803},  {'u', 1298}, {'v', 1212},
+        {'y', 1212}, {'z', 1075}, {'+', 1716}};
+    return kWidths.at(c) / 2048.0;
+}
+
+/// Expects that the canvas holds all of the text, in a wide font; bold text is 1.11 times as wide.
+void expect_text_inside(const std::string& picture) {
+    static const std::regex kText(R"re(<text x="([\d.]+)" y="([\d.]+)"([^>]*)>([^<]*)<)re");
+    const Vec2 edge = canvas(picture);
+    int n_texts = 0;
+    for (std::sregex_iterator at(picture.begin(), picture.end(), kText), end; at != end; ++at) {
+        double width = 0;
+        for (const char c : (*at)[4].str()) width += 13 * advance(c);
+        if ((*at)[3].str().find("bold") != std::string::npos) width *= 1.11;
+        EXPECT_LT(std::stod((*at)[1]) + width, edge.x()) << (*at)[4];
+        EXPECT_LT(std::stod((*at)[2]) + 4, edge.y()) << (*at)[4];
+        ++n_texts;
+    }
+    EXPECT_GE(n_texts, 3);
+}
+
+TEST(Svg, TheLegendIsNeverCutOff) {
+    for (const Lattice& lattice :
+         {Lattice::rectangle(1, 1), Lattice::rectangle(40, 1), Lattice::rectangle(1, 40),
+          Lattice::rectangle(1, 1.7), Lattice({1, 0}, {0.37, 0.81}), Lattice({1, 0}, {7, 0.3})}) {
+        for (int n = 1; n <= 8; ++n) {
+            for (const Tile& tile :
+                 {grid_tile(lattice, n, 1), triangle_grid_tile(lattice, n, 2),
+                  grid_tile(lattice, 1, n), testing::grain_grid_tile(lattice, n, 2)}) {
+                const std::vector<double> densities{1e-7, 1234567, 1, 3.14159};
+                for (const ColouringRow& row : kColourings) {
+                    expect_text_inside(
+                        svg(tile, {.site_densities = densities, .colouring = row.colouring}));
+                }
+            }
+        }
+    }
+}
+
 TEST(Svg, GradedPicturesShowSizesFromBlueToYellow) {
-    const std::string picture = encode_graded_svg(graded_tile(), "t.svg").at(0).bytes;
+    const std::string picture = svg(graded_tile(), {.colouring = Colouring::kSize});
     EXPECT_THAT(picture, HasSubstr("64 cells by size; h = sqrt(area / n)"));
     EXPECT_THAT(picture, Not(HasSubstr("sides")));
-    EXPECT_THAT(picture, HasSubstr("fill=\"" + hex(size_colour(0)) + "\""));
-    EXPECT_THAT(picture, HasSubstr("fill=\"" + hex(size_colour(1)) + "\""));
+    EXPECT_THAT(picture, HasSubstr("fill=\"" + hex(value_colour(0)) + "\""));
+    EXPECT_THAT(picture, HasSubstr("fill=\"" + hex(value_colour(1)) + "\""));
     int n_cells = 0;
     for (const std::string& count : all_matches(picture, R"( h: (\d+)<)"))
         n_cells += std::stoi(count);
     EXPECT_EQ(n_cells, 64);
     const auto classes = all_matches(picture, R"(>[\d.]+ to ([\d.]+) h: )");
     EXPECT_THAT(classes.size(), Ge(4u));
-    EXPECT_THAT(classes.size(), Le(9u));
+    EXPECT_THAT(classes.size(), Le(std::size_t(kValueClasses)));
 }
 
 TEST(Svg, GradedPicturesOfEqualCellsHaveOneClass) {
     const std::string picture =
-        encode_graded_svg(grid_tile(Lattice::rectangle(1, 1), 4, 4), "t.svg").at(0).bytes;
+        svg(grid_tile(Lattice::rectangle(1, 1), 4, 4), {.colouring = Colouring::kSize});
     EXPECT_THAT(all_matches(picture, R"( h: (\d+)<)").size(), Le(2u));
 }
 

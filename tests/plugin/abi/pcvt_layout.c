@@ -40,6 +40,11 @@ static void print_numbers(void) {
     NUMBER(PCVT_NODES_ONE);
     NUMBER(PCVT_CPE);
     NUMBER(PCVT_CPS);
+    NUMBER(PCVT_COLOUR_DEFAULT);
+    NUMBER(PCVT_COLOUR_SIDES);
+    NUMBER(PCVT_COLOUR_SIZE);
+    NUMBER(PCVT_COLOUR_CELLS);
+    NUMBER(PCVT_COLOUR_DENSITY);
     NUMBER(PCVT_STOP_CONVERGED);
     NUMBER(PCVT_STOP_ITERATION_LIMIT);
     NUMBER(PCVT_STOP_STALLED);
@@ -177,7 +182,7 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, kind);
     FIELD(pcvt_write_options, outline);
     FIELD(pcvt_write_options, replace);
-    FIELD(pcvt_write_options, reserved);
+    FIELD(pcvt_write_options, colour);
     FIELD(pcvt_write_options, progress);
     FIELD(pcvt_write_options, progress_data);
     FIELD(pcvt_write_options, gltf_nodes);
@@ -185,6 +190,7 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, pixels);
     FIELD(pcvt_write_options, element);
     FIELD(pcvt_write_options, cut_width);
+    FIELD(pcvt_write_options, background);
 }
 
 int main(void) {

@@ -161,8 +161,9 @@ static void unknown_forms_of_files_are_refused(void) {
     forms.cut_width = (double)NAN;
     CHECK(pcvt_write(result, "t.dxf", &forms) == PCVT_ERROR_ARGUMENT);
     forms.cut_width = 0;
-    forms.reserved_2 = 1;
-    CHECK(pcvt_write(result, "t.dxf", &forms) == PCVT_ERROR_ABI);
+    forms.element = 2;
+    CHECK(pcvt_write(result, "t.inp", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "element 2") != NULL);
     pcvt_free(result);
 }
 

@@ -1,0 +1,178 @@
+#include "io/colours/colouring.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/mesh/valence.hpp"
+#include "mesher/tile/site_classes.hpp"
+#include "mesher/tile/tile_valence.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The width of the finest classes, in octaves.
+constexpr double kFinestClass = 1.0 / 16;
+/// Replaces relative areas that rounding made zero or negative.
+constexpr double kLeastShare = 1e-12;
+
+static_assert(kSiteClasses == kCellColours);
+
+const std::vector<SiteId>& owners(const Tile& tile) {
+    return faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
+}
+
+std::string rounded(double value, int digits) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   std::chars_format::general, digits);
+    return {text.data(), end.ptr};
+}
+
+double face_area(const Tile& tile, int face) {
+    Polygon polygon;
+    for (const int v : tile.faces[face]) polygon.push_back(tile.points[v]);
+    return polygon_area(polygon);
+}
+
+/// Returns the area of each site's cell, over all faces of the cell, or a third of the area of the
+/// triangles at each site.
+std::map<SiteId, double> site_areas(const Tile& tile) {
+    std::map<SiteId, double> areas;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        const double area = face_area(tile, f);
+        if (faces_have_sites(tile.kind)) {
+            areas[tile.face_site[f]] += area;
+        } else {
+            for (const int v : tile.faces[f]) areas[tile.vertex_site[v]] += area / 3;
+        }
+    }
+    return areas;
+}
+
+/// The words of a legend of values.
+struct ValueWords {
+    /// Of the classes' names, before their number.
+    std::string name;
+    int digits;
+    /// Behind the values.
+    std::string unit;
+};
+
+/// Returns classes of one ratio for values that are given by their logarithms to the base 2.
+TileColours colours_by_value(const Tile& tile, const std::map<SiteId, double>& octaves,
+                             const ValueWords& words) {
+    double least = octaves.begin()->second;
+    double most = least;
+    for (const auto& [site, octave] : octaves) {
+        least = std::min(least, octave);
+        most = std::max(most, octave);
+    }
+    // The finest classes that cover the range.
+    double width = kFinestClass;
+    while (most - least > width * (kValueClasses - 1)) width *= 2;
+    const int lowest = static_cast<int>(std::floor(least / width));
+    const auto index = [&](double octave) {
+        return static_cast<int>(std::floor(octave / width)) - lowest;
+    };
+    const int last = index(most);
+    std::vector<int> count(static_cast<std::size_t>(last) + 1, 0);
+    for (const auto& [site, octave] : octaves) ++count[index(octave)];
+    // One class per owner, one label per class.
+    TileColours colours;
+    for (const SiteId site : owners(tile)) colours.class_of.push_back(index(octaves.at(site)));
+    for (int k = 0; k <= last; ++k) {
+        const auto bound = [&](int c) {
+            return rounded(std::exp2((lowest + c) * width), words.digits);
+        };
+        colours.classes.push_back({.colour = value_colour(last == 0 ? 1 : double(k) / last),
+                                   .name = words.name + "_" + std::to_string(k),
+                                   .label = bound(k) + " to " + bound(k + 1) + words.unit + ": " +
+                                            std::to_string(count[k])});
+    }
+    return colours;
+}
+
+/// Returns the numbers of sides of the faces, or the valences of the vertices.
+std::vector<int> numbers_of_sides(const Tile& tile) {
+    return faces_have_sites(tile.kind) ? cell_sides(tile) : vertex_valences(tile);
+}
+
+/// Returns the numbers that the legend counts: one per whole cell, piece or site.
+std::vector<int> counted_sides(const Tile& tile, const std::vector<int>& sides) {
+    if (faces_have_sites(tile.kind)) return sides;
+    std::vector<bool> is_copy(sides.size());
+    for (const VertexPair& pair : tile.vertex_pairs) is_copy[pair.w] = true;
+    std::vector<int> result;
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        if (!is_copy[v]) result.push_back(sides[v]);
+    }
+    return result;
+}
+
+std::string sides_label(const Tile& tile, int n, int count) {
+    if (!faces_have_sites(tile.kind)) {
+        return "valence " + std::to_string(n) + ": " + std::to_string(count);
+    }
+    const std::string label = std::to_string(n) + (n == 1 ? " side" : " sides");
+    // A number of pieces would mislead.
+    return tile.whole_sides.empty() ? label + ": " + std::to_string(count) : label;
+}
+
+}  // namespace
+
+TileColours colours_by_sides(const Tile& tile, std::span<const double>) {
+    TileColours colours;
+    const std::vector<int> sides = numbers_of_sides(tile);
+    std::map<int, int> class_of;
+    for (const auto& [n, count] : histogram(counted_sides(tile, sides))) {
+        class_of[n] = static_cast<int>(colours.classes.size());
+        colours.classes.push_back({.colour = side_colour(n),
+                                   .name = "sides_" + std::to_string(n),
+                                   .label = sides_label(tile, n, count)});
+    }
+    for (const int n : sides) colours.class_of.push_back(class_of.at(n));
+    return colours;
+}
+
+TileColours colours_by_size(const Tile& tile, std::span<const double>) {
+    std::map<SiteId, double> octaves = site_areas(tile);
+    const double mean = tile.lattice.area() / static_cast<double>(octaves.size());
+    for (auto& [site, octave] : octaves) {
+        octave = std::log2(std::max(octave / mean, kLeastShare)) / 2;
+    }
+    TileColours colours = colours_by_value(tile, octaves, {"size", 2, " h"});
+    colours.explanation = " by size; h = sqrt(area / n)";
+    return colours;
+}
+
+TileColours colours_by_cells(const Tile& tile, std::span<const double>) {
+    TileColours colours{.class_of = site_classes(tile), .classes = {}, .explanation = {}};
+    for (int k = 0; k < kCellColours; ++k) {
+        colours.classes.push_back({cell_colour(k), "cell_colour_" + std::to_string(k), ""});
+    }
+    return colours;
+}
+
+TileColours colours_by_density(const Tile& tile, std::span<const double> densities) {
+    std::map<SiteId, double> octaves;
+    for (const SiteId site : owners(tile)) {
+        octaves[site] = std::log2(densities[static_cast<std::size_t>(site) % densities.size()]);
+    }
+    TileColours colours = colours_by_value(tile, octaves, {"density", 3, ""});
+    colours.explanation = " by density";
+    return colours;
+}
+
+TileColours tile_colours(const Tile& tile, Colouring colouring, std::span<const double> densities) {
+    return colouring_row(colouring).colours(tile, densities);
+}
+
+Colouring default_picture_colouring(const Tile& tile, std::span<const double> densities) {
+    if (mesh_kind_row(tile.kind).grain_size) return Colouring::kCells;
+    return densities.empty() ? Colouring::kSides : Colouring::kSize;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/colours/palette.hpp"
+#include "mesher/base/choices.hpp"
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// The quantity that the colours of a tile show.
+enum class Colouring { kSides, kSize, kCells, kDensity };
+
+/// One colour of a tile.
+struct ColourClass {
+    Colour colour;
+    /// For materials: "sides_6". Different in each class.
+    std::string name;
+    /// For legends: "6 sides: 93"; empty if the colour has no meaning of its own.
+    std::string label;
+};
+
+/// The colours of a tile. Cells, pieces of cells and grains are coloured by their site, and the
+/// vertices of Delaunay triangles are their sites.
+struct TileColours {
+    /// For each face the index of its class; of Delaunay triangles, for each vertex.
+    std::vector<int> class_of;
+    std::vector<ColourClass> classes;
+    /// Follows the title of a picture: " by size; h = sqrt(area / n)".
+    std::string explanation;
+};
+
+/// Computes the colours of a tile. `densities` holds those at sites 0 to n - 1 of one period.
+using TileColourer = TileColours(const Tile& tile, std::span<const double> densities);
+
+/// By the number of sides of each cell, or by the valence of each site.
+TileColourer colours_by_sides;
+/// By the size sqrt(area) / h of each cell, h = sqrt(area of the tile / n); by a third of the area
+/// of the triangles at each site. Up to kValueClasses classes of one ratio, the least of 2^(1/16),
+/// 2^(1/8), 2^(1/4), ... that suffices.
+TileColourer colours_by_size;
+/// Neighbouring cells or sites differ; the colours mean nothing else.
+TileColourer colours_by_cells;
+/// By the density at each site, in classes as by size.
+TileColourer colours_by_density;
+
+/// One row of the table of colourings.
+struct ColouringRow {
+    Colouring colouring;
+    const char* word;
+    /// PCVT_COLOUR_SIDES, ... of pcvt.h.
+    int abi_value;
+    bool needs_density;
+    /// Whether colours are classes of values. Such cells have dark edges and no dots.
+    bool shows_values;
+    TileColourer* colours;
+};
+
+/// In the order of the enumerators.
+inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSides,
+                                                     .word = "sides",
+                                                     .abi_value = 1,
+                                                     .needs_density = false,
+                                                     .shows_values = false,
+                                                     .colours = colours_by_sides},
+                                        ColouringRow{.colouring = Colouring::kSize,
+                                                     .word = "size",
+                                                     .abi_value = 2,
+                                                     .needs_density = false,
+                                                     .shows_values = true,
+                                                     .colours = colours_by_size},
+                                        ColouringRow{.colouring = Colouring::kCells,
+                                                     .word = "cells",
+                                                     .abi_value = 3,
+                                                     .needs_density = false,
+                                                     .shows_values = false,
+                                                     .colours = colours_by_cells},
+                                        ColouringRow{.colouring = Colouring::kDensity,
+                                                     .word = "density",
+                                                     .abi_value = 4,
+                                                     .needs_density = true,
+                                                     .shows_values = true,
+                                                     .colours = colours_by_density}};
+
+constexpr const ColouringRow& colouring_row(Colouring colouring) {
+    return kColourings[static_cast<std::size_t>(colouring)];
+}
+
+/// Returns the colours of a tile.
+///
+/// Example usage:
+///     const TileColours colours = tile_colours(tile, Colouring::kSides, {});
+///     const Colour first = colours.classes[colours.class_of[0]].colour;
+///
+/// @param densities  at sites 0 to n - 1 of one period; empty where the density is uniform.
+TileColours tile_colours(const Tile& tile, Colouring colouring, std::span<const double> densities);
+
+/// Returns what pictures show where the user leaves the choice: grains one by one; the sizes of
+/// cells where there is a density; else the numbers of sides.
+Colouring default_picture_colouring(const Tile& tile, std::span<const double> densities);
+
+}  // namespace pcvt

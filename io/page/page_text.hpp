@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace pcvt {
+
+/// Returns the JSON string of a text, with escapes for quotes, controls and what is a mark in HTML.
+std::string json_string(std::string_view text);
+
+/// Returns a text with entities for what is a mark in HTML.
+std::string html_text(std::string_view text);
+
+/// Returns a page with its marks replaced. Replaced parts are not searched for marks.
+///
+///     filled_page("<h1>@TITLE@</h1>", {{"@TITLE@", html_text(name)}})
+std::string filled_page(std::string_view page,
+                        const std::vector<std::pair<std::string_view, std::string>>& parts);
+
+}  // namespace pcvt

@@ -1,0 +1,171 @@
+#include "mesher/tile/site_classes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pcvt {
+namespace {
+
+using Edge = std::pair<int, int>;
+
+/// One side of an edge of a tile: the edge from its smaller to its larger vertex, and a site.
+struct EdgeSide {
+    Edge edge;
+    SiteId site;
+    friend constexpr auto operator<=>(const EdgeSide&, const EdgeSide&) = default;
+};
+
+/// Pairs of neighbouring sites in both directions, sorted, each pair once.
+using Neighbours = std::vector<std::pair<SiteId, SiteId>>;
+
+Edge sorted_edge(int v, int w) { return {std::min(v, w), std::max(v, w)}; }
+
+void finish(Neighbours& pairs) {
+    const std::size_t n = pairs.size();
+    for (std::size_t k = 0; k < n; ++k) pairs.emplace_back(pairs[k].second, pairs[k].first);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
+}
+
+/// Returns the sites whose faces share an edge, inside the tile or across its seam.
+Neighbours neighbours_of_faces(const Tile& tile) {
+    // An edge of the seam takes the place of its partner.
+    std::vector<std::pair<Edge, Edge>> partners;
+    for (const EdgePair& pair : tile.edge_pairs) {
+        partners.emplace_back(sorted_edge(pair.w0, pair.w1), sorted_edge(pair.v0, pair.v1));
+    }
+    std::sort(partners.begin(), partners.end());
+    const auto representative = [&](const Edge& edge) {
+        const auto at =
+            std::lower_bound(partners.begin(), partners.end(), std::pair(edge, Edge{-1, -1}));
+        return at != partners.end() && at->first == edge ? at->second : edge;
+    };
+    std::vector<EdgeSide> sides;
+    sides.reserve(tile.faces.corners.size());
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        int previous = tile.faces[f].back();
+        for (const int v : tile.faces[f]) {
+            const Edge edge = sorted_edge(std::exchange(previous, v), v);
+            sides.push_back({representative(edge), tile.face_site[f]});
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+    Neighbours pairs;
+    for (std::size_t k = 1; k < sides.size(); ++k) {
+        if (sides[k].edge == sides[k - 1].edge) {
+            pairs.emplace_back(sides[k - 1].site, sides[k].site);
+        }
+    }
+    finish(pairs);
+    return pairs;
+}
+
+/// Returns the sites at the ends of the edges of Delaunay triangles.
+Neighbours neighbours_of_vertices(const Tile& tile) {
+    Neighbours pairs;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        int previous = tile.faces[f].back();
+        for (const int v : tile.faces[f]) {
+            pairs.emplace_back(tile.vertex_site[std::exchange(previous, v)], tile.vertex_site[v]);
+        }
+    }
+    finish(pairs);
+    return pairs;
+}
+
+/// The graph of the sites, with the range of the neighbours of each site.
+class SiteGraph {
+   public:
+    SiteGraph(Neighbours pairs, SiteId n_sites)
+        : pairs_(std::move(pairs)), begin_(static_cast<std::size_t>(n_sites) + 1, 0) {
+        for (const auto& [site, other] : pairs_) ++begin_[site + 1];
+        for (SiteId s = 0; s < n_sites; ++s) begin_[s + 1] += begin_[s];
+    }
+    SiteId n_sites() const { return static_cast<SiteId>(begin_.size()) - 1; }
+    int degree(SiteId site) const { return begin_[site + 1] - begin_[site]; }
+    template <class Visit>
+    void for_each_neighbour(SiteId site, const Visit& visit) const {
+        for (int k = begin_[site]; k < begin_[site + 1]; ++k) visit(pairs_[k].second);
+    }
+
+   private:
+    Neighbours pairs_;
+    std::vector<int> begin_;
+};
+
+/// Returns the sites so that each one has at most six neighbours among the sites before it: the
+/// site with the fewest remaining neighbours is removed again and again, and becomes the last one.
+std::vector<SiteId> smallest_last_order(const SiteGraph& graph) {
+    std::vector<int> degree(static_cast<std::size_t>(graph.n_sites()));
+    std::vector<std::vector<SiteId>> by_degree;
+    const auto enter = [&](SiteId site) {
+        if (std::size_t(degree[site]) >= by_degree.size()) by_degree.resize(degree[site] + 1);
+        by_degree[degree[site]].push_back(site);
+    };
+    for (SiteId s = graph.n_sites() - 1; s >= 0; --s) {
+        degree[s] = graph.degree(s);
+        enter(s);
+    }
+    std::vector<SiteId> order;
+    for (std::size_t d = 0; d < by_degree.size();) {
+        if (by_degree[d].empty()) {
+            ++d;
+            continue;
+        }
+        const SiteId site = by_degree[d].back();
+        by_degree[d].pop_back();
+        // The entry is old if the site has lost neighbours since, or was removed.
+        if (degree[site] != static_cast<int>(d)) continue;
+        degree[site] = -1;
+        order.push_back(site);
+        graph.for_each_neighbour(site, [&](SiteId other) {
+            if (degree[other] <= 0) return;
+            --degree[other];
+            enter(other);
+        });
+        d = d > 0 ? d - 1 : 0;
+    }
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+/// Returns the class of each site: of the classes that no neighbour has, the one with the fewest
+/// sites.
+std::vector<int> classes(const SiteGraph& graph) {
+    constexpr int kNone = -1;
+    std::vector<int> class_of(static_cast<std::size_t>(graph.n_sites()), kNone);
+    std::array<int, kSiteClasses> n_sites{};
+    for (const SiteId site : smallest_last_order(graph)) {
+        std::array<bool, kSiteClasses> taken{};
+        graph.for_each_neighbour(site, [&](SiteId other) {
+            if (class_of[other] != kNone) taken[class_of[other]] = true;
+        });
+        int best = kNone;
+        for (int k = 0; k < kSiteClasses; ++k) {
+            if (!taken[k] && (best == kNone || n_sites[k] < n_sites[best])) best = k;
+        }
+        class_of[site] = best;
+        ++n_sites[best];
+    }
+    return class_of;
+}
+
+}  // namespace
+
+std::vector<int> site_classes(const Tile& tile) {
+    const bool owned = faces_have_sites(tile.kind);
+    const std::vector<SiteId>& sites = owned ? tile.face_site : tile.vertex_site;
+    if (sites.empty()) return {};
+    const SiteId n_sites = *std::max_element(sites.begin(), sites.end()) + 1;
+    const SiteGraph graph(owned ? neighbours_of_faces(tile) : neighbours_of_vertices(tile),
+                          n_sites);
+    const std::vector<int> class_of_site = classes(graph);
+    std::vector<int> result;
+    result.reserve(sites.size());
+    for (const SiteId site : sites) result.push_back(class_of_site[site]);
+    return result;
+}
+
+}  // namespace pcvt

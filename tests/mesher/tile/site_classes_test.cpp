@@ -1,0 +1,86 @@
+#include "mesher/tile/site_classes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include "mesher/tile/build_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::Each;
+using ::testing::Ge;
+using ::testing::Le;
+
+Tile random_tile(const Lattice& lattice, int n, const TileOptions& options) {
+    return build_tile(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, 1))), options)
+        .tile;
+}
+
+/// Calls visit(face, its edge) for each edge of each face.
+template <class Visit>
+void for_each_edge(const Tile& tile, const Visit& visit) {
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        int previous = tile.faces[f].back();
+        for (const int v : tile.faces[f]) visit(f, std::exchange(previous, v), v);
+    }
+}
+
+/// Expects that faces of different sites with a common edge differ, inside and across the seam.
+void expect_neighbours_differ(const Tile& tile) {
+    const std::vector<int> classes = site_classes(tile);
+    ASSERT_EQ(classes.size(), std::size_t(tile.n_faces()));
+    EXPECT_THAT(classes, Each(::testing::AllOf(Ge(0), Le(kSiteClasses - 1))));
+    std::map<std::pair<int, int>, int> face_left_of;
+    for_each_edge(tile, [&](int f, int v, int w) { face_left_of[{v, w}] = f; });
+    const auto expect = [&](int f, int g) {
+        if (tile.face_site[f] == tile.face_site[g]) {
+            EXPECT_EQ(classes[f], classes[g]);
+        } else {
+            EXPECT_NE(classes[f], classes[g]) << tile.face_site[f] << " " << tile.face_site[g];
+        }
+    };
+    for_each_edge(tile, [&](int f, int v, int w) {
+        const auto other = face_left_of.find({w, v});
+        if (other != face_left_of.end()) expect(f, other->second);
+    });
+    for (const EdgePair& pair : tile.edge_pairs) {
+        expect(face_left_of.at({pair.v0, pair.v1}), face_left_of.at({pair.w1, pair.w0}));
+    }
+}
+
+TEST(SiteClasses, NeighboursDifferAcrossTheSeamAsWell) {
+    for (const Lattice& lattice : {Lattice::rectangle(1, 1), Lattice({1, 0}, {0.37, 0.81})}) {
+        for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 30, 200}) {
+            expect_neighbours_differ(random_tile(lattice, n, {}));
+            expect_neighbours_differ(random_tile(lattice, n, {.outline = Outline::kBox}));
+            expect_neighbours_differ(random_tile(lattice, n, {.kind = MeshKind::kGrains}));
+            expect_neighbours_differ(random_tile(lattice, n, {.columns = 2, .rows = 3}));
+        }
+    }
+}
+
+TEST(SiteClasses, SitesOfATriangleDiffer) {
+    const Tile tile = random_tile(Lattice::rectangle(1, 1), 60, {.kind = MeshKind::kDelaunay});
+    const std::vector<int> classes = site_classes(tile);
+    ASSERT_EQ(classes.size(), tile.points.size());
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        const auto corners = tile.faces[f];
+        const std::set<int> of_face{classes[corners[0]], classes[corners[1]], classes[corners[2]]};
+        EXPECT_EQ(of_face.size(), 3u);
+    }
+    for (const VertexPair& pair : tile.vertex_pairs) EXPECT_EQ(classes[pair.v], classes[pair.w]);
+}
+
+TEST(SiteClasses, EachClassHasAboutAsManySites) {
+    std::map<int, int> n_sites;
+    for (const int k : site_classes(random_tile(Lattice::rectangle(1, 1), 700, {}))) ++n_sites[k];
+    for (int k = 0; k < kSiteClasses; ++k)
+        EXPECT_THAT(n_sites[k], ::testing::AllOf(Ge(70), Le(130)));
+}
+
+}  // namespace
+}  // namespace pcvt
