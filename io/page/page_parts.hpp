@@ -11,4 +11,10 @@ extern const std::string_view kPageHtml;
 extern const std::string_view kPageStyle;
 extern const std::string_view kPageScript;
 
+/// The sources of the page of a study: study.html with the further marks @DESCRIPTION@ and
+/// @CONTENTS@, study.css and study.js.
+extern const std::string_view kStudyHtml;
+extern const std::string_view kStudyStyle;
+extern const std::string_view kStudyScript;
+
 }  // namespace pcvt

@@ -76,7 +76,7 @@ ExitCode run_study_command(const StudyRequest& request, const StudyOptions& opti
     const bool is_part = request.shard.count > 1;
     const StudyResult result =
         is_part ? StudyResult{{done.runs}, {}} : conclude_study(done.study, done.runs);
-    write_study(result, files, options.force);
+    write_study(done.study, result, files, options.force);
     if (!options.quiet && !is_part) {
         print(aligned_text(result.tables.front(), recipe.printed_columns));
     }

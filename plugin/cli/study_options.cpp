@@ -23,8 +23,8 @@ constexpr const char* kExamples =
     "  pcvt study table1\n"
     "      the paper's Table I, printed; with -o table1.csv also as a file\n"
     "  pcvt study fig11 -o results/\n"
-    "      the folder results gets fig11.csv, fig11-patterns.csv, fig11-runs.csv, fig11.svg\n"
-    "      and fig11-shares.svg\n"
+    "      the folder results gets fig11.csv, fig11-patterns.csv, fig11-runs.csv, fig11.svg,\n"
+    "      fig11-shares.svg and fig11.html, a page that shows them\n"
     "  pcvt study fig11 --sites 8,9,12 --runs 1000 --seed 7 -o mine.csv -o mine.svg\n"
     "      other numbers of sites; writes mine-patterns.csv, ... beside mine.csv\n"
     "  pcvt study fig11 --shard 2/4 -o part2.csv\n"
@@ -102,7 +102,7 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
     app.option_defaults()->group("Output");
     app.add_option("-o", options.outputs,
                    "repeatable; FILE.csv: the tables, FILE.svg: the\n"
-                   "pictures, a folder: both")
+                   "pictures, FILE.html: a page with both, a folder: all")
         ->type_name("FILE")
         ->option_text("FILE|FOLDER/")
         ->allow_extra_args(false);

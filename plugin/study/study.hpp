@@ -36,6 +36,8 @@ struct StudyPicture {
     /// Precedes the extension of its file; empty for the main picture.
     std::string suffix;
     std::string svg;
+    /// The values of a plot, as plot_points() returns them; else empty.
+    std::string points = {};
 };
 
 /// The tables and pictures of a study.

@@ -3,6 +3,7 @@
 
 #include "io/pictures/plot_svg.hpp"
 #include "mesher/delaunay/mirror_diagram.hpp"
+#include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
 namespace pcvt {
@@ -105,7 +106,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
     }
     plots[0].series.push_back(counts);
     plots[1].series.push_back(shares);
-    return {{table}, {{"", encode_plots("Mirrors against n", plots)}}};
+    return {{table}, {plot_picture("Mirrors against n", plots)}};
 }
 
 }  // namespace

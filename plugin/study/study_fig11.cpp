@@ -211,7 +211,7 @@ std::string gallery(const std::vector<Tally>& tallies) {
         panels, {5, 190});
 }
 
-std::string share_plot(std::vector<Tally> tallies) {
+StudyPicture share_plot(std::vector<Tally> tallies) {
     std::sort(tallies.begin(), tallies.end(),
               [](const Tally& s, const Tally& t) { return s.n < t.n; });
     PlotSeries series{
@@ -220,7 +220,7 @@ std::string share_plot(std::vector<Tally> tallies) {
         series.points.emplace_back(tally.n, 100 * tally.share());
         series.errors.push_back(100 * tally.standard_error());
     }
-    return encode_plots("Results with hexagons alone",
+    return plot_picture("Results with hexagons alone",
                         {{"Results with hexagons alone",
                           {"number of sites n", true},
                           {"percent of the runs, with the standard error", false},
@@ -231,7 +231,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
     std::vector<Tally> tallies;
     for (const int n : study.sites) tallies.push_back(tally(runs, n));
     return {{share_table(tallies), pattern_table(tallies)},
-            {{"", gallery(tallies)}, {"", share_plot(tallies)}}};
+            {{"", gallery(tallies)}, share_plot(tallies)}};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "io/pictures/plot_svg.hpp"
 #include "mesher/delaunay/mirror_diagram.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
+#include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
 namespace pcvt {
@@ -87,7 +88,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         row.push_back(rounded(median(runs, n, "full_copies_s") / median(runs, n, "mirrors_s"), 3));
         table.rows.push_back(row);
     }
-    return {{table}, {{"", encode_plots("PVD time against n", {plot})}}};
+    return {{table}, {plot_picture("PVD time against n", {plot})}};
 }
 
 }  // namespace

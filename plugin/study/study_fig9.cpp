@@ -1,5 +1,6 @@
 #include "io/pictures/plot_svg.hpp"
 #include "mesher/cvt/clipped_cvt.hpp"
+#include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
 namespace pcvt {
@@ -105,8 +106,8 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         plots.push_back(std::move(plot));
     }
     return {{table},
-            {{"", encode_plots("CVT energy by iteration", plots)},
-             {"", encode_plots("CVT energy above the hexagonal bound", excess)}}};
+            {plot_picture("CVT energy by iteration", plots),
+             plot_picture("CVT energy above the hexagonal bound", excess)}};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "io/bytes/output.hpp"
+#include "io/page/study_page.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/job/distinct_paths.hpp"
 #include "plugin/job/job_files.hpp"
@@ -25,10 +26,10 @@ std::vector<std::string> table_suffixes(const StudyRecipe& recipe, StudyShard sh
     return suffixes;
 }
 
-void add_files(const std::string& path, bool are_pictures, const std::vector<std::string>& suffixes,
-               std::vector<StudyFile>& files) {
+void add_files(const std::string& path, StudyFileKind kind,
+               const std::vector<std::string>& suffixes, std::vector<StudyFile>& files) {
     for (std::size_t k = 0; k < suffixes.size(); ++k) {
-        files.push_back({with_suffix(path, suffixes[k]), are_pictures, k});
+        files.push_back({with_suffix(path, suffixes[k]), kind, k});
     }
 }
 
@@ -38,26 +39,47 @@ void add_folder(const std::string& folder, const StudyRecipe& recipe, StudyShard
     if (shard.count > 1) {
         stem += "-shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
     }
-    add_files(stem + ".csv", false, table_suffixes(recipe, shard), files);
-    if (shard.count == 1) add_files(stem + ".svg", true, recipe.pictures, files);
+    add_files(stem + ".csv", StudyFileKind::kTable, table_suffixes(recipe, shard), files);
+    if (shard.count > 1) return;
+    add_files(stem + ".svg", StudyFileKind::kPicture, recipe.pictures, files);
+    add_files(stem + ".html", StudyFileKind::kPage, {""}, files);
 }
 
 void add_named(const std::string& path, const StudyRecipe& recipe, StudyShard shard,
                std::vector<StudyFile>& files) {
     const std::string extension = fs::path(path).extension().string();
     if (extension == ".csv") {
-        add_files(path, false, table_suffixes(recipe, shard), files);
-    } else if (extension == ".svg" && shard.count > 1) {
+        add_files(path, StudyFileKind::kTable, table_suffixes(recipe, shard), files);
+    } else if ((extension == ".svg" || extension == ".html") && shard.count > 1) {
         throw InvalidInput("-o " + path + ": a shard has no picture; merge the shards for it");
+    } else if (extension == ".html") {
+        add_files(path, StudyFileKind::kPage, {""}, files);
     } else if (extension == ".svg" && recipe.pictures.empty()) {
         throw InvalidInput("-o " + path + ": study " + recipe.name + " has no picture; take .csv");
     } else if (extension == ".svg") {
-        add_files(path, true, recipe.pictures, files);
+        add_files(path, StudyFileKind::kPicture, recipe.pictures, files);
     } else {
         throw InvalidInput(
             "-o " + path +
-            ": neither .csv nor .svg nor a folder, which ends in /; take one of them");
+            ": neither .csv, .svg nor .html nor a folder, which ends in /; take one of them");
     }
+}
+
+std::string page_of(const Study& study, const StudyResult& result) {
+    std::vector<StudyPagePicture> pictures;
+    for (const StudyPicture& picture : result.pictures) {
+        pictures.push_back({study.name + picture.suffix, picture.svg, picture.points});
+    }
+    std::vector<StudyPageTable> tables;
+    for (const StudyTable& table : result.tables) {
+        tables.push_back({.name = study.name + table.suffix,
+                          .columns = table.columns,
+                          .rows = table.rows,
+                          .remarks = table.remarks,
+                          .csv = encode_csv(table)});
+    }
+    const StudyRecipe& recipe = find_study_recipe(study.name);
+    return encode_study_page(study.name, recipe.description, pictures, tables);
 }
 
 }  // namespace
@@ -80,11 +102,21 @@ std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
     return files;
 }
 
-void write_study(const StudyResult& result, const std::vector<StudyFile>& files, bool force) {
+void write_study(const Study& study, const StudyResult& result, const std::vector<StudyFile>& files,
+                 bool force) {
     OutputSet outputs;
     for (const StudyFile& file : files) {
-        outputs.stage(file.path, file.is_picture ? result.pictures.at(file.index).svg
-                                                 : encode_csv(result.tables.at(file.index)));
+        switch (file.kind) {
+            case StudyFileKind::kTable:
+                outputs.stage(file.path, encode_csv(result.tables.at(file.index)));
+                break;
+            case StudyFileKind::kPicture:
+                outputs.stage(file.path, result.pictures.at(file.index).svg);
+                break;
+            case StudyFileKind::kPage:
+                outputs.stage(file.path, page_of(study, result));
+                break;
+        }
     }
     outputs.commit(force);
 }

@@ -7,18 +7,21 @@
 
 namespace pcvt {
 
+enum class StudyFileKind { kTable, kPicture, kPage };
+
 /// One file of a study, planned before anything is computed.
 struct StudyFile {
     std::string path;
-    bool is_picture;
+    StudyFileKind kind;
     /// Index into the tables or pictures of the result.
     std::size_t index;
 };
 
 /// The files of the requested outputs. `NAME.csv` means all tables (NAME.csv, NAME-runs.csv, ...),
-/// `NAME.svg` all pictures, and a folder (an existing one, or a name that ends in a slash) both,
-/// under the study's name. A shard has one table, its runs, and no picture: `NAME.csv` is that
-/// table; in a folder its name is STUDY-shard-1-of-4.csv.
+/// `NAME.svg` all pictures, `NAME.html` a page with all of them, and a folder (an existing one, or
+/// a name that ends in a slash) everything, under the study's name. A shard has one table, its
+/// runs, and no picture or page: `NAME.csv` is that table; in a folder its name is
+/// STUDY-shard-1-of-4.csv.
 /// @param inputs  files that the study reads; no output may replace them.
 /// @throws InvalidInput for another extension, or if two files have the same path.
 std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
@@ -27,6 +30,7 @@ std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
 
 /// Writes all files, or none.
 /// @throws OutputError as OutputSet does.
-void write_study(const StudyResult& result, const std::vector<StudyFile>& files, bool force);
+void write_study(const Study& study, const StudyResult& result, const std::vector<StudyFile>& files,
+                 bool force);
 
 }  // namespace pcvt

@@ -15,8 +15,6 @@ constexpr int kRegular = 6;
 /// Colours differ between these numbers of sides.
 constexpr int kFewestSides = 3;
 constexpr int kMostSides = 9;
-constexpr const char* kCutHexagon = "#dfd5bd";
-constexpr const char* kBorderCell = "#a9d6a5";
 /// Of the domain's size: smaller parts, of cells that only touch the domain, are not drawn.
 constexpr double kSliver = 1e-12;
 /// In periods: a site this near to the border is drawn on both sides.
@@ -145,6 +143,10 @@ std::vector<LegendEntry> panel_legend(const std::vector<CellPanel>& panels) {
     add(hex(side_colour(kMostSides)), "9 and more");
     add(kBorderCell, "clipped at the border");
     return entries;
+}
+
+StudyPicture plot_picture(const std::string& title, const std::vector<Plot>& plots) {
+    return {.suffix = "", .svg = encode_plots(title, plots), .points = plot_points(plots)};
 }
 
 }  // namespace pcvt

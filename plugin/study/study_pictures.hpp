@@ -1,8 +1,10 @@
 #pragma once
 
 #include "io/pictures/cell_panels.hpp"
+#include "io/pictures/plot_svg.hpp"
 #include "mesher/cvt/clipped_cvt.hpp"
 #include "mesher/cvt/cvt.hpp"
+#include "plugin/study/study.hpp"
 
 namespace pcvt {
 
@@ -17,5 +19,8 @@ CellPanel clipped_panel(const Lattice& lattice, const Points& sites);
 
 /// Legend entries for the colours that occur in the panels.
 std::vector<LegendEntry> panel_legend(const std::vector<CellPanel>& panels);
+
+/// A picture of plots with their values.
+StudyPicture plot_picture(const std::string& title, const std::vector<Plot>& plots);
 
 }  // namespace pcvt

@@ -25,7 +25,7 @@ class Files(CliTest):
         self.assertEqual(
             set(self.contents()), {
                 f"r/fig11{end}"
-                for end in (".csv", "-patterns.csv", "-runs.csv", ".svg", "-shares.svg")
+                for end in (".csv", "-patterns.csv", "-runs.csv", ".svg", "-shares.svg", ".html")
             })
         for name in ("r/fig11.svg", "r/fig11-shares.svg"):
             xml.etree.ElementTree.fromstring(self.path(name).read_bytes())
@@ -36,7 +36,8 @@ class Files(CliTest):
     def test_a_missing_folder_is_made(self):
         self.succeed("study", "table1", "--sites", 3, "--runs", 2, "-o", "results/today/")
         self.assertEqual(set(self.contents()), {"results/today/table1.csv",
-                                                "results/today/table1-runs.csv"})
+                                                "results/today/table1-runs.csv",
+                                                "results/today/table1.html"})
 
     def test_a_run_of_the_table_agrees_with_pcvt_mesh(self):
         self.succeed("study", "fig11", "--sites", 11, "--runs", 3, "--seed", 40, "-o", "t.csv")
@@ -121,7 +122,8 @@ class BadInput(CliTest):
             (2, "--shard", ("fig11", "--shard", "2", "-o", "a.csv")),
             (2, "--shard.*give -o", ("fig11", "--shard", "1/4")),
             (2, "no picture", ("fig11", "--shard", "1/4", "-o", "a.svg")),
-            (2, "neither .csv nor .svg", ("fig11", "-o", "a.txt")),
+            (2, "no picture", ("fig11", "--shard", "1/4", "-o", "a.html")),
+            (2, "neither .csv, .svg nor .html", ("fig11", "-o", "a.txt")),
             (3, "/dev/null/t.csv", ("fig11", "-o", "/dev/null/t.csv")),
         ):
             with self.subTest(arguments):
