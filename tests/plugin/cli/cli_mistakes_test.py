@@ -60,7 +60,7 @@ MISTAKES = [
     ("mesh --input none.txt", ["none.txt"], 2),
     ("check", ["no file to check"], 2),
     ("check none.obj", ["none.obj"], 2),
-    ("study table1 -o results", ["neither .csv nor .svg nor a folder, which ends in /"], 2),
+    ("study table1 -o results", ["neither .csv, .svg nor .html nor a folder, which ends in /"], 2),
     # Outputs.
     ("mesh --sites 3000000 -o kept.obj", ["kept.obj", "--force"], 3),
     ("mesh --sites 3000000 -o kept.obj/t.obj", ["kept.obj", "Not a directory"], 3),

@@ -2,8 +2,10 @@
 
 import csv
 import io
+import json
 import os
 import pty
+import re
 import signal
 import subprocess
 import time
@@ -38,6 +40,33 @@ class Files(CliTest):
         self.assertEqual(set(self.contents()), {"results/today/table1.csv",
                                                 "results/today/table1-runs.csv",
                                                 "results/today/table1.html"})
+
+    def test_the_examples_of_the_help_work(self):
+        lines = [line.split()[1:] for line in self.succeed("study", "--help").splitlines()
+                 if line.startswith("  pcvt ")]
+        self.assertEqual(len(lines), 5)
+        parts = [["study", "fig11", "--shard", f"{k}/4", "-o", f"part{k}.csv"] for k in (1, 3, 4)]
+        for line in parts + lines:
+            # The defaults would take minutes.
+            short = ["--runs", "6"] if "--runs" not in line and "--merge" not in line else []
+            self.succeed(*line, *short, *(["--force"] if "--merge" in line else []))
+        self.assertIn("results/fig11.html", self.contents())
+        self.assertIn("mine-patterns.csv", self.contents())
+
+    def test_a_page_is_written_alone_or_in_a_folder(self):
+        self.succeed("study", "fig9", "--sites", 20, "-o", "f.html", "-o", "r/")
+        self.assertEqual(set(self.contents()), {
+            "f.html", *(f"r/fig9{end}" for end in (".csv", "-runs.csv", ".svg", "-excess.svg",
+                                                   ".html"))})
+        page = self.path("f.html").read_text()
+        self.assertEqual(page, self.path("r/fig9.html").read_text())
+        addresses = set(re.findall(r"https?://[^\"']+", page))
+        self.assertEqual(addresses, {"http://www.w3.org/2000/svg"})
+        data = json.loads(re.search(r'id="data">([^<]*)<', page)[1])
+        self.assertEqual(data["csv"]["fig9"], self.path("r/fig9.csv").read_text())
+        energies = [point[3] for point in data["points"]["fig9"][1]["points"]]
+        self.assertEqual(energies, [float(row["energy"]) for row in self.table("r/fig9-runs.csv")
+                                    if row["method"] == "periodic"])
 
     def test_a_run_of_the_table_agrees_with_pcvt_mesh(self):
         self.succeed("study", "fig11", "--sites", 11, "--runs", 3, "--seed", 40, "-o", "t.csv")
