@@ -98,14 +98,9 @@ enum { PCVT_NODES_DEFAULT = 0, PCVT_NODES_CELLS = 1, PCVT_NODES_ONE = 2 };
 /** The elements of .inp files: plane strain, plane stress. */
 enum { PCVT_CPE = 0, PCVT_CPS = 1 };
 
-/** The quantity that the colours of a file show, in formats with colours. */
-enum {
-    PCVT_COLOUR_DEFAULT = 0, /**< each format has its own */
-    PCVT_COLOUR_SIDES = 1,
-    PCVT_COLOUR_SIZE = 2,
-    PCVT_COLOUR_CELLS = 3, /**< neighbours differ */
-    PCVT_COLOUR_DENSITY = 4
-};
+/** The quantity that the colours of a file show, CELLS: neighbours differ. */
+enum { PCVT_COLOUR_DEFAULT = 0, PCVT_COLOUR_SIDES = 1, PCVT_COLOUR_SIZE = 2 };
+enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4 };
 
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
@@ -182,8 +177,7 @@ typedef struct pcvt_options {
     void* density_data;
     pcvt_progress_callback progress; /**< [NULL] */
     void* progress_data;
-    int32_t grain_per_edge; /**< number of parts of each cell edge, which the triangles inside
-                               match; replaces grain_size [0: grain_size applies] */
+    int32_t grain_per_edge; /**< parts of each cell edge; replaces grain_size [0: grain_size] */
     int32_t find_origin;    /**< 1: tiles with PCVT_BOX ignore `origin`; they are cut where the
                                shortest edge of the cut is longest [0] */
 } pcvt_options;
@@ -289,18 +283,16 @@ typedef struct pcvt_write_options {
 /** An optimised periodic tessellation. */
 typedef struct pcvt_result pcvt_result;
 
-/** PCVT_ABI_VERSION of the library. Any thread, any time. */
+/*  The next four: any thread, any time. */
+
+/** PCVT_ABI_VERSION of the library. */
 PCVT_API uint32_t pcvt_abi_version(void);
-
-/** "major.minor.patch" of the library. Any thread, any time. */
+/** "major.minor.patch" of the library. */
 PCVT_API const char* pcvt_version(void);
-
-/** A status in a few English words. Any thread, any time. */
+/** A status in a few English words. */
 PCVT_API const char* pcvt_status_text(pcvt_status status);
-
 /** The reason why this thread's last call with a status did not return PCVT_OK, in one line; ""
- * after PCVT_OK. The text is valid until the next such call of this thread. Any thread, any time.
- */
+ *  after PCVT_OK. The text is valid until the next such call of this thread. */
 PCVT_API const char* pcvt_last_error(void);
 
 /** Fills in the defaults; fields that this library does not know become zero.
@@ -317,8 +309,7 @@ PCVT_API pcvt_status pcvt_options_init(pcvt_options* options, size_t struct_size
  * returns. It calls callbacks on the calling thread alone; callbacks may call this library. */
 PCVT_API pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** result);
 
-/** Frees a result and ends its views. Ignores NULL. Any thread, once no other call uses the result.
- */
+/** Frees a result and ends its views; ignores NULL. Any thread, once no call uses the result. */
 PCVT_API void pcvt_free(pcvt_result* result);
 
 /*  The views. `view_size` is sizeof(*view) of the host: fields that only the host knows become
@@ -326,7 +317,6 @@ PCVT_API void pcvt_free(pcvt_result* result);
  * view. Any thread, any number of calls on one result at once. */
 
 PCVT_API pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size);
-
 PCVT_API pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view,
                                          size_t view_size);
 
