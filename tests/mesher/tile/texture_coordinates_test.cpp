@@ -7,6 +7,7 @@
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/tile/tile_builder.hpp"
+#include "tests/support/grid_tile.hpp"
 #include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
@@ -40,6 +41,21 @@ TEST(TextureCoordinates, PartnersDifferByExactlyTheOffset) {
             EXPECT_EQ(uv[pair.w][1] - uv[pair.v][1], static_cast<float>(pair.offset.j));
             EXPECT_EQ(double(uv[pair.w][0]) - uv[pair.v][0], pair.offset.i);
             EXPECT_EQ(uv[pair.v][1] + static_cast<float>(pair.offset.j), uv[pair.w][1]);
+        }
+    }
+}
+
+// Law 1, where rounding noise would break ties in two ways.
+TEST(TextureCoordinates, PartnersBetweenTwoStepsAreRoundedAlike) {
+    const Lattice lattice({1.0 / 3, 0.1}, {-0.2, 1.0 / 7});
+    for (int k = 0; k < 200; ++k) {
+        Tile tile = testing::grid_tile(lattice, 1, 1);
+        const double odd = 2 * k + 1;
+        for (Vec2& p : tile.points) p += lattice.to_plane(std::ldexp(odd, -23) * Vec2(1, 1));
+        const auto uv = texture_coordinates(tile);
+        for (const VertexPair& pair : tile.vertex_pairs) {
+            EXPECT_EQ(uv[pair.w][0] - uv[pair.v][0], static_cast<float>(pair.offset.i)) << k;
+            EXPECT_EQ(uv[pair.w][1] - uv[pair.v][1], static_cast<float>(pair.offset.j)) << k;
         }
     }
 }
