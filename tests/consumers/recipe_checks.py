@@ -127,7 +127,7 @@ def check_own_points(folder, text):
 
 
 def check_mpas(folder, _):
-    require_files(folder, "mesh.nc")
+    require_files(folder, "mesh.nc", "mesh.graph.info", "mesh.graph.info.part.4")
 
 
 def check_table1(folder, _):
@@ -197,7 +197,7 @@ ROWS = {
     ("Samples", "Graphics"): Row(check_graphics, programs=("meshlabserver", "xvfb-run", "xauth")),
     ("Samples", "Mathematics"): Row(check_mathematics),
     ("Samples", "Your own points"): Row(check_own_points),
-    ("Samples", "Ocean and atmosphere: MPAS"): Row(check_mpas),
+    ("Samples", "Ocean and atmosphere: MPAS"): Row(check_mpas, programs=("gpmetis",)),
     ("Samples", "Studies"): Row(check_table1),
     ("Samples", "GNU parallel"): Row(check_parallel, programs=("parallel",)),
     ("Samples", "Slurm"): Row(check_slurm, programs=("munged", "slurmctld", "slurmd", "sbatch"),
