@@ -152,6 +152,12 @@ TEST(JobProgress, FaultsOfTheWorkComeThrough) {
                  std::out_of_range);
 }
 
+TEST(JobProgress, CancellingDuringTheLastStepCounts) {
+    const JobCallback cancels = [](const JobProgress&) { return false; };
+    JobMonitor monitor(cancels, {});
+    EXPECT_THROW(monitor.watch([&] { monitor.begin(Phase::kWriting, "writing"); }), Cancelled);
+}
+
 TEST(JobProgress, AFaultOfTheCallbackEndsTheWork) {
     const JobCallback throws = [](const JobProgress&) -> bool { throw std::out_of_range("mine"); };
     JobMonitor monitor(throws, {});
