@@ -127,7 +127,9 @@ def check_own_points(folder, text):
 
 
 def check_mpas(folder, _):
-    require_files(folder, "mesh.nc", "mesh.graph.info", "mesh.graph.info.part.4")
+    require_files(folder, "mesh.nc")
+    parts = (folder / "mesh.graph.info.part.4").read_text().split()
+    require(len(parts) == 400 and set(parts) == set("0123"), "METIS does not make four parts")
 
 
 def check_table1(folder, _):
