@@ -84,6 +84,14 @@ def check_getdp(folder, text):
     require_files(folder, "u.pos")
 
 
+def check_two_materials(folder, text):
+    # GetDP prints no name; the bounds are those of Reuss and Voigt for equal shares.
+    means = [float((folder / "mean.txt").read_text().split()[-1])]
+    means += map(float, re.findall(r"^mean (\S+)$", text, re.M))
+    require(len(means) == 3 and 20 / 11 < min(means) and max(means) < 5.5, f"means {means}")
+    require_near(min(means), max(means), 1e-6, "a mean")
+
+
 def check_vtk(folder, text):
     n_points, n_images = count_boundary(folder)
     images = re.findall(r"^point (\d+) is point \d+ moved by \((\S+), (\S+)\) periods$", text, re.M)
@@ -194,6 +202,8 @@ ROWS = {
     ("Samples", "CalculiX and Abaqus"): Row(check_calculix, programs=("ccx",)),
     ("Samples", "Gmsh"): Row(check_gmsh, modules=("gmsh",)),
     ("Samples", "GetDP"): Row(check_getdp, programs=("gmsh", "getdp")),
+    ("Samples", "Two materials in GetDP, FreeFEM and dolfinx"): Row(
+        check_two_materials, programs=("gmsh", "getdp", "FreeFem++-nw"), modules=("dolfinx",)),
     ("Samples", "VTK"): Row(check_vtk, modules=("vtkmodules",)),
     ("Samples", "Fluid dynamics: OpenFOAM"): Row(check_openfoam, programs=("icoFoam",)),
     ("Samples", "Graphics"): Row(check_graphics, programs=("meshlabserver", "xvfb-run", "xauth")),
