@@ -12,12 +12,13 @@ namespace pcvt {
 /// order 2, and their periodicity.
 ///
 /// Node v + 1 is vertex v, element f + 1 is face f; line elements have the numbers after them.
-/// Entities: one curve per seam segment, one point where two segments meet, one surface. The block
-/// of an entity lists the nodes that lie on it. Physical groups: `seam_I_J`, the curves that
-/// I a + J b takes to their partners, and `tile`, the surface. $Periodic lists each curve and point
-/// that is not a master, with slave = master + translation. $ElementData "cell_id" holds
-/// element_cells() for triangles and -1 for lines; $NodeData "cell_id" holds the site of each
-/// vertex of Delaunay triangles. $Comments hold the kind and the lattice.
+/// Entities: as msh_entities() finds them. The block of an entity lists the nodes that lie on it.
+/// Physical groups: `cell_s` with the number s + 1, the surface of site s; then `seam_I_J`, the
+/// curves that I a + J b takes to their partners, by rising offset; then `grain_boundary`, the
+/// curves between cells. $Periodic lists each curve and point that is not a master, with
+/// slave = master + translation. $ElementData "cell_id" holds element_cells() for triangles and -1
+/// for lines; $NodeData "cell_id" holds the site of each vertex of Delaunay triangles. $Comments
+/// hold the kind and the lattice.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_msh(tile, "tile.msh")) {
