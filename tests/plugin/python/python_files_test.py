@@ -58,6 +58,20 @@ class Files(CliTest):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 result.write(self.path("python.png"), **arguments)
 
+    def test_colours_and_backgrounds_are_those_of_the_command(self):
+        result = pcvt.mesh(60)
+        for option, arguments in ((("--colour", "cells"), {"colour": "cells"}),
+                                  (("--colour", "size", "--background", "#0d1117"),
+                                   {"colour": "size", "background": "#0d1117"})):
+            self.succeed("mesh", "--sites", 60, *option, "--force", "-o", "command.svg")
+            result.write(self.path("python.svg"), replace=True, **arguments)
+            files = self.contents()
+            self.assertEqual(files["python.svg"], files["command.svg"])
+        for arguments, words in (({"colour": "red"}, "sides, size"), ({"colour": "density"}, "no density"),
+                                 ({"background": "blue"}, "#rrggbb")):
+            with self.assertRaisesRegex(pcvt.ArgumentError, words):
+                result.write(self.path("no.svg"), **arguments)
+
     def test_given_sites_lead_to_the_same_bytes(self):
         given = np.random.default_rng(5).random((80, 2))
         np.savetxt(self.path("given"), given, fmt="%.17g")
