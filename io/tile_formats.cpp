@@ -22,6 +22,7 @@
 #include "io/page/html_writer.hpp"
 #include "io/pictures/png_writer.hpp"
 #include "io/pictures/svg_writer.hpp"
+#include "io/run_files/cell_writer.hpp"
 #include "io/run_files/site_writer.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
@@ -76,6 +77,11 @@ std::vector<EncodedFile> write_sites(const Points& sites, const std::string& pat
     return only_file(path, encode_sites(sites));
 }
 
+std::vector<EncodedFile> write_cells(const Points& sites, const CellTable& cells,
+                                     const std::string& path) {
+    return only_file(path, encode_cells(sites, cells));
+}
+
 std::vector<EncodedFile> write_inp(const Tile& tile, const FileOptions& options,
                                    const std::string& path) {
     const bool stress = options.element == PlaneElement::kStress;
@@ -88,7 +94,7 @@ std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
     return encode_svg(tile, options, path);
 }
 
-constexpr std::array<TileFormat, 15> kFormats{{
+constexpr std::array<TileFormat, 16> kFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
      .write = encode_obj,
@@ -169,6 +175,9 @@ constexpr std::array<TileFormat, 15> kFormats{{
      .read = read_mpas,
      .paths = mpas_paths,
      .check = require_mpas_torus},
+    {.extension = ".csv",
+     .description = "a table of the cells, one row a site",
+     .write = write_cells},
     {.extension = ".txt",
      .description = "the sites, in the order of the input",
      .write = write_sites},

@@ -11,6 +11,7 @@
 #include "io/tiles/file_options.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
+#include "mesher/mesh/cell_table.hpp"
 #include "mesher/mesh/outline.hpp"
 
 namespace pcvt {
@@ -30,6 +31,9 @@ using TileFormWriter = std::vector<EncodedFile>(const Tile& tile, const FileOpti
                                                 const std::string& path);
 using TorusWriter = std::vector<EncodedFile>(const Torus& torus, const std::string& path);
 using SiteWriter = std::vector<EncodedFile>(const Points& sites, const std::string& path);
+/// Writes measures of the cells at the sites.
+using CellWriter = std::vector<EncodedFile>(const Points& sites, const CellTable& cells,
+                                            const std::string& path);
 
 using TileReader = TileFile(const std::vector<EncodedFile>& files,
                             const std::optional<Lattice>& lattice);
@@ -59,9 +63,9 @@ struct TileFormat {
     /// With the dot: ".obj".
     std::string_view extension;
     std::string_view description;
-    /// Encodes the content of the format, which is a tile, the torus or the sites: one entry per
-    /// path.
-    std::variant<TileWriter*, TileFormWriter*, TorusWriter*, SiteWriter*> write;
+    /// Encodes the content of the format, which is a tile, the torus, the sites or the cells: one
+    /// entry per path.
+    std::variant<TileWriter*, TileFormWriter*, TorusWriter*, SiteWriter*, CellWriter*> write;
     /// Reads `files` (the file itself first, companions where there are any) back; a lattice
     /// replaces one that the file lacks. Empty if pcvt does not read the format.
     std::variant<std::monostate, TileReader*, GridReader*> read = {};

@@ -334,8 +334,8 @@ PCVT_API pcvt_status pcvt_get_mesh(const pcvt_result* result, int32_t kind, pcvt
 PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int32_t outline,
                                    pcvt_tile* view, size_t view_size);
 
-/** Writes a tile, or the sites for the extension .txt. Either all files appear, complete and proved
- *  to be a periodic tile, or none. Missing folders are made.
+/** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. Either all
+ * files appear, complete and proved to be a periodic tile, or none. Missing folders are made.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.

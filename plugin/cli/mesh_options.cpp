@@ -146,6 +146,9 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
         ->option_text("FILE")
         ->allow_extra_args(false);
     add_file_choices(app, options.files);
+    add(app, "--cells", options.cells, "FILE.csv",
+        "a table of the cells: position, area, diameter, sides, circularity\n"
+        "and neighbours of each site");
     add(app, "--report", options.report, "FILE.json", "figures of the run");
     app.add_flag("--force", options.force, "replace existing files");
     app.add_flag("--quiet", options.quiet, "no summary and no progress");
@@ -304,6 +307,12 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_density(app, options, job);
     job.file_options = file_options(app, options.files);
     job.outputs = options.outputs;
+    if (app.count("--cells") > 0) {
+        if (lower_case_extension(options.cells) != ".csv") {
+            throw InvalidInput("--cells " + options.cells + ": not a .csv file; name it FILE.csv");
+        }
+        job.outputs.push_back(options.cells);
+    }
     if (app.count("--report") > 0 && !options.report.ends_with(".json")) {
         throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");
     }

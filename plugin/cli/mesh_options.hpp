@@ -38,6 +38,7 @@ struct MeshOptions {
     std::vector<std::string> outputs;
     FileChoices files;
     std::string report;
+    std::string cells;
     std::string threads;
     bool strict = false;
     bool force = false;

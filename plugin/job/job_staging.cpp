@@ -42,6 +42,11 @@ class FileEncoder {
         return write(wrapped_sites(result_.cvt, job_.origin), path());
     }
 
+    std::vector<EncodedFile> operator()(CellWriter* write) const {
+        return write(wrapped_sites(result_.cvt, job_.origin),
+                     cell_table(cell_mesh(result_.cvt.delaunay)), path());
+    }
+
     const Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
    private:

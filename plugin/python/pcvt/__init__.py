@@ -177,6 +177,8 @@ class Result:
     lattice     (2, 2), rows a, b
     sites       (n, 2), wrapped into the domain at `origin`
     statistics  a Statistics
+    cells       (n,), measures of the cells, an array with the fields site, x, y, area, diameter,
+                sides, circularity, neighbours
     """
 
     def __init__(self, handle):
@@ -203,6 +205,13 @@ class Result:
         checked(library.pcvt_get_minimum(self._handle.pointer, byref(number)))
         return (None, True, False)[number.value]
 
+    @property
+    def cells(self):
+        """The measures of the cells that .csv files hold, one entry a site; neighbours are arrays."""
+        from ._cells import cell_table
+
+        return cell_table(self.sites, self.mesh())
+
     def mesh(self, kind="voronoi"):
         """The cells ("voronoi") or triangles ("delaunay") on the torus, a TorusMesh."""
         number = _choice("kind", kind, KINDS)
@@ -217,7 +226,7 @@ class Result:
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
               gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE",
               progress=None, colour="default", background="none"):
-        """Writes a tile, or the sites for the extension .txt; the extension selects the format.
+        """Writes a tile, the sites (.txt) or a table of the cells (.csv), by the extension.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
 

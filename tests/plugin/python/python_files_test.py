@@ -1,5 +1,6 @@
 """Files that the Python package writes, and how it finds the library."""
 
+import csv
 import importlib.util
 import os
 import shutil
@@ -95,6 +96,18 @@ class Files(CliTest):
         self.assertNotEqual(files["pythonCPE.inp"], files["pythonCPS.inp"])
         with self.assertRaisesRegex(pcvt.ArgumentError, "element 'C3D' is unknown; take one of CPE"):
             pcvt.mesh(12).write(self.path("no.inp"), "grains", element="C3D")
+
+    def test_cells_are_those_of_the_table(self):
+        result = pcvt.mesh(70, OBLIQUE)
+        result.write(self.path("cells.csv"))
+        with open(self.path("cells.csv"), encoding="ascii") as file:
+            rows = list(csv.DictReader(line for line in file if line[0] != "#"))
+        cells = result.cells
+        self.assertEqual(cells["sides"].sum(), 6 * 70)
+        for name in ("site", "x", "y", "area", "diameter", "sides", "circularity"):
+            np.testing.assert_allclose(cells[name], [float(row[name]) for row in rows], rtol=1e-12)
+        for neighbours, row in zip(cells["neighbours"], rows):
+            self.assertEqual(list(neighbours), list(map(int, row["neighbours"].split())))
 
     def test_files_are_replaced_on_request_only(self):
         result = pcvt.mesh(10)

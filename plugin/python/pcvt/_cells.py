@@ -1,0 +1,33 @@
+"""Measures of the cells of a result."""
+
+import numpy as np
+
+CELL = np.dtype([("site", np.int32), ("x", np.float64), ("y", np.float64), ("area", np.float64),
+                 ("diameter", np.float64), ("sides", np.int32), ("circularity", np.float64),
+                 ("neighbours", object)])
+
+# Edges shorter than this, in units of sqrt(mean area), are no sides.
+_SHORT_EDGE = 1e-5
+
+
+def cell_table(sites, mesh):
+    """One entry for each cell of a TorusMesh."""
+    first, n_corners = mesh.face_begin[:-1], len(mesh.corner_vertex)
+    face = np.repeat(np.arange(len(first)), np.diff(mesh.face_begin))
+    corner = mesh.vertices[mesh.corner_vertex] + mesh.corner_offset @ mesh.lattice
+    after = np.arange(1, n_corners + 1)
+    after[mesh.face_begin[1:] - 1] = first
+    p, q = (points - corner[first][face] for points in (corner, corner[after]))
+    length = np.hypot(*(q - p).T)
+    cells = np.empty(len(first), CELL)
+    cells["site"] = mesh.site
+    cells["x"], cells["y"] = sites.T
+    cells["area"] = np.add.reduceat(p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0], first) / 2
+    cells["diameter"] = 2 * np.sqrt(cells["area"] / np.pi)
+    cells["circularity"] = np.pi * cells["diameter"] / np.add.reduceat(length, first)
+    is_side = length > _SHORT_EDGE * np.sqrt(abs(np.linalg.det(mesh.lattice)) / len(first))
+    cells["sides"] = np.add.reduceat(is_side.astype(np.int32), first)
+    across = mesh.site[face[mesh.opposite[is_side]]]
+    for cell, sites_across in enumerate(np.split(across, np.cumsum(cells["sides"])[:-1])):
+        cells["neighbours"][cell] = sites_across
+    return cells
