@@ -10,7 +10,7 @@ namespace pcvt {
 ///   (1) The areas sum to that of the domain.
 ///   (2) If no edge is shorter than kShortEdge h and three cells meet at every vertex, the sides
 ///       sum to 6 n.
-///   (3) Neighbours are mutual: s is as often a neighbour of t as t of s.
+///   (3) Without shorter edges, s has t as a neighbour once for each Delaunay edge from s to t.
 struct CellTable {
     /// length^2
     std::vector<double> area;

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "mesher/mesh/voronoi.hpp"
 #include "tests/support/lattices.hpp"
@@ -32,15 +32,20 @@ TEST(CellTable, Law2TheSidesSumToSixACell) {
     }
 }
 
-TEST(CellTable, Law3NeighboursAreMutual) {
-    const CellTable cells = table_of(Lattice({1, 0}, {0.37, 0.81}), 7);
-    const auto count = [&](SiteId s, SiteId t) {
-        const auto begin = cells.neighbours.begin();
-        return std::count(begin + cells.neighbour_begin[s], begin + cells.neighbour_begin[s + 1],
-                          t);
-    };
-    for (SiteId s = 0; s < 7; ++s) {
-        for (SiteId t = 0; t < 7; ++t) EXPECT_EQ(count(s, t), count(t, s));
+TEST(CellTable, Law3NeighboursAreThoseOfTheDelaunayTriangulation) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    for (const int n : {1, 2, 7, 40}) {
+        const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 3)));
+        const PeriodicMesh triangles = triangle_mesh(delaunay);
+        std::vector<std::multiset<SiteId>> wanted(n);
+        for (int c = 0; c < triangles.n_corners(); ++c) {
+            wanted[triangles.corner_vertex[c]].insert(triangles.corner_vertex[triangles.next(c)]);
+        }
+        const CellTable cells = cell_table(cell_mesh(delaunay));
+        for (SiteId s = 0; s < n; ++s) {
+            const auto begin = cells.neighbours.begin() + cells.neighbour_begin[s];
+            EXPECT_EQ(std::multiset<SiteId>(begin, begin + cells.n_sides(s)), wanted[s]);
+        }
     }
 }
 
