@@ -98,7 +98,8 @@ TEST(JobFiles, ARefusalDistinguishesUnknownFromMissingExtensions) {
 
 TEST(JobFiles, PicturesAndSitesAreWrittenButNotChecked) {
     std::string written = output_extensions() + " ";
-    for (const std::string only_written : {" .svg ", " .png ", " .dxf ", " .html ", " .txt "}) {
+    for (const std::string only_written :
+         {" .svg ", " .png ", " .dxf ", " .html ", " .csv ", " .txt "}) {
         ASSERT_NE(written.find(only_written), std::string::npos) << only_written;
         written.replace(written.find(only_written), only_written.size(), " ");
     }
