@@ -35,7 +35,8 @@ runTimeModifiable false;
 )";
 
 // The line between the centres of two triangles misses the middle of their edge. With plain
-// `linear` interpolation such meshes diverge.
+// `linear` interpolation such meshes diverge. Coefficients of diffusion are interpolated by
+// `linear` nevertheless, because the correction extrapolates and can make them negative.
 constexpr const char* kSchemes = R"(ddtSchemes           { default backward; }
 gradSchemes          { default Gauss skewCorrected linear; }
 divSchemes
@@ -45,7 +46,7 @@ divSchemes
     div(phi,T)                      Gauss skewCorrected linear;
     div((nuEff*dev2(T(grad(U)))))   Gauss skewCorrected linear;
 }
-laplacianSchemes     { default Gauss skewCorrected linear corrected; }
+laplacianSchemes     { default Gauss linear corrected; }
 interpolationSchemes { default skewCorrected linear; }
 snGradSchemes        { default corrected; }
 )";

@@ -18,7 +18,7 @@ constexpr double kKeptArea = 0.5;
 /// The factor by which the snapping distance is reduced if it would tear a cell.
 constexpr double kLessSnap = 4;
 
-/// Returns the distance up to which an edge passes through a corner of the box, length units.
+/// Returns the smallest distance over which vertices and edges are moved, length units.
 double least_snap(const PeriodicMesh& cells) {
     return kSameVertex * std::sqrt(cells.lattice.area() / cells.n_faces());
 }
@@ -123,8 +123,7 @@ class BoxCutter {
                 corner[axis] = k;
                 const Vec2 from_p = lattice_.to_plane(corner - p);
                 const double at = from_p.dot(way) / way.squaredNorm();
-                if (std::abs(cross(way, from_p)) > least_snap(cells_) * way.norm() || at <= 0 ||
-                    at >= 1)
+                if (std::abs(cross(way, from_p)) > snap_ * way.norm() || at <= 0 || at >= 1)
                     continue;
                 const Offset offset{static_cast<int>(corner.x()), static_cast<int>(corner.y())};
                 const bool known = std::any_of(found.begin(), found.end(), [&](const Crossing& x) {

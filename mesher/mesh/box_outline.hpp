@@ -21,8 +21,8 @@ struct BoxCut {
 ///   const PeriodicMesh pieces = cut_along_box(cells, find_box_origin(cells)).pieces;
 ///
 /// A cell may be cut into several pieces. Vertices nearer to a line than `snap` are moved onto it,
-/// and an edge nearer to a corner of the box than kSameVertex h (sites.hpp) is taken to pass
-/// through it. Cell edges that lie on the cut therefore become part of it. Laws, tested by number:
+/// and an edge nearer to a corner of the box than `snap` is bent so that it passes through it. Cell
+/// edges that lie on the cut therefore become part of it. Laws, tested by number:
 ///   (1) The pieces are a mesh of the same torus: V - E + F = 0, the areas sum to that of the
 ///       domain, and each piece lies within the box.
 ///   (2) A vertex on the left or lower side, corners included, is the representative of its orbit;

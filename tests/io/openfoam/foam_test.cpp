@@ -72,7 +72,8 @@ TEST(Foam, TheCaseHasTheEntriesThatTheSolversNeed) {
     for (const char* entry : {"PISO", "PIMPLE", "potentialFlow", "PhiRefCell", "SIMPLE"}) {
         EXPECT_THAT(text("system/fvSolution"), HasSubstr(entry));
     }
-    for (const char* entry : {"div(phi,U) ", "div(phi,T) ", "Gauss skewCorrected linear"}) {
+    for (const char* entry : {"div(phi,U) ", "div(phi,T) ", "Gauss skewCorrected linear",
+                              "laplacianSchemes     { default Gauss linear corrected; }"}) {
         EXPECT_THAT(text("system/fvSchemes"), HasSubstr(entry));
     }
     for (const char* entry : {"transportModel Newtonian", "nu [0 2 -1", "DT [0 2 -1"}) {

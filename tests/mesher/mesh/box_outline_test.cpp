@@ -106,6 +106,25 @@ TEST(BoxOutline, IsProvedAtTheOriginThatTheSearchFinds) {
     }
 }
 
+TEST(BoxOutline, EdgesNearACornerOfTheBoxAreBentThroughIt) {
+    for (const auto& [name, lattice] : lattices()) {
+        constexpr int kSites = 40;
+        const Sites sites(lattice, uniform_points(lattice, kSites, 2));
+        const PeriodicMesh cells = without_short_edges(cell_mesh(PeriodicDelaunay(sites)), 0.1);
+        const double h = std::sqrt(lattice.area() / kSites);
+        for (int c = 0; c < cells.n_corners(); c += 7) {
+            SCOPED_TRACE(name + " edge " + std::to_string(c));
+            const Vec2 edge = cells.point(cells.next(c)) - cells.point(c);
+            const Vec2 normal = Vec2(-edge.y(), edge.x()).normalized();
+            const Vec2 corner = cells.point(c) + 0.5 * edge + 0.004 * h * normal;
+            const BoxCut box = cut_along_box(cells, corner, 0.03 * h);
+            expect_box(box.pieces, corner);
+            if (HasFatalFailure()) return;
+            EXPECT_GT(box.shortest_edge, 0.005 * h);
+        }
+    }
+}
+
 TEST(BoxOutline, CutsCellsThatAreNotConvex) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     std::mt19937_64 random(3);
