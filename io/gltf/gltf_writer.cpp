@@ -199,8 +199,9 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
     const TileColours colours =
         tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.site_densities);
     const Surface surface = make_surface(tile, colours, options.gltf_nodes, path);
-    // Reserve up to four attributes per vertex, and the outlines.
-    ModelBuilder builder(surface.points.size() * (3 * sizeof(Point3) + sizeof(float)) +
+    // Reserve up to five attributes per vertex, and the outlines.
+    ModelBuilder builder(surface.points.size() *
+                             (3 * sizeof(Point3) + sizeof(TextureCoordinate) + sizeof(float)) +
                          tile.points.size() * sizeof(Point3) +
                          (surface.indices.size() + 2 * tile.faces.corners.size()) * sizeof(int));
     add_surface(tile, surface, colours, builder);

@@ -162,6 +162,7 @@ void flush(png_structp) {}
 /// Makes the calls that may jump back. It must not have local objects with destructors.
 bool encode(Encoder& encoder, png_uint_32 width, png_uint_32 height) {
     if (setjmp(png_jmpbuf(encoder.png)) != 0) return false;
+    png_set_user_limits(encoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_write_fn(encoder.png, &encoder, append, flush);
     png_set_IHDR(encoder.png, encoder.info, width, height, 8, PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

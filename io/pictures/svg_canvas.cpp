@@ -29,7 +29,7 @@ constexpr double kBold = 1.12;
 /// character in UTF-8 counts for all of its bytes.
 double character_width(char c) {
     if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) return 0;
-    if (c < 0) return 0.9;
+    if (static_cast<unsigned char>(c) >= 0x80) return 0.9;
     if (std::string_view(" .,:;()|'!").find(c) != std::string_view::npos) return 0.41;
     if (std::string_view("mMwW%@").find(c) != std::string_view::npos) return 1;
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? 0.64 : 0.84;

@@ -38,8 +38,9 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                        std::to_string(kDefaultPixels) + "]")
         ->type_name("N");
     app.add_option("--cut", choices.cut,
-                   "of .svg and .dxf: only lines to cut, each edge once, in a tile MM\n"
-                   "millimetres wide [.svg: a picture; .dxf: the unit of the periods]")
+                   "of .svg and .dxf: only lines to cut, each edge once and without\n"
+                   "colours, in a tile MM millimetres wide\n[.svg: a picture; .dxf: the unit of "
+                   "the periods]")
         ->type_name("MM");
     app.add_option("--element", choices.element,
                    "of .inp: elements for plane strain (CPE) or plane stress (CPS) [CPE]")

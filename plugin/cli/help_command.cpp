@@ -126,6 +126,9 @@ void add_help_options(CLI::App& app, HelpOptions& options) {
 
 std::string help_text(const CLI::App& app, const HelpOptions& options) {
     if (!options.shell.empty()) {
+        if (options.man || !options.topic.empty()) {
+            throw InvalidInput("--completion takes neither a topic nor --man; leave them out");
+        }
         return chosen_row("--completion", options.shell, kShells).script(option_tables(app));
     }
     return options.man ? man_text(app, options.topic) : topic_text(app, options.topic);

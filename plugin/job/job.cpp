@@ -157,10 +157,23 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
 }
 
 /// The advice behind the message of an output that refuses the cells.
-std::string remedy(const Job& job) {
-    if (job.max_iterations == 0) return "; optimise the sites: leave --max-iterations 0 out";
-    if (job.points.cols() > 0) return "; try a smaller --tolerance, or other sites";
-    if (job.retries == 0) return "; try another --seed or a smaller --tolerance, or add --retry 20";
+/// @param dashes  precede the names of options.
+std::string remedy(const Job& job, const std::string& dashes) {
+    if (job.start == Start::kLattice) return "; take another number of sites, or other periods";
+    if (job.max_iterations == 0) {
+        return "; optimise the sites: leave " + dashes + "max-iterations 0 out";
+    }
+    const std::string tolerance = "a smaller " + dashes + "tolerance";
+    if (job.points.cols() > 0) return "; try " + tolerance + ", or other sites";
+    return "; try another " + dashes + "seed or " + tolerance;
+}
+
+/// The advice of the command, which can retry.
+std::string remedy_with_retries(const Job& job) {
+    const bool retries_help =
+        job.points.cols() == 0 && job.max_iterations != 0 && job.start != Start::kLattice;
+    if (!retries_help) return remedy(job, "--");
+    if (job.retries == 0) return remedy(job, "--") + ", or add --retry 20";
     return "; " + std::to_string(job.retries + 1) + " seeds from " + std::to_string(job.seed) +
            " on were tried: try a smaller --tolerance, or other --sites";
 }
@@ -223,8 +236,7 @@ RunSummary write_job(const Job& job, const Computation& result, const TileSource
     } catch (const Cancelled&) {
         return {};
     } catch (const UnsuitableCells& error) {
-        throw UnsuitableCells(std::string(error.what()) +
-                              "; try another seed or a smaller tolerance");
+        throw UnsuitableCells(error.what() + remedy(job, ""));
     }
 }
 
@@ -243,7 +255,7 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
         } catch (const Cancelled&) {
             return {};
         } catch (const UnsuitableCells& error) {
-            if (k == job.retries) throw UnsuitableCells(error.what() + remedy(job));
+            if (k == job.retries) throw UnsuitableCells(error.what() + remedy_with_retries(job));
         }
     }
 }

@@ -82,6 +82,10 @@ void check_density(const Job& job) {
     }
 }
 
+/// The widths of a tile for cutters, in millimetres.
+constexpr double kLeastCutWidth = 1e-3;
+constexpr double kLargestCutWidth = 1e6;
+
 /// A choice of FileOptions, as messages name it, and the formats that take it.
 struct FileChoice {
     const char* name;
@@ -136,9 +140,16 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
     if (colouring && colouring_row(*colouring).needs_density && !job.density) {
         throw InvalidInput("there is no density to show in colours; give one, or colour by size");
     }
+    const double cut_width = job.file_options.cut_width;
+    if (cut_width != 0 && !(cut_width >= kLeastCutWidth && cut_width <= kLargestCutWidth)) {
+        throw InvalidInput("the width to cut is not between 0.001 and 1e6 mm");
+    }
     for (const FileChoice& choice : kFileChoices) {
+        // Files for cutters have no colours and no background.
         const bool taken = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
-            return file.format->*choice.taken;
+            const bool is_cut = cut_width != 0 && file.format->takes_cut_width;
+            return file.format->*choice.taken &&
+                   (!is_cut || choice.taken == &TileFormat::takes_cut_width);
         });
         if (taken || files.empty() || !choice.is_made(job.file_options)) continue;
         throw InvalidInput(std::string("no output takes ") + choice.name + "; add one of " +
@@ -168,8 +179,7 @@ void check_retries(const Job& job, const std::vector<JobFile>& files) {
         files.begin(), files.end(), [](const JobFile& file) { return file.format->needs_torus(); });
     if (!refusable) {
         throw InvalidInput(
-            "--retry is for outputs that refuse some cells; add one of .nc, or "
-            "leave it out");
+            "--retry is for outputs that refuse some cells; add -o FILE.nc, or leave it out");
     }
 }
 

@@ -21,7 +21,7 @@ BuiltTile built_tile(const Job& job, const CvtResult& result, MeshKind kind,
                                         .progress = progress});
 }
 
-/// "building the tile" if the job has one mesh, "building the grains, 2 of 3" if it has several.
+/// "building the tile" if the job has one mesh, "building grains, 2 of 3" if it has several.
 std::string words(const std::string& verb, const Job& job, std::size_t k) {
     const std::size_t n = job.meshes.size();
     if (n == 1) return verb + " the tile";

@@ -51,7 +51,8 @@ void add_named(const std::string& path, const StudyRecipe& recipe, StudyShard sh
     if (extension == ".csv") {
         add_files(path, StudyFileKind::kTable, table_suffixes(recipe, shard), files);
     } else if ((extension == ".svg" || extension == ".html") && shard.count > 1) {
-        throw InvalidInput("-o " + path + ": a shard has no picture; merge the shards for it");
+        throw InvalidInput("-o " + path +
+                           ": a shard has no picture or page; merge the shards for it");
     } else if (extension == ".html") {
         add_files(path, StudyFileKind::kPage, {""}, files);
     } else if (extension == ".svg" && recipe.pictures.empty()) {

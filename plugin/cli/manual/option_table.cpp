@@ -12,10 +12,20 @@ std::vector<std::string> alternatives(const std::string& form) {
     return form.empty() ? std::vector<std::string>() : CLI::detail::split(form, '|');
 }
 
-/// Whether an alternative of a form is typed as it is there.
-bool is_literal(const std::string& word) {
+/// Whether the word consists of digits and of letters from `first` to `last`.
+bool is_word_of(const std::string& word, char first, char last) {
     return std::all_of(word.begin(), word.end(),
-                       [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); });
+                       [=](char c) { return (c >= first && c <= last) || (c >= '0' && c <= '9'); });
+}
+
+/// Whether an alternative of a form is typed as it is there. A placeholder is in capitals.
+bool is_literal(const std::string& word) { return is_word_of(word, 'a', 'z'); }
+
+/// Whether all alternatives are typed as they are, in capitals: CPE|CPS.
+bool are_capital_words(const std::vector<std::string>& words) {
+    return words.size() > 1 && std::all_of(words.begin(), words.end(), [](const auto& word) {
+               return is_word_of(word, 'A', 'Z');
+           });
 }
 
 OptionWords words_of(const CLI::Option& option) {
@@ -49,6 +59,7 @@ CommandWords table_of(const CLI::App& app, const std::string& name) {
 
 std::vector<std::string> OptionWords::values() const {
     std::vector<std::string> words = alternatives(form);
+    if (are_capital_words(words)) return words;
     std::erase_if(words, [](const std::string& word) { return !is_literal(word); });
     return words;
 }

@@ -22,8 +22,8 @@ std::vector<std::string> command_names(const std::vector<CommandWords>& commands
 
 /// The assignments of bash for the value of an option or for an argument.
 std::string bash_values(const OptionWords& option) {
-    return "values='" + joined(option.values(), " ") + "'" +
-           (option.takes_file() ? " files=1" : "");
+    return "values='" + joined(option.values(), " ") +
+           "' files=" + (option.takes_file() ? "1" : "");
 }
 
 /// The branch of a command: its options, its arguments, and the values of the option before.

@@ -51,6 +51,9 @@ void ProgressDisplay::show(const JobProgress& progress) {
     if (!line_.due()) return;
     std::optional<double> seconds_left;
     if (progress.phase == Phase::kOptimising) {
+        // A further seed begins from its own iteration 0.
+        if (progress.run.iteration < last_iteration_) time_left_ = {};
+        last_iteration_ = progress.run.iteration;
         time_left_.add(line_.seconds(), progress.run.residual);
         seconds_left = time_left_.until(tolerance_);
     }

@@ -29,6 +29,7 @@ class ProgressDisplay {
     double tolerance_;
     StatusLine line_;
     TimeLeft time_left_;
+    int last_iteration_ = 0;
 };
 
 /// The parts of the line, most important first.

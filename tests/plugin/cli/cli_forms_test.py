@@ -107,7 +107,17 @@ class Forms(CliTest):
                                 (("--mesh", "delaunay", "--glb-nodes", "cells"), "voronoi or grains")):
             self.refuse(2, remedy, "mesh", "--sites", 3, *options,
                         "-o", "t.png", "-o", "t.svg", "-o", "t.glb")
+        for options, fault in ((("--colour", "cells"), "takes a colouring"),
+                               (("--background", "#fff000"), "takes a background")):
+            self.refuse(2, fault, "mesh", "--sites", 3, "--cut", 300, *options, "-o", "t.svg")
+        for width in ("1e305", "1e-9"):
+            self.refuse(2, "not between 0.001 and 1e6 mm", "mesh", "--sites", 3, "--cut", width, "-o", "t.dxf")
         self.assertEqual(self.contents(), {})
+
+    def test_an_image_may_be_longer_than_a_million_pixels(self):
+        self.succeed("mesh", "--sites", 3, "--period", "1,400000", "--pixels", 3, "--max-iterations", 0,
+                     "--quiet", "-o", "t.png")
+        self.assertEqual(struct.unpack(">II", self.path("t.png").read_bytes()[16:24]), (3, 1200000))
 
 
 if __name__ == "__main__":

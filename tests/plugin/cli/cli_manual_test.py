@@ -64,6 +64,9 @@ class Pages(CliTest):
                       if "missing date" not in line]
             self.assertEqual(faults, [])
 
+    def test_completion_takes_no_topic(self):
+        self.refuse(2, "--completion takes neither a topic nor --man", "help", "mesh", "--completion", "bash")
+
     def test_an_unknown_page_is_refused(self):
         self.refuse(2, "did you mean mesh", "help", "--man", "mehs")
         self.refuse(2, "takes a command", "help", "--man", "cooking")
@@ -87,6 +90,8 @@ class Bash(CliTest):
                 (["mesh", "--to"], ["--tolerance"]),
                 (["mesh", "--mesh", ""], ["voronoi", "delaunay", "grains"]),
                 (["mesh", "--mesh", "=", "gr"], ["grains"]),
+                (["mesh", "--element", ""], ["CPE", "CPS"]),
+                (["check", "--period", ""], [""]),
                 (["mesh", "--mesh", "="], ["voronoi", "delaunay", "grains"]),
                 (["mesh", "--outline", "b"], ["box"]),
                 (["mesh", "--order", ""], ["1", "2"]),

@@ -104,7 +104,7 @@ class Help(CliTest):
     def test_formats_lists_every_extension(self):
         said = self.succeed("help", "formats")
         for extension in ("obj", "ply", "glb", "gltf", "om", "msh", "inp", "vtu", "svg", "png", "dxf", "html",
-                          "foam", "nc", "txt"):
+                          "foam", "nc", "csv", "txt"):
             self.assertRegex(said, rf"(?m)^  \.{extension} +\S")
 
 
