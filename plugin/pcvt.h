@@ -105,7 +105,7 @@ enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4 };
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
 
-/** What a run is doing, in this order; a run leaves out the phases that it does not need. */
+/** The phases of a run, in their order; a run may leave out some. */
 enum {
     PCVT_PHASE_START = 0, /**< placing or searching sites to begin with */
     PCVT_PHASE_OPTIMISE = 1,

@@ -17,10 +17,10 @@ struct Colour {
     double b;
 };
 
-/// The colour of a cell with so many sides, or of a site with so many triangles.
+/// The colour of a cell with this number of sides, or of a site with this number of triangles.
 ///
 /// Hexagons are pale and neutral, so that the others stand out. Fewer sides are blue and more sides
-/// are orange, darker the further from six: hue and lightness each tell them apart, also for the
+/// are orange, darker the further from six: hue and lightness each distinguish them, also for the
 /// colour-blind. Three and fewer share a colour, and so do nine and more.
 Colour side_colour(int sides);
 

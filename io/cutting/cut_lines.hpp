@@ -13,7 +13,8 @@ struct CutLine {
 
 /// The edges of a tile as a cutter needs them, with the lower left corner of all at 0.
 struct CutLines {
-    /// The edges inside the tile and those of its boundary. Each edge is in one of the lists once.
+    /// The edges inside the tile and the edges of its boundary. Each edge is in one of the lists
+    /// once.
     std::vector<CutLine> inner;
     std::vector<CutLine> seam;
     Vec2 size;

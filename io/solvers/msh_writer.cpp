@@ -37,7 +37,7 @@ void append_line(std::string& text, std::initializer_list<Number> numbers) {
 
 /// The entities of a tile with their tags: point and curve k have the tag k + 1, the surface of a
 /// cell has the tag site + 1. Tags of physical groups are distinct over the dimensions, because
-/// GetDP has one list of groups for curves and surfaces: site + 1 again, then those of the curves.
+/// GetDP has one list of groups for curves and surfaces: site + 1 again, then the curves.
 struct Model {
     MshEntities entities;
     /// Of each vertex; 0 where there is no point.

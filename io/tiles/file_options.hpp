@@ -23,8 +23,8 @@ inline constexpr std::array kGltfNodes{GltfNodesRow{GltfNodes::kCells, "cells", 
 
 inline constexpr int kDefaultPixels = 1024;
 
-/// What a writer may need besides the tile. The rows of the table of formats name the members that
-/// a format takes.
+/// The values that a writer may need besides the tile. The rows of the table of formats name the
+/// members that a format takes.
 struct FileOptions {
     /// Of graded meshes: the densities at sites 0 to n - 1 of one period; else empty.
     std::span<const double> site_densities = {};

@@ -29,7 +29,7 @@ std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners);
 std::vector<Point32> single_precision_points(const Tile& tile, const std::string& path);
 
 /// Appends the corners of the fan of a face of cells, three vertices of the tile per triangle.
-/// @param points  those of single_precision_points().
+/// @param points  as single_precision_points() returns them.
 /// @throws InvalidInput naming the path if the face has no area in float32.
 void append_fan(const Tile& cells, int face, const std::vector<Point32>& points,
                 std::vector<int>& corners, const std::string& path);

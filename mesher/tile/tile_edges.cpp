@@ -19,7 +19,7 @@ struct Side {
 
 bool is_before(const Side& side, const Side& other) { return side.key() < other.key(); }
 
-/// Returns the sides of all faces; those of one edge lie side by side.
+/// Returns the sides of all faces; the two sides of an edge are adjacent.
 std::vector<Side> sorted_sides(const Tile& tile) {
     std::vector<Side> sides;
     sides.reserve(tile.faces.corners.size());

@@ -158,7 +158,7 @@ struct RunSummary {
 /// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
 ///                        sites (DuplicateSites names the ids) and a tile too fine for a file's
 ///                        format.
-/// @throws UnsuitableCells  an output refuses the cells, also those of the retries.
+/// @throws UnsuitableCells  an output refuses the cells, also after all retries.
 /// @throws OutputError    a file cannot be written, or exists and `force` is not set.
 /// @throws LimitExceeded  too many sites or faces.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.

@@ -17,7 +17,7 @@ struct ManualSection {
 ///
 ///   print(manual_page(tables, tables[1], "0.2.0", {}));
 ///
-/// @param commands  all tables of option_tables(); the page refers to those of the other commands.
+/// @param commands  all tables of option_tables(); the page refers to the other pages.
 /// @param command   one of them.
 /// @param sections  added behind the options.
 std::string manual_page(const std::vector<CommandWords>& commands, const CommandWords& command,
