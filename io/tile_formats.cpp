@@ -82,12 +82,6 @@ std::vector<EncodedFile> write_cells(const Points& sites, const CellTable& cells
     return only_file(path, encode_cells(sites, cells));
 }
 
-std::vector<EncodedFile> write_inp(const Tile& tile, const FileOptions& options,
-                                   const std::string& path) {
-    const bool stress = options.element == PlaneElement::kStress;
-    return stress ? encode_plane_stress_inp(tile, path) : encode_inp(tile, path);
-}
-
 std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
                                    const std::string& path) {
     if (options.cut_width > 0) return encode_svg_cut(tile, options.cut_width, path);
@@ -131,7 +125,7 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .highest_order = 2},
     {.extension = ".inp",
      .description = "Abaqus and CalculiX with *EQUATION, triangles only",
-     .write = write_inp,
+     .write = encode_inp,
      .read = decode_inp,
      .holds_polygons = false,
      .highest_order = 2,

@@ -12,7 +12,6 @@
 #include "io/elements/triangle_cells.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/plane_element.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 
@@ -211,20 +210,13 @@ class InpText {
     std::string text_;
 };
 
-std::vector<EncodedFile> encode(const Tile& tile, PlaneElement element, const std::string& path) {
-    require_triangles(tile.kind, path);
-    require_finite(tile);
-    return only_file(path, InpText(tile, element, path).write());
-}
-
 }  // namespace
 
-std::vector<EncodedFile> encode_inp(const Tile& tile, const std::string& path) {
-    return encode(tile, PlaneElement::kStrain, path);
-}
-
-std::vector<EncodedFile> encode_plane_stress_inp(const Tile& tile, const std::string& path) {
-    return encode(tile, PlaneElement::kStress, path);
+std::vector<EncodedFile> encode_inp(const Tile& tile, const FileOptions& options,
+                                    const std::string& path) {
+    require_triangles(tile.kind, path);
+    require_finite(tile);
+    return only_file(path, InpText(tile, options.element, path).write());
 }
 
 }  // namespace pcvt

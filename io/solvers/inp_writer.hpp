@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
+#include "io/tiles/file_options.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
-/// Encodes the mesh part of an Abaqus or CalculiX input, which a job includes: plane strain
-/// triangles CPE3 (CPE6 for order 2). Node v + 1 is vertex v, element f + 1 is face f.
+/// Encodes the mesh part of an Abaqus or CalculiX input, which a job includes: triangles
+/// CPE3, or CPS3 for plane stress (CPE6, CPS6 for order 2). Node v + 1 is vertex v, element f + 1
+/// is face f.
 ///
 /// Element sets: `EALL`, and one set `CELL_s` for each cell with site s (element_cells()). A cell
 /// that owns no Delaunay triangle has the triangles at its site, which their owners have as well.
@@ -29,16 +31,14 @@ namespace pcvt {
 /// coordinate.
 ///
 /// Example usage:
-///     for (const EncodedFile& file : encode_inp(tile, "tile.inp")) {
+///     for (const EncodedFile& file : encode_inp(tile, {}, "tile.inp")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
 /// @throws InvalidInput   if the tile has polygons, or is so small or large in its unit of length
 ///                        that 20 characters cannot hold its numbers.
 /// @throws InternalError  if a coordinate is not finite.
-std::vector<EncodedFile> encode_inp(const Tile& tile, const std::string& path);
-
-/// The same with plane stress triangles, CPS3 or CPS6.
-std::vector<EncodedFile> encode_plane_stress_inp(const Tile& tile, const std::string& path);
+std::vector<EncodedFile> encode_inp(const Tile& tile, const FileOptions& options,
+                                    const std::string& path);
 
 }  // namespace pcvt

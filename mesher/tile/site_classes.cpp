@@ -4,22 +4,13 @@
 #include <array>
 #include <utility>
 
+#include "mesher/tile/tile_edges.hpp"
+
 namespace pcvt {
 namespace {
 
-using Edge = std::pair<int, int>;
-
-/// One side of an edge of a tile: the edge from its smaller to its larger vertex, and a site.
-struct EdgeSide {
-    Edge edge;
-    SiteId site;
-    friend constexpr auto operator<=>(const EdgeSide&, const EdgeSide&) = default;
-};
-
 /// Pairs of neighbouring sites in both directions, sorted, each pair once.
 using Neighbours = std::vector<std::pair<SiteId, SiteId>>;
-
-Edge sorted_edge(int v, int w) { return {std::min(v, w), std::max(v, w)}; }
 
 void finish(Neighbours& pairs) {
     const std::size_t n = pairs.size();
@@ -29,46 +20,16 @@ void finish(Neighbours& pairs) {
     std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
 }
 
-/// Returns the sites whose faces share an edge, inside the tile or across its seam.
-Neighbours neighbours_of_faces(const Tile& tile) {
-    // An edge of the seam takes the place of its partner.
-    std::vector<std::pair<Edge, Edge>> partners;
-    for (const EdgePair& pair : tile.edge_pairs) {
-        partners.emplace_back(sorted_edge(pair.w0, pair.w1), sorted_edge(pair.v0, pair.v1));
-    }
-    std::sort(partners.begin(), partners.end());
-    const auto representative = [&](const Edge& edge) {
-        const auto at =
-            std::lower_bound(partners.begin(), partners.end(), std::pair(edge, Edge{-1, -1}));
-        return at != partners.end() && at->first == edge ? at->second : edge;
-    };
-    std::vector<EdgeSide> sides;
-    sides.reserve(tile.faces.corners.size());
-    for (int f = 0; f < tile.n_faces(); ++f) {
-        int previous = tile.faces[f].back();
-        for (const int v : tile.faces[f]) {
-            const Edge edge = sorted_edge(std::exchange(previous, v), v);
-            sides.push_back({representative(edge), tile.face_site[f]});
-        }
-    }
-    std::sort(sides.begin(), sides.end());
+/// Returns the sites whose faces share an edge, inside the tile or across its seam; for Delaunay
+/// triangles, the sites at the ends of an edge.
+Neighbours neighbours(const Tile& tile) {
+    const bool owned = faces_have_sites(tile.kind);
     Neighbours pairs;
-    for (std::size_t k = 1; k < sides.size(); ++k) {
-        if (sides[k].edge == sides[k - 1].edge) {
-            pairs.emplace_back(sides[k - 1].site, sides[k].site);
-        }
-    }
-    finish(pairs);
-    return pairs;
-}
-
-/// Returns the sites at the ends of the edges of Delaunay triangles.
-Neighbours neighbours_of_vertices(const Tile& tile) {
-    Neighbours pairs;
-    for (int f = 0; f < tile.n_faces(); ++f) {
-        int previous = tile.faces[f].back();
-        for (const int v : tile.faces[f]) {
-            pairs.emplace_back(tile.vertex_site[std::exchange(previous, v)], tile.vertex_site[v]);
+    for (const TileEdge& edge : tile_edges(tile)) {
+        if (owned) {
+            pairs.emplace_back(tile.face_site[edge.left], tile.face_site[edge.right]);
+        } else {
+            pairs.emplace_back(tile.vertex_site[edge.v], tile.vertex_site[edge.w]);
         }
     }
     finish(pairs);
@@ -155,12 +116,11 @@ std::vector<int> classes(const SiteGraph& graph) {
 }  // namespace
 
 std::vector<int> site_classes(const Tile& tile) {
-    const bool owned = faces_have_sites(tile.kind);
-    const std::vector<SiteId>& sites = owned ? tile.face_site : tile.vertex_site;
+    const std::vector<SiteId>& sites =
+        faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     if (sites.empty()) return {};
     const SiteId n_sites = *std::max_element(sites.begin(), sites.end()) + 1;
-    const SiteGraph graph(owned ? neighbours_of_faces(tile) : neighbours_of_vertices(tile),
-                          n_sites);
+    const SiteGraph graph(neighbours(tile), n_sites);
     const std::vector<int> class_of_site = classes(graph);
     std::vector<int> result;
     result.reserve(sites.size());

@@ -56,11 +56,6 @@ JobCallback job_callback(const HostProgress& to, double energy_bound, const std:
     };
 }
 
-double energy_bound(const Job& job, int n_sites) {
-    return job.density ? std::numeric_limits<double>::quiet_NaN()
-                       : hexagonal_bound(job.lattice.area(), n_sites);
-}
-
 pcvt_status status_of(const Job& job, const CvtResult& cvt) {
     if (cvt.run.stop == Stop::kConverged || job.max_iterations == 0) return PCVT_OK;
     set_last_error(cvt.run.stop == Stop::kStalled

@@ -116,8 +116,13 @@ const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) cons
     });
 }
 
+double energy_bound(const Job& job, int n_sites) {
+    return job.density ? std::numeric_limits<double>::quiet_NaN()
+                       : hexagonal_bound(job.lattice.area(), n_sites);
+}
+
 double Result::energy_bound() const {
-    return job_.density ? std::numeric_limits<double>::quiet_NaN() : computed_.cvt.energy_bound;
+    return abi::energy_bound(job_, static_cast<int>(sites_.cols()));
 }
 
 pcvt_sites Result::sites() const {

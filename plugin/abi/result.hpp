@@ -43,6 +43,9 @@ struct WriteRequest {
     bool replace = false;
 };
 
+/// The energy of the hexagonal lattice; NaN with a density.
+double energy_bound(const Job& job, int n_sites);
+
 /// A tile and the arrays that its view borrows.
 struct TileArrays {
     BuiltTile built;
@@ -57,7 +60,6 @@ class Result {
    public:
     Result(Job job, Computation computed);
 
-    /// NaN with a density.
     double energy_bound() const;
     pcvt_sites sites() const;
     pcvt_statistics statistics() const;

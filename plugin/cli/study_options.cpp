@@ -89,7 +89,10 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
     };
     app.option_defaults()->group("Study");
     add("STUDY", options.name, "", "one of the studies below");
-    app.get_option("STUDY")->option_text("table1|fig7|fig8|fig9|fig10|fig11");
+    std::string names;
+    for (const StudyRecipe& recipe : study_recipes())
+        names += (names.empty() ? "" : "|") + recipe.name;
+    app.get_option("STUDY")->option_text(names);
     add("--sites", options.sites, "N,N,...", "numbers of sites [the paper's, see below]");
     add("--runs", options.runs, "R", "random starts for each number of sites [see below]");
     add("--seed", options.seed, "S",

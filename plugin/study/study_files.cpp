@@ -1,6 +1,9 @@
 #include "plugin/study/study_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <string_view>
 
 #include "io/bytes/output.hpp"
 #include "io/page/study_page.hpp"
@@ -26,47 +29,21 @@ std::vector<std::string> table_suffixes(const StudyRecipe& recipe, StudyShard sh
     return suffixes;
 }
 
-void add_files(const std::string& path, StudyFileKind kind,
-               const std::vector<std::string>& suffixes, std::vector<StudyFile>& files) {
-    for (std::size_t k = 0; k < suffixes.size(); ++k) {
-        files.push_back({with_suffix(path, suffixes[k]), kind, k});
-    }
+std::vector<std::string> picture_suffixes(const StudyRecipe& recipe, StudyShard) {
+    return recipe.pictures;
 }
 
-void add_folder(const std::string& folder, const StudyRecipe& recipe, StudyShard shard,
-                std::vector<StudyFile>& files) {
-    std::string stem = (fs::path(folder) / recipe.name).string();
-    if (shard.count > 1) {
-        stem += "-shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
-    }
-    add_files(stem + ".csv", StudyFileKind::kTable, table_suffixes(recipe, shard), files);
-    if (shard.count > 1) return;
-    add_files(stem + ".svg", StudyFileKind::kPicture, recipe.pictures, files);
-    add_files(stem + ".html", StudyFileKind::kPage, {""}, files);
+std::vector<std::string> page_suffixes(const StudyRecipe&, StudyShard) { return {""}; }
+
+std::string encode_table(const Study&, const StudyResult& result, std::size_t index) {
+    return encode_csv(result.tables.at(index));
 }
 
-void add_named(const std::string& path, const StudyRecipe& recipe, StudyShard shard,
-               std::vector<StudyFile>& files) {
-    const std::string extension = fs::path(path).extension().string();
-    if (extension == ".csv") {
-        add_files(path, StudyFileKind::kTable, table_suffixes(recipe, shard), files);
-    } else if ((extension == ".svg" || extension == ".html") && shard.count > 1) {
-        throw InvalidInput("-o " + path +
-                           ": a shard has no picture or page; merge the shards for it");
-    } else if (extension == ".html") {
-        add_files(path, StudyFileKind::kPage, {""}, files);
-    } else if (extension == ".svg" && recipe.pictures.empty()) {
-        throw InvalidInput("-o " + path + ": study " + recipe.name + " has no picture; take .csv");
-    } else if (extension == ".svg") {
-        add_files(path, StudyFileKind::kPicture, recipe.pictures, files);
-    } else {
-        throw InvalidInput(
-            "-o " + path +
-            ": neither .csv, .svg nor .html nor a folder, which ends in /; take one of them");
-    }
+std::string picture(const Study&, const StudyResult& result, std::size_t index) {
+    return result.pictures.at(index).svg;
 }
 
-std::string page_of(const Study& study, const StudyResult& result) {
+std::string encode_page(const Study& study, const StudyResult& result, std::size_t) {
     std::vector<StudyPagePicture> pictures;
     for (const StudyPicture& picture : result.pictures) {
         pictures.push_back({study.name + picture.suffix, picture.svg, picture.points});
@@ -81,6 +58,63 @@ std::string page_of(const Study& study, const StudyResult& result) {
     }
     const StudyRecipe& recipe = find_study_recipe(study.name);
     return encode_study_page(study.name, recipe.description, pictures, tables);
+}
+
+/// A format of the files of a study.
+struct StudyFormat {
+    std::string_view extension;
+    /// Whether a shard has such files.
+    bool in_shards;
+    /// Returns one suffix of the name for each file.
+    std::vector<std::string> (*suffixes)(const StudyRecipe& recipe, StudyShard shard);
+    StudyEncoder* encode;
+};
+constexpr StudyFormat kStudyFormats[] = {
+    {.extension = ".csv", .in_shards = true, .suffixes = table_suffixes, .encode = encode_table},
+    {.extension = ".svg", .in_shards = false, .suffixes = picture_suffixes, .encode = picture},
+    {.extension = ".html", .in_shards = false, .suffixes = page_suffixes, .encode = encode_page},
+};
+
+void add_files(const std::string& path, const StudyFormat& format,
+               const std::vector<std::string>& suffixes, std::vector<StudyFile>& files) {
+    for (std::size_t k = 0; k < suffixes.size(); ++k) {
+        files.push_back({with_suffix(path, suffixes[k]), format.encode, k});
+    }
+}
+
+void add_folder(const std::string& folder, const StudyRecipe& recipe, StudyShard shard,
+                std::vector<StudyFile>& files) {
+    std::string stem = (fs::path(folder) / recipe.name).string();
+    if (shard.count > 1) {
+        stem += "-shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
+    }
+    for (const StudyFormat& format : kStudyFormats) {
+        if (shard.count > 1 && !format.in_shards) continue;
+        const std::string path = stem + std::string(format.extension);
+        add_files(path, format, format.suffixes(recipe, shard), files);
+    }
+}
+
+void add_named(const std::string& path, const StudyRecipe& recipe, StudyShard shard,
+               std::vector<StudyFile>& files) {
+    const std::string extension = fs::path(path).extension().string();
+    const auto format =
+        std::find_if(std::begin(kStudyFormats), std::end(kStudyFormats),
+                     [&](const StudyFormat& row) { return row.extension == extension; });
+    if (format == std::end(kStudyFormats)) {
+        throw InvalidInput(
+            "-o " + path +
+            ": neither .csv, .svg nor .html nor a folder, which ends in /; take one of them");
+    }
+    if (shard.count > 1 && !format->in_shards) {
+        throw InvalidInput("-o " + path +
+                           ": a shard has no picture or page; merge the shards for it");
+    }
+    const std::vector<std::string> suffixes = format->suffixes(recipe, shard);
+    if (suffixes.empty()) {
+        throw InvalidInput("-o " + path + ": study " + recipe.name + " has no picture; take .csv");
+    }
+    add_files(path, *format, suffixes, files);
 }
 
 }  // namespace
@@ -107,17 +141,7 @@ void write_study(const Study& study, const StudyResult& result, const std::vecto
                  bool force) {
     OutputSet outputs;
     for (const StudyFile& file : files) {
-        switch (file.kind) {
-            case StudyFileKind::kTable:
-                outputs.stage(file.path, encode_csv(result.tables.at(file.index)));
-                break;
-            case StudyFileKind::kPicture:
-                outputs.stage(file.path, result.pictures.at(file.index).svg);
-                break;
-            case StudyFileKind::kPage:
-                outputs.stage(file.path, page_of(study, result));
-                break;
-        }
+        outputs.stage(file.path, file.encode(study, result, file.index));
     }
     outputs.commit(force);
 }

@@ -7,13 +7,14 @@
 
 namespace pcvt {
 
-enum class StudyFileKind { kTable, kPicture, kPage };
+/// Returns the bytes of a file.
+/// @param index  into the tables or pictures of the result.
+using StudyEncoder = std::string(const Study& study, const StudyResult& result, std::size_t index);
 
 /// One file of a study, planned before anything is computed.
 struct StudyFile {
     std::string path;
-    StudyFileKind kind;
-    /// Index into the tables or pictures of the result.
+    StudyEncoder* encode;
     std::size_t index;
 };
 

@@ -60,11 +60,15 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-std::string heading(std::string title) {
-    for (char& c : title) {
+std::string in_capitals(std::string text) {
+    for (char& c : text) {
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     }
-    return ".SH \"" + escaped(title) + "\"\n";
+    return text;
+}
+
+std::string heading(const std::string& title) {
+    return ".SH \"" + escaped(in_capitals(title)) + "\"\n";
 }
 
 std::string paragraph(const std::string& text) {
@@ -172,10 +176,8 @@ std::string references(const std::vector<CommandWords>& commands, const CommandW
 
 std::string manual_page(const std::vector<CommandWords>& commands, const CommandWords& command,
                         const std::string& version, const std::vector<ManualSection>& sections) {
-    std::string title = page_name(command);
-    std::transform(title.begin(), title.end(), title.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
-    std::string roff = ".TH " + escaped(title) + " 1 \"\" \"pcvt " + version + "\" \"pcvt\"\n";
+    std::string roff = ".TH " + escaped(in_capitals(page_name(command))) + " 1 \"\" \"pcvt " +
+                       version + "\" \"pcvt\"\n";
     roff += heading("Name") + escaped(page_name(command)) + " \\- " + escaped(command.description) +
             "\n";
     roff += heading("Synopsis") + synopsis(command);

@@ -23,7 +23,7 @@ using ::testing::StartsWith;
 const Lattice kSquare({1, 0}, {0, 1});
 
 std::string two_triangles() {
-    return encode_inp(testing::triangle_grid_tile(kSquare, 1, 1), "t.inp")[0].bytes;
+    return encode_inp(testing::triangle_grid_tile(kSquare, 1, 1), {}, "t.inp")[0].bytes;
 }
 
 TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
@@ -43,7 +43,7 @@ TEST(Inp, TilesReadBackExactlyWithTheirVertexPairs) {
     const std::vector<Lattice> fitting = {Lattice({1, 0}, {0, 1}), Lattice({2, 0}, {0.25, 0.875}),
                                           Lattice({0, 1}, {1, 0})};
     for (const Tile& tile : testing::solver_tiles(fitting)) {
-        const auto files = encode_inp(tile, "dir/t.inp");
+        const auto files = encode_inp(tile, {}, "dir/t.inp");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.inp");
         const TileFile file = decode_inp(files, std::nullopt);
@@ -54,7 +54,8 @@ TEST(Inp, TilesReadBackExactlyWithTheirVertexPairs) {
 
 TEST(Inp, EachTiedNodeHasOneEquationPerDirection) {
     const std::string text =
-        encode_inp(testing::triangle_grid_tile(Lattice({2, 0}, {1, 3}), 2, 1), "t.inp")[0].bytes;
+        encode_inp(testing::triangle_grid_tile(Lattice({2, 0}, {1, 3}), 2, 1), {}, "t.inp")[0]
+            .bytes;
     EXPECT_THAT(text, HasSubstr("*ELEMENT,TYPE=CPE3,ELSET=EALL\n1,1,2,5\n2,1,5,4\n"));
     EXPECT_THAT(text, HasSubstr("*NODE,NSET=CONTROL_1\n7,"));
     EXPECT_THAT(text, HasSubstr("*NSET,NSET=seam_1_0\n1,4\n"));
@@ -66,7 +67,7 @@ TEST(Inp, EachTiedNodeHasOneEquationPerDirection) {
 TEST(Inp, ALineHoldsAtMostEightIdsAndANumberTwentyCharacters) {
     const Lattice lattice({1, 0}, {1.0 / 3, 2.0 / 3});
     Tile tile = testing::triangle_grid_tile(lattice, 30, 30);
-    const std::string text = encode_inp(tile, "t.inp")[0].bytes;
+    const std::string text = encode_inp(tile, {}, "t.inp")[0].bytes;
     std::size_t n_fields = 0;
     std::size_t length = 0;
     for (const char c : text.substr(text.find("*NODE"))) {
@@ -83,10 +84,10 @@ TEST(Inp, NumbersBeyondTwentyCharactersAreRefusedOrRoundedWithinTheTolerance) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
         const Tile tile = testing::triangle_grid_tile(lattice, 7, 7);
         if (lattice.a().norm() < 0.1) {
-            EXPECT_THROW(encode_inp(tile, "t.inp"), InvalidInput);
+            EXPECT_THROW(encode_inp(tile, {}, "t.inp"), InvalidInput);
             continue;
         }
-        const TileFile file = decode_inp(encode_inp(tile, "t.inp"), std::nullopt);
+        const TileFile file = decode_inp(encode_inp(tile, {}, "t.inp"), std::nullopt);
         EXPECT_NO_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)));
     }
 }
@@ -96,7 +97,7 @@ TEST(Inp, EachDelaunayCellHasElements) {
     const Sites sites(kSquare, uniform_points(kSquare, kSites, 5));
     const Tile tile = build_tile(PeriodicDelaunay(sites), {.kind = MeshKind::kDelaunay}).tile;
     const std::vector<SiteId> owners = element_cells(tile);
-    const std::string text = encode_inp(tile, "t.inp")[0].bytes;
+    const std::string text = encode_inp(tile, {}, "t.inp")[0].bytes;
     for (SiteId s = 0; s < kSites; ++s) {
         const std::string set = "\n*ELSET,ELSET=CELL_" + std::to_string(s) + "\n";
         ASSERT_THAT(text, HasSubstr(set));
@@ -112,7 +113,7 @@ TEST(Inp, EachDelaunayCellHasElements) {
 TEST(Inp, CellsMeetAtTheNodesOfTheirSets) {
     Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
     const auto sets = [&] {
-        const std::string text = encode_inp(tile, "t.inp")[0].bytes;
+        const std::string text = encode_inp(tile, {}, "t.inp")[0].bytes;
         const std::size_t begin = text.find("*NSET,NSET=GRAIN_BOUNDARY\n");
         return text.substr(begin, text.find("*NSET,NSET=seam") - begin);
     };
@@ -131,16 +132,17 @@ TEST(Inp, CellsMeetAtTheNodesOfTheirSets) {
 
 TEST(Inp, ElementsAreForPlaneStressOnRequest) {
     Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
-    EXPECT_THAT(encode_plane_stress_inp(tile, "t.inp")[0].bytes, HasSubstr("TYPE=CPS3,ELSET=EALL"));
+    EXPECT_THAT(encode_inp(tile, {.element = PlaneElement::kStress}, "t.inp")[0].bytes,
+                HasSubstr("TYPE=CPS3,ELSET=EALL"));
     tile.order = 2;
-    const auto files = encode_plane_stress_inp(tile, "t.inp");
+    const auto files = encode_inp(tile, {.element = PlaneElement::kStress}, "t.inp");
     EXPECT_THAT(files[0].bytes, HasSubstr("TYPE=CPS6,ELSET=EALL"));
     EXPECT_NO_THROW(prove_tile(decode_inp(files, std::nullopt).tile, Precision::kDouble));
 }
 
 TEST(Inp, PolygonsAreRefusedWithARemedy) {
     try {
-        encode_inp(testing::grid_tile(kSquare, 2, 2), "t.inp");
+        encode_inp(testing::grid_tile(kSquare, 2, 2), {}, "t.inp");
         FAIL();
     } catch (const InvalidInput& fault) {
         EXPECT_STREQ(fault.what(),
@@ -218,7 +220,7 @@ TEST(Inp, AWrongTranslationIsRefuted) {
 TEST(Inp, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
     for (const Tile& tile : testing::solver_tiles({kSquare})) {
-        const std::string bytes = encode_inp(tile, "t.inp")[0].bytes;
+        const std::string bytes = encode_inp(tile, {}, "t.inp")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {
             const std::string fault = fault_of(testing::mutated(bytes, random));
