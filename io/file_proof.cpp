@@ -1,32 +1,88 @@
 #include "io/file_proof.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "io/bytes/output_error.hpp"
+#include "io/mpas/mpas_graph.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/finite_volume/mpas_grid_proof.hpp"
 #include "mesher/proof/generated_tile.hpp"
+#include "mesher/proof/site_labels.hpp"
+#include "mesher/tile/site_positions.hpp"
 #include "mesher/tile/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
+
+/// No cell is wider, in units of h, but for those of few sites that were not optimised.
+constexpr double kWidestCell = 2;
 
 std::vector<EdgePair> sorted(std::vector<EdgePair> pairs) {
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
 
+/// Whether the positions of the sites that a file holds are those of the tile.
+bool same_site_positions(const Tile& file, const Tile& proved) {
+    return file.site_positions.empty() ||
+           (file.columns == proved.columns && file.rows == proved.rows &&
+            file.site_positions == site_positions(proved));
+}
+
 /// Whether every law of a tile says the same of both: the proof of the one is that of the other.
 bool is_the_same(const TileFile& file, const Tile& proved) {
     return file.precision == Precision::kDouble && same_geometry(file.tile, proved) &&
+           same_site_positions(file.tile, proved) &&
            (!file.has_vertex_pairs || file.tile.vertex_pairs == proved.vertex_pairs) &&
            (!file.has_edge_pairs || sorted(file.tile.edge_pairs) == sorted(proved.edge_pairs));
 }
 
-void prove_with_pairs(const TileFile& file) {
-    const TileProof proof = prove_tile(file.tile, file.precision);
-    if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
-    if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
+/// The groups of a file are those of its sites.
+void require_sites(const std::string& path, const Tile& tile) {
+    if (!tile.sites().empty()) return;
+    throw BadFile(path + ": lacks the sites; write the file again with pcvt");
+}
+
+/// The path for which the format's writer gives `files`: that of the first one, or its folder.
+std::string path_of(const TileFormat& format, const std::vector<EncodedFile>& files) {
+    const std::string& path = files.front().path;
+    if (!format.is_folder) return path;
+    return path.substr(0, path.size() - format.paths("").front().size());
+}
+
+/// Whether the nearest image of its site may not be the cell of a triangle of grains: where short
+/// edges were removed, and where a cell may touch an image of itself, because a period of the sites
+/// is no longer than the widest cells.
+bool has_ambiguous_cells(const Tile& tile) {
+    if (tile.kind != MeshKind::kGrains || tile.face_site.empty()) return false;
+    if (tile.short_edges > 0) return true;
+    const int columns = std::max(tile.columns, 1);
+    const int rows = std::max(tile.rows, 1);
+    const Lattice lattice(tile.lattice.a() / columns, tile.lattice.b() / rows);
+    const int n_sites = 1 + *std::max_element(tile.face_site.begin(), tile.face_site.end());
+    return reduce(lattice).reduced.a().norm() <
+           kWidestCell * std::sqrt(lattice.area() / std::max(n_sites, 1));
+}
+
+/// Compares the files with those that the writer gives for their tile, unless they are these.
+void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& files, Tile tile,
+                  const TileProof& proof) {
+    tile.vertex_pairs = proof.vertex_pairs;
+    tile.edge_pairs = proof.edge_pairs;
+    tile.grain_site_points = nearest_site_images(tile);
+    if (format.holds_sites) require_sites(files.front().path, tile);
+    for (const EncodedFile& expected : encode_tile(format, tile, path_of(format, files))) {
+        const auto found = std::find_if(files.begin(), files.end(), [&](const EncodedFile& file) {
+            return file.path == expected.path;
+        });
+        if (found == files.end() || found->bytes == expected.bytes) continue;
+        const auto fields = format.fields(found->path, found->bytes);
+        if (!fields) continue;
+        const auto wanted = format.fields(expected.path, expected.bytes);
+        // A note of the writer in a file that it writes without one belongs to no tile.
+        compare_fields(*fields, wanted.value_or(FileFields{.name = expected.path, .parts = {}}));
+    }
 }
 
 [[noreturn]] void refuse_single_precision(const std::string& path, const Vec2& origin) {
@@ -44,6 +100,23 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
     }
 }
 
+TileProof prove_tile_file(const TileFile& file) {
+    TileProof proof = prove_tile(file.tile, file.precision);
+    if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
+    if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
+    prove_sites(file.tile, proof);
+    return proof;
+}
+
+TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
+                     const TileFile& file) {
+    TileProof proof = prove_tile_file(file);
+    const bool exact = file.states_lattice && file.precision == Precision::kDouble;
+    const bool comparable = exact && format.fields != nullptr && !has_ambiguous_cells(file.tile);
+    if (comparable) prove_fields(format, files, file.tile, proof);
+    return proof;
+}
+
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
                       const Tile& original, const Vec2& origin) {
     const std::string& path = files.front().path;
@@ -51,7 +124,7 @@ void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& 
     try {
         const TileFile file = decode_tile(format, files, std::nullopt);
         precision = file.precision;
-        if (!is_the_same(file, original)) prove_with_pairs(file);
+        if (!is_the_same(file, original)) prove_file(format, files, file);
     } catch (const NotATile& error) {
         if (precision == Precision::kSingle && !fits_single_precision(original)) {
             refuse_single_precision(path, origin);
@@ -62,12 +135,26 @@ void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& 
     }
 }
 
+MpasGridProof prove_grid(const std::vector<EncodedFile>& files, const MpasGrid& grid) {
+    const MpasGridProof proof = prove_mpas_grid(grid);
+    for (std::size_t k = 1; k < files.size(); ++k) {
+        compare_mpas_graph(grid, files[k].path, files[k].bytes);
+    }
+    return proof;
+}
+
 void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& files) {
     try {
-        prove_mpas_grid(std::get<GridReader*>(format.read)(files));
+        prove_grid(files, std::get<GridReader*>(format.read)(files));
     } catch (const InvalidInput& error) {
         throw InternalError(files.front().path + " breaks a law of C-grids: " + error.what());
     }
+}
+
+void prove_site_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+                      const Points& sites) {
+    if (std::get<SiteReader*>(format.read)(files, sites)) return;
+    throw InternalError(files.front().path + ": other sites are read back than were written");
 }
 
 }  // namespace pcvt

@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "io/bytes/output.hpp"
+#include "io/outputs/output_set.hpp"
 #include "io/tile_formats.hpp"
+#include "mesher/finite_volume/mpas_grid_proof.hpp"
 
 namespace pcvt {
 
@@ -18,8 +19,27 @@ namespace pcvt {
 /// @throws OutputError  the disk returns other bytes.
 void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& files);
 
+/// Proves the tile of a file: its laws, its stored pairs and its site ids.
+/// @throws NotATile naming the first fault.
+TileProof prove_tile_file(const TileFile& file);
+
+/// Proves all that `files` state: the tile that was read from them, and, where they state its
+/// lattice as pcvt writes it, each further field that follows from the tile. In grains without
+/// short edges, and in those whose cells may touch images of themselves (a period of less than
+/// 2 h), these fields do not follow.
+///
+/// Example usage:
+///   const TileFile file = decode_tile(format, files, std::nullopt);
+///   const TileProof proof = prove_file(format, files, file);
+///
+/// @throws NotATile as prove_tile_file().
+/// @throws BadFile  naming the file, the line and the field that is wrong.
+TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
+                     const TileFile& file);
+
 /// Proves the tile that `format` reads in `files`, with the stored pairs. Skips the proof if every
-/// number is that of `original`.
+/// number is that of `original`: its encoding is the bytes of `files`, so that each field is the
+/// one that follows from the tile.
 /// @pre decode_tile() takes the format.
 /// @param original  the encoded tile, proved.
 /// @param origin    the corner of its domain, for the advice in a message.
@@ -28,9 +48,20 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
                       const Tile& original, const Vec2& origin);
 
+/// Proves the staggered grid that was read from `files`, and the graph of its cells beside it.
+/// @throws NotATile  the grid violates a law.
+/// @throws BadFile   the graph is another one.
+MpasGridProof prove_grid(const std::vector<EncodedFile>& files, const MpasGrid& grid);
+
 /// Proves the staggered grid that `format` reads in `files`.
 /// @pre format.reads_grid().
 /// @throws InternalError  a law is violated: a fault of pcvt.
 void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& files);
+
+/// Proves that `format` reads exactly `sites` in `files`.
+/// @pre format.reads_sites().
+/// @throws InternalError  another site is read: a fault of pcvt.
+void prove_site_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+                      const Points& sites);
 
 }  // namespace pcvt

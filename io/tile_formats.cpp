@@ -17,17 +17,22 @@
 #include "io/mpas/mpas_graph.hpp"
 #include "io/mpas/mpas_reader.hpp"
 #include "io/mpas/mpas_writer.hpp"
+#include "io/openfoam/foam_fields.hpp"
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/page/html_writer.hpp"
 #include "io/pictures/png_writer.hpp"
 #include "io/pictures/svg_writer.hpp"
 #include "io/run_files/cell_writer.hpp"
+#include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
+#include "io/solvers/inp_fields.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
+#include "io/solvers/msh_fields.hpp"
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
+#include "io/solvers/vtu_fields.hpp"
 #include "io/solvers/vtu_reader.hpp"
 #include "io/solvers/vtu_writer.hpp"
 #include "mesher/base/error.hpp"
@@ -46,10 +51,9 @@ void require_whole_cells(const FormatRequest& request) {
 /// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
 void require_mpas_torus(const FormatRequest& request) {
     if (request.short_edges > 0) {
-        throw InvalidInput("MPAS needs every Voronoi edge; leave --short-edges out");
+        throw InvalidInput("MPAS needs every Voronoi edge; remove no short edges");
     }
     rectangular_periods(request.lattice);
-    require_mpas_writer();
 }
 
 /// The mesh, and the graph of its cells beside it.
@@ -75,6 +79,10 @@ MpasGrid read_mpas(const std::vector<EncodedFile>& files) {
 
 std::vector<EncodedFile> write_sites(const Points& sites, const std::string& path) {
     return only_file(path, encode_sites(sites));
+}
+
+bool reads_back_sites(const std::vector<EncodedFile>& files, const Points& sites) {
+    return reads_back(files.front().path, files.front().bytes, sites);
 }
 
 std::vector<EncodedFile> write_cells(const Points& sites, const CellTable& cells,
@@ -121,12 +129,14 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .description = "Gmsh MSH 4.1 with $Periodic, triangles only",
      .write = encode_msh,
      .read = decode_msh,
+     .fields = msh_fields,
      .holds_polygons = false,
      .highest_order = 2},
     {.extension = ".inp",
      .description = "Abaqus and CalculiX with *EQUATION, triangles only",
      .write = encode_inp,
      .read = decode_inp,
+     .fields = inp_fields,
      .holds_polygons = false,
      .highest_order = 2,
      .takes_element = true},
@@ -134,6 +144,7 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .description = "VTK unstructured grid, ASCII, with double coordinates",
      .write = encode_vtu,
      .read = decode_vtu,
+     .fields = vtu_fields,
      .highest_order = 2},
     {.extension = ".svg",
      .description = "a picture, or with --cut lines for cutters",
@@ -159,6 +170,8 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .description = "OpenFOAM, a case folder that icoFoam runs",
      .write = encode_foam,
      .read = decode_foam,
+     .fields = foam_fields,
+     .holds_sites = false,
      .paths = foam_paths,
      .is_folder = true,
      .check = require_whole_cells},
@@ -174,7 +187,8 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .write = write_cells},
     {.extension = ".txt",
      .description = "the sites, in the order of the input",
-     .write = write_sites},
+     .write = write_sites,
+     .read = reads_back_sites},
 }};
 
 }  // namespace

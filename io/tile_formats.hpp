@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
+#include "io/tiles/file_fields.hpp"
 #include "io/tiles/file_options.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
@@ -37,7 +38,11 @@ using CellWriter = std::vector<EncodedFile>(const Points& sites, const CellTable
 
 using TileReader = TileFile(const std::vector<EncodedFile>& files,
                             const std::optional<Lattice>& lattice);
+/// The fields of a file that follow from its tile; nothing for a file whose fields are a user's.
+using FieldReader = std::optional<FileFields>(const std::string& path, std::string_view text);
 using GridReader = MpasGrid(const std::vector<EncodedFile>& files);
+/// Whether `files` read back as exactly these sites.
+using SiteReader = bool(const std::vector<EncodedFile>& files, const Points& sites);
 
 /// The content of a file, known before anything is computed.
 struct FormatRequest {
@@ -68,7 +73,11 @@ struct TileFormat {
     std::variant<TileWriter*, TileFormWriter*, TorusWriter*, SiteWriter*, CellWriter*> write;
     /// Reads `files` (the file itself first, companions where there are any) back; a lattice
     /// replaces one that the file lacks. Empty if pcvt does not read the format.
-    std::variant<std::monostate, TileReader*, GridReader*> read = {};
+    std::variant<std::monostate, TileReader*, GridReader*, SiteReader*> read = {};
+    /// Returns the labels, groups and other fields of a file, which are compared with those that
+    /// `write` gives for the tile in the file; nullptr if the tile is all that the format holds.
+    FieldReader* fields = nullptr;
+    bool holds_sites = true;
     /// The paths that `write` fills for a path, the file itself first; of a folder those in it.
     std::vector<std::string> (*paths)(const std::string& path) = single_path;
     bool is_folder = false;
@@ -92,7 +101,9 @@ struct TileFormat {
         return std::holds_alternative<TileWriter*>(write) ||
                std::holds_alternative<TileFormWriter*>(write);
     }
-    bool is_readable() const { return !std::holds_alternative<std::monostate>(read); }
+    /// Whether `pcvt check` proves the file: it holds a tile or a grid.
+    bool is_readable() const { return reads_grid() || std::holds_alternative<TileReader*>(read); }
+    bool reads_sites() const { return std::holds_alternative<SiteReader*>(read); }
     bool reads_grid() const { return std::holds_alternative<GridReader*>(read); }
 };
 

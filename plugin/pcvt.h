@@ -62,7 +62,7 @@ enum {
     PCVT_ERROR_DOMAIN = -3,
     /** Out of memory, or a limit of pcvt. */
     PCVT_ERROR_MEMORY = -4,
-    /** Coincident sites, or sites whose cells are too small. */
+    /** Coincident sites, cells that are too small, or cells that the format of a file refuses. */
     PCVT_ERROR_GEOMETRY = -5,
     /** A file could not be written. */
     PCVT_ERROR_IO = -6,
@@ -135,7 +135,7 @@ typedef struct pcvt_progress {
 } pcvt_progress;
 
 /** Called on the thread that called pcvt_generate() or pcvt_write(): once an iteration, at the
- *  beginning of each later phase, and ten times a second while that lasts. Non-zero cancels. */
+ *  beginning of each later phase, and ten times a second in long steps. Non-zero cancels soon. */
 typedef int (*pcvt_progress_callback)(const pcvt_progress* progress, void* data);
 
 /** A density at many points, called only on the thread that called pcvt_generate().
@@ -177,7 +177,7 @@ typedef struct pcvt_options {
     void* density_data;
     pcvt_progress_callback progress; /**< [NULL] */
     void* progress_data;
-    int32_t grain_per_edge; /**< parts of each cell edge; replaces grain_size [0: grain_size] */
+    int32_t grain_per_edge; /**< parts of each cell edge; excludes grain_size [0: grain_size] */
     int32_t find_origin;    /**< 1: tiles with PCVT_BOX ignore `origin`; they are cut where the
                                shortest edge of the cut is longest [0] */
 } pcvt_options;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "io/bytes/char_set.hpp"
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 namespace {
@@ -36,6 +37,7 @@ void append_base64(std::string& text, const std::vector<unsigned char>& bytes) {
     };
     const std::size_t n_whole = bytes.size() / 3 * 3;
     for (std::size_t k = 0; k < n_whole; k += 3) {
+        checkpoint_each(k);
         append(std::uint32_t{bytes[k]} << 16 | std::uint32_t{bytes[k + 1]} << 8 | bytes[k + 2], 4);
     }
     if (bytes.size() == n_whole + 1) append(std::uint32_t{bytes[n_whole]} << 16, 2);
@@ -68,7 +70,10 @@ bool decode_base64(std::string_view text, std::string& bytes) {
     };
     // The last group may be padded.
     const std::size_t n_whole = text.size() - (padding > 0 ? 4 : 0);
-    for (std::size_t k = 0; k < n_whole; k += 4) append(text.data() + k, 4);
+    for (std::size_t k = 0; k < n_whole; k += 4) {
+        checkpoint_each(long(k));
+        append(text.data() + k, 4);
+    }
     if (padding > 0) append(text.data() + n_whole, 4 - padding);
     bytes.resize(bytes.size() - padding);
     return all >= 0;

@@ -1,16 +1,13 @@
 #include "io/bytes/text.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 #include <utility>
 
 #include "io/bytes/char_set.hpp"
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 namespace {
@@ -20,6 +17,7 @@ constexpr CharSet kBlanks(" \t\v\f");
 constexpr CharSet kLineEnds("\r\n");
 constexpr CharSet kWordEnds(" \t\v\f\r\n");
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::array<std::string_view, 2> kUtf16Marks{"\xFF\xFE", "\xFE\xFF"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -55,6 +53,7 @@ bool spells_no_finite_number(std::string_view word) {
 
 template <class Number>
 Number parse(std::string_view word) {
+    checkpoint();
     const std::string_view digits = without_plus(word);
     const char* end = digits.data() + digits.size();
     const std::size_t first = !digits.empty() && digits[0] == '-' ? 1 : 0;
@@ -67,44 +66,10 @@ Number parse(std::string_view word) {
     return value;
 }
 
-int open_to_read(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }
-
-/// Reads a file block by block from its beginning to its end, and closes it.
-class BlockReader {
-   public:
-    /// @param file  its descriptor; negative if open() failed and errno holds the reason.
-    BlockReader(const std::string& name, int file) : name_(name), file_(file), block_(1 << 16) {
-        if (file_ < 0) throw_bad_file();
-    }
-    ~BlockReader() {
-        if (file_ > STDIN_FILENO) ::close(file_);
-    }
-    BlockReader(const BlockReader&) = delete;
-    BlockReader& operator=(const BlockReader&) = delete;
-
-    /// Returns the next bytes, which are valid until the next call; empty at the end of the file.
-    std::string_view next() {
-        while (true) {
-            const ssize_t n = ::read(file_, block_.data(), block_.size());
-            if (n >= 0) return {block_.data(), static_cast<std::size_t>(n)};
-            if (errno != EINTR) throw_bad_file();
-        }
-    }
-
-   private:
-    [[noreturn]] void throw_bad_file() const {
-        throw BadFile(name_ + ": cannot read: " + std::generic_category().message(errno) +
-                      "; give a readable file");
-    }
-
-    const std::string& name_;
-    int file_;
-    std::vector<char> block_;
-};
-
 /// Appends the shortest decimal number that reads back as `value` in its precision.
 template <class Number>
 void append_finite(std::string& text, Number value) {
+    checkpoint();
     if (!std::isfinite(value)) throw InternalError("a number to be written is not finite");
     std::array<char, 32> digits;
     const Number written = value == 0 ? Number(0) : value;
@@ -119,6 +84,7 @@ void append_number(std::string& text, double value) { append_finite(text, value)
 void append_number(std::string& text, float value) { append_finite(text, value); }
 
 void append_number(std::string& text, int value) {
+    checkpoint();
     std::array<char, 16> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     text.append(digits.data(), end);
@@ -141,6 +107,7 @@ LineScanner::LineScanner(std::string name, std::string_view text)
 }
 
 bool LineScanner::next() {
+    checkpoint();
     words_.clear();
     if (rest_.empty()) return false;
     ++line_;
@@ -176,28 +143,19 @@ void LineScanner::throw_bad_file(const std::string& complaint) const {
 }
 
 void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy) {
-    if (text.find('\0') == std::string_view::npos) return;
-    throw BadFile(name + ": appears to be a binary file; " + remedy);
-}
-
-std::string read_whole_file(const std::string& path, bool or_standard_input) {
-    const bool standard_input = or_standard_input && path == "-";
-    const std::string name = standard_input ? "standard input" : path;
-    BlockReader reader(name, standard_input ? STDIN_FILENO : open_to_read(path));
-    std::string bytes;
-    for (std::string_view block = reader.next(); !block.empty(); block = reader.next()) {
-        bytes += block;
+    for (const std::string_view mark : kUtf16Marks) {
+        if (!text.starts_with(mark)) continue;
+        throw BadFile(name + ":1: the text is UTF-16; save it as UTF-8");
     }
-    return bytes;
-}
-
-bool file_holds(const std::string& path, std::string_view bytes) {
-    BlockReader reader(path, open_to_read(path));
-    for (std::string_view block = reader.next(); !block.empty(); block = reader.next()) {
-        if (!bytes.starts_with(block)) return false;
-        bytes.remove_prefix(block.size());
+    const std::size_t place = text.find('\0');
+    if (place == std::string_view::npos) return;
+    // Count the lines as LineScanner does.
+    int line = 1;
+    for (std::size_t k = 0; k < place; ++k) {
+        if (text[k] == '\n' || (text[k] == '\r' && text[k + 1] != '\n')) ++line;
     }
-    return bytes.empty();
+    throw BadFile(name + ":" + std::to_string(line) +
+                  ": holds a NUL byte, so it appears to be a binary file; " + remedy);
 }
 
 }  // namespace pcvt

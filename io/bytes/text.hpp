@@ -68,18 +68,8 @@ class LineScanner {
     int line_ = 0;
 };
 
-/// Refuses a text that holds a NUL byte.
-/// @throws BadFile `name: appears to be a binary file; remedy`.
+/// Refuses a text that holds a NUL byte or begins with the byte order mark of UTF-16.
+/// @throws BadFile `name:line: holds a NUL byte, so it appears to be a binary file; remedy`.
 void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy);
-
-/// Returns all bytes of the file, or of standard input if `path` is "-" and `or_standard_input` is
-/// set.
-/// @throws BadFile `path: cannot read: reason; give a readable file`.
-std::string read_whole_file(const std::string& path, bool or_standard_input = false);
-
-/// Returns whether the file consists of exactly these bytes. The file is read block by block,
-/// because a second copy of a large file in memory would cost more than the reading.
-/// @throws BadFile as read_whole_file() does.
-bool file_holds(const std::string& path, std::string_view bytes);
 
 }  // namespace pcvt

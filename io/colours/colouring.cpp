@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "mesher/tile/site_classes.hpp"
@@ -42,6 +43,7 @@ double face_area(const Tile& tile, int face) {
 std::map<SiteId, double> site_areas(const Tile& tile) {
     std::map<SiteId, double> areas;
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         const double area = face_area(tile, f);
         if (faces_have_sites(tile.kind)) {
             areas[tile.face_site[f]] += area;
@@ -107,6 +109,7 @@ std::vector<int> counted_sides(const Tile& tile, const std::vector<int>& sides) 
     for (const VertexPair& pair : tile.vertex_pairs) is_copy[pair.w] = true;
     std::vector<int> result;
     for (int v = 0; v < tile.n_vertices(); ++v) {
+        checkpoint_each(v);
         if (!is_copy[v]) result.push_back(sides[v]);
     }
     return result;

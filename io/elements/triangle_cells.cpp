@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "io/elements/triangle_elements.hpp"
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 namespace {
@@ -57,6 +58,7 @@ CellContacts cell_contacts(const Tile& tile, const SolverNodes& nodes, const Tri
     // The cells at each representative, as its frame has them.
     std::vector<Contacts> contacts(nodes.points.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         for (const int v : element_nodes(tile, nodes, f)) {
             Contacts& at = contacts[representative[v]];
             const Vec2 place = cells.site_point(f) - translation[v];

@@ -1,5 +1,6 @@
 #include "io/elements/triangle_elements.hpp"
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -18,7 +19,7 @@ int owner_corner(const Tile& tile, int f) {
 
 void require_triangles(MeshKind kind, const std::string& path) {
     if (kind != MeshKind::kVoronoi) return;
-    throw InvalidInput(path + ": the format has no polygons; use --mesh delaunay or --mesh grains");
+    throw InvalidInput(path + ": the format has no polygons; take the mesh delaunay or grains");
 }
 
 std::vector<SiteId> element_cells(const Tile& tile) {
@@ -26,6 +27,7 @@ std::vector<SiteId> element_cells(const Tile& tile) {
     std::vector<SiteId> cells;
     cells.reserve(static_cast<std::size_t>(tile.n_faces()));
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         cells.push_back(tile.vertex_site[owner_corner(tile, f)]);
     }
     return cells;

@@ -8,7 +8,7 @@
 namespace pcvt {
 
 /// For formats of solvers that know no polygons.
-/// @throws InvalidInput `path: what; use --mesh delaunay or --mesh grains`, if `kind` has them.
+/// @throws InvalidInput `path: what; take the mesh delaunay or grains`, if `kind` has them.
 void require_triangles(MeshKind kind, const std::string& path);
 
 /// The cell that each triangle belongs to, as solvers want to know it for their materials.

@@ -72,10 +72,10 @@ void GltfDocument::throw_bad_file(const std::string& complaint) const {
     throw BadFile(path_ + ": " + complaint);
 }
 
-const GltfDocument::Json& GltfDocument::member(const Json& object, const std::string& key) {
+const Json& GltfDocument::member(const Json& object, const std::string& key) {
     static const Json kNull;
-    const auto found = object.find(key);
-    return found == object.end() ? kNull : *found;
+    const Json* found = object.find(key);
+    return found == nullptr ? kNull : *found;
 }
 
 std::size_t GltfDocument::count(const Json& number, const std::string& name) const {
@@ -96,7 +96,7 @@ std::size_t GltfDocument::count_in(const Json& object, const std::string& key,
     return object.contains(key) ? count_in(object, key) : otherwise;
 }
 
-const GltfDocument::Json& GltfDocument::entry(const std::string& table, std::size_t index) const {
+const Json& GltfDocument::entry(const std::string& table, std::size_t index) const {
     const Json& entries = member(root_, table);
     if (!entries.is_array() || index >= entries.size() || !entries[index].is_object()) {
         throw_bad_file("there is no entry " + std::to_string(index) + " in '" + table +
@@ -177,13 +177,12 @@ std::vector<int> GltfDocument::indices(std::size_t accessor, std::size_t limit) 
 void GltfDocument::parse_json(std::string_view text) {
     try {
         root_ = Json::parse(text);
-    } catch (const Json::parse_error& fault) {
-        const std::string_view before = text.substr(0, fault.byte);
+    } catch (const JsonFault& fault) {
+        if (fault.kind() != JsonFault::Kind::kSyntax) throw_bad_file(fault.what());
+        const std::string_view before = text.substr(0, fault.byte());
         const auto line = 1 + std::count(before.begin(), before.end(), '\n');
         throw BadFile(path_ + ":" + std::to_string(line) +
                       ": not JSON; give a .gltf or .glb file that is complete");
-    } catch (const Json::exception&) {
-        throw_bad_file("a number in the JSON is too large");
     }
     if (member(member(root_, "asset"), "version") != "2.0") throw_bad_file("not glTF 2.0");
     if (root_.contains("extensionsRequired")) {
@@ -237,7 +236,7 @@ void GltfDocument::load_buffer(const Json& buffer, std::size_t index,
     if (uri.is_null() && index == 0) {
         bytes = binary_chunk;
     } else if (uri.is_string()) {
-        const auto& text = uri.get_ref<const std::string&>();
+        const auto& text = uri.text();
         const std::size_t mark = text.find(kBase64Mark);
         if (!text.starts_with("data:") || mark == std::string::npos) {
             throw_bad_file(

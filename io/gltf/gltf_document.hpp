@@ -2,11 +2,11 @@
 
 #include <cstdint>
 #include <deque>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/json.hpp"
 #include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
@@ -18,8 +18,6 @@ namespace pcvt {
 /// file: every index, length and type in the file is checked before it is used.
 class GltfDocument {
    public:
-    using Json = nlohmann::json;
-
     /// @param file  must outlive the document.
     /// @throws BadFile also if the file refers to other files or requires an extension.
     explicit GltfDocument(const EncodedFile& file);
@@ -34,8 +32,7 @@ class GltfDocument {
     std::size_t count_in(const Json& object, const std::string& key) const;
     std::size_t count_in(const Json& object, const std::string& key, std::size_t otherwise) const;
 
-    /// Returns object[key]; null if `object` lacks the key or is not an object. The result is a
-    /// reference, because a copy of deeply nested JSON would recurse to the depth of the file.
+    /// Returns object[key]; null if `object` lacks the key or is not an object.
     static const Json& member(const Json& object, const std::string& key);
 
     /// Returns the numbers of an accessor of floats, element by element with `width` components

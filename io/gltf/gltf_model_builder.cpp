@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 
 ModelBuilder::ModelBuilder(std::size_t n_bytes) {
@@ -22,6 +24,7 @@ int ModelBuilder::add_positions(const std::vector<Point3>& points) {
     accessor.minValues.assign(points[0].begin(), points[0].end());
     accessor.maxValues = accessor.minValues;
     for (const Point3& p : points) {
+        checkpoint();
         for (std::size_t k = 0; k < p.size(); ++k) {
             accessor.minValues[k] = std::min(accessor.minValues[k], double(p[k]));
             accessor.maxValues[k] = std::max(accessor.maxValues[k], double(p[k]));

@@ -6,12 +6,14 @@
 #include <limits>
 #include <map>
 
+#include "io/gltf/gltf_attributes.hpp"
 #include "io/gltf/gltf_document.hpp"
+#include "io/gltf/gltf_layout.hpp"
+#include "io/gltf/gltf_periodic.hpp"
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 namespace {
-
-using Json = GltfDocument::Json;
 
 /// The mode of a primitive of triangles. Points and lines have smaller modes, strips and fans of
 /// triangles have larger ones.
@@ -69,7 +71,7 @@ std::vector<SiteId> read_sites(const GltfDocument& document, std::size_t accesso
 SiteId named_site(const Json& node) {
     const Json& name = GltfDocument::member(node, "name");
     if (!name.is_string()) return -1;
-    const auto& text = name.get_ref<const std::string&>();
+    const auto& text = name.text();
     if (!text.starts_with(kCellPrefix)) return -1;
     SiteId site = -1;
     const char* end = text.data() + text.size();
@@ -169,8 +171,8 @@ void push_nodes(const Json& parent, const std::string& key, const GltfDocument& 
     const Json& children = GltfDocument::member(parent, key);
     if (children.is_null()) return;
     if (!children.is_array()) document.throw_bad_file("'" + key + "' is not a list");
-    for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        stack.push_back(document.count(*child, key));
+    for (std::size_t k = children.size(); k-- > 0;) {
+        stack.push_back(document.count(children[k], key));
     }
 }
 
@@ -238,6 +240,7 @@ std::vector<VertexPair> read_pairs(const Finding& finding, const Json& rows) {
     const int last = static_cast<int>(finding.points.size()) - 1;
     std::vector<VertexPair> pairs;
     for (const Json& row : rows) {
+        checkpoint();
         if (!row.is_array() || row.size() != 4) {
             document.throw_bad_file("an entry of extras.periodic.vertexPairs is not [v, w, i, j]");
         }
@@ -276,6 +279,7 @@ void read_cells(const Json& rows, Finding& finding) {
     if (!rows.is_array()) document.throw_bad_file("extras.periodic.cellTriangles is not a list");
     std::size_t at = 0;
     for (const Json& row : rows) {
+        checkpoint();
         if (!row.is_array() || row.size() != 2) {
             document.throw_bad_file("an entry of extras.periodic.cellTriangles is not [site, n]");
         }
@@ -295,7 +299,10 @@ MeshKind tile_kind(const Finding& finding) {
     const auto unknown = std::count(finding.face_site.begin(), finding.face_site.end(), -1);
     const Json& kind = finding.periodic_member("kind");
     const bool grains =
-        kind.is_string() && mesh_kind_of_file_word(kind.get<std::string>()) == MeshKind::kGrains;
+        kind.is_string() && mesh_kind_of_file_word(kind.text()) == MeshKind::kGrains;
+    if (!kind.is_null() && !grains) {
+        finding.document.throw_bad_file("extras.periodic.kind is not \"grains\"");
+    }
     if (unknown == 0) return grains ? MeshKind::kGrains : MeshKind::kVoronoi;
     if (unknown < std::ssize(finding.face_site)) {
         finding.document.throw_bad_file(
@@ -327,6 +334,11 @@ TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<
         tile.face_site = std::move(finding.face_site);
     } else if (all_known(finding.vertex_site)) {
         tile.vertex_site = std::move(finding.vertex_site);
+    }
+    if (finding.periodic) read_site_positions(finding.document, *finding.periodic, tile);
+    if (is_own_gltf(finding.document)) {
+        require_own_layout(finding.document);
+        require_own_attributes(finding.document, tile);
     }
     return {std::move(tile), Precision::kSingle, !pairs.is_null(), false};
 }

@@ -12,7 +12,9 @@ namespace pcvt {
 /// extras.periodic.cellTriangles, from the attribute _CELL_ID (with copies of vertices in
 /// extras.periodic.vertexCopies) or from the node's name `cell_<site>`; without any of
 /// them, the file holds Delaunay triangles, whose sites come from _SITE_ID. Vertex pairs are read;
-/// glTF files store no edge pairs. Lines, points, z, normals and colours are skipped.
+/// glTF files store no edge pairs. Lines, points, z, normals and colours are skipped,
+/// but in files that pcvt wrote they must be as it writes them (gltf_layout.hpp,
+/// gltf_attributes.hpp).
 ///
 /// Example usage:
 ///     const TileFile file = decode_gltf({{"tile.glb", read_whole_file("tile.glb")}},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/gltf/gltf_writer.hpp"
+#include "mesher/base/cancellable_sort.hpp"
 
 namespace pcvt {
 namespace {
@@ -38,7 +39,8 @@ std::vector<int> face_order(const Tile& tile, const std::vector<int>& class_of, 
     const auto key = [&](int f) {
         return std::tuple(cell_nodes ? 0 : class_of[f], tile.face_site[f]);
     };
-    std::stable_sort(order.begin(), order.end(), [&](int f, int g) { return key(f) < key(g); });
+    cancellable_stable_sort(order.begin(), order.end(),
+                            [&](int f, int g) { return key(f) < key(g); });
     return order;
 }
 
@@ -46,6 +48,9 @@ Surface cells(const Tile& tile, const TileColours& colours, bool cell_nodes,
               const std::string& path) {
     Surface surface;
     surface.points = single_precision_points(tile, path);
+    // A face of k corners has k - 2 triangles.
+    surface.indices.reserve(
+        3 * (tile.faces.corners.size() - 2 * static_cast<std::size_t>(tile.n_faces())));
     for (const int f : face_order(tile, colours.class_of, cell_nodes)) {
         // A face begins a group where its key differs from that of the face before.
         const SiteId site = tile.face_site[f];

@@ -6,15 +6,17 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <sstream>
 
 #include "io/bytes/text.hpp"
 #include "io/colours/palette.hpp"
 #include "io/gltf/gltf_container.hpp"
+#include "io/gltf/gltf_json.hpp"
 #include "io/gltf/gltf_model_builder.hpp"
 #include "io/gltf/gltf_surface.hpp"
 #include "io/tiles/finite.hpp"
 #include "mesher/base/bucket_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/tile/site_positions.hpp"
 #include "mesher/tile/texture_coordinates.hpp"
 
 namespace pcvt {
@@ -40,7 +42,8 @@ void append_list(std::string& text, std::initializer_list<Number> numbers) {
 }
 
 /// Returns extras.periodic as JSON. A tinygltf::Value would take 150 bytes per number.
-std::string periodic_json(const Tile& tile, const Surface& surface) {
+/// @param position_accessor  of the positions of the sites; -1 if the tile does not know them.
+std::string periodic_json(const Tile& tile, const Surface& surface, int position_accessor) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     std::string text = "{";
@@ -51,6 +54,19 @@ std::string periodic_json(const Tile& tile, const Surface& surface) {
     text += ',';
     append_list(text, {b.x(), b.y()});
     text += "],";
+    if (position_accessor >= 0) {
+        text += "\"sitePositions\":" + std::to_string(position_accessor) + ',';
+        if (tile.columns * tile.rows > 1) {
+            text += "\"periods\":";
+            append_list(text, {tile.columns, tile.rows});
+            text += ',';
+        }
+        if (tile.short_edges > 0) {
+            text += "\"shortEdges\":";
+            append_number(text, tile.short_edges);
+            text += ',';
+        }
+    }
     if (!surface.cells.empty()) {
         text += "\"cellTriangles\":[";
         for (const CellTriangles& cell : surface.cells) {
@@ -135,7 +151,9 @@ void add_surface(const Tile& tile, const Surface& surface, const TileColours& co
 /// Returns the ends of each edge in rising order, without edges that float32 collapses.
 std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points) {
     std::vector<std::array<int, 2>> edges;
+    edges.reserve(tile.faces.corners.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         int previous = tile.faces[f].back();
         for (const int v : tile.faces[f]) {
             if (points[v] != points[previous]) {
@@ -147,6 +165,7 @@ std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points)
     bucket_sort(edges, static_cast<int>(points.size()), [](const auto& edge) { return edge[0]; });
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<int> ends;
+    ends.reserve(2 * edges.size());
     for (const auto& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
     return ends;
 }
@@ -174,15 +193,18 @@ void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builde
     builder.add_node("outlines", {std::move(primitive)});
 }
 
+/// Adds the positions of the sites. @returns their accessor; -1 if the tile does not know them.
+int add_site_positions(const Tile& tile, ModelBuilder& builder) {
+    std::vector<Point32> positions;
+    for (const Vec2& p : site_positions(tile)) {
+        positions.push_back({static_cast<float>(p.x()), static_cast<float>(p.y())});
+    }
+    return positions.empty() ? -1 : builder.add_vertex_data(positions, TINYGLTF_TYPE_VEC2);
+}
+
 enum class Container { kText, kBinary };
 
-/// The placeholders in the JSON of a model for its extras.periodic and for its one buffer.
-constexpr std::string_view kPeriodicMark = "\"periodic\":0";
-constexpr std::string_view kBufferMark = "\"buffers\":[{\"byteLength\":0}]";
-/// The number of bytes before the JSON in a .glb file.
-constexpr std::size_t kGlbHeader = 20;
-
-/// A model without its buffer and with the placeholder for its extras.
+/// A model without its buffer and its extras.
 struct ModelParts {
     tinygltf::Model model;
     std::vector<unsigned char> buffer;
@@ -199,59 +221,26 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
     const TileColours colours =
         tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.site_densities);
     const Surface surface = make_surface(tile, colours, options.gltf_nodes, path);
-    // Reserve up to five attributes per vertex, and the outlines.
+    // Reserve up to five attributes per vertex, the outlines, and the positions of the sites.
     ModelBuilder builder(surface.points.size() *
                              (3 * sizeof(Point3) + sizeof(TextureCoordinate) + sizeof(float)) +
-                         tile.points.size() * sizeof(Point3) +
+                         tile.points.size() * sizeof(Point3) + sites.size() * sizeof(Point32) +
                          (surface.indices.size() + 2 * tile.faces.corners.size()) * sizeof(int));
     add_surface(tile, surface, colours, builder);
     add_outlines(tile, surface, builder);
-    builder.model().nodes[0].extras =
-        tinygltf::Value(tinygltf::Value::Object{{"periodic", tinygltf::Value(0)}});
+    const int position_accessor = add_site_positions(tile, builder);
     std::vector<unsigned char> buffer = std::move(builder.model().buffers[0].data);
-    builder.model().buffers[0].data.clear();
     if (buffer.size() > kMaxBytes) {
         throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");
     }
-    return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface)};
-}
-
-/// Returns the text before and after a placeholder.
-std::pair<std::string_view, std::string_view> cut(std::string_view json, std::string_view mark) {
-    const std::size_t at = json.find(mark);
-    if (at == std::string::npos) throw InternalError("a mark is missing in the JSON of a model");
-    return {json.substr(0, at), json.substr(at + mark.size())};
-}
-
-/// Returns the JSON of a model as tinygltf writes it, with its placeholders.
-std::string marked_json(const tinygltf::Model& model, const std::string& path) {
-    std::ostringstream stream;
-    tinygltf::TinyGLTF writer;
-    // In a .glb file the buffer needs no URI, so that only a header surrounds the JSON.
-    if (!writer.WriteGltfSceneToStream(&model, stream, false, true)) {
-        throw InternalError(path + ": tinygltf refused the model");
-    }
-    std::string json = std::move(stream).str().substr(kGlbHeader);
-    json.erase(json.find_last_not_of(' ') + 1);
-    return json;
+    return {std::move(builder.model()), std::move(buffer),
+            periodic_json(tile, surface, position_accessor)};
 }
 
 std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path,
                                 Container container) {
     const bool is_text = container == Container::kText;
-    const std::string marked = marked_json(parts.model, path);
-    const auto [head, rest] = cut(marked, kBufferMark);
-    const auto [middle, tail] = cut(rest, kPeriodicMark);
-    std::string json;
-    json.reserve(marked.size() + parts.periodic.size() + (is_text ? 2 * parts.buffer.size() : 0));
-    json.append(head).append("\"buffers\":[{\"byteLength\":");
-    json += std::to_string(parts.buffer.size());
-    if (is_text) {
-        json += ",\"uri\":\"";
-        append_data_uri(json, parts.buffer);
-        json += '"';
-    }
-    json.append("}]").append(middle).append("\"periodic\":").append(parts.periodic).append(tail);
+    std::string json = gltf_json(parts.model, parts.periodic, parts.buffer, is_text);
     if (!is_text) return only_file(path, glb_bytes(json, parts.buffer));
     return only_file(path, std::move(json += '\n'));
 }

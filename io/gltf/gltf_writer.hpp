@@ -13,8 +13,12 @@ namespace pcvt {
 ///   extras.periodic = {"lattice": [[ax, ay], [bx, by]], "vertexPairs": [[v, w, i, j], ...]}
 ///
 /// where position(w) = position(v) + i a + j b; v and w are indices into the POSITION accessor of
-/// the surface, which all of its triangles share. Grains add "kind": "grains". Coordinates are
-/// float32; the lattice keeps double precision. The children of `tile`:
+/// the surface, which all of its triangles share. Where the tile knows the positions of its sites,
+/// "sitePositions" is the accessor of x and y of site 0, 1, ..., those of the image at the first
+/// face (vertex) that names the site, and a tile of several periods has "periods": [columns, rows],
+/// one without edges shorter than Tile::short_edges has "shortEdges".
+/// Grains add "kind": "grains". Coordinates are float32; the lattice keeps double precision. The
+/// children of `tile`:
 ///
 ///   GltfNodes::kCells   one node and one material per cell or grain, both named `cell_<site>`
 ///   GltfNodes::kOne     one node `cells` with one primitive and one material for each

@@ -6,25 +6,28 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/graphics/obj_appearance.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 namespace {
 
-constexpr std::array<std::string_view, 8> kPassedOver{"vn", "vt", "vp",     "o",
-                                                      "g",  "s",  "usemtl", "mtllib"};
+constexpr std::array<std::string_view, 5> kPassedOver{"vn", "vp", "o", "g", "s"};
 
 /// Reads one OBJ line by line.
 class ObjParser {
    public:
     ObjParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), file_{.name = name, .index_base = 1} {}
+        : scanner_(name, text), file_{.name = name, .index_base = 1, .short_edges = 0} {}
 
     FileTileBuilder parse() {
         while (scanner_.next()) parse_line();
         return std::move(file_);
     }
+
+    /// @pre parse() has returned.
+    const ObjAppearance& appearance() const { return appearance_; }
 
    private:
     using Words = std::span<const std::string_view>;
@@ -47,6 +50,12 @@ class ObjParser {
             parse_vertex(words);
         } else if (statement == "f") {
             parse_face(words);
+        } else if (statement == "vt") {
+            parse_texture(words);
+        } else if (statement == "usemtl") {
+            appearance_.materials.push_back({word_of(words), file_.faces.n_faces()});
+        } else if (statement == "mtllib") {
+            appearance_.libraries.emplace_back(word_of(words));
         } else if (std::find(kPassedOver.begin(), kPassedOver.end(), statement) ==
                    kPassedOver.end()) {
             scanner_.throw_bad_file(in_quotes(statement) +
@@ -66,6 +75,16 @@ class ObjParser {
         file_.points.emplace_back(numbers[0], numbers[1]);
     }
 
+    /// Returns the only word of a statement; empty if there are more.
+    static std::string_view word_of(Words words) { return words.size() == 1 ? words[0] : ""; }
+
+    void parse_texture(Words words) {
+        TextureCoordinate& coordinate = appearance_.coordinates.emplace_back();
+        for (std::size_t k = 0; k < std::min(words.size(), coordinate.size()); ++k) {
+            coordinate[k] = static_cast<float>(scanner_.number(words[k]));
+        }
+    }
+
     void parse_face(Words words) {
         std::vector<int> corners;
         for (const std::string_view word : words) corners.push_back(parse_corner(word));
@@ -77,13 +96,16 @@ class ObjParser {
     int parse_corner(std::string_view word) {
         std::string_view rest = word;
         std::array<int, 3> indices{};
+        bool has_coordinate = false;
         for (std::size_t k = 0; k < indices.size(); ++k) {
             const std::size_t length = std::min(rest.find('/'), rest.size());
             const std::string_view part = rest.substr(0, length);
             if (k != 1 || !part.empty()) indices[k] = scanner_.integer(part);
+            has_coordinate = has_coordinate || (k == 1 && !part.empty());
             if (length == rest.size()) {
                 if (indices[0] == 0)
                     scanner_.throw_bad_file("vertex 0 does not exist; count from 1");
+                if (has_coordinate) note_texture(indices[0], indices[1]);
                 const int n_vertices = static_cast<int>(file_.points.size());
                 return indices[0] > 0 ? indices[0] - 1 : n_vertices + indices[0];
             }
@@ -91,6 +113,13 @@ class ObjParser {
         }
         scanner_.throw_bad_file(in_quotes(word) +
                                 " is not a corner; write v, v/vt, v//vn or v/vt/vn");
+    }
+
+    void note_texture(int vertex, int coordinate) {
+        appearance_.has_corners = true;
+        if (vertex != coordinate && appearance_.other_index_line == 0) {
+            appearance_.other_index_line = scanner_.line();
+        }
     }
 
     /// Reads the words of a comment after "# pcvt".
@@ -118,6 +147,14 @@ class ObjParser {
         } else if (key == "sites") {
             for (const std::string_view word : values)
                 file_.sites.push_back(scanner_.integer(word));
+        } else if (key == "site") {
+            if (values.size() != 2) scanner_.throw_bad_file("a site has 2 numbers; write x and y");
+            file_.site_positions.emplace_back(scanner_.number(values[0]),
+                                              scanner_.number(values[1]));
+        } else if (key == "periods") {
+            file_.take_periods(scanner_, values);
+        } else if (key == "short_edges") {
+            file_.take_short_edges(scanner_, values);
         } else {
             scanner_.throw_bad_file("pcvt does not know " + in_quotes(key) + "; remove the line");
         }
@@ -145,6 +182,7 @@ class ObjParser {
 
     LineScanner scanner_;
     FileTileBuilder file_;
+    ObjAppearance appearance_;
 };
 
 bool has_seam(const FileTileBuilder& file) {
@@ -179,17 +217,24 @@ void compare_seam(const FileTileBuilder& file, const Seam& seam, const std::stri
 TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     const EncodedFile& obj = files.front();
     refuse_binary(obj.path, obj.bytes, "give a Wavefront OBJ");
-    FileTileBuilder builder = ObjParser(obj.path, obj.bytes).parse();
+    ObjParser parser(obj.path, obj.bytes);
+    FileTileBuilder builder = parser.parse();
+    const bool is_own = has_seam(builder);
+    const EncodedFile* materials = nullptr;
     for (const EncodedFile& file : files) {
+        if (file.path.ends_with(".mtl")) materials = &file;
         if (!file.path.ends_with(".seam.json")) continue;
         Seam seam = decode_seam(file.path, file.bytes);
-        if (has_seam(builder)) {
+        if (is_own) {
             compare_seam(builder, seam, file.path);
         } else {
             take_seam(builder, std::move(seam));
         }
     }
-    return finish(std::move(builder), lattice, Precision::kDouble);
+    TileFile file = finish(std::move(builder), lattice, Precision::kDouble);
+    // Other programs write what they like beside the positions and the faces.
+    if (is_own) require_own_appearance(file.tile, parser.appearance(), obj.path, materials);
+    return file;
 }
 
 }  // namespace pcvt

@@ -9,8 +9,10 @@
 namespace pcvt {
 
 /// Reads a Wavefront OBJ strictly: `v` (with or without a colour), `f` (v, v/vt, v//vn, v/vt/vn,
-/// negative indices) and the comments of encode_obj(). It skips vn vt vp o g s usemtl mtllib and
-/// all other comments, and refuses every other statement and every z other than 0.
+/// negative indices) and the comments of encode_obj(). It skips vn vp o g s and all other comments,
+/// and refuses every other statement and every z other than 0. In a file with the comments of
+/// encode_obj(), texture coordinates and materials must be as encode_obj() writes them
+/// (obj_appearance.hpp); in other files they are skipped.
 ///
 /// A NAME.seam.json among `files` must agree with the comments. Where the OBJ has no such comments,
 /// because another program wrote it, kind, lattice, pairs and sites come from the sidecar.

@@ -9,12 +9,19 @@
 #include "io/bytes/text.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
+#include "mesher/base/cancellable_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/tile/site_positions.hpp"
 #include "mesher/tile/texture_coordinates.hpp"
 
 namespace pcvt {
 namespace {
 
 constexpr std::size_t kSitesALine = 16;
+/// The longest texts of numbers, with a blank before them: -2147483648 and
+/// -2.2250738585072014e-308.
+constexpr std::size_t kLongestInteger = 12;
+constexpr std::size_t kLongestNumber = 25;
 constexpr Colour kTriangleColour{0.8, 0.8, 0.8};
 
 constexpr const char* kExplanation =
@@ -24,6 +31,9 @@ constexpr const char* kExplanation =
     "#   vertex_pair v w i j        vertex w lies at vertex v + i a + j b\n"
     "#   edge_pair v0 v1 w0 w1 i j  boundary edge v0 v1 + i a + j b is boundary edge w0 w1\n"
     "#   sites s ...                the site of each face (or vertex of triangles), in order\n"
+    "#   site x y                   where site 0, 1, ... lies: the image at its first face\n"
+    "#   periods columns rows       a repeated tile has the sites of one period in each\n"
+    "#   short_edges length         edges of cells shorter than this, in units of h, were removed\n"
     "# Vertices count from 1, sites from 0.\n";
 
 template <class Number>
@@ -52,11 +62,36 @@ Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
     Tile sorted = tile;
     sorted.faces = {};
     sorted.face_site.clear();
+    sorted.faces.begin.reserve(tile.faces.begin.size());
+    sorted.faces.corners.reserve(tile.faces.corners.size());
+    sorted.face_site.reserve(tile.face_site.size());
     for (const int f : order) {
         sorted.faces.add(tile.faces[f]);
         if (!tile.face_site.empty()) sorted.face_site.push_back(tile.face_site[f]);
     }
+    for (std::vector<Vec2> Tile::*const points : {&Tile::site_points, &Tile::grain_site_points}) {
+        if ((tile.*points).size() != order.size()) continue;
+        for (std::size_t k = 0; k < order.size(); ++k)
+            (sorted.*points)[k] = (tile.*points)[order[k]];
+    }
     return sorted;
+}
+
+void append_site_positions(std::string& text, const Tile& tile) {
+    const std::vector<Vec2> positions = site_positions(tile);
+    if (positions.empty()) return;
+    if (tile.columns * tile.rows > 1) {
+        text += "# pcvt periods";
+        append_words(text, {tile.columns, tile.rows});
+    }
+    if (tile.short_edges > 0) {
+        text += "# pcvt short_edges";
+        append_words(text, {tile.short_edges});
+    }
+    for (const Vec2& p : positions) {
+        text += "# pcvt site";
+        append_words(text, {p.x(), p.y()});
+    }
 }
 
 void append_seam(std::string& text, const Tile& tile) {
@@ -82,12 +117,17 @@ void append_seam(std::string& text, const Tile& tile) {
         append_number(text, sites[k]);
     }
     text += '\n';
+    append_site_positions(text, tile);
 }
 
 std::string obj_text(const Tile& tile, const TileColours& colours,
                      const std::string& material_file) {
     const std::vector<int>& material = colours.class_of;
-    std::string text = kExplanation;
+    // Memory that is reserved and not used costs nothing, in contrast to a text that is moved.
+    std::string text;
+    text.reserve((5 * tile.points.size() + 2 * tile.site_points.size()) * kLongestNumber +
+                 (2 * tile.faces.corners.size() + tile.faces.begin.size()) * kLongestInteger);
+    text += kExplanation;
     append_seam(text, tile);
     text += "mtllib " + material_file + "\n";
     for (const Vec2& p : tile.points) {
@@ -99,6 +139,7 @@ std::string obj_text(const Tile& tile, const TileColours& colours,
         append_words(text, {double(u), double(v)});
     }
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         if (f == 0 || material[f] != material[f - 1]) {
             text += "usemtl " + colours.classes[material[f]].name + "\n";
         }
@@ -140,8 +181,8 @@ std::vector<EncodedFile> encode_obj(const Tile& tile, const FileOptions& options
     std::vector<int>& material = colours.class_of;
     std::vector<int> order(material.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int f, int g) { return material[f] < material[g]; });
+    cancellable_stable_sort(order.begin(), order.end(),
+                            [&](int f, int g) { return material[f] < material[g]; });
     const Tile sorted = with_faces_in_order(tile, order);
     std::sort(material.begin(), material.end());
     const std::vector<std::string> paths = obj_paths(path);

@@ -14,7 +14,7 @@ std::vector<std::string> obj_paths(const std::string& path);
 
 /// Encodes a tile as Wavefront OBJ: polygons with z = 0, one material for each colour, by default
 /// for each number of sides, and the seam twice, in comments that begin with `# pcvt` and in
-/// NAME.seam.json.
+/// NAME.seam.json. The comments hold the positions of the sites too, where the tile knows them.
 ///
 /// Faces are grouped by material, in the order of TileColours, and keep their order within a group;
 /// vertices keep theirs. Vertex k has the texture coordinate k, its lattice coordinates

@@ -2,12 +2,15 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <map>
 #include <string_view>
 #include <utility>
+
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 namespace {
@@ -36,12 +39,7 @@ class OmParser {
         read_faces(tile);
         read_orbits(tile);
         read_partners(tile);
-        auto sites = integers("pcvt_face_site", 1, n_faces_);
-        // A mesh of triangles with face sites holds grains.
-        if (kind_ == MeshKind::kDelaunay && sites[0] >= 0) tile.kind = MeshKind::kGrains;
-        const bool owned = faces_have_sites(tile.kind);
-        if (!owned) sites = integers("pcvt_vertex_site", 1, n_vertices_);
-        (owned ? tile.face_site : tile.vertex_site) = std::move(sites);
+        read_sites(tile);
         return {std::move(tile), Precision::kDouble, true, true};
     }
 
@@ -105,7 +103,7 @@ class OmParser {
         } else if (header == kPositions && points_.empty()) {
             read_positions();
         } else if ((header & kKindMask) == kTopologyOfVertices) {
-            take(n_vertices_ * width);
+            vertex_halfedge_ = read_handles(n_vertices_, width);
         } else if ((header & kKindMask) == kTopologyOfHalfedges && halfedges_.empty()) {
             halfedges_ = read_handles(3 * n_halfedges_, width);
         } else if ((header & kKindMask) == kTopologyOfFaces && face_halfedge_.empty()) {
@@ -118,6 +116,7 @@ class OmParser {
 
     void read_positions() {
         for (std::size_t v = 0; v < n_vertices_; ++v) {
+            checkpoint_each(v);
             const std::string_view bytes = take(24);
             const Vec2 p(double_of(bytes), double_of(bytes.substr(8)));
             if (!p.allFinite() || double_of(bytes.substr(16)) != 0) {
@@ -131,6 +130,7 @@ class OmParser {
         std::vector<std::int64_t> handles;
         const std::string_view bytes = take(count * width);
         for (std::size_t k = 0; k < count; ++k) {
+            checkpoint_each(k);
             handles.push_back(integer_of(bytes.substr(k * width, width)));
         }
         return handles;
@@ -159,15 +159,65 @@ class OmParser {
         return values;
     }
 
+    /// Returns a property of the mesh that is a list: its length, then its entries.
+    std::vector<double> numbers(const char* name) const {
+        const auto found = properties_.find(name);
+        const std::string_view bytes =
+            found == properties_.end() ? std::string_view() : found->second;
+        if (bytes.size() < 4 ||
+            bytes.size() != 4 + 8 * static_cast<std::uint64_t>(integer_of(bytes.substr(0, 4)))) {
+            throw_bad_file(std::string("has too little or too much ") + name);
+        }
+        std::vector<double> values;
+        for (std::size_t at = 4; at < bytes.size(); at += 8) {
+            values.push_back(double_of(bytes.substr(at)));
+            if (!std::isfinite(values.back())) throw_bad_file(std::string(name) + " is not finite");
+        }
+        return values;
+    }
+
     Lattice lattice() const {
-        // Four bytes before the entries hold their number.
-        const std::string_view bytes = property("pcvt_lattice", 4 + 4 * 8);
-        const auto number = [&](std::size_t k) { return double_of(bytes.substr(4 + 8 * k)); };
+        const std::vector<double> n = numbers("pcvt_lattice");
+        if (n.size() != 4) throw_bad_file("has too little or too much pcvt_lattice");
         try {
-            return {Vec2(number(0), number(1)), Vec2(number(2), number(3))};
+            return {Vec2(n[0], n[1]), Vec2(n[2], n[3])};
         } catch (const InvalidInput& fault) {
             throw BadFile(name_ + ": " + fault.what());
         }
+    }
+
+    void read_sites(Tile& tile) const {
+        std::vector<int> of_faces = integers("pcvt_face_site", 1, n_faces_);
+        std::vector<int> of_vertices = integers("pcvt_vertex_site", 1, n_vertices_);
+        // A mesh of triangles with face sites holds grains.
+        if (kind_ == MeshKind::kDelaunay && of_faces[0] >= 0) tile.kind = MeshKind::kGrains;
+        const bool owned = faces_have_sites(tile.kind);
+        for (const int site : owned ? of_vertices : of_faces) {
+            if (site != -1) throw_bad_file("has sites of faces and of vertices");
+        }
+        (owned ? tile.face_site : tile.vertex_site) = std::move(owned ? of_faces : of_vertices);
+        // Earlier versions wrote no positions.
+        if (!properties_.contains("pcvt_sites")) return;
+        const std::vector<double> sites = numbers("pcvt_sites");
+        if (sites.empty()) return;
+        const bool is_complete = sites.size() > 4 && sites.size() % 2 == 0 && sites[3] == 0;
+        if (!is_complete || !(sites[2] >= 0 && sites[2] <= kLongestRemovedEdge)) {
+            throw_bad_file("has no proper pcvt_sites");
+        }
+        tile.columns = period_count(sites[0]);
+        tile.rows = period_count(sites[1]);
+        tile.short_edges = sites[2];
+        for (std::size_t k = 4; k < sites.size(); k += 2) {
+            tile.site_positions.emplace_back(sites[k], sites[k + 1]);
+        }
+    }
+
+    int period_count(double n) const {
+        if (!(n >= 1 && n <= kMostPeriods) || n != std::floor(n)) {
+            throw_bad_file("has a number of periods that is not from 1 to " +
+                           std::to_string(kMostPeriods));
+        }
+        return static_cast<int>(n);
     }
 
     std::size_t checked(std::int64_t index, std::size_t count) const {
@@ -183,11 +233,35 @@ class OmParser {
     }
     int from_vertex(std::size_t h) const { return to_vertex(h ^ 1); }
 
+    bool is_boundary(std::size_t h) const { return halfedges_[3 * h + 2] == -1; }
+
+    /// Proves what OpenMesh takes for granted: the next halfedge begins where a halfedge ends, at
+    /// the same face; a vertex names a halfedge that leaves it, on the boundary if it lies there.
+    void require_connectivity() const {
+        if (vertex_halfedge_.size() != n_vertices_) throw_bad_file("lacks its vertices");
+        std::vector<bool> at_boundary(n_vertices_, false);
+        for (std::size_t h = 0; h < n_halfedges_; ++h) {
+            checkpoint_each(h);
+            if (halfedges_[3 * h + 2] < -1 || from_vertex(next(h)) != to_vertex(h) ||
+                halfedges_[3 * next(h) + 2] != halfedges_[3 * h + 2]) {
+                throw_bad_file("has halfedges that do not follow each other");
+            }
+            if (is_boundary(h)) at_boundary[from_vertex(h)] = true;
+        }
+        for (std::size_t v = 0; v < n_vertices_; ++v) {
+            const std::size_t h = checked(vertex_halfedge_[v], n_halfedges_);
+            if (from_vertex(h) == static_cast<int>(v) && is_boundary(h) == at_boundary[v]) continue;
+            throw_bad_file("has a vertex with a halfedge of another vertex");
+        }
+    }
+
     void read_faces(Tile& tile) const {
         if (tile.points.empty() || halfedges_.empty() || face_halfedge_.empty()) {
             throw_bad_file("lacks its vertices or its faces");
         }
+        require_connectivity();
         for (std::size_t f = 0; f < n_faces_; ++f) {
+            checkpoint_each(f);
             const std::size_t first = checked(face_halfedge_[f], n_halfedges_);
             std::size_t h = first;
             do {
@@ -217,7 +291,10 @@ class OmParser {
         const std::vector<int> orbit = integers("pcvt_orbit", 1, n_vertices_);
         const std::vector<int> offset = offsets("pcvt_orbit_offset", n_vertices_);
         for (std::size_t v = 0; v < n_vertices_; ++v) {
+            checkpoint_each(v);
             const auto representative = checked(orbit[v], n_vertices_);
+            const bool is_moved = offset[2 * v] != 0 || offset[2 * v + 1] != 0;
+            if (representative == v && is_moved) throw_bad_file("moves a vertex to itself");
             if (representative == v) continue;
             tile.vertex_pairs.push_back(
                 {orbit[v], static_cast<int>(v), {offset[2 * v], offset[2 * v + 1]}});
@@ -228,9 +305,14 @@ class OmParser {
         const std::vector<int> partner = integers("pcvt_partner", 1, n_halfedges_);
         const std::vector<int> offset = offsets("pcvt_partner_offset", n_halfedges_);
         for (std::size_t h = 0; h < n_halfedges_; ++h) {
+            checkpoint_each(h);
+            const Offset across{offset[2 * h], offset[2 * h + 1]};
+            if (is_boundary(h) != (partner[h] >= 0) || partner[h] < -1 ||
+                (across != Offset{}) != is_boundary(h)) {
+                throw_bad_file("has partners that are not those of the boundary");
+            }
             if (partner[h] < 0) continue;
             const std::size_t p = checked(partner[h], n_halfedges_);
-            const Offset across{offset[2 * h], offset[2 * h + 1]};
             const Offset back{offset[2 * p], offset[2 * p + 1]};
             if (partner[p] != static_cast<int>(h) || across + back != Offset{}) {
                 throw_bad_file("has a boundary edge whose partner has another partner");
@@ -254,6 +336,7 @@ class OmParser {
     /// For each halfedge: the next halfedge, the vertex that it points to, and its face or -1.
     std::vector<std::int64_t> halfedges_;
     std::vector<std::int64_t> face_halfedge_;
+    std::vector<std::int64_t> vertex_halfedge_;
     std::map<std::string_view, std::string_view> properties_;
 };
 

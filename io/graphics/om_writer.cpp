@@ -5,10 +5,11 @@
 
 #include "io/graphics/om_writer.hpp"
 
+#include <mutex>
 #include <sstream>
 
-#include "io/bytes/openmesh_netcdf_mutex.hpp"
 #include "io/tiles/finite.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/tile/openmesh_tile.hpp"
 
@@ -35,21 +36,40 @@ class SilentOpenMesh {
     bool errors_;
 };
 
+/// Collects bytes, and ends the writing of OpenMesh at a checkpoint.
+class CheckpointBuffer final : public std::stringbuf {
+   public:
+    CheckpointBuffer() : std::stringbuf(std::ios::out | std::ios::binary) {}
+
+   protected:
+    std::streamsize xsputn(const char* bytes, std::streamsize n) override {
+        checkpoint_each(++n_calls_);
+        return std::stringbuf::xsputn(bytes, n);
+    }
+
+   private:
+    long n_calls_ = 0;
+};
+
 }  // namespace
 
 std::vector<EncodedFile> encode_om(const Tile& tile, const std::string& path) {
     require_finite(tile);
     const OpenMeshTile mesh = openmesh_tile(tile);
-    const std::lock_guard lock(openmesh_netcdf_mutex());
+    // OpenMesh keeps state for the whole process, and several threads write files.
+    static std::mutex writing;
+    const std::lock_guard lock(writing);
     const SilentOpenMesh silence;
     const OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
-    std::ostringstream stream(std::ios::binary);
+    CheckpointBuffer bytes;
+    std::ostream stream(&bytes);
+    stream.exceptions(std::ios::badbit);
     const bool written = std::visit(
         [&](const auto& any) { return OpenMesh::IO::write_mesh(any.mesh, stream, ".om", options); },
         mesh);
     // OpenMesh reports success even after its stream has failed.
     if (!written || !stream) throw InternalError("OpenMesh could not write " + path);
-    return only_file(path, std::move(stream).str());
+    return only_file(path, std::move(bytes).str());
 }
 
 }  // namespace pcvt

@@ -8,15 +8,42 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr std::array<std::string_view, 12> kIntegerTypes{"char",  "uchar",  "short", "ushort",
-                                                         "int",   "uint",   "int8",  "uint8",
-                                                         "int16", "uint16", "int32", "uint32"};
+struct IntegerType {
+    std::string_view name;
+    PlyRange range;
+};
+
+constexpr PlyRange kInt8{-128, 127};
+constexpr PlyRange kUint8{0, 255};
+constexpr PlyRange kInt16{-32768, 32767};
+constexpr PlyRange kUint16{0, 65535};
+constexpr PlyRange kInt32{-2147483648, 2147483647};
+constexpr PlyRange kUint32{0, 4294967295};
+constexpr std::array<IntegerType, 12> kIntegerTypes{{{"char", kInt8},
+                                                     {"int8", kInt8},
+                                                     {"uchar", kUint8},
+                                                     {"uint8", kUint8},
+                                                     {"short", kInt16},
+                                                     {"int16", kInt16},
+                                                     {"ushort", kUint16},
+                                                     {"uint16", kUint16},
+                                                     {"int", kInt32},
+                                                     {"int32", kInt32},
+                                                     {"uint", kUint32},
+                                                     {"uint32", kUint32}}};
 constexpr std::array<std::string_view, 2> kSingleTypes{"float", "float32"};
 constexpr std::array<std::string_view, 2> kDoubleTypes{"double", "float64"};
 
 template <class List>
 bool contains(const List& list, std::string_view word) {
     return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// Returns the range of an integer type; nullptr of another type.
+const PlyRange* range_of(std::string_view type) {
+    const auto found = std::find_if(kIntegerTypes.begin(), kIntegerTypes.end(),
+                                    [&](const IntegerType& row) { return row.name == type; });
+    return found == kIntegerTypes.end() ? nullptr : &found->range;
 }
 
 void check_format(const LineScanner& scanner) {
@@ -37,6 +64,10 @@ void read_comment(const LineScanner& scanner, FileTileBuilder& file) {
         file.take_kind(scanner, values);
     } else if (words[2] == "lattice") {
         file.take_lattice(scanner, values);
+    } else if (words[2] == "periods") {
+        file.take_periods(scanner, values);
+    } else if (words[2] == "short_edges") {
+        file.take_short_edges(scanner, values);
     } else {
         scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
     }
@@ -59,8 +90,9 @@ void read_element(const LineScanner& scanner, std::vector<PlyElement>& elements)
 void read_property(const LineScanner& scanner, std::vector<PlyElement>& elements) {
     // `property TYPE NAME` or `property list COUNT_TYPE TYPE NAME`.
     const Words& words = scanner.words();
-    const bool is_list =
-        words.size() == 5 && words[1] == "list" && contains(kIntegerTypes, words[2]);
+    const PlyRange* lengths =
+        words.size() == 5 && words[1] == "list" ? range_of(words[2]) : nullptr;
+    const bool is_list = lengths != nullptr;
     if (!is_list && words.size() != 3) {
         scanner.throw_bad_file("a property has a type and a name; write \"property double x\"");
     }
@@ -69,7 +101,10 @@ void read_property(const LineScanner& scanner, std::vector<PlyElement>& elements
     const std::string_view type = words[words.size() - 2];
     const bool is_single = contains(kSingleTypes, type);
     const bool is_real = is_single || contains(kDoubleTypes, type);
-    if (!is_real && !contains(kIntegerTypes, type)) {
+    const PlyRange* values = range_of(type);
+    std::string declared(words[1]);
+    for (std::size_t w = 2; w + 1 < words.size(); ++w) declared += ' ' + std::string(words[w]);
+    if (!is_real && values == nullptr) {
         scanner.throw_bad_file("the type " + in_quotes(type) +
                                " is not known; write int or double");
     }
@@ -77,7 +112,13 @@ void read_property(const LineScanner& scanner, std::vector<PlyElement>& elements
         scanner.throw_bad_file("property " + in_quotes(words.back()) +
                                " is declared twice; remove one");
     }
-    elements.back().properties.push_back({words.back(), is_real, is_single, is_list});
+    elements.back().properties.push_back({.name = words.back(),
+                                          .is_real = is_real,
+                                          .is_single = is_single,
+                                          .is_list = is_list,
+                                          .values = values ? *values : PlyRange{},
+                                          .lengths = lengths ? *lengths : PlyRange{},
+                                          .type = declared});
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "io/graphics/ply_reader.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/bytes/text.hpp"
@@ -49,15 +50,22 @@ void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValu
         }
         return scanner.words()[at++];
     };
+    const auto next_integer = [&](const PlyRange& range) {
+        const int number = scanner.integer(next_word());
+        if (number < range.least || number > range.most) {
+            scanner.throw_bad_file(std::to_string(number) +
+                                   " is beyond its declared type; correct it or the header");
+        }
+        return number;
+    };
     // A list begins with its length.
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const PlyProperty& property = element.properties[p];
-        const int count = property.is_list ? scanner.integer(next_word()) : 1;
-        if (count < 0) scanner.throw_bad_file("a list has a negative length; correct it");
+        const int count = property.is_list ? next_integer(property.lengths) : 1;
         std::vector<double>& numbers = values.renew(p);
         for (int k = 0; k < count; ++k) {
-            const std::string_view word = next_word();
-            numbers.push_back(property.is_real ? scanner.number(word) : scanner.integer(word));
+            numbers.push_back(property.is_real ? scanner.number(next_word())
+                                               : next_integer(property.values));
         }
     }
     if (at != scanner.words().size()) {
@@ -65,11 +73,18 @@ void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValu
     }
 }
 
+constexpr const char* kColourTypes = ", uchar red, uchar green, uchar blue";
+
 class PlyParser {
    public:
     PlyParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), file_{.name = name, .index_base = 0} {
+        : scanner_(name, text), file_{.name = name, .index_base = 0, .short_edges = 0} {
         elements_ = read_ply_header(scanner_, file_);
+        if (file_.kind) {
+            require_own_elements();
+        } else if (file_.lattice && has_element("site")) {
+            throw BadFile(name + ": the comment that states its kind is missing; write it again");
+        }
         refuse_binary(name, text, "export it as ASCII");
     }
 
@@ -77,6 +92,7 @@ class PlyParser {
         for (const PlyElement& element : elements_) {
             if (element.name == "vertex") require_vertex(element);
             if (element.name == "face") require_face(element);
+            if (has_positions(element)) require_position(element);
             PlyValues values(element);
             for (int k = 0; k < element.count; ++k) parse_element(element, values);
         }
@@ -103,8 +119,7 @@ class PlyParser {
     }
 
     void require_vertex(const PlyElement& vertex) {
-        require(vertex, "x", Type::kNumber);
-        require(vertex, "y", Type::kNumber);
+        require_position(vertex);
         if (vertex.find("z")) require(vertex, "z", Type::kNumber);
         is_single_ = vertex.find("x")->is_single || vertex.find("y")->is_single;
         n_vertices_ = vertex.count;
@@ -115,12 +130,78 @@ class PlyParser {
             require(vertex, "offset_j", Type::kInteger);
         }
         require_sites(vertex, false);
+        require_colour(vertex);
     }
 
     void require_face(const PlyElement& face) {
         list_name_ = face.find("vertex_index") ? "vertex_index" : "vertex_indices";
         require(face, list_name_, Type::kIntegerList);
         require_sites(face, true);
+        require_colour(face);
+    }
+
+    /// Whether the element stores the positions of the sites: only in a file of pcvt.
+    bool has_positions(const PlyElement& element) const {
+        return file_.kind && element.name == "site";
+    }
+
+    bool has_sites_with_positions() const {
+        return std::any_of(elements_.begin(), elements_.end(),
+                           [&](const PlyElement& element) { return has_positions(element); });
+    }
+
+    void require_position(const PlyElement& element) const {
+        require(element, "x", Type::kNumber);
+        require(element, "y", Type::kNumber);
+    }
+
+    /// A colour that lacks a part is none for most programs; pcvt writes all three parts.
+    void require_colour(const PlyElement& element) const {
+        const auto has = [&](const char* part) { return element.find(part) != nullptr; };
+        if (!file_.kind || (has("red") == has("green") && has("green") == has("blue"))) return;
+        throw BadFile(file_.name + ": element " + in_quotes(element.name) +
+                      " has a part of a colour; give red, green and blue, or none");
+    }
+
+    /// A file of pcvt has no other elements than encode_ply() writes; one with positions of sites
+    /// declares them in the same way, so that every program takes the same columns.
+    void require_own_elements() const {
+        const bool is_new = has_sites_with_positions();
+        const bool owned = faces_have_sites(*file_.kind);
+        for (const PlyElement& element : elements_) {
+            const std::string real = element.properties.empty() ? "" : element.properties[0].type;
+            const bool is_face = element.name == "face";
+            const bool is_usual = is_face ? real == "list uchar int" || real == "list int int"
+                                          : real == "double" || real == "float";
+            const std::string coordinates = real + " x, " + real + " y";
+            std::string wanted;
+            if (element.name == "vertex") {
+                wanted = coordinates + ", " + real + " z" + kColourTypes +
+                         ", int orbit, int offset_i, int offset_j" + (owned ? "" : ", int site");
+            } else if (is_face) {
+                wanted = real + " vertex_indices" + kColourTypes + (owned ? ", int site" : "");
+            } else if (element.name == "site") {
+                wanted = coordinates;
+            }
+            if (!wanted.empty() && (!is_new || (is_usual && wanted == declaration(element))))
+                continue;
+            throw BadFile(file_.name + ": element " + in_quotes(element.name) +
+                          " is not declared as pcvt declares it; write the file again with pcvt");
+        }
+    }
+
+    bool has_element(std::string_view name) const {
+        return std::any_of(elements_.begin(), elements_.end(),
+                           [&](const PlyElement& element) { return element.name == name; });
+    }
+
+    static std::string declaration(const PlyElement& element) {
+        std::string text;
+        for (const PlyProperty& property : element.properties) {
+            if (!text.empty()) text += ", ";
+            text += property.type + ' ' + std::string(property.name);
+        }
+        return text;
     }
 
     /// Only a file of pcvt gives `site` a meaning, in the element that owns the sites.
@@ -140,6 +221,9 @@ class PlyParser {
         parse_values(scanner_, element, values);
         if (element.name == "vertex") add_vertex(values);
         if (element.name == "face") add_face(values);
+        if (has_positions(element)) {
+            file_.site_positions.emplace_back(values.number("x"), values.number("y"));
+        }
     }
 
     void add_vertex(const PlyValues& values) {

@@ -8,6 +8,8 @@
 #include "io/colours/palette.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/triangle_fan.hpp"
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/tile/site_positions.hpp"
 
 namespace pcvt {
 namespace {
@@ -39,7 +41,7 @@ std::vector<std::string> class_words(const TileColours& colours) {
 
 void end_line(std::string& text) { text.back() = '\n'; }
 
-std::string header(const Tile& tile, bool single_precision) {
+std::string header(const Tile& tile, std::size_t n_positions, bool single_precision) {
     // Kind and lattice are comments.
     const bool owned = faces_have_sites(tile.kind);
     const Vec2& a = tile.lattice.a();
@@ -51,6 +53,15 @@ std::string header(const Tile& tile, bool single_precision) {
         file_word(tile.kind) + "\ncomment pcvt lattice ";
     for (const double number : {a.x(), a.y(), b.x(), b.y()}) append_word(text, number);
     end_line(text);
+    if (n_positions > 0 && tile.columns * tile.rows > 1) {
+        text += "comment pcvt periods " + std::to_string(tile.columns) + ' ' +
+                std::to_string(tile.rows) + '\n';
+    }
+    if (n_positions > 0 && tile.short_edges > 0) {
+        text += "comment pcvt short_edges ";
+        append_word(text, tile.short_edges);
+        end_line(text);
+    }
     // Vertices have a position, a colour and their place on their orbit.
     text += "element vertex " + std::to_string(tile.n_vertices()) +
             (single_precision ? "\nproperty float x\nproperty float y\nproperty float z\n"
@@ -66,7 +77,19 @@ std::string header(const Tile& tile, bool single_precision) {
     text += most_corners <= kMostByUchar ? "uchar" : "int";
     text += " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
     if (owned) text += "property int site\n";
+    // Sites have a position.
+    if (n_positions > 0) {
+        text += "element site " + std::to_string(n_positions) +
+                (single_precision ? "\nproperty float x\nproperty float y\n"
+                                  : "\nproperty double x\nproperty double y\n");
+    }
     return text + "end_header\n";
+}
+
+void append_coordinates(std::string& text, const Vec2& p, bool single_precision) {
+    for (const double x : p) {
+        single_precision ? append_word(text, static_cast<float>(x)) : append_word(text, x);
+    }
 }
 
 void append_vertices(std::string& text, const Tile& tile, const TileColours& colours,
@@ -82,9 +105,8 @@ void append_vertices(std::string& text, const Tile& tile, const TileColours& col
     for (const VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
     // One vertex per line.
     for (int v = 0; v < tile.n_vertices(); ++v) {
-        for (const double x : tile.points[v]) {
-            single_precision ? append_word(text, static_cast<float>(x)) : append_word(text, x);
-        }
+        checkpoint_each(v);
+        append_coordinates(text, tile.points[v], single_precision);
         append_word(text, 0);
         text += owned ? plain : coloured[colours.class_of[v]];
         append_word(text, orbits[v].v);
@@ -100,6 +122,7 @@ void append_faces(std::string& text, const Tile& tile, const TileColours& colour
     const std::string plain = words(kPlain);
     const std::vector<std::string> coloured = class_words(colours);
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         append_word(text, tile.face_size(f));
         for (const int v : tile.faces[f]) {
             append_word(text, v);
@@ -110,10 +133,16 @@ void append_faces(std::string& text, const Tile& tile, const TileColours& colour
     }
 }
 
-std::string ply_text(const Tile& tile, const TileColours& colours, bool single_precision) {
-    std::string text = header(tile, single_precision);
+/// @param positions  of the sites; empty where the tile does not know them.
+std::string ply_text(const Tile& tile, const TileColours& colours,
+                     const std::vector<Vec2>& positions, bool single_precision) {
+    std::string text = header(tile, positions.size(), single_precision);
     append_vertices(text, tile, colours, single_precision);
     append_faces(text, tile, colours);
+    for (const Vec2& p : positions) {
+        append_coordinates(text, p, single_precision);
+        end_line(text);
+    }
     return text;
 }
 
@@ -127,6 +156,7 @@ Tile narrowed(const Tile& tile, std::vector<int>& class_of, const std::string& p
     narrow.face_site.clear();
     const std::vector<int> classes_of_cells = std::exchange(class_of, {});
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         std::vector<int> corners;
         append_fan(tile, f, points, corners, path);
         for (std::size_t c = 0; c < corners.size(); c += 3) {
@@ -146,9 +176,10 @@ std::vector<EncodedFile> encode_ply(const Tile& tile, const FileOptions& options
     TileColours colours =
         tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.site_densities);
     const bool single = options.single_precision;
-    if (!single) return only_file(path, ply_text(tile, colours, single));
+    const std::vector<Vec2> positions = site_positions(tile);
+    if (!single) return only_file(path, ply_text(tile, colours, positions, single));
     const Tile narrow = narrowed(tile, colours.class_of, path);
-    return only_file(path, ply_text(narrow, colours, single));
+    return only_file(path, ply_text(narrow, colours, positions, single));
 }
 
 }  // namespace pcvt

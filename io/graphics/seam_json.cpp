@@ -4,14 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "io/bytes/json.hpp"
 #include "io/bytes/text.hpp"
 
 namespace pcvt {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr int kVersion = 1;
 constexpr std::size_t kSitesALine = 16;
@@ -60,10 +58,8 @@ class SeamDecoder {
     }
 
     const Json& at(const char* key) const {
-        const auto found = json_.is_object() ? json_.find(key) : json_.end();
-        if (!json_.is_object() || found == json_.end()) {
-            throw_bad_file(std::string("the key \"") + key + "\" is missing");
-        }
+        const Json* found = json_.find(key);
+        if (found == nullptr) throw_bad_file(std::string("the key \"") + key + "\" is missing");
         return *found;
     }
 
@@ -75,7 +71,7 @@ class SeamDecoder {
 
     int integer(const Json& json, const char* key) const {
         using Limits = std::numeric_limits<int>;
-        // The library wraps an unsigned number of 2^63 or more when it converts it to a signed one.
+        // The conversion to a signed number would wrap one of 2^63 or more.
         const bool small = !json.is_number_unsigned() || json.get<std::uint64_t>() <= Limits::max();
         const std::int64_t value = json.is_number_integer() && small
                                        ? json.get<std::int64_t>()
@@ -128,10 +124,9 @@ class SeamDecoder {
 Json parse_json(const std::string& name, std::string_view text) {
     try {
         return Json::parse(text);
-    } catch (const Json::exception& fault) {
-        const auto* parse_fault = dynamic_cast<const Json::parse_error*>(&fault);
-        const std::size_t at = parse_fault ? std::min(parse_fault->byte, text.size()) : 0;
-        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
+    } catch (const JsonFault& fault) {
+        const std::string_view before = text.substr(0, fault.byte());
+        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
         throw BadFile(name + ":" + std::to_string(line) +
                       ": is not valid JSON; write the file again with pcvt");
     }
@@ -168,8 +163,7 @@ Seam decode_seam(const std::string& name, std::string_view text) {
     if (decoder.at("index_base") != 0) decoder.throw_bad_file("its index base is not 0");
     // Kind and lattice.
     const Json& word = decoder.at("kind");
-    const auto kind =
-        word.is_string() ? mesh_kind_of_file_word(word.get<std::string>()) : std::nullopt;
+    const auto kind = word.is_string() ? mesh_kind_of_file_word(word.text()) : std::nullopt;
     if (!kind) decoder.throw_bad_file("its kind is none of cells, triangles and grains");
     Seam seam{.kind = *kind, .lattice = decoder.lattice()};
     // Pairs and sites.

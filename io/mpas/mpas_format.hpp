@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,15 @@ struct MpasVariable {
     std::vector<int> MpasGrid::*counts = nullptr;
     std::vector<double> MpasGrid::*numbers = nullptr;
 };
+/// The attributes that say that a mesh is a torus in the plane.
+inline constexpr std::array<std::array<const char*, 2>, 2> kMpasPlane{
+    {{"on_a_sphere", "NO"}, {"is_periodic", "YES"}}};
+inline constexpr const char* kMpasSphereRadius = "sphere_radius";
+/// The mean of meshDensity over the area.
+inline constexpr const char* kMpasMeanDensity = "mesh_density_mean";
+/// `latCell` and so on are 0, because the plane has neither latitudes nor heights.
+inline constexpr std::array<const char*, 3> kMpasZeros{"lat", "lon", "z"};
+
 /// Returns the variables in the order of the file, without the ids and without the latitudes,
 /// longitudes and z, which are 0.
 const std::vector<MpasVariable>& mpas_variables();

@@ -1,5 +1,8 @@
 #include "io/mpas/mpas_graph.hpp"
 
+#include "io/bytes/text.hpp"
+#include "io/tiles/file_fields.hpp"
+
 namespace pcvt {
 
 std::string encode_mpas_graph(const MpasGrid& grid) {
@@ -13,6 +16,27 @@ std::string encode_mpas_graph(const MpasGrid& grid) {
         text += "\n";
     }
     return text;
+}
+
+namespace {
+
+/// The words of a graph, line by line.
+FileFields graph_fields(const std::string& path, const std::string& text) {
+    FileFields fields{.name = path};
+    LineScanner scanner(path, text);
+    while (scanner.next()) {
+        std::vector<FileWord>& row = fields.parts["line " + std::to_string(scanner.line())];
+        for (const std::string_view word : scanner.words()) row.push_back({word, scanner.line()});
+    }
+    return fields;
+}
+
+}  // namespace
+
+void compare_mpas_graph(const MpasGrid& grid, const std::string& path, const std::string& bytes) {
+    const std::string expected = encode_mpas_graph(grid);
+    if (bytes == expected) return;
+    compare_fields(graph_fields(path, bytes), graph_fields(path, expected));
 }
 
 }  // namespace pcvt

@@ -13,4 +13,9 @@ namespace pcvt {
 ///   output.stage("mesh.graph.info", encode_mpas_graph(grid));   // gpmetis mesh.graph.info 16
 std::string encode_mpas_graph(const MpasGrid& grid);
 
+/// Requires that the file `path` holds this graph.
+/// @pre prove_mpas_grid() accepts the grid.
+/// @throws BadFile  naming the first line that differs.
+void compare_mpas_graph(const MpasGrid& grid, const std::string& path, const std::string& bytes);
+
 }  // namespace pcvt

@@ -6,10 +6,6 @@
 
 namespace pcvt {
 
-/// Call it before the work whose result encode_mpas() is to encode.
-/// @throws OutputError  if netCDF cannot be loaded.
-void require_mpas_writer();
-
 /// Encodes an MPAS mesh file: netCDF in the 64-bit offset format, specification 1.0. Latitudes,
 /// longitudes and z are 0; the ids in indexTo...ID count from 1, as all indices in the file do.
 ///
@@ -18,8 +14,6 @@ void require_mpas_writer();
 ///     output.stage("mesh.nc", encode_mpas(grid));
 ///
 /// @throws LimitExceeded  if a table is longer than the format can hold.
-/// @throws OutputError    if netCDF cannot be loaded.
-/// @throws InternalError  if netCDF fails to write.
 std::string encode_mpas(const MpasGrid& grid);
 
 }  // namespace pcvt

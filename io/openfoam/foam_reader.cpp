@@ -174,7 +174,11 @@ TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<
     extruded.owner = read_labels(file_named(files, "owner"));
     extruded.neighbour = read_labels(file_named(files, "neighbour"));
     read_boundary(boundary, extruded);
-    return {extruded_base(extruded), Precision::kDouble, false, true};
+    return {.tile = extruded_base(extruded),
+            .precision = Precision::kDouble,
+            .has_vertex_pairs = false,
+            .has_edge_pairs = true,
+            .states_lattice = comments.lattice.has_value()};
 }
 
 }  // namespace pcvt

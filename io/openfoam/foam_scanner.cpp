@@ -25,7 +25,7 @@ std::size_t comment_length(std::string_view text) {
 }  // namespace
 
 FoamScanner::FoamScanner(std::string name, std::string_view text)
-    : name_(std::move(name)), rest_(text) {
+    : FoamScanner(std::move(name), text, 1) {
     expect("FoamFile");
     expect("{");
     for (std::string_view key = next(); key != "}"; key = next()) {

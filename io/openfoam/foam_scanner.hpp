@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace pcvt {
 
@@ -13,9 +14,15 @@ class FoamScanner {
     /// @param text  must outlive the scanner.
     /// @throws BadFile unless the file begins with a header and its format is ascii.
     FoamScanner(std::string name, std::string_view text);
+    /// Returns a scanner in front of the header.
+    static FoamScanner from_header(const std::string& name, std::string_view text) {
+        return {name, text, 1};
+    }
 
     /// Returns the next token; empty at the end of the text.
     std::string_view next();
+    /// The line of the last token.
+    int line() const { return line_; }
     /// Takes the next token.
     /// @throws BadFile unless it is `token`.
     void expect(std::string_view token);
@@ -33,11 +40,13 @@ class FoamScanner {
     [[noreturn]] void throw_bad_file(const std::string& complaint) const;
 
    private:
+    FoamScanner(std::string name, std::string_view text, int line)
+        : name_(std::move(name)), rest_(text), line_(line) {}
     void skip_blanks();
 
     std::string name_;
     std::string_view rest_;
-    int line_ = 1;
+    int line_;
 };
 
 }  // namespace pcvt

@@ -10,7 +10,8 @@ std::string foam_header(const std::string& kind, const std::string& location,
         "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       " + kind +
         ";\n";
     if (!note.empty()) text += "    note        \"" + note + "\";\n";
-    return text + "    location    \"" + location + "\";\n    object      " + object + ";\n}\n\n";
+    text += "    location    \"" + location + "\";\n    object      " + object + ";\n}\n\n";
+    return location == kMeshFolder ? text : text + kCaseNote;
 }
 
 void append_foam_vector(std::string& text, std::initializer_list<double> numbers) {

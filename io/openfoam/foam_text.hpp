@@ -5,6 +5,13 @@
 
 namespace pcvt {
 
+/// The folder of the mesh in a case.
+inline constexpr const char* kMeshFolder = "constant/polyMesh";
+
+/// The comment that each file of a case beside its mesh holds.
+inline constexpr const char* kCaseNote =
+    "// pcvt check compares this file with its mesh; remove this line to change the file.\n";
+
 /// Returns the first lines of a file of an OpenFOAM case: the class `kind`, the folder `location`
 /// and the name `object`.
 std::string foam_header(const std::string& kind, const std::string& location,

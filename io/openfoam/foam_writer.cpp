@@ -11,7 +11,6 @@
 namespace pcvt {
 namespace {
 
-const char* const kMeshFolder = "constant/polyMesh";
 /// ParaView and VTK open a case by an empty file NAME.foam in its folder.
 const char* const kMarker = "";
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -173,6 +175,7 @@ RgbImage PeriodicCanvas::render() const {
     std::vector<PackedColour> samples(kSamples * n);
     std::vector<double> crossings;
     for (int row = 0; row < height_; ++row) {
+        checkpoint();
         std::fill(samples.begin(), samples.end(), kUncovered);
         for (std::size_t line = 0; line < kSamples; ++line) {
             const std::span painted = std::span(samples).subspan(line * n, n);

@@ -10,6 +10,7 @@
 
 #include "io/colours/colouring.hpp"
 #include "io/tiles/finite.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/tile/tile_edges.hpp"
 
@@ -77,6 +78,7 @@ class PeriodPainter {
     void draw_faces(const std::vector<Colour>& colour_of) {
         std::vector<Vec2> corners;
         for (int f = 0; f < tile_.n_faces(); ++f) {
+            checkpoint_each(f);
             corners.clear();
             for (const int v : tile_.faces[f]) corners.push_back(places_[v]);
             canvas_.add_polygon(corners, packed(colour_of[f]));
@@ -103,6 +105,7 @@ class PeriodPainter {
         const bool dense = spacing_ < kLeastDottedSpacing;
         const double size = dense ? 0.7 * spacing_ : width(0.36, 3, 16);
         for (int v = 0; v < tile_.n_vertices(); ++v) {
+            checkpoint_each(v);
             const ColourClass& mark = colours.classes[colours.class_of[v]];
             const bool regular = mark.name == kRegularClass;
             const double rim = regular ? width(0.09, 0.6, 6) : size + width(0.06, 0.3, 2);
@@ -167,7 +170,10 @@ bool encode(Encoder& encoder, png_uint_32 width, png_uint_32 height) {
     png_set_IHDR(encoder.png, encoder.info, width, height, 8, PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(encoder.png, encoder.info);
-    for (png_uint_32 row = 0; row < height; ++row) png_write_row(encoder.png, encoder.rows[row]);
+    for (png_uint_32 row = 0; row < height; ++row) {
+        checkpoint();
+        png_write_row(encoder.png, encoder.rows[row]);
+    }
     png_write_end(encoder.png, encoder.info);
     return true;
 }
@@ -215,6 +221,7 @@ RgbImage draw_period(const Tile& tile, const FileOptions& options, int width) {
 std::string encode_png(const RgbImage& image) {
     Encoder encoder;
     for (int row = 0; row < image.height; ++row) {
+        checkpoint();
         encoder.rows.push_back(image.rgb.data() + std::size_t{3} * image.width * row);
     }
     encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, warn);

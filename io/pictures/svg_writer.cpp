@@ -16,6 +16,7 @@
 #include "io/pictures/svg_domain.hpp"
 #include "io/pictures/svg_legend.hpp"
 #include "io/tiles/finite.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/polygon.hpp"
 
 namespace pcvt {
@@ -105,6 +106,7 @@ std::string draw_coloured(const Drawing& drawing, const std::string& edge) {
     const Tile& tile = drawing.tile;
     std::vector<SvgPath> by_class(drawing.colours.classes.size(), SvgPath(drawing.frame));
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         add_face(tile, f, by_class[drawing.colours.class_of[f]]);
     }
     std::string svg;
@@ -134,6 +136,7 @@ SvgPath grain_boundaries(const Drawing& drawing) {
     std::map<std::pair<int, int>, SiteId> site_at;
     SvgPath path(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         int v = tile.faces[f].back();
         for (const int w : tile.faces[f]) {
             const int from = std::exchange(v, w);
@@ -170,6 +173,7 @@ std::string draw_sites(const Drawing& drawing) {
     const Tile& tile = drawing.tile;
     std::vector<SvgPath> by_class(drawing.colours.classes.size(), SvgPath(drawing.frame));
     for (int v = 0; v < tile.n_vertices(); ++v) {
+        checkpoint_each(v);
         by_class[drawing.colours.class_of[v]].dot(tile.points[v]);
     }
     std::string svg;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <numbers>
+#include <string_view>
 
 namespace pcvt {
 namespace {
@@ -21,6 +22,18 @@ std::string complaint(const mu::ParserError& error) {
     }
     while (!text.empty() && text.back() == '.') text.pop_back();
     return text;
+}
+
+/// Refuses control characters, which muParser skips, and characters that it reads in pieces.
+void refuse_foreign_characters(const std::string& text) {
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const bool is_blank = std::string_view("\t\r\n").find(text[k]) != std::string_view::npos;
+        if ((text[k] >= ' ' && text[k] <= '~') || is_blank) continue;
+        const bool is_ascii = static_cast<unsigned char>(text[k]) <= 0x7F;
+        throw_bad_file(k + 1, is_ascii ? "a control character; remove it"
+                                       : "not a character of a formula; write - for a minus sign, "
+                                         "* for a product, ^2 for a square, pi");
+    }
 }
 
 /// Refuses assignments, which muParser accepts in a formula: x = 3 would change later results.
@@ -46,6 +59,7 @@ void refuse_double_asterisk(const std::string& text) {
 class Formula {
    public:
     explicit Formula(const std::string& text) {
+        refuse_foreign_characters(text);
         refuse_assignment(text);
         refuse_double_asterisk(text);
         try {

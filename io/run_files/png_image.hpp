@@ -14,6 +14,7 @@ struct GreyImage {
 
 /// Larger images are refused before memory is allocated for them.
 inline constexpr int kMostPixels = 1 << 24;
+inline constexpr int kLongestSide = 1 << 14;
 
 /// Decodes a PNG of any colour type, 1 to 16 bits deep, plain or interlaced.
 ///
@@ -28,7 +29,7 @@ inline constexpr int kMostPixels = 1 << 24;
 /// @param name  the file's name in messages.
 /// @throws BadFile `name: problem; remedy` if the bytes are not a PNG, are truncated or damaged, or
 ///         lack a palette that the image needs.
-/// @throws LimitExceeded for more than kMostPixels.
+/// @throws LimitExceeded for more than kMostPixels, or more than kLongestSide along a side.
 GreyImage decode_png(const std::string& name, const std::string& bytes);
 
 }  // namespace pcvt

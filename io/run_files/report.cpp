@@ -1,8 +1,8 @@
 #include "io/run_files/report.hpp"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/bytes/json.hpp"
 #include "io/bytes/text.hpp"
 
 namespace pcvt {
@@ -17,7 +17,9 @@ std::string word(double value) {
 std::string word(int value) { return std::to_string(value); }
 
 std::string word(const std::string& value) {
-    return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::string json;
+    append_json_string(json, value);
+    return json;
 }
 
 std::string word(const Vec2& v) { return "[" + word(v.x()) + ", " + word(v.y()) + "]"; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
 
 namespace pcvt {
@@ -28,28 +29,46 @@ Vec2 parse_site(const LineScanner& scanner, const std::vector<std::string_view>&
     return {numbers[0], numbers[1]};
 }
 
-}  // namespace
-
-SiteFile parse_sites(const std::string& name, std::string_view text) {
+/// Calls visit(site, its line) for each site until it returns false; returns whether it never did.
+template <class Visit>
+bool for_each_site(const std::string& name, std::string_view text, const Visit& visit) {
     refuse_binary(name, text, "give a text with \"x y\" a line");
-    SiteFile file{name, {}, {}};
-    std::vector<Vec2> sites;
     LineScanner scanner(name, text);
     while (scanner.next()) {
         const std::vector<std::string_view> words = words_before_comment(scanner);
         if (words.empty()) continue;
-        sites.push_back(parse_site(scanner, words));
-        file.lines.push_back(scanner.line());
+        if (!visit(parse_site(scanner, words), scanner.line())) return false;
     }
+    return true;
+}
+
+}  // namespace
+
+SiteFile parse_sites(const std::string& name, std::string_view text) {
+    SiteFile file{name, {}, {}};
+    std::vector<Vec2> sites;
+    for_each_site(name, text, [&](const Vec2& site, int line) {
+        sites.push_back(site);
+        file.lines.push_back(line);
+        return true;
+    });
     if (sites.empty()) throw BadFile(name + ": holds no site; give one \"x y\" a line");
     file.points.resize(2, static_cast<Eigen::Index>(sites.size()));
     std::copy(sites.begin(), sites.end(), file.points.colwise().begin());
     return file;
 }
 
+bool reads_back(const std::string& name, std::string_view text, const Points& sites) {
+    Eigen::Index n = 0;
+    const bool same = for_each_site(name, text, [&](const Vec2& site, int /*line*/) {
+        return n < sites.cols() && site == sites.col(n++);
+    });
+    return same && n == sites.cols();
+}
+
 SiteFile read_sites(const std::string& path) {
-    const std::string name = path == "-" ? "standard input" : path;
-    return parse_sites(name, read_whole_file(path, true));
+    if (path == "-") return parse_sites("standard input", read_standard_input());
+    return parse_sites(path, read_whole_file(path, kSiteInput));
 }
 
 BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate) {

@@ -31,6 +31,10 @@ SiteFile parse_sites(const std::string& name, std::string_view text);
 /// Reads the sites of a file, or of standard input if `path` is "-".
 SiteFile read_sites(const std::string& path);
 
+/// Whether `text` reads back as exactly these sites; needs no memory for them.
+/// @throws BadFile as parse_sites does.
+bool reads_back(const std::string& name, std::string_view text, const Points& sites);
+
 /// Returns `duplicate` with lines in its message: `file:7: the site coincides with the site of line
 /// 3
 /// ...; remove one`.

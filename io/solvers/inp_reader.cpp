@@ -71,7 +71,7 @@ struct Tie {
 class InpParser {
    public:
     InpParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), file_{.name = name, .index_base = 1} {}
+        : scanner_(name, text), file_{.name = name, .index_base = 1, .short_edges = 0} {}
 
     FileTileBuilder parse() {
         while (scanner_.next()) parse_line();
@@ -110,6 +110,12 @@ class InpParser {
             file_.take_kind(scanner_, values);
         } else if (words[2] == "lattice") {
             file_.take_lattice(scanner_, values);
+        } else if (words[2] == "periods") {
+            file_.take_periods(scanner_, values);
+        } else if (words[2] == "short_edges") {
+            file_.take_short_edges(scanner_, values);
+        } else if (words[2] == "site") {
+            file_.take_site(scanner_, values);
         } else if (words[2] == "sites") {
             for (const std::string_view word : values) {
                 file_.sites.push_back(scanner_.integer(word));

@@ -7,6 +7,7 @@
 #include "io/elements/seam_segments.hpp"
 #include "io/elements/triangle_cells.hpp"
 #include "mesher/base/bucket_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 namespace {
@@ -52,6 +53,7 @@ class EntityFinder {
         sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
         for (const SiteId site : sites) entities_.surfaces.push_back({site});
         for (int f = 0; f < tile_.n_faces(); ++f) {
+            checkpoint_each(f);
             const auto found = std::lower_bound(sites.begin(), sites.end(), cells_.site(f));
             surface_of_.push_back(static_cast<int>(found - sites.begin()));
             entities_.surfaces[surface_of_.back()].triangles.push_back(f);
@@ -63,6 +65,7 @@ class EntityFinder {
         std::vector<int> first(tile_.points.size(), -1);
         std::vector<bool> found(tile_.points.size(), false);
         for (int f = 0; f < tile_.n_faces(); ++f) {
+            checkpoint_each(f);
             for (const int v : tile_.faces[f]) {
                 if (first[v] < 0) first[v] = f;
                 if (!cells_.same(first[v], f)) found[v] = true;
@@ -194,6 +197,7 @@ class EntityFinder {
             }
         };
         for (int v = 0; v < n_vertices(); ++v) {
+            checkpoint_each(v);
             if (is_point_[v]) walk_from(v);
         }
         // Closed curves have no point yet.
@@ -229,6 +233,7 @@ class EntityFinder {
             std::sort(surface.nodes.begin(), surface.nodes.end());
         }
         for (int v = 0; v < n_vertices(); ++v) {
+            checkpoint_each(v);
             if (is_point_[v]) entities_.points.push_back(v);
         }
     }

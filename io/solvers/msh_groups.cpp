@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesher/base/cancellable_sort.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -26,8 +28,8 @@ bool same_edge(const Side& s, const Side& t) { return s.low == t.low && s.high =
 /// The sites of the triangles by rising number.
 std::vector<NumberedItems::SiteOf> sorted_sites(const NumberedItems& items) {
     std::vector<NumberedItems::SiteOf> sites = items.triangle_sites;
-    std::stable_sort(sites.begin(), sites.end(),
-                     [](const auto& s, const auto& t) { return s.number < t.number; });
+    cancellable_stable_sort(sites.begin(), sites.end(),
+                            [](const auto& s, const auto& t) { return s.number < t.number; });
     return sites;
 }
 
@@ -51,7 +53,7 @@ std::vector<Side> sorted_sides(const NumberedItems& items) {
             sides.push_back({low, high, site, triangle.line});
         }
     }
-    std::sort(sides.begin(), sides.end());
+    cancellable_sort(sides.begin(), sides.end());
     return sides;
 }
 
@@ -124,7 +126,7 @@ std::optional<std::string> MshGroups::fault_of_boundary(const NumberedItems& ite
         return std::to_string(line.line) +
                ": the line of grain_boundary is not between two triangles";
     }
-    std::sort(boundary.begin(), boundary.end());
+    cancellable_sort(boundary.begin(), boundary.end());
     for (std::size_t k = 1; k < sides.size(); ++k) {
         const Side& side = sides[k];
         if (!same_edge(sides[k - 1], side) || sides[k - 1].site == side.site) continue;

@@ -15,7 +15,8 @@ namespace pcvt {
 /// Vertex pairs come from $Periodic, whose affine maps must be translations. In a file with the
 /// $Comments of encode_msh(), edge pairs come from the lines of the curves in $Periodic, sites from
 /// $NodeData or $ElementData "cell_id", and the lattice from $Comments; the groups `cell_s` and
-/// `grain_boundary` of such a file must agree with the sites. Other sections are skipped.
+/// `grain_boundary` of such a file must agree with the sites. Other sections are skipped;
+/// msh_fields() serves to prove them.
 ///
 /// Example usage:
 ///     const TileFile file = decode_msh({{"tile.msh", read_whole_file("tile.msh")}}, std::nullopt);

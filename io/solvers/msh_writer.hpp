@@ -18,7 +18,7 @@ namespace pcvt {
 /// curves between cells. $Periodic lists each curve and point that is not a master, with
 /// slave = master + translation. $ElementData "cell_id" holds element_cells() for triangles and -1
 /// for lines; $NodeData "cell_id" holds the site of each vertex of Delaunay triangles. $Comments
-/// hold the kind and the lattice.
+/// hold the kind, the lattice, and the positions of the sites where the tile knows them.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_msh(tile, "tile.msh")) {

@@ -8,6 +8,7 @@
 #include "io/bytes/char_set.hpp"
 #include "io/bytes/text.hpp"
 #include "io/bytes/xml_scanner.hpp"
+#include "io/solvers/vtu_fields.hpp"
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
 
@@ -34,17 +35,6 @@ struct Array {
     int integer(std::size_t k) const { return static_cast<int>(values[k]); }
     bool is_real() const { return type == "Float32" || type == "Float64"; }
 };
-
-/// The arrays that the reader uses, as SECTION/NAME.
-constexpr std::array<std::string_view, 9> kKnown{"FieldData/PeriodicLattice",
-                                                 "PointData/PeriodicPointIds",
-                                                 "PointData/PeriodicOffset",
-                                                 "PointData/CellId",
-                                                 "CellData/CellId",
-                                                 "Points/Points",
-                                                 "Cells/connectivity",
-                                                 "Cells/offsets",
-                                                 "Cells/types"};
 
 /// The arrays of a file and the counts of its piece.
 class VtuArrays {
@@ -129,7 +119,7 @@ class VtuArrays {
         // The array of points may have any name.
         const std::string name(scanner_.attribute("Name").value_or(""));
         const std::string key = section + "/" + (section == "Points" ? "Points" : name);
-        if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) return;
+        if (!is_vtu_array(key)) return;
         if (scanner_.attribute("format").value_or("ascii") != "ascii") {
             scanner_.throw_bad_file(scanner_.line(),
                                     "the array " + key + " is binary; export it as ASCII");
@@ -194,6 +184,7 @@ class VtuTile {
         take_faces();
         if (const Array* periods = arrays_.find("FieldData/PeriodicLattice"))
             take_lattice(*periods);
+        if (arrays_.find("FieldData/SitePositions")) take_site_positions();
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
         if (type_ == kVtkQuadraticTriangle) remove_midside_nodes(file_, lattice, precision);
@@ -274,6 +265,26 @@ class VtuTile {
             file_.lattice.emplace(Vec2(n[0], n[1]), Vec2(n[2], n[3]));
         } catch (const InvalidInput& fault) {
             throw_bad_file(array.line, fault.what());
+        }
+    }
+
+    void take_site_positions() {
+        const Array& sites = arrays_.get("FieldData/SitePositions", -1, 2, false);
+        if (sites.size() % 2 != 0) throw_bad_file(sites.line, "a site lacks its y; add it");
+        for (std::size_t k = 0; k < sites.size(); k += 2) {
+            file_.site_positions.emplace_back(sites.values[k], sites.values[k + 1]);
+        }
+        file_.short_edges = arrays_.get("FieldData/ShortEdges", 1, 1, false).values[0];
+        if (!(file_.short_edges >= 0 && file_.short_edges <= kLongestRemovedEdge)) {
+            throw_bad_file(sites.line, "the length of short edges is not from 0 to 1; correct it");
+        }
+        const Array& periods = arrays_.get("FieldData/Periods", 2, 1, true);
+        file_.columns = periods.integer(0);
+        file_.rows = periods.integer(1);
+        for (const int n : {file_.columns, file_.rows}) {
+            if (n >= 1 && n <= kMostPeriods) continue;
+            throw_bad_file(periods.line, "the number of periods is not from 1 to " +
+                                             std::to_string(kMostPeriods) + "; correct it");
         }
     }
 

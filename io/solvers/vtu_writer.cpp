@@ -6,6 +6,7 @@
 #include "io/elements/solver_nodes.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/tiles/finite.hpp"
+#include "mesher/tile/site_positions.hpp"
 
 namespace pcvt {
 namespace {
@@ -41,16 +42,35 @@ void append_integers(std::string& text, const char* type, const char* name,
     close_array(text);
 }
 
-void append_lattice(std::string& text, const Lattice& lattice) {
-    text += "<FieldData>\n";
-    open_array(text, "Float64", "PeriodicLattice",
-               " NumberOfTuples=\"2\" NumberOfComponents=\"2\"");
-    for (const Vec2& period : {lattice.a(), lattice.b()}) {
-        append_word(text, period.x());
-        append_word(text, period.y());
+/// Appends an array of the whole grid with two numbers a tuple.
+void append_vectors(std::string& text, const char* name, const std::vector<Vec2>& vectors) {
+    open_array(
+        text, "Float64", name,
+        " NumberOfTuples=\"" + std::to_string(vectors.size()) + "\" NumberOfComponents=\"2\"");
+    for (const Vec2& vector : vectors) {
+        append_word(text, vector.x());
+        append_word(text, vector.y());
         end_line(text);
     }
     close_array(text);
+}
+
+void append_field_data(std::string& text, const Tile& tile) {
+    text += "<FieldData>\n";
+    append_vectors(text, "PeriodicLattice", {tile.lattice.a(), tile.lattice.b()});
+    const std::vector<Vec2> sites = site_positions(tile);
+    if (!sites.empty()) {
+        open_array(text, "Int32", "Periods", " NumberOfTuples=\"2\"");
+        append_word(text, tile.columns);
+        append_word(text, tile.rows);
+        end_line(text);
+        close_array(text);
+        append_vectors(text, "SitePositions", sites);
+        open_array(text, "Float64", "ShortEdges", " NumberOfTuples=\"1\"");
+        append_word(text, tile.short_edges);
+        end_line(text);
+        close_array(text);
+    }
     text += "</FieldData>\n";
 }
 
@@ -131,7 +151,7 @@ std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path) {
         "<?xml version=\"1.0\"?>\n<!-- A periodic tile, written by pcvt -->\n"
         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
         "<UnstructuredGrid>\n";
-    append_lattice(text, tile.lattice);
+    append_field_data(text, tile);
     text += "<Piece NumberOfPoints=\"" + std::to_string(nodes.n_nodes()) + "\" NumberOfCells=\"" +
             std::to_string(tile.n_faces()) + "\">\n";
     append_point_data(text, tile, nodes);

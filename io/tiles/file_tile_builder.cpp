@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -52,6 +54,7 @@ void check_pair(const FileTileBuilder& file, std::initializer_list<int> vertices
 
 MeshKind guess_kind(const FileTileBuilder& file) {
     for (int f = 0; f < file.faces.n_faces(); ++f) {
+        checkpoint_each(f);
         if (file.faces.size(f) != 3) return MeshKind::kVoronoi;
     }
     return MeshKind::kDelaunay;
@@ -59,6 +62,12 @@ MeshKind guess_kind(const FileTileBuilder& file) {
 
 void check_sites(const FileTileBuilder& file, MeshKind kind) {
     const bool of_faces = faces_have_sites(kind);
+    if (!file.kind && !file.site_positions.empty()) {
+        throw_bad_file(file, "there are positions of sites, but no kind; write the file again");
+    }
+    if (file.sites.empty() && !file.site_positions.empty()) {
+        throw_bad_file(file, "there are positions of sites, but no sites; give both or none");
+    }
     const std::size_t owners = of_faces ? file.face_lines.size() : file.points.size();
     if (file.sites.empty() || file.sites.size() == owners) return;
     throw_bad_file(file, "there are " + std::to_string(file.sites.size()) + " sites for " +
@@ -95,7 +104,39 @@ void FileTileBuilder::take_lattice(const LineScanner& scanner,
     }
 }
 
+void FileTileBuilder::take_periods(const LineScanner& scanner,
+                                   std::span<const std::string_view> words) {
+    if (words.size() != 2 || columns > 0) {
+        scanner.throw_bad_file(
+            "the periods are unclear; name their numbers of columns and rows once");
+    }
+    columns = scanner.integer(words[0]);
+    rows = scanner.integer(words[1]);
+    if (columns < 1 || rows < 1 || columns > kMostPeriods || rows > kMostPeriods) {
+        scanner.throw_bad_file("the number of periods is not from 1 to " +
+                               std::to_string(kMostPeriods));
+    }
+}
+
+void FileTileBuilder::take_site(const LineScanner& scanner,
+                                std::span<const std::string_view> words) {
+    if (words.size() != 2) scanner.throw_bad_file("a site has 2 numbers; write x and y");
+    site_positions.emplace_back(scanner.number(words[0]), scanner.number(words[1]));
+}
+
+void FileTileBuilder::take_short_edges(const LineScanner& scanner,
+                                       std::span<const std::string_view> words) {
+    if (words.size() != 1 || short_edges > 0) {
+        scanner.throw_bad_file("the length of short edges is unclear; name it once");
+    }
+    short_edges = scanner.number(words[0]);
+    if (!(short_edges > 0 && short_edges <= kLongestRemovedEdge)) {
+        scanner.throw_bad_file("the length of short edges is not from 0 to 1");
+    }
+}
+
 TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Precision precision) {
+    const bool states_lattice = file.lattice.has_value();
     resolve_numbers(file, lattice);
     if (file.points.empty()) throw_bad_file(file, "there is no vertex; give the file of a tile");
     if (file.face_lines.empty()) throw_bad_file(file, "there is no face; give the file of a tile");
@@ -109,6 +150,7 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
     if (!file.lattice) file.lattice = lattice;
     if (!file.lattice)
         throw_bad_file(file, "the file names no lattice; pass --lattice AX,AY,BX,BY");
+    if (!file.site_positions.empty() && file.columns == 0) file.columns = file.rows = 1;
     const bool has_vertex_pairs = !file.vertex_pairs.empty();
     const bool has_edge_pairs = !file.edge_pairs.empty();
     Tile tile{.lattice = *file.lattice,
@@ -117,9 +159,13 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
               .faces = std::move(file.faces),
               .vertex_pairs = std::move(file.vertex_pairs),
               .edge_pairs = std::move(file.edge_pairs),
+              .columns = file.columns,
+              .rows = file.rows,
+              .short_edges = file.short_edges,
+              .site_positions = std::move(file.site_positions),
               .order = file.order};
     (faces_have_sites(kind) ? tile.face_site : tile.vertex_site) = std::move(file.sites);
-    return {std::move(tile), precision, has_vertex_pairs, has_edge_pairs};
+    return {std::move(tile), precision, has_vertex_pairs, has_edge_pairs, states_lattice};
 }
 
 }  // namespace pcvt

@@ -37,6 +37,11 @@ struct FileTileBuilder {
     /// One a face of cells and grains, one a vertex of Delaunay triangles; empty where the file has
     /// none.
     std::vector<SiteId> sites = {};
+    /// As in Tile; a file with positions that states no periods covers one.
+    std::vector<Vec2> site_positions = {};
+    int columns = 0;
+    int rows = 0;
+    double short_edges = 1;
     std::vector<VertexPair> vertex_pairs = {};
     std::vector<EdgePair> edge_pairs = {};
     /// As Tile::order; the nodes in the middle of edges are not among the points.
@@ -44,10 +49,14 @@ struct FileTileBuilder {
     NumberedItems numbered = {};
 
     void add_face(const std::vector<int>& vertices, int line);
-    /// Reads the words after the key of the comments `kind ...` and `lattice ax ay bx by`.
+    /// Reads the words after the key of the comments `kind ...`, `lattice ax ay bx by`,
+    /// `periods columns rows`, `short_edges length` and, once for each site, `site x y`.
     /// @throws BadFile if they are malformed or were read before.
     void take_kind(const LineScanner& scanner, std::span<const std::string_view> words);
     void take_lattice(const LineScanner& scanner, std::span<const std::string_view> words);
+    void take_periods(const LineScanner& scanner, std::span<const std::string_view> words);
+    void take_site(const LineScanner& scanner, std::span<const std::string_view> words);
+    void take_short_edges(const LineScanner& scanner, std::span<const std::string_view> words);
 };
 
 /// Gives numbered items their indices, checks the laws that every tile needs and returns the tile.
@@ -58,8 +67,8 @@ struct FileTileBuilder {
 /// @throws BadFile if there is no vertex, no face or no lattice; a face has fewer than three
 ///         corners, a corner twice, a vertex that does not exist, or not three corners in a
 ///         triangle tile; a pair names a vertex that does not exist or a huge offset; the number of
-///         sites is not that of their owners; a number is given twice, or used but not given; a
-///         translation is no lattice vector within 4 ulps.
+///         sites is not that of their owners; a file has positions of sites without sites; a number
+///         is given twice, or used but not given; a translation is no lattice vector within 4 ulps.
 TileFile finish(FileTileBuilder builder, const std::optional<Lattice>& lattice,
                 Precision precision);
 

@@ -6,6 +6,9 @@
 #include <tuple>
 #include <utility>
 
+#include "mesher/base/cancellable_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -40,6 +43,7 @@ std::vector<MidsideNode> all_middles(const FileTileBuilder& file) {
     std::vector<MidsideNode> middles;
     middles.reserve(file.faces.corners.size() / 2);
     for (int f = 0; f < file.faces.n_faces(); ++f) {
+        checkpoint_each(f);
         const auto nodes = file.faces[f];
         for (int k = 0; k < kCorners; ++k) {
             const auto [low, high] = std::minmax(nodes[k], nodes[(k + 1) % kCorners]);
@@ -50,10 +54,10 @@ std::vector<MidsideNode> all_middles(const FileTileBuilder& file) {
                                .n_faces = 1});
         }
     }
-    std::stable_sort(middles.begin(), middles.end(),
-                     [](const MidsideNode& e, const MidsideNode& f) {
-                         return std::tie(e.low, e.high) < std::tie(f.low, f.high);
-                     });
+    cancellable_stable_sort(middles.begin(), middles.end(),
+                            [](const MidsideNode& e, const MidsideNode& f) {
+                                return std::tie(e.low, e.high) < std::tie(f.low, f.high);
+                            });
     return middles;
 }
 
@@ -61,6 +65,7 @@ std::vector<MidsideNode> all_middles(const FileTileBuilder& file) {
 void require_distinct(const FileTileBuilder& file, const std::vector<MidsideNode>& edges) {
     std::vector<bool> taken(file.points.size(), false);
     for (int f = 0; f < file.faces.n_faces(); ++f) {
+        checkpoint_each(f);
         for (const int v : file.faces[f].first(kCorners)) taken[v] = true;
     }
     for (const MidsideNode& edge : edges) {
@@ -131,6 +136,7 @@ void compact(FileTileBuilder& file, const std::vector<MidsideNode>& edges) {
     if (one_site_a_node) file.sites.resize(n);
     Faces triangles;
     for (int f = 0; f < file.faces.n_faces(); ++f) {
+        checkpoint_each(f);
         for (const int v : file.faces[f].first(kCorners)) triangles.corners.push_back(place[v]);
         triangles.close();
     }

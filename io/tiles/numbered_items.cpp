@@ -7,6 +7,7 @@
 
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
+#include "mesher/base/cancellable_sort.hpp"
 
 namespace pcvt {
 namespace {
@@ -20,8 +21,8 @@ constexpr double kUlps = 4;
 
 template <class Item>
 void sort_by_number(std::vector<Item>& items, const std::string& name, const char* word) {
-    std::stable_sort(items.begin(), items.end(),
-                     [](const Item& s, const Item& t) { return s.number < t.number; });
+    cancellable_stable_sort(items.begin(), items.end(),
+                            [](const Item& s, const Item& t) { return s.number < t.number; });
     const auto twice =
         std::adjacent_find(items.begin(), items.end(),
                            [](const Item& s, const Item& t) { return s.number == t.number; });

@@ -12,6 +12,11 @@ namespace pcvt {
 /// Offsets beyond this are refused, so that sums of offsets stay integers.
 inline constexpr int kLargestOffset = 1 << 28;
 
+/// The numbers of columns and rows of periods that a file may state.
+inline constexpr int kMostPeriods = 10000;
+/// The largest Tile::short_edges that a file may state.
+inline constexpr double kLongestRemovedEdge = 1;
+
 /// A tile as read from a file, before any of it is believed.
 struct TileFile {
     Tile tile;
@@ -19,6 +24,8 @@ struct TileFile {
     /// False where the file carries no pairing; tile.vertex_pairs and edge_pairs are empty then.
     bool has_vertex_pairs;
     bool has_edge_pairs;
+    /// The file states its lattice, as pcvt writes it; then all of its fields follow from the tile.
+    bool states_lattice = false;
 };
 
 }  // namespace pcvt

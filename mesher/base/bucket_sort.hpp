@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 
@@ -30,11 +33,36 @@ void bucket_sort(std::vector<Item>& items, int n_keys, Key key, Less less = {}) 
     std::vector<Item> sorted(items.size());
     for (const Item& item : items) sorted[begin[static_cast<std::size_t>(key(item)) + 1]++] = item;
     for (std::size_t k = 0; k < static_cast<std::size_t>(n_keys); ++k) {
+        checkpoint_each(static_cast<long>(k));
         if (begin[k + 1] - begin[k] < 2) continue;
         std::sort(sorted.begin() + std::ptrdiff_t(begin[k]),
                   sorted.begin() + std::ptrdiff_t(begin[k + 1]), less);
     }
     items = std::move(sorted);
+}
+
+/// Visits the items of each bucket, by rising key; takes one integer an item and one a key.
+///
+/// Example usage (the edges that leave each vertex):
+///
+///     for_each_bucket(n_edges, n_vertices, [&](int e) { return origin[e]; },
+///                     [&](std::span<const int> leaving) { use(leaving); });
+///
+/// @param key    the bucket of an item, 0 ... n_keys - 1.
+/// @param visit  takes the items of a bucket that is not empty, by rising number.
+template <class Key, class Visit>
+void for_each_bucket(int n_items, int n_keys, const Key& key, const Visit& visit) {
+    // As above, the counts are shifted by two entries.
+    std::vector<int> begin(static_cast<std::size_t>(n_keys) + 2, 0);
+    for (int k = 0; k < n_items; ++k) ++begin[static_cast<std::size_t>(key(k)) + 2];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<int> items(static_cast<std::size_t>(n_items));
+    for (int k = 0; k < n_items; ++k) items[begin[static_cast<std::size_t>(key(k)) + 1]++] = k;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(n_keys); ++k) {
+        checkpoint_each(static_cast<long>(k));
+        if (begin[k] == begin[k + 1]) continue;
+        visit(std::span(items).subspan(begin[k], begin[k + 1] - begin[k]));
+    }
 }
 
 }  // namespace pcvt

@@ -5,7 +5,9 @@
 
 namespace pcvt {
 
-/// Base of every exception that pcvt throws on purpose.
+/// Base of every exception that pcvt throws on purpose. Its message is one line of printable
+/// characters, whatever input it quotes: a line end or a tab becomes a blank, another control
+/// character a question mark.
 ///
 /// Example usage:
 ///
@@ -16,7 +18,7 @@ namespace pcvt {
 ///     }
 class Error : public std::runtime_error {
    public:
-    using std::runtime_error::runtime_error;
+    explicit Error(std::string what);
 };
 
 /// The caller can correct the cause: an argument, a file or a lattice violates a documented

@@ -1,7 +1,6 @@
 #include "mesher/base/workers.hpp"
 
 #include <exception>
-#include <system_error>
 #include <utility>
 
 namespace pcvt {
@@ -9,8 +8,9 @@ namespace pcvt {
 Workers::Workers(int n_threads) {
     try {
         for (int k = 1; k < n_threads; ++k) team_.emplace_back([this] { serve(); });
-    } catch (const std::system_error&) {
-        // Fewer threads do the same work, only slower.
+    } catch (const std::exception&) {
+        // Without memory or another thread. Fewer threads do the same work, only slower; an
+        // exception from here would destroy threads that run.
     }
 }
 
@@ -30,6 +30,7 @@ void Workers::work_through(std::unique_lock<std::mutex>& lock) {
         lock.unlock();
         std::exception_ptr failure;
         try {
+            checkpoint();
             (*task_)(index);
         } catch (...) {
             failure = std::current_exception();
@@ -49,17 +50,22 @@ void Workers::serve() {
     for (;;) {
         work_there_.wait(lock, [this] { return closing_ || next_task_ < n_tasks_; });
         if (closing_) return;
+        const ClientScope scope(client_);
         work_through(lock);
     }
 }
 
 void Workers::for_each(int n_tasks, const std::function<void(int)>& task) {
     if (team_.empty() || n_tasks <= 1) {
-        for (int k = 0; k < n_tasks; ++k) task(k);
+        for (int k = 0; k < n_tasks; ++k) {
+            checkpoint();
+            task(k);
+        }
         return;
     }
     std::unique_lock lock(mutex_);
     task_ = &task;
+    client_ = current_client();
     n_tasks_ = n_tasks;
     next_task_ = 0;
     work_there_.notify_all();

@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 
 /// A fixed team of threads for loops over independent tasks.
@@ -33,8 +35,9 @@ class Workers {
     int n_threads() const { return static_cast<int>(team_.size()) + 1; }
 
     /// Calls each of task(0) ... task(n_tasks - 1) once and returns when all have finished. If
-    /// tasks throw, one of their exceptions is rethrown. A task must not call for_each of its own
-    /// team.
+    /// tasks throw, one of their exceptions is rethrown, and tasks that have not begun are left
+    /// out. The tasks work for the client of the calling thread, with a checkpoint before each
+    /// task. A task must not call for_each of its own team.
     void for_each(int n_tasks, const std::function<void(int)>& task);
 
    private:
@@ -45,6 +48,7 @@ class Workers {
     std::condition_variable work_there_;
     std::condition_variable work_done_;
     const std::function<void(int)>* task_ = nullptr;
+    Client* client_ = nullptr;
     int n_tasks_ = 0;
     int next_task_ = 0;
     int n_running_ = 0;

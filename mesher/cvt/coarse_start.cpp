@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/density/density_survey.hpp"
 
 namespace pcvt {
@@ -44,6 +45,7 @@ Refined with_midpoints(const PeriodicDelaunay& delaunay, int n) {
     // Append the midpoint of each edge; the spacing of an old site is the mean over its edges.
     int next = sites.n_sites();
     for (int h = 0; h < t.n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (h > t.opposite(h)) continue;
         const Corner from = t.corner(h);
         const Corner to = t.corner(TorusTriangulation::next(h));
@@ -94,6 +96,7 @@ Points shaken(const Lattice& reduced, const Refined& sites, std::uint64_t seed) 
     const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -52) - 1; };
     Points points(2, sites.coordinates.cols());
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        checkpoint_each(s);
         const double x = uniform();
         const double y = uniform();
         points.col(s) =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/prefetch.hpp"
 
 namespace pcvt {
@@ -136,6 +137,7 @@ std::int64_t LawsonFlips::flip(std::vector<int>& suspects, FlipObserver* observe
     std::vector<int> stack;
     const Fetcher fetcher(triangulation_, coordinates_, suspects, observer);
     for (std::size_t k = 0; k < suspects.size(); ++k) {
+        checkpoint_each(k);
         fetcher.fetch_for(k);
         n_flips += flip_from(suspects[k], triangulation_.n_halfedges(), stack, observer);
     }
@@ -147,6 +149,7 @@ std::int64_t LawsonFlips::flip_all() {
     std::int64_t n_flips = 0;
     std::vector<int> stack;
     for (int h = 0; h < triangulation_.n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (h < triangulation_.opposite(h)) n_flips += flip_from(h, h, stack, nullptr);
     }
     return n_flips;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/delaunay/predicates.hpp"
 
@@ -41,6 +42,7 @@ struct ImageTraits {
     };
     struct Orientation_2 {
         CGAL::Orientation operator()(const Image& p, const Image& q, const Image& r) const {
+            checkpoint();
             return CGAL::Orientation(orientation(p, q, r));
         }
     };
@@ -127,6 +129,7 @@ class Flooding {
     void insert_all_copies() {
         std::vector<Image> images;
         for (SiteId s = 0; s < sites_.n_sites(); ++s) {
+            checkpoint_each(s);
             for (int i = -1; i <= 1; ++i) {
                 for (int j = -1; j <= 1; ++j) images.push_back(image(sites_, s, {i, j}));
             }
@@ -148,6 +151,7 @@ class Flooding {
     /// examined only once.
     void flood(std::vector<Vertex> front) {
         while (!front.empty()) {
+            checkpoint();
             std::vector<Image> required;
             for (const Vertex v : front) require_images(v, required);
             front.clear();

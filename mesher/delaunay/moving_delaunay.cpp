@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/huge_pages.hpp"
 #include "mesher/delaunay/mirror_diagram.hpp"
 #include "mesher/delaunay/untangling.hpp"
@@ -33,6 +34,7 @@ ReducedFrame frame_of(const Lattice& reduced, double unit) {
 Points in_order(const Points& coordinates, const std::vector<SiteId>& order) {
     Points ordered(2, coordinates.cols());
     for (Eigen::Index s = 0; s < coordinates.cols(); ++s) {
+        checkpoint_each(s);
         ordered.col(s) = coordinates.col(order[s]);
     }
     return ordered;
@@ -148,6 +150,7 @@ void MovingDelaunay::keep_in_range() {
     std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
     bool changes = false;
     for (SiteId s = 0; s < n_sites(); ++s) {
+        checkpoint_each(s);
         const Vec2 whole = coordinates_.col(s).array().floor();
         if (whole.minCoeff() >= -1 && whole.maxCoeff() <= 1) continue;
         coordinates_.col(s) -= whole;
@@ -201,6 +204,7 @@ std::pair<Sites, TorusTriangulation> MovingDelaunay::release() {
     std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
     Points coordinates(2, n_sites());
     for (SiteId s = 0; s < n_sites(); ++s) {
+        checkpoint_each(s);
         const Vec2 whole = coordinates_.col(s).array().floor();
         change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
         coordinates.col(order_[s]) = coordinates_.col(s) - whole;

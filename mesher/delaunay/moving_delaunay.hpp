@@ -81,6 +81,9 @@ class MovingDelaunay {
     /// 2 x n, reduced basis, in [-1.5, 2.5).
     const Points& coordinates() const { return coordinates_; }
     const TorusTriangulation& triangulation() const { return triangulation_; }
+    /// The Gram matrix of the predicates, and its unit of length, length units.
+    const Gram& gram() const { return gram_; }
+    double gram_unit() const { return pcvt::gram_unit(reduction_.reduced); }
     const DelaunayCounts& counts() const { return counts_; }
     const FlipLog& flip_log() const { return flip_log_; }
     /// Length units.

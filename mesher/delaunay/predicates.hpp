@@ -45,6 +45,8 @@ struct Gram {
 };
 
 Gram gram_of(const Lattice& reduced);
+/// The power of two that is the Gram matrix' unit of length, in units of the lattice.
+double gram_unit(const Lattice& reduced);
 
 /// Calls of predicates on this thread, and how many of them the filter could not decide.
 struct PredicateCounts {

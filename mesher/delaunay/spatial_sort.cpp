@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/sites.hpp"
 
 namespace pcvt {
@@ -36,6 +37,7 @@ void sort_by_key(std::span<SiteId> ids, const Key& key) {
     };
     // After the scatter end[k] is the beginning of bin k.
     for (std::size_t k = 0; k < n; ++k) {
+        checkpoint_each(k);
         const auto first = ids.begin() + end[k];
         const auto last = ids.begin() + end[k + 1];
         if (last - first > kSmallBin) {
@@ -64,6 +66,7 @@ SpatialSort spatial_sort(const Points& coordinates, const Gram& gram) {
         columns.begin.push_back(static_cast<int>(std::int64_t{n} * k / n_columns));
     }
     for (int k = 0; k < n_columns; ++k) {
+        checkpoint();
         const auto ids = std::span(columns.order)
                              .subspan(columns.begin[k], columns.begin[k + 1] - columns.begin[k]);
         sort_by_key(ids, [&](SiteId s) { return coordinates(1, s); });

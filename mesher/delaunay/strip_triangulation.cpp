@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -41,11 +43,13 @@ class StripBuilder {
           columns_(columns),
           chain_halfedge_(columns.order.size(), -1),
           opposite_(6 * columns.order.size(), -1) {
-        triangles_.reserve(2 * columns.order.size());
+        corner_sites_.reserve(6 * columns.order.size());
+        corner_offsets_.reserve(2 * columns.order.size());
     }
 
     bool build() {
         for (int k = 0; k < columns_.n_columns(); ++k) {
+            checkpoint();
             merge_chains(k);
             if (!triangulate_strip()) return false;
         }
@@ -53,7 +57,8 @@ class StripBuilder {
     }
 
     TorusTriangulation take() {
-        return {static_cast<int>(columns_.order.size()), triangles_, std::move(opposite_)};
+        return {static_cast<int>(columns_.order.size()), std::move(corner_sites_),
+                std::move(corner_offsets_), std::move(opposite_)};
     }
 
    private:
@@ -163,11 +168,13 @@ class StripBuilder {
 
     /// Adds the triangle of the last call of sees(): a, b, w on the right, a, w, b on the left.
     int add_triangle(int a, int b, int w) {
-        const auto corner = [this](int v) {
-            return Corner{vertices_[v].site, vertices_[v].offset};
-        };
-        triangles_.push_back({corner(a), corner(right_ ? b : w), corner(right_ ? w : b)});
-        return static_cast<int>(triangles_.size()) - 1;
+        const StripVertex& first = vertices_[a];
+        const StripVertex& second = vertices_[right_ ? b : w];
+        const StripVertex& third = vertices_[right_ ? w : b];
+        corner_sites_.insert(corner_sites_.end(), {first.site, second.site, third.site});
+        corner_offsets_.push_back(
+            packed_offsets(second.offset - first.offset, third.offset - first.offset));
+        return static_cast<int>(corner_offsets_.size()) - 1;
     }
     int side_ab(int t) const { return right_ ? 3 * t : 3 * t + 2; }
     static int side_bw(int t) { return 3 * t + 1; }
@@ -195,7 +202,8 @@ class StripBuilder {
     /// For the chain edge above each site, the first of its two halfedges.
     std::vector<int> chain_halfedge_;
     std::vector<int> opposite_;
-    std::vector<Triangle> triangles_;
+    std::vector<SiteId> corner_sites_;
+    std::vector<CornerOffsets> corner_offsets_;
 
     std::vector<StripVertex> vertices_;
     /// The vertices that are not triangulated yet, upwards; the lowest lies on one chain, all
@@ -209,6 +217,7 @@ class StripBuilder {
 bool chains_touch(const Points& coordinates, const SpatialSort& columns) {
     double reached = -1;
     for (int k = 0; k < columns.n_columns(); ++k) {
+        checkpoint();
         double lowest = 1;
         double highest = 0;
         for (int m = columns.begin[k]; m < columns.begin[k + 1]; ++m) {

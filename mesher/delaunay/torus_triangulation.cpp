@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/base/huge_pages.hpp"
 #include "mesher/lattice/edge_matching.hpp"
@@ -29,19 +30,26 @@ std::vector<int> match_sides(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-TorusTriangulation::TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles)
-    : TorusTriangulation(n_sites, triangles, match_sides(triangles)) {}
+CornerOffsets packed_offsets(Offset second, Offset third) {
+    return {narrow(second.i), narrow(second.j), narrow(third.i), narrow(third.j)};
+}
 
-TorusTriangulation::TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles,
+TorusTriangulation::TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles)
+    : TorusTriangulation(n_sites, std::vector<SiteId>(3 * triangles.size()),
+                         std::vector<CornerOffsets>(triangles.size()), match_sides(triangles)) {
+    for (int t = 0; t < n_triangles(); ++t) set_triangle(t, triangles[t]);
+}
+
+TorusTriangulation::TorusTriangulation(int n_sites, std::vector<SiteId> corner_sites,
+                                       std::vector<CornerOffsets> corner_offsets,
                                        std::vector<int> opposite)
     : n_sites_(n_sites),
-      sites_(3 * triangles.size()),
+      sites_(std::move(corner_sites)),
       opposite_(std::move(opposite)),
-      offsets_(triangles.size()) {
-    if (triangles.size() != 2 * static_cast<std::size_t>(n_sites)) {
+      offsets_(std::move(corner_offsets)) {
+    if (offsets_.size() != 2 * static_cast<std::size_t>(n_sites)) {
         throw InternalError("a torus triangulation of n sites must have 2 n triangles");
     }
-    for (int t = 0; t < n_triangles(); ++t) set_triangle(t, triangles[t]);
 }
 
 void TorusTriangulation::prefer_huge_pages() const {
@@ -51,9 +59,8 @@ void TorusTriangulation::prefer_huge_pages() const {
 }
 
 void TorusTriangulation::set_triangle(int t, const Triangle& corners) {
-    const Offset first = corners[1].offset - corners[0].offset;
-    const Offset second = corners[2].offset - corners[0].offset;
-    offsets_[t] = {narrow(first.i), narrow(first.j), narrow(second.i), narrow(second.j)};
+    offsets_[t] = packed_offsets(corners[1].offset - corners[0].offset,
+                                 corners[2].offset - corners[0].offset);
     for (int k = 0; k < 3; ++k) sites_[3 * t + k] = corners[k].site;
 }
 
@@ -101,6 +108,7 @@ void TorusTriangulation::flip(int h) {
 
 void TorusTriangulation::add_to_offsets(const std::vector<Offset>& change) {
     for (int t = 0; t < n_triangles(); ++t) {
+        checkpoint_each(t);
         const Offset first = change[sites_[3 * t]];
         const Offset second = change[sites_[3 * t + 1]] - first;
         const Offset third = change[sites_[3 * t + 2]] - first;

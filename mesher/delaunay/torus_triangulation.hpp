@@ -28,6 +28,10 @@ struct CornerOffsets {
     bool all_zero() const { return std::bit_cast<std::uint32_t>(*this) == 0; }
 };
 
+/// Packs the offsets of corners 1 and 2 relative to corner 0.
+/// @throws InternalError if one of them exceeds 127 periods.
+CornerOffsets packed_offsets(Offset second, Offset third);
+
 /// A triangulation of the torus as a Delta-complex in flat arrays; topology only.
 ///
 /// An edge may join a site to its own image, and several edges may join the same two sites, so n =
@@ -48,9 +52,10 @@ class TorusTriangulation {
     ///         Every member function also throws it where offsets within a triangle differ by more
     ///         than 127.
     TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles);
-    /// Takes triangles with known links: opposite[h] for each of the 6 n halfedges.
-    TorusTriangulation(int n_sites, const std::vector<Triangle>& triangles,
-                       std::vector<int> opposite);
+    /// Takes triangles with known links: the sites of the 6 n corners, the offsets of the 2 n
+    /// triangles, and opposite[h] for each of the 6 n halfedges.
+    TorusTriangulation(int n_sites, std::vector<SiteId> corner_sites,
+                       std::vector<CornerOffsets> corner_offsets, std::vector<int> opposite);
 
     int n_sites() const { return n_sites_; }
     int n_triangles() const { return static_cast<int>(offsets_.size()); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/density/cell_cuts.hpp"
+#include "mesher/density/pixel_quadrature.hpp"
 #include "mesher/lattice/polygon.hpp"
 
 namespace pcvt {
@@ -28,27 +30,6 @@ double lattice_area(CellView polygon) {
                        polygon[k + 1].lattice - polygon[0].lattice);
     }
     return std::abs(twice) / 2;
-}
-
-/// Cuts a convex polygon along one line; `below` receives the part with smaller coordinates.
-void cut(CellView polygon, int axis, double at, CellPolygon& below, CellPolygon& above) {
-    below.clear();
-    above.clear();
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const CellCorner& from = polygon[k];
-        const CellCorner& to = polygon[k + 1 == polygon.size() ? 0 : k + 1];
-        const double before = from.lattice[axis] - at;
-        const double after = to.lattice[axis] - at;
-        if (before <= 0) below.push_back(from);
-        if (before >= 0) above.push_back(from);
-        if (!((before < 0 && after > 0) || (before > 0 && after < 0))) continue;
-        const double part = before / (before - after);
-        CellCorner corner{from.plane + part * (to.plane - from.plane),
-                          from.lattice + part * (to.lattice - from.lattice)};
-        corner.lattice[axis] = at;
-        below.push_back(corner);
-        above.push_back(corner);
-    }
 }
 
 /// Returns the breaks, repeated in every period, between low and high.
@@ -95,7 +76,7 @@ void cut_along(CellView polygon, int axis, const std::vector<double>& breaks, co
 }  // namespace
 
 CellQuadrature::CellQuadrature(const Density& density)
-    : breaks_{density.u_breaks, density.v_breaks} {
+    : breaks_{density.u_breaks, density.v_breaks}, pixels_(density.pixels) {
     for (std::vector<double>& breaks : breaks_) {
         breaks.push_back(0);
         std::sort(breaks.begin(), breaks.end());
@@ -106,6 +87,8 @@ CellQuadrature::CellQuadrature(const Density& density)
     }
     has_breaks_ = breaks_[0].size() > 1 || breaks_[1].size() > 1;
 }
+
+int CellQuadrature::least_order() const { return pixels_ ? kPixelOrder : kLeastOrder; }
 
 void CellQuadrature::cut_way(const Vec2& from, const Vec2& to, std::vector<double>& shares) const {
     shares = {0, 1};
@@ -144,8 +127,16 @@ void CellQuadrature::add(CellView cell, const Vec2& site, int q, QuadratureBatch
     batch.end_cell();
 }
 
+Moments CellQuadrature::on_pixels(CellView cell, DensityProbe& probe) const {
+    DensityRange range = pixels_->range();
+    Moments moments = pixel_moments(*pixels_, cell, range.n_evaluations);
+    probe.add(range);
+    return moments;
+}
+
 Moments CellQuadrature::operator()(CellView cell, const Vec2& site, int q,
                                    DensityProbe& probe) const {
+    if (pixels_) return on_pixels(cell, probe);
     QuadratureBatch batch(probe);
     add(cell, site, q, batch);
     return batch.collect().front();

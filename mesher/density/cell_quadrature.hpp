@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "mesher/density/quadrature_batch.hpp"
@@ -12,7 +13,8 @@ namespace pcvt {
 /// A cell that no break line crosses is the fan of triangles between its site and its sides; each
 /// triangle gets the conical rule of q x q points that collapses at the site. A cell that break
 /// lines cross is first cut along them. Each piece is then a fan of its own or, where it is a whole
-/// parallelogram between break lines, a product of two Gauss rules.
+/// parallelogram between break lines, a product of two Gauss rules. The density of a picture needs
+/// no rules: its integrals over cut cells are exact (pixel_quadrature.hpp).
 ///
 /// Example usage:
 ///
@@ -36,6 +38,13 @@ class CellQuadrature {
     /// @throws BadDensity as the probe does.
     Moments operator()(CellView cell, const Vec2& site, int q, DensityProbe& probe) const;
 
+    /// Whether the density is that of a picture. Then on_pixels() has the moments of cut cells, and
+    /// add() is not for them.
+    bool has_pixels() const { return pixels_ != nullptr; }
+    Moments on_pixels(CellView cell, DensityProbe& probe) const;
+    /// The least order that cells need.
+    int least_order() const;
+
     /// Computes where break lines and the seam cut the segment between two points: fractions of the
     /// segment in [0, 1], ascending, including 0 and 1.
     void cut_way(const Vec2& from, const Vec2& to, std::vector<double>& shares) const;
@@ -54,6 +63,7 @@ class CellQuadrature {
     std::array<std::vector<double>, 2> breaks_;
     /// Whether there are breaks other than 0.
     bool has_breaks_;
+    std::shared_ptr<const PixelGrid> pixels_;
 };
 
 }  // namespace pcvt

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -47,7 +49,8 @@ void CellSums::sort_by_order(std::span<const OrderedCell> cells) {
     }
 }
 
-void CellSums::add(std::span<const SiteId> sites, std::span<const int> numbers, int q) {
+void CellSums::add(std::span<const SiteId> sites, std::span<const int> numbers, int q,
+                   std::vector<Moments>& moments) {
     cells_.unwrap(sites, list_);
     whole_.begin_order(q);
     for (std::size_t k = 0; k < sites.size(); ++k) {
@@ -57,6 +60,10 @@ void CellSums::add(std::span<const SiteId> sites, std::span<const int> numbers, 
             continue;
         }
         list_.copy(k, site, polygon_);
+        if (quadrature_.has_pixels()) {
+            moments[numbers[k]] = quadrature_.on_pixels(polygon_, probe_);
+            continue;
+        }
         quadrature_.add(polygon_, site, q, cut_);
         cut_numbers_.push_back(numbers[k]);
     }
@@ -77,8 +84,9 @@ void CellSums::integrate(std::span<const OrderedCell> cells, std::vector<Moments
     int done = 0;
     for (int q = kLeastOrder; q <= kGreatestOrder; ++q) {
         while (done < end_[q]) {
+            checkpoint();
             const auto n = static_cast<std::size_t>(std::min(end_[q] - done, kCellsAtOnce));
-            add({&sites_[done], n}, {&numbers_[done], n}, q);
+            add({&sites_[done], n}, {&numbers_[done], n}, q, moments);
             done += static_cast<int>(n);
             if (probe_.n_reserved() >= kEnoughPoints) finish(moments);
         }

@@ -18,7 +18,7 @@ struct OrderedCell {
 
 /// Computes the moments of many cells on one thread. The few cells that break lines cross go
 /// through QuadratureBatch, all others through FanBatch, and the density of both is evaluated at
-/// once.
+/// once. Cells that the break lines of a picture cross are integrated exactly, one by one.
 ///
 /// Example usage:
 ///
@@ -44,7 +44,8 @@ class CellSums {
 
    private:
     void sort_by_order(std::span<const OrderedCell> cells);
-    void add(std::span<const SiteId> sites, std::span<const int> numbers, int q);
+    void add(std::span<const SiteId> sites, std::span<const int> numbers, int q,
+             std::vector<Moments>& moments);
     void finish(std::vector<Moments>& moments);
 
     const UnwrappedCells& cells_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/simd.hpp"
 #include "mesher/base/target_clones.hpp"
 
@@ -114,6 +115,7 @@ std::vector<double> densities_at(const Density& density, const Lattice& lattice,
     DensityProbe probe(lattice, density.make_function());
     std::vector<DensityPoint> wrapped;
     for (Eigen::Index k = 0; k < points.cols(); ++k) {
+        checkpoint_each(k);
         const Vec2 u = lattice.to_lattice(points.col(k));
         wrapped.push_back(probe.point(u.x() - std::floor(u.x()), u.y() - std::floor(u.y())));
     }

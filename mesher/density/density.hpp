@@ -25,6 +25,8 @@ struct DensityPoint {
 /// Writes rho for each of the given points.
 using DensityFunction = std::function<void(std::span<const DensityPoint>, std::span<double>)>;
 
+class PixelGrid;
+
 /// A density rho > 0 on the torus. It is only evaluated in the parallelogram of the user's basis
 /// and is therefore periodic whatever its formula: a formula that differs at opposite sides jumps
 /// there.
@@ -43,6 +45,8 @@ struct Density {
     /// They are always cut at 0, the seam.
     std::vector<double> u_breaks = {};
     std::vector<double> v_breaks = {};
+    /// The picture whose density this is, if any (pixel_grid.hpp).
+    std::shared_ptr<const PixelGrid> pixels = nullptr;
 };
 
 /// Evaluates a function of one point at many points.
@@ -114,6 +118,8 @@ class DensityProbe {
     std::span<const double> evaluate_reserved() {
         return evaluate({points_.data(), std::exchange(n_reserved_, 0)});
     }
+    /// Adds evaluations that were made without this probe.
+    void add(const DensityRange& range) { range_.add(range); }
     /// Returns the statistics since the last call.
     DensityRange take_range() { return std::exchange(range_, {}); }
 

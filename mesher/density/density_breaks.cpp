@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -67,6 +69,7 @@ void bisect(const ProbeLine& line, double low, double high, std::vector<double>&
 }
 
 void find_jumps(const ProbeLine& line, std::vector<double>& found) {
+    checkpoint();
     const std::vector<double> value = line.survey();
     const auto change = [&](int k) {
         return k < 0 || k >= kIntervals ? 0.0 : std::abs(value[k + 1] - value[k]);

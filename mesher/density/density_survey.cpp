@@ -5,6 +5,8 @@
 #include <numeric>
 #include <random>
 
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/density/pixel_grid.hpp"
 #include "mesher/density/quadrature.hpp"
 
 namespace pcvt {
@@ -55,6 +57,7 @@ DensitySurvey::DensitySurvey(const Lattice& lattice, const Density& density, int
     : lattice_(lattice), resolution_(resolution), probe_(lattice, density.make_function()) {
     rho_.reserve(static_cast<std::size_t>(resolution) * resolution);
     for (int j = 0; j < resolution; ++j) {
+        checkpoint();
         DensityPoint* const row = probe_.reserve(resolution);
         for (int i = 0; i < resolution; ++i) {
             row[i] = probe_.point(double(i) / resolution, double(j) / resolution);
@@ -105,6 +108,7 @@ Points DensitySurvey::draw(int n, std::uint64_t seed) {
     std::vector<Candidate> candidates;
     int trial = 0;
     for (int filled = 0; filled < n;) {
+        checkpoint();
         candidates.resize(std::min(n - filled, kCandidates));
         for (Candidate& candidate : candidates) {
             const auto found = std::upper_bound(sums.begin(), sums.end(), uniform() * total);
@@ -133,11 +137,13 @@ Points graded_points(const Lattice& lattice, const Density& density, int n, std:
 }
 
 double integral(const Lattice& lattice, const Density& density) {
+    if (density.pixels) return density.pixels->mean() * lattice.area();
     const GaussRule along = composite_rule(density.u_breaks);
     const GaussRule up = composite_rule(density.v_breaks);
     DensityProbe probe(lattice, density.make_function());
     double sum = 0;
     for (std::size_t j = 0; j < up.nodes.size(); ++j) {
+        checkpoint();
         DensityPoint* const row = probe.reserve(along.nodes.size());
         for (std::size_t i = 0; i < along.nodes.size(); ++i) {
             row[i] = probe.point(along.nodes[i], up.nodes[j]);

@@ -42,13 +42,12 @@ Moments fan_moments(std::span<const Vec2> corners, const TriangleRule& rule, con
     return {mass, first, second};
 }
 
-/// Converts moments about a point at `place` to moments about the site.
+}  // namespace
+
 Moments about_site(const Moments& m, const Vec2& place) {
     return {m.mass, m.first + m.mass * place,
             m.second + 2 * place.dot(m.first) + place.squaredNorm() * m.mass};
 }
-
-}  // namespace
 
 Moments& Moments::operator+=(const Moments& other) {
     mass += other.mass;

@@ -16,6 +16,8 @@ struct Moments {
 
     Moments& operator+=(const Moments& other);
 };
+/// Converts moments about a point at `place` to moments about the site.
+Moments about_site(const Moments& m, const Vec2& place);
 
 /// A point in two coordinate systems: in a plane, relative to the site, and in lattice coordinates
 /// of the user's basis, not wrapped. One is an affine image of the other.

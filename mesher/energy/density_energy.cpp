@@ -41,7 +41,7 @@ DensityPass::DensityPass(MovingDelaunay& delaunay, Workers& workers, const Latti
       quadrature_(density),
       probes_(lattice, density),
       per_unit_(1 / density_unit),
-      order_(delaunay.n_sites(), kLeastOrder),
+      order_(delaunay.n_sites(), static_cast<std::uint8_t>(quadrature_.least_order())),
       tasks_((delaunay.n_sites() + kSitesPerTask - 1) / kSitesPerTask) {}
 
 DensityPass::~DensityPass() = default;
@@ -143,8 +143,10 @@ RuleCheck DensityPass::choose_orders(double accuracy, bool lower) {
         CellSums sums(cells_, quadrature_, probe);
         std::vector<OrderedCell> cells;
         for (SiteId s = first; s < end; ++s) {
-            cells.push_back({s, lower ? kLeastOrder : std::min<int>(order_[s], kGreatestOrder - 1),
-                             sums.is_cut(s)});
+            cells.push_back(
+                {s,
+                 lower ? quadrature_.least_order() : std::min<int>(order_[s], kGreatestOrder - 1),
+                 sums.is_cut(s)});
         }
         choose_orders(std::move(cells), accuracy, sums, task);
     });

@@ -6,8 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
+
+/// Number of points per evaluation that makes the cost of the call negligible.
+constexpr std::size_t kEnoughPoints = 1 << 16;
 
 const CellCorner& before(CellView cell, std::size_t k) {
     return k == 0 ? cell.back() : cell[k - 1];
@@ -110,7 +115,11 @@ void DensityHessian::fill_rows(SiteId first, SiteId end, double per_unit, Densit
     Rows rows;
     cells_.unwrap(sites, rows.cells);
     CellPolygon polygon;
+    std::vector<double> rho;
+    std::size_t n_filled = 0;
     for (std::size_t k = 0; k < sites.size(); ++k) {
+        checkpoint_each(k);
+        // Place the points of one more cell.
         rows.cells.copy(k, cells_.site(sites[k]), polygon);
         rows.corners.insert(rows.corners.end(), polygon.begin(), polygon.end());
         const CellView cell = rows.cell(k);
@@ -118,12 +127,14 @@ void DensityHessian::fill_rows(SiteId first, SiteId end, double per_unit, Densit
             const SiteId neighbour = rows.cells.neighbours[rows.cells.begin[k] + c];
             place_side(side_rule(sites[k], neighbour), before(cell, c), cell[c], rows, probe);
         }
+        if (k + 1 < sites.size() && probe.n_reserved() < kEnoughPoints) continue;
+        // Evaluate the density, and fill the rows of the cells that have their points.
+        const std::span<const double> values = probe.evaluate_reserved();
+        rho.assign(values.begin(), values.end());
+        for (double& number : rho) number *= per_unit;
+        rows.next_rho = rho.data();
+        for (; n_filled <= k; ++n_filled) fill_row(sites[n_filled], n_filled, rows, hessian);
     }
-    const std::span<const double> values = probe.evaluate_reserved();
-    std::vector<double> rho(values.begin(), values.end());
-    for (double& number : rho) number *= per_unit;
-    rows.next_rho = rho.data();
-    for (std::size_t k = 0; k < sites.size(); ++k) fill_row(sites[k], k, rows, hessian);
 }
 
 }  // namespace pcvt

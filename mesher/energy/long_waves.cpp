@@ -1,14 +1,12 @@
 #include "mesher/energy/long_waves.hpp"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
-#include <mutex>
 #include <numbers>
-#include <span>
+
+#include "mesher/energy/fourier_transform.hpp"
 
 namespace pcvt {
 namespace {
@@ -25,21 +23,11 @@ constexpr int kRowsPerTask = 32;
 /// period stay next to their neighbours.
 constexpr int kMargin = 16;
 
-/// FFTW's planner is not thread-safe.
-std::mutex& planning() {
-    static std::mutex mutex;
-    return mutex;
-}
+using Number = std::complex<float>;
 
-/// Returns the next even number without prime factors above 7.
-int good_size(double wanted) {
-    for (int size = std::max(4, 2 * static_cast<int>(std::ceil(wanted / 2)));; size += 2) {
-        int rest = size;
-        for (const int factor : {2, 3, 5, 7}) {
-            while (rest % factor == 0) rest /= factor;
-        }
-        if (rest == 1) return size;
-    }
+/// The product of finite numbers; the operator also treats infinite ones.
+Number product(const Number& z, const Number& w) {
+    return {z.real() * w.real() - z.imag() * w.imag(), z.real() * w.imag() + z.imag() * w.real()};
 }
 
 /// Converts a coordinate in periods to rows or columns of a grid: in [-margin, size + margin), and
@@ -55,62 +43,56 @@ float on_grid(double u, int size, int margin) {
 
 }  // namespace
 
-/// The values at the nodes of a periodic grid, with additional rows on both sides and an additional
-/// column that repeat others; the Fourier transform uses the same memory.
+/// The values (x, y) at the nodes of a periodic grid as complex numbers x + iy, with additional
+/// rows on both sides and an additional column that repeat others; the Fourier transform uses the
+/// same memory.
 class LongWaves::Grid {
    public:
     Grid(int n_rows, int n_columns);
-    ~Grid();
-    Grid(const Grid&) = delete;
-    Grid& operator=(const Grid&) = delete;
 
     int n_rows() const { return n_rows_; }
     int n_columns() const { return n_columns_; }
     /// Returns row i, -kMargin <= i <= n_rows() + kMargin; each row also has column n_columns().
-    float* row(int i) { return numbers_ + std::ptrdiff_t(i + kMargin) * row_stride_; }
-    std::span<std::complex<float>> waves(int i) {
-        return {reinterpret_cast<std::complex<float>*>(row(i)), std::size_t(n_columns_ / 2 + 1)};
-    }
+    Number* row(int i) { return &numbers_[std::ptrdiff_t(i + kMargin) * (n_columns_ + 1)]; }
 
-    void clear() { std::fill(row(-kMargin), row(n_rows_ + kMargin + 1), 0.0F); }
+    void clear() { std::fill(numbers_.begin(), numbers_.end(), Number{}); }
     /// Adds the repeated rows and column to the originals.
     void fold();
     void repeat();
-    void to_waves() { fftwf_execute(to_waves_); }
-    void to_nodes() { fftwf_execute(to_nodes_); }
+    void to_waves(Workers& workers);
+    /// The inverse, times the number of nodes.
+    void to_nodes(Workers& workers);
 
    private:
+    /// The numbers in a row or a column, and the distances between them and between two series.
+    struct Layout {
+        std::ptrdiff_t along;
+        std::ptrdiff_t across;
+        int n_series;
+    };
+    void transform(const FourierTransform& transform, const Layout& layout, bool is_inverse,
+                   Workers& workers);
+    void transform_rows(bool is_inverse, Workers& workers);
+    void transform_columns(bool is_inverse, Workers& workers);
+
     int n_rows_;
     int n_columns_;
-    std::ptrdiff_t row_stride_;
-    float* numbers_;
-    fftwf_plan to_waves_;
-    fftwf_plan to_nodes_;
+    std::vector<Number> numbers_;
+    FourierTransform of_row_;
+    FourierTransform of_column_;
 };
 
 LongWaves::Grid::Grid(int n_rows, int n_columns)
-    : n_rows_(n_rows), n_columns_(n_columns), row_stride_(n_columns + 2) {
-    numbers_ = fftwf_alloc_real(std::size_t(n_rows + 2 * kMargin + 1) * row_stride_);
-    if (numbers_ == nullptr) throw std::bad_alloc();
-    float* const nodes = row(0);
-    auto* const waves = reinterpret_cast<fftwf_complex*>(nodes);
-    // FFTW_ESTIMATE: measured plans round differently from run to run.
-    const std::scoped_lock lock(planning());
-    to_waves_ = fftwf_plan_dft_r2c_2d(n_rows, n_columns, nodes, waves, FFTW_ESTIMATE);
-    to_nodes_ = fftwf_plan_dft_c2r_2d(n_rows, n_columns, waves, nodes, FFTW_ESTIMATE);
-}
-
-LongWaves::Grid::~Grid() {
-    const std::scoped_lock lock(planning());
-    fftwf_destroy_plan(to_waves_);
-    fftwf_destroy_plan(to_nodes_);
-    fftwf_free(numbers_);
-}
+    : n_rows_(n_rows),
+      n_columns_(n_columns),
+      numbers_(std::size_t(n_rows + 2 * kMargin + 1) * (n_columns + 1)),
+      of_row_(n_columns),
+      of_column_(n_rows) {}
 
 void LongWaves::Grid::fold() {
     for (int i = -kMargin; i <= n_rows_ + kMargin; ++i) {
         if (i >= 0 && i < n_rows_) continue;
-        float* const repeated = row(((i % n_rows_) + n_rows_) % n_rows_);
+        Number* const repeated = row(((i % n_rows_) + n_rows_) % n_rows_);
         for (int j = 0; j <= n_columns_; ++j) repeated[j] += row(i)[j];
     }
     for (int i = 0; i < n_rows_; ++i) row(i)[0] += row(i)[n_columns_];
@@ -124,16 +106,71 @@ void LongWaves::Grid::repeat() {
     }
 }
 
+/// Transforms the series of a layout, kLanes in each task.
+void LongWaves::Grid::transform(const FourierTransform& transform, const Layout& layout,
+                                bool is_inverse, Workers& workers) {
+    using Element = FourierTransform::Element;
+    const int n = transform.length();
+    // The inverse exchanges real and imaginary parts.
+    constexpr auto kReal = &Element::real;
+    constexpr auto kImaginary = &Element::imaginary;
+    const auto first = is_inverse ? kImaginary : kReal;
+    const auto second = is_inverse ? kReal : kImaginary;
+    const auto transform_some = [&](int task) {
+        const int begin = task * FourierTransform::kLanes;
+        const int n_lanes = std::min(FourierTransform::kLanes, layout.n_series - begin);
+        Number* const corner = row(0) + begin * layout.across;
+        const auto elements = std::make_unique<Element[]>(2 * std::size_t(n));
+        for (int k = 0; k < n; ++k) {
+            const Number* const from = corner + k * layout.along;
+            for (int lane = 0; lane < n_lanes; ++lane) {
+                (elements[k].*first)[lane] = from[lane * layout.across].real();
+                (elements[k].*second)[lane] = from[lane * layout.across].imag();
+            }
+        }
+        transform.apply(&elements[0], &elements[n]);
+        for (int k = 0; k < n; ++k) {
+            Number* const to = corner + k * layout.along;
+            for (int lane = 0; lane < n_lanes; ++lane) {
+                to[lane * layout.across] = {(elements[k].*first)[lane],
+                                            (elements[k].*second)[lane]};
+            }
+        }
+    };
+    workers.for_each((layout.n_series + FourierTransform::kLanes - 1) / FourierTransform::kLanes,
+                     transform_some);
+}
+
+void LongWaves::Grid::transform_rows(bool is_inverse, Workers& workers) {
+    const Layout rows{.along = 1, .across = n_columns_ + 1, .n_series = n_rows_};
+    transform(of_row_, rows, is_inverse, workers);
+}
+
+void LongWaves::Grid::transform_columns(bool is_inverse, Workers& workers) {
+    const Layout columns{.along = n_columns_ + 1, .across = 1, .n_series = n_columns_};
+    transform(of_column_, columns, is_inverse, workers);
+}
+
+void LongWaves::Grid::to_waves(Workers& workers) {
+    transform_rows(false, workers);
+    transform_columns(false, workers);
+}
+
+void LongWaves::Grid::to_nodes(Workers& workers) {
+    transform_columns(true, workers);
+    transform_rows(true, workers);
+}
+
 LongWaves::LongWaves(const MovingDelaunay& delaunay, Workers& workers)
     : workers_(workers),
       frame_(delaunay.frame()),
       area_per_site_(delaunay.spacing() * delaunay.spacing()),
       n_sites_(delaunay.n_sites()) {
     const double per_length = kNodesPerSpacing / delaunay.spacing();
-    const int n_rows = good_size(per_length * frame_.ax);
-    const int n_columns = good_size(per_length * std::hypot(frame_.bx, frame_.by));
-    x_ = std::make_unique<Grid>(n_rows, n_columns);
-    y_ = std::make_unique<Grid>(n_rows, n_columns);
+    const auto n_nodes = [&](double length) {
+        return FourierTransform::good_length(static_cast<int>(std::ceil(per_length * length)));
+    };
+    grid_ = std::make_unique<Grid>(n_nodes(frame_.ax), n_nodes(std::hypot(frame_.bx, frame_.by)));
     place_sites(delaunay);
 }
 
@@ -143,7 +180,8 @@ void LongWaves::place_sites(const MovingDelaunay& delaunay) {
     place_.resize(2, n_sites_);
     for (SiteId s = 0; s < n_sites_; ++s) {
         const Vec2 u = delaunay.coordinates().col(s);
-        place_.col(s) << on_grid(u.x(), x_->n_rows(), kMargin), on_grid(u.y(), x_->n_columns(), 0);
+        place_.col(s) << on_grid(u.x(), grid_->n_rows(), kMargin),
+            on_grid(u.y(), grid_->n_columns(), 0);
     }
     for (int first = 0; first < n_sites_; first += kSitesPerStretch) {
         const int end = std::min(first + kSitesPerStretch, n_sites_);
@@ -151,7 +189,7 @@ void LongWaves::place_sites(const MovingDelaunay& delaunay) {
         stretches_.push_back(
             {first, end, static_cast<int>(rows.minCoeff()), static_cast<int>(rows.maxCoeff()) + 2});
     }
-    if (!neighbours_only()) stretches_ = {{0, n_sites_, 0, x_->n_rows() + 1}};
+    if (!neighbours_only()) stretches_ = {{0, n_sites_, 0, grid_->n_rows() + 1}};
 }
 
 /// Whether stretches that are not neighbours use different rows.
@@ -173,18 +211,13 @@ void LongWaves::collect(const Eigen::VectorXd& r) {
             const auto j = static_cast<int>(place_(1, s));
             const float down = place_(0, s) - static_cast<float>(i);
             const float right = place_(1, s) - static_cast<float>(j);
-            const std::array<float, 4> weight{(1 - down) * (1 - right), (1 - down) * right,
-                                              down * (1 - right), down * right};
-            const std::array<Grid*, 2> grids{x_.get(), y_.get()};
-            for (const int c : {0, 1}) {
-                const auto number = static_cast<float>(r[2 * s + c]);
-                float* const upper = grids[c]->row(i) + j;
-                float* const lower = grids[c]->row(i + 1) + j;
-                upper[0] += weight[0] * number;
-                upper[1] += weight[1] * number;
-                lower[0] += weight[2] * number;
-                lower[1] += weight[3] * number;
-            }
+            const Number number(static_cast<float>(r[2 * s]), static_cast<float>(r[2 * s + 1]));
+            Number* const upper = grid_->row(i) + j;
+            Number* const lower = grid_->row(i + 1) + j;
+            upper[0] += (1 - down) * (1 - right) * number;
+            upper[1] += (1 - down) * right * number;
+            lower[0] += down * (1 - right) * number;
+            lower[1] += down * right * number;
         }
     };
     // Process alternate stretches in parallel: they use different rows.
@@ -195,39 +228,49 @@ void LongWaves::collect(const Eigen::VectorXd& r) {
 }
 
 /// Divides the amplitude of each wave by its stiffness.
+///
+/// With the amplitudes X and Y of x and y for a wave k, and those of -k, which are their
+/// conjugates, the grid holds Z(k) = X + iY and conj Z(-k) = X - iY. The symmetric matrix (a b; b
+/// c) that acts on (X, Y) therefore returns Z'(k) = (a + c) / 2 Z(k) + ((a - c) / 2 + ib) conj
+/// Z(-k).
 void LongWaves::solve() {
     // Compute the normalisation.
-    const int n_rows = x_->n_rows();
-    const int n_columns = x_->n_columns();
-    // 1 / n normalises the sum over sites; FFTW's factor N, the number of nodes, cancels against
-    // the 1 / N of the sum over nodes.
+    const int n_rows = grid_->n_rows();
+    const int n_columns = grid_->n_columns();
+    // 1 / n normalises the sum over sites; the transforms' factor N, the number of nodes, cancels
+    // against the 1 / N of the sum over nodes.
     const double factor = kShare / (area_per_site_ * area_per_site_ * n_sites_);
-    // Split each wave into its parts along and across the wave vector.
+    // Process the waves k and -k of one row i >= 0.
     const auto solve_row = [&](int i) {
-        const auto x = x_->waves(i);
-        const auto y = y_->waves(i);
-        const double kx = 2 * std::numbers::pi * (i <= n_rows / 2 ? i : i - n_rows) / frame_.ax;
-        for (int j = 0; j <= n_columns / 2; ++j) {
-            const double ky = (2 * std::numbers::pi * j - kx * frame_.bx) / frame_.by;
+        Number* const waves = grid_->row(i);
+        Number* const opposite = grid_->row((n_rows - i) % n_rows);
+        // Waves with a largest index have two signs, and the one with the least is no wave.
+        if (2 * i == n_rows) std::fill_n(waves, n_columns, Number{});
+        waves[n_columns / 2] = opposite[n_columns / 2] = 0;
+        if (i == 0) waves[0] = 0;
+        const double kx = 2 * std::numbers::pi * i / frame_.ax;
+        const int end = i == 0 ? n_columns / 2 : 2 * i == n_rows ? 0 : n_columns;
+        for (int j = i == 0 ? 1 : 0; j < end; ++j) {
+            const int index = 2 * j < n_columns ? j : j - n_columns;
+            const double ky = (2 * std::numbers::pi * index - kx * frame_.bx) / frame_.by;
             const double square = kx * kx + ky * ky;
-            const bool two_signs = 2 * i == n_rows || 2 * j == n_columns;
-            if (two_signs || i + j == 0) {
-                x[j] = y[j] = 0;
-                continue;
-            }
-            const auto across = static_cast<float>(factor / (kAcross * square));
-            const auto along = static_cast<float>(factor / (kAlong * square));
-            const auto ex = static_cast<float>(kx / std::sqrt(square));
-            const auto ey = static_cast<float>(ky / std::sqrt(square));
-            const std::complex<float> part = (along - across) * (ex * x[j] + ey * y[j]);
-            x[j] = across * x[j] + ex * part;
-            y[j] = across * y[j] + ey * part;
+            const double across = factor / (kAcross * square);
+            const double more_along = factor / (kAlong * square) - across;
+            const auto mean = static_cast<float>(across + more_along / 2);
+            const Number turned(static_cast<float>(more_along * (kx * kx - ky * ky) / (2 * square)),
+                                static_cast<float>(more_along * kx * ky / square));
+            Number& wave = waves[j];
+            Number& other = opposite[(n_columns - j) % n_columns];
+            const Number before = wave;
+            wave = mean * wave + product(turned, std::conj(other));
+            other = mean * other + product(turned, std::conj(before));
         }
     };
     // Process the rows in parallel.
-    workers_.for_each((n_rows + kRowsPerTask - 1) / kRowsPerTask, [&](int task) {
+    const int n_pairs = n_rows / 2 + 1;
+    workers_.for_each((n_pairs + kRowsPerTask - 1) / kRowsPerTask, [&](int task) {
         const int first = task * kRowsPerTask;
-        for (int i = first; i < std::min(first + kRowsPerTask, n_rows); ++i) solve_row(i);
+        for (int i = first; i < std::min(first + kRowsPerTask, n_pairs); ++i) solve_row(i);
     });
 }
 
@@ -240,15 +283,13 @@ void LongWaves::distribute(const Eigen::VectorXd& r, Eigen::VectorXf& p) {
             const auto j = static_cast<int>(place_(1, s));
             const float down = place_(0, s) - static_cast<float>(i);
             const float right = place_(1, s) - static_cast<float>(j);
-            const std::array<Grid*, 2> grids{x_.get(), y_.get()};
-            for (const int c : {0, 1}) {
-                const float* const upper = grids[c]->row(i) + j;
-                const float* const lower = grids[c]->row(i + 1) + j;
-                const float above = upper[0] + right * (upper[1] - upper[0]);
-                const float below = lower[0] + right * (lower[1] - lower[0]);
-                p[2 * s + c] =
-                    static_cast<float>(alone * r[2 * s + c]) + above + down * (below - above);
-            }
+            const Number* const upper = grid_->row(i) + j;
+            const Number* const lower = grid_->row(i + 1) + j;
+            const Number above = upper[0] + right * (upper[1] - upper[0]);
+            const Number below = lower[0] + right * (lower[1] - lower[0]);
+            const Number moved = above + down * (below - above);
+            p[2 * s] = static_cast<float>(alone * r[2 * s]) + moved.real();
+            p[2 * s + 1] = static_cast<float>(alone * r[2 * s + 1]) + moved.imag();
         }
     };
     workers_.for_each(static_cast<int>(stretches_.size()), [&](int k) { stretch(stretches_[k]); });
@@ -256,18 +297,13 @@ void LongWaves::distribute(const Eigen::VectorXd& r, Eigen::VectorXf& p) {
 
 void LongWaves::apply(const Eigen::VectorXd& r, Eigen::VectorXf& p) {
     p.resize(r.size());
-    const std::array<Grid*, 2> grids{x_.get(), y_.get()};
-    workers_.for_each(2, [&](int c) { grids[c]->clear(); });
+    grid_->clear();
     collect(r);
-    workers_.for_each(2, [&](int c) {
-        grids[c]->fold();
-        grids[c]->to_waves();
-    });
+    grid_->fold();
+    grid_->to_waves(workers_);
     solve();
-    workers_.for_each(2, [&](int c) {
-        grids[c]->to_nodes();
-        grids[c]->repeat();
-    });
+    grid_->to_nodes(workers_);
+    grid_->repeat();
     distribute(r, p);
 }
 

@@ -66,9 +66,7 @@ class LongWaves {
     Eigen::Matrix2Xf place_;
     /// In the order of the sites.
     std::vector<Stretch> stretches_;
-    /// The x and the y components.
-    std::unique_ptr<Grid> x_;
-    std::unique_ptr<Grid> y_;
+    std::unique_ptr<Grid> grid_;
 };
 
 }  // namespace pcvt

@@ -18,7 +18,8 @@ enum class Minimum { kYes, kNo, kUnknown };
 /// Returns "yes", "no" or "unknown".
 const char* minimum_name(Minimum minimum);
 
-/// The number of sites up to which the answer `kYes` takes less than half a second.
+/// The number of sites up to which the answer `kYes` takes less than a second: about twice the time
+/// of the optimisation.
 inline constexpr int kMostSitesForStability = 10'000;
 
 /// Counts eigenvalues by Sylvester's law of inertia: the number of negative pivots of H - s is the

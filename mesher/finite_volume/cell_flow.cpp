@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/polygon.hpp"
 
 namespace pcvt {
@@ -18,6 +19,7 @@ CellShapes cell_shapes(const Tile& tile) {
     CellShapes shapes;
     Polygon polygon;
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         polygon.clear();
         for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
         shapes.centroids.push_back(polygon_centroid(polygon));
@@ -41,6 +43,7 @@ double largest_exchange(const DecayingFlow& flow, const Tile& tile,
                         const std::vector<double>& areas) {
     double largest = 0;
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         double flux = 0;
         double from = flow.stream(tile.points[tile.faces[f].back()]);
         for (const int v : tile.faces[f]) {
@@ -60,6 +63,7 @@ class Dissipation {
                 const std::vector<Vec2>& velocity)
         : extruded_(extruded), shapes_(shapes), velocity_(velocity) {
         for (int f = 0; f < extruded.n_inner_faces(); ++f) {
+            checkpoint_each(f);
             add(f, extruded.neighbour[f], Vec2(0, 0));
         }
         for (const ExtrudedPatch& patch : extruded.patches) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <tuple>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
@@ -45,6 +46,7 @@ void require_indices(const ExtrudedMesh& extruded) {
         throw_violation(kOrder, "there are more neighbours than faces");
     // Check the cells at each face.
     for (int f = 0; f < extruded.n_faces(); ++f) {
+        checkpoint_each(f);
         const int behind = extruded.owner[f];
         const int before = f < extruded.n_inner_faces() ? extruded.neighbour[f] : n_cells - 1;
         if (behind >= 0 && before >= 0 && before < n_cells) continue;
@@ -70,6 +72,7 @@ void require_runs(const ExtrudedMesh& extruded) {
 
 void require_inner_order(const ExtrudedMesh& extruded) {
     for (int f = 0; f < extruded.n_inner_faces(); ++f) {
+        checkpoint_each(f);
         if (extruded.owner[f] >= extruded.neighbour[f]) {
             throw_violation(kOrder,
                             "the owner of face " + to_string(f) + " is not below its neighbour");
@@ -142,6 +145,7 @@ void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
     // Read each face from the back lid and compare the front lid with it.
     std::vector<int> face;
     for (std::size_t cell = 0; cell < back.size(); ++cell) {
+        checkpoint_each(cell);
         const std::span<const int> points = extruded.faces[back[cell]];
         if (points.size() < 3)
             throw_violation(kPlanes, "a face of the back has fewer than 3 points");
@@ -262,6 +266,7 @@ Tile extruded_base(const ExtrudedMesh& extruded) {
     // Match each wall with a side of a face, and read the seam.
     Walls walls(tile);
     for (int f = 0; f < extruded.n_inner_faces(); ++f) {
+        checkpoint_each(f);
         const WallFoot foot = wall_foot(extruded, f);
         walls.build(extruded.owner[f], foot.v, foot.w, f);
         walls.build(extruded.neighbour[f], foot.w, foot.v, f);

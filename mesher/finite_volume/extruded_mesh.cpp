@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "mesher/base/bucket_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -26,6 +27,7 @@ std::vector<Side> sides_by_edge(const Tile& tile) {
     std::vector<Side> sides;
     sides.reserve(tile.faces.corners.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         int from = tile.faces[f].back();
         for (const int v : tile.faces[f]) {
             sides.push_back({from, v, f});
@@ -84,6 +86,7 @@ class ExtrudedFaces {
 
     void add_lids(const Tile& tile, bool front) {
         for (int f = 0; f < tile.n_faces(); ++f) {
+            checkpoint_each(f);
             std::vector<int> points(tile.faces[f].begin(), tile.faces[f].end());
             if (front) {
                 for (int& p : points) p += above_;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 
@@ -23,6 +24,7 @@ class Halfedges {
     explicit Halfedges(const PeriodicMesh& cells)
         : cells_(cells), edge_(static_cast<std::size_t>(cells.n_corners())) {
         for (int h = 0; h < cells.n_corners(); ++h) {
+            checkpoint_each(h);
             edge_[h] = h < cells.opposite[h] ? n_edges_++ : edge_[cells.opposite[h]];
         }
     }
@@ -71,6 +73,7 @@ void require_acute(const PeriodicMesh& cells, const Halfedges& edges) {
     int worst = -1;
     double smallest = kRightAngle;
     for (int h = 0; h < cells.n_corners(); ++h) {
+        checkpoint_each(h);
         const double cosine = triangle_cosine(edges, h);
         if (cosine >= smallest) continue;
         smallest = cosine;
@@ -87,6 +90,7 @@ void require_acute(const PeriodicMesh& cells, const Halfedges& edges) {
 void require_near_neighbours(const PeriodicMesh& cells, const Halfedges& edges,
                              const Vec2& periods) {
     for (int h = 0; h < cells.n_corners(); ++h) {
+        checkpoint_each(h);
         const Vec2 part = edges.to_neighbour(h).cwiseAbs().cwiseQuotient(periods);
         if (part.maxCoeff() < 0.5) continue;
         throw InvalidInput("the cells of sites " + to_string(cells.site[edges.cell(h)]) + " and " +
@@ -120,6 +124,7 @@ void place_points(const PeriodicMesh& cells, const Halfedges& edges, const Wrapp
     for (const Vec2& site : cells.site_points) wrapping.append(site, grid.x_cell, grid.y_cell);
     for (const Vec2& v : cells.vertices) wrapping.append(v, grid.x_vertex, grid.y_vertex);
     for (int h = 0; h < cells.n_corners(); ++h) {
+        checkpoint_each(h);
         if (!edges.first(h)) continue;
         wrapping.append(edges.site(h) + edges.to_neighbour(h) / 2, grid.x_edge, grid.y_edge);
     }
@@ -131,6 +136,7 @@ void fill_cells(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& gri
         table->assign(size, -1);
     }
     for (int f = 0; f < grid.n_cells; ++f) {
+        checkpoint_each(f);
         grid.n_edges_on_cell.push_back(cells.face_begin[f + 1] - cells.face_begin[f]);
         std::size_t entry = static_cast<std::size_t>(f) * grid.max_edges;
         for (int h = cells.face_begin[f]; h < cells.face_begin[f + 1]; ++h, ++entry) {
@@ -143,6 +149,7 @@ void fill_cells(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& gri
 
 void fill_edges(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& grid) {
     for (int h = 0; h < cells.n_corners(); ++h) {
+        checkpoint_each(h);
         if (!edges.first(h)) continue;
         const int across = edges.opposite(h);
         const Vec2 normal = edges.to_neighbour(h);
@@ -161,6 +168,7 @@ std::vector<double> kite_areas(const PeriodicMesh& cells, const Halfedges& edges
     std::vector<double> kites;
     kites.reserve(cells.corner_vertex.size());
     for (int h = 0; h < cells.n_corners(); ++h) {
+        checkpoint_each(h);
         const Vec2 vertex = edges.to_vertex(h);
         const Vec2 before = edges.to_neighbour(edges.previous(h)) / 2;
         const Vec2 after = edges.to_neighbour(h) / 2;
@@ -185,6 +193,7 @@ void fill_vertices(const PeriodicMesh& cells, const Halfedges& edges,
         grid.area_triangle.push_back(area);
     }
     for (int f = 0; f < grid.n_cells; ++f) {
+        checkpoint_each(f);
         grid.area_cell.push_back(std::accumulate(kites.begin() + cells.face_begin[f],
                                                  kites.begin() + cells.face_begin[f + 1], 0.0));
     }
@@ -212,6 +221,7 @@ void fill_weights(const PeriodicMesh& cells, const Halfedges& edges,
     grid.edges_on_edge.assign(row * grid.n_edges, -1);
     grid.weights_on_edge.assign(row * grid.n_edges, 0);
     for (int h = 0; h < cells.n_corners(); ++h) {
+        checkpoint_each(h);
         if (!edges.first(h)) continue;
         const std::size_t begin = row * edges.edge(h);
         std::size_t entry = begin;
@@ -249,6 +259,7 @@ MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin) {
     grid.n_edges = edges.n_edges();
     grid.n_vertices = cells.n_vertices();
     for (int f = 0; f < cells.n_faces(); ++f) {
+        checkpoint_each(f);
         grid.max_edges = std::max(grid.max_edges, cells.face_begin[f + 1] - cells.face_begin[f]);
     }
     // Fill the tables.
@@ -260,6 +271,12 @@ MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin) {
     fill_weights(cells, edges, kites, grid);
     grid.mesh_density.assign(static_cast<std::size_t>(grid.n_cells), 1);
     return grid;
+}
+
+double mean_density(const MpasGrid& grid) {
+    return std::inner_product(grid.mesh_density.begin(), grid.mesh_density.end(),
+                              grid.area_cell.begin(), 0.0) /
+           (grid.x_period * grid.y_period);
 }
 
 void fill_mesh_density(std::span<const double> site_densities, MpasGrid& grid) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "mesher/base/error.hpp"
@@ -31,6 +32,9 @@ namespace pcvt {
 ///       kites:
 ///       sum_e +-d_e v_e = sum_i kite_i / A_i sum_e +-l_e u_e
 ///       (J. Thuburn et al., J. Comput. Phys. 228, 2009, section 3).
+///   (5) mesh_density lies above 0 and is 1 at most, which it reaches; its mean over the area is
+///   the
+///       stated one.
 struct MpasGrid {
     double x_period;
     double y_period;
@@ -48,7 +52,12 @@ struct MpasGrid {
     std::vector<double> area_cell, area_triangle, dc_edge, dv_edge, angle_edge;
     /// The density at the sites relative to its largest value there; 1 if it is uniform.
     std::vector<double> mesh_density;
+    /// Of a file that states it: the mean of mesh_density over the area.
+    std::optional<double> stated_mean_density;
 };
+
+/// Returns the mean of mesh_density over the area.
+double mean_density(const MpasGrid& grid);
 
 /// Returns the periods along x and y of a rectangular lattice, given in any basis.
 /// @throws InvalidInput for any other lattice.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
 
 namespace pcvt {
@@ -41,10 +42,12 @@ class Guards {
           node_(cells.corner_vertex.size(), -1),
           between_(cells.corner_vertex.size(), -1) {
         for (int c = 0; c < cells.n_corners(); ++c) {
+            checkpoint_each(c);
             const double angle = corner_angle(cells, c);
             if (angle < kSharpCorner) add_tip({c, angle});
         }
         for (int c = 0; c < cells.n_corners(); ++c) {
+            checkpoint_each(c);
             double& radius = radius_[cells.corner_vertex[c]];
             radius = std::min(radius, kOtherPart * length(cells, c));
         }
@@ -60,6 +63,7 @@ class Guards {
                              {},
                              {}};
         for (int f = 0; f < cells_.n_faces(); ++f) {
+            checkpoint_each(f);
             for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
                 add_edge(c, guarded);
             }

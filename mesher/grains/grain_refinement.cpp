@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
@@ -53,11 +54,12 @@ class Refiner {
         split_long_edges();
         for (int t = 0; t < grains_.n_triangles(); ++t) inspect(t);
         for (int step = 1;; ++step) {
+            checkpoint_each(step);
             if (progress_ && step % kStepsBetweenReports == 0) progress_(share());
             if (grains_.n_vertices() > most_vertices_) {
                 throw LimitExceeded(
                     "a piece of a cell is too thin to be meshed by grains; give "
-                    "--origin auto, or use the whole outline");
+                    "another origin, or use the whole outline");
             }
             if (!encroached_.empty()) {
                 split_encroached();
@@ -74,6 +76,7 @@ class Refiner {
     double squares() const {
         double sum = 0;
         for (int t = 0; t < grains_.n_triangles(); ++t) {
+            checkpoint_each(t);
             const auto [p, q, r] = grains_.triangle(t);
             sum += cross(q - p, r - p) / 2 / (size(t) * size(t));
         }
@@ -91,6 +94,7 @@ class Refiner {
         std::vector<int> suspects;
         for (int h = 0; h < grains_.n_halfedges(); ++h) suspects.push_back(h);
         while (!suspects.empty()) {
+            checkpoint();
             const int h = suspects.back();
             suspects.pop_back();
             if (grains_.edge(h) != Edge::kCell || length(h) < kLongEdge * sizes_.of_edges) continue;

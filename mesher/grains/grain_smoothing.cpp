@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
 
 namespace pcvt {
@@ -29,6 +30,7 @@ class Smoother {
         for (int round = 0; round < kRounds; ++round) {
             bool moved = false;
             for (int t = 0; t < grains_.n_triangles(); ++t) {
+                checkpoint_each(t);
                 if (smallest_sine(grains_.triangle(t)) >= wanted_sine_) continue;
                 for (int h = 3 * t; h < 3 * t + 3; ++h) moved = improve(h) || moved;
             }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
@@ -72,6 +73,7 @@ GrainTriangulation::GrainTriangulation(const PeriodicMesh& cells)
     restore_delaunay(std::move(all));
     // Flips have changed the halfedges of some corners.
     for (int h = 0; h < n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (edge_[h] == Edge::kFree) continue;
         int c = cells.face_begin[cell(h / 3)];
         while (cells.corner_vertex[c] != vertex(h) || cells.corner_offset[c] != corners_[h].offset)
@@ -199,6 +201,7 @@ void GrainTriangulation::flip(int h) {
 
 void GrainTriangulation::restore_delaunay(std::vector<int> suspects) {
     while (!suspects.empty()) {
+        checkpoint();
         const int h = suspects.back();
         suspects.pop_back();
         if (!must_flip(h)) continue;
@@ -289,6 +292,7 @@ PeriodicMesh GrainTriangulation::mesh(const PeriodicMesh& cells) const {
                       .vertices = vertices_,
                       .opposite = opposite_};
     for (int t = 0; t < n_triangles(); ++t) {
+        checkpoint_each(t);
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             mesh.corner_vertex.push_back(corners_[h].vertex);
             mesh.corner_offset.push_back(corners_[h].offset);

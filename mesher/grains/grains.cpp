@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/grains/corner_guards.hpp"
 #include "mesher/grains/grain_refinement.hpp"
 #include "mesher/grains/grain_smoothing.hpp"
@@ -58,6 +59,7 @@ void make_guards(const PeriodicMesh& cells, const GuardedCells& guarded,
 double smallest_angle(const GrainTriangulation& grains) {
     double smallest = 180;
     for (int t = 0; t < grains.n_triangles(); ++t) {
+        checkpoint_each(t);
         if (grains.is_guard(t)) continue;
         for (int k = 0; k < 3; ++k) {
             smallest = std::min(smallest, angle_at(grains.triangle(t), k));
@@ -125,6 +127,7 @@ std::vector<NamedCorner> named_corners(const PeriodicMesh& cells, const Attempt&
     std::set<std::tuple<int, double, double>> tips;
     const GrainTriangulation& grains = attempt.grains;
     for (int t = 0; t < grains.n_triangles(); ++t) {
+        checkpoint_each(t);
         for (int k = 0; k < 3 && grains.is_guard(t); ++k) {
             if (angle_at(grains.triangle(t), k) > kSmallestAngle) continue;
             const Vec2& tip = grains.point(3 * t + k);
@@ -149,6 +152,7 @@ Grains mesh(const PeriodicMesh& cells, const Sizes& sizes) {
     Grains result{grains.mesh(cells), {}, named_corners(cells, best), best.smallest_angle};
     const std::vector<int> sides = cell_sides(cells);
     for (int t = 0; t < grains.n_triangles(); ++t) {
+        checkpoint_each(t);
         result.cell.push_back(grains.cell(t));
         result.triangles.whole_sides.push_back(sides[grains.cell(t)]);
     }
@@ -167,6 +171,7 @@ Grains mesh_grains_per_edge(const PeriodicMesh& cells, int parts,
     constexpr double kNoLimit = std::numeric_limits<double>::infinity();
     RefinementSizes refinement{{}, kNoLimit};
     for (int f = 0; f < cells.n_faces(); ++f) {
+        checkpoint_each(f);
         double perimeter = 0;
         for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
             perimeter += (cells.point(cells.next(c)) - cells.point(c)).norm();

@@ -23,25 +23,11 @@ EdgeSide edge_side(const DirectedEdge& e, int halfedge) {
                               : EdgeSide{backward, halfedge, true};
 }
 
-}  // namespace
-
-std::vector<int> match_edges(const std::vector<DirectedEdge>& halfedges) {
-    // Give every halfedge the key of its edge.
-    std::vector<EdgeSide> sides;
-    sides.reserve(halfedges.size());
-    int n_vertices = 0;
-    for (const DirectedEdge& e : halfedges) {
-        sides.push_back(edge_side(e, static_cast<int>(sides.size())));
-        n_vertices = std::max({n_vertices, e.origin + 1, e.target + 1});
-    }
-    // Sort, so that the two sides of an edge follow each other.
-    bucket_sort(
-        sides, n_vertices, [](const EdgeSide& side) { return std::get<0>(side.edge); },
-        [](const EdgeSide& s, const EdgeSide& t) {
-            return std::tie(s.edge, s.reversed) < std::tie(t.edge, t.reversed);
-        });
-    // Pair the sides, and reject edges without exactly two of them.
-    std::vector<int> opposite(sides.size());
+/// Pairs all sides of some edges; rejects edges without exactly two sides.
+void pair_sides(std::vector<EdgeSide>& sides, std::vector<int>& opposite) {
+    std::sort(sides.begin(), sides.end(), [](const EdgeSide& s, const EdgeSide& t) {
+        return std::tie(s.edge, s.reversed) < std::tie(t.edge, t.reversed);
+    });
     for (std::size_t k = 0; k < sides.size(); k += 2) {
         const bool paired = k + 1 < sides.size() && sides[k].edge == sides[k + 1].edge &&
                             !sides[k].reversed && sides[k + 1].reversed;
@@ -50,6 +36,25 @@ std::vector<int> match_edges(const std::vector<DirectedEdge>& halfedges) {
         opposite[sides[k].halfedge] = sides[k + 1].halfedge;
         opposite[sides[k + 1].halfedge] = sides[k].halfedge;
     }
+}
+
+}  // namespace
+
+std::vector<int> match_edges(const std::vector<DirectedEdge>& halfedges) {
+    int n_vertices = 0;
+    for (const DirectedEdge& e : halfedges) {
+        n_vertices = std::max({n_vertices, e.origin + 1, e.target + 1});
+    }
+    // The two sides of an edge share its lower end.
+    const auto low = [&](int h) { return std::min(halfedges[h].origin, halfedges[h].target); };
+    std::vector<int> opposite(halfedges.size());
+    std::vector<EdgeSide> sides;
+    for_each_bucket(static_cast<int>(halfedges.size()), n_vertices, low,
+                    [&](std::span<const int> bucket) {
+                        sides.clear();
+                        for (const int h : bucket) sides.push_back(edge_side(halfedges[h], h));
+                        pair_sides(sides, opposite);
+                    });
     return opposite;
 }
 

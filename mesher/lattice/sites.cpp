@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -46,7 +47,8 @@ std::pair<SiteId, SiteId> Sites::duplicates() const {
     const auto key = [this](SiteId s) {
         return std::tuple(coordinates_(0, s), coordinates_(1, s), s);
     };
-    std::sort(order.begin(), order.end(), [&](SiteId s, SiteId t) { return key(s) < key(t); });
+    cancellable_sort(order.begin(), order.end(),
+                     [&](SiteId s, SiteId t) { return key(s) < key(t); });
     std::pair<SiteId, SiteId> found{-1, -1};
     for (std::size_t k = 1; k < order.size(); ++k) {
         const std::pair<SiteId, SiteId> pair{order[k - 1], order[k]};

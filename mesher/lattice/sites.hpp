@@ -13,9 +13,9 @@ using SiteId = std::int32_t;
 inline constexpr int kMostSites = 1 << 28;
 /// A point further than this many periods from the origin is rejected instead of wrapped.
 inline constexpr double kFarthestPeriod = 0x1p30;
-/// In units of h = sqrt(area / n): sites closer than this are rejected, and Voronoi vertices closer
-/// than this are merged. Cocircular sites therefore share one vertex, and no edge of zero length
-/// exists.
+/// In units of h = sqrt(area / n): sites closer than this are rejected, and the ends of a Voronoi
+/// edge shorter than this are merged. Cocircular sites therefore share one vertex, and no edge of
+/// zero length exists.
 inline constexpr double kSameVertex = 1e-9;
 
 /// The sites of a torus, in coordinates of the reduced basis.

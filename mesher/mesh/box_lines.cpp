@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 
@@ -143,6 +144,7 @@ std::vector<BoxPolygon> BoxLines::kept_parts(const BoxPolygon& polygon, const Li
 std::vector<BoxPolygon> BoxLines::split_along(const std::vector<BoxPolygon>& polygons, int axis) {
     std::vector<BoxPolygon> done;
     for (BoxPolygon polygon : polygons) {
+        checkpoint();
         int k = std::numeric_limits<int>::max();
         for (const BoxNode& node : polygon) k = std::min(k, whole(node.offset, axis) + 1);
         std::vector<BoxPolygon> rest{std::move(polygon)};

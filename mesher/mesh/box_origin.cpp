@@ -6,6 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -35,6 +37,7 @@ struct Edge {
 std::vector<Edge> edges_of(const PeriodicMesh& cells) {
     std::vector<Edge> edges;
     for (int c = 0; c < cells.n_corners(); ++c) {
+        checkpoint_each(c);
         if (cells.opposite[c] < c) continue;
         const Vec2 p = cells.point(c);
         const Vec2 q = cells.point(cells.next(c));
@@ -67,6 +70,7 @@ double fraction(double u) { return u - std::floor(u); }
 /// Adds the crossings of the lines of one family. The lines are sorted by position in [0, 1).
 void cross_edges(const std::vector<Edge>& edges, int axis, std::vector<CutLine>& lines) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
+        checkpoint_each(e);
         const Edge& edge = edges[e];
         const auto [low, high] = std::minmax(edge.from[axis], edge.to[axis]);
         for (double k = std::floor(low); k < high; ++k) {
@@ -90,6 +94,7 @@ double shortest_part(const std::vector<Edge>& edges, std::vector<Crossing> cross
     std::sort(crossings.begin(), crossings.end());
     double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < crossings.size(); ++k) {
+        checkpoint_each(k);
         const Crossing& here = crossings[k];
         const double length = edges[here.edge].length;
         const bool first = k == 0 || crossings[k - 1].edge != here.edge;
@@ -170,6 +175,7 @@ class OriginSearch {
 
     void try_pairs(const std::vector<CutLine>& u_lines, const std::vector<CutLine>& v_lines) {
         for (const CutLine& u_line : u_lines) {
+            checkpoint();
             for (const CutLine& v_line : v_lines) {
                 // A pair cannot be better than either of its lines alone.
                 if (std::min(u_line.shortest, v_line.shortest) <= shortest_) continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/box_lines.hpp"
 #include "mesher/mesh/valence.hpp"
@@ -36,6 +37,7 @@ class BoxCutter {
         Polygon before;
         Polygon after;
         for (int f = 0; f < cells_.n_faces(); ++f) {
+            checkpoint_each(f);
             before.clear();
             after.clear();
             for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
@@ -53,6 +55,7 @@ class BoxCutter {
         const std::vector<int> sides = cell_sides(cells_);
         BoxCut box{{.lattice = lattice_, .kind = MeshKind::kVoronoi}, 0};
         for (int f = 0; f < cells_.n_faces(); ++f) {
+            checkpoint_each(f);
             for (const BoxPolygon& piece : pieces_of(f)) {
                 add_piece(f, piece, box.pieces);
                 box.pieces.whole_sides.push_back(sides[f]);
@@ -174,6 +177,7 @@ class BoxCutter {
     void cut_edges() {
         on_edge_.resize(static_cast<std::size_t>(cells_.n_corners()));
         for (int c = 0; c < cells_.n_corners(); ++c) {
+            checkpoint_each(c);
             const int o = cells_.opposite[c];
             if (o < c) continue;
             on_edge_[c] = cut_edge(c);
@@ -212,6 +216,7 @@ class BoxCutter {
         double shortest = std::numeric_limits<double>::infinity();
         const auto on_cut = [&](int c) { return lines_.on_any_line(pieces.corner_vertex[c]); };
         for (int c = 0; c < pieces.n_corners(); ++c) {
+            checkpoint_each(c);
             const int next = pieces.next(c);
             if (!on_cut(c) && !on_cut(next)) continue;
             shortest = std::min(shortest, (pieces.point(next) - pieces.point(c)).norm());
@@ -235,6 +240,7 @@ class BoxCutter {
 bool are_polygons(const PeriodicMesh& mesh) {
     Polygon polygon;
     for (int f = 0; f < mesh.n_faces(); ++f) {
+        checkpoint_each(f);
         polygon.clear();
         for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
             polygon.push_back(mesh.point(c));

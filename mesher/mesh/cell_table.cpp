@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/valence.hpp"
 
@@ -20,6 +21,7 @@ CellTable cell_table(const PeriodicMesh& cells) {
     const double shortest = kShortEdge * std::sqrt(cells.lattice.area() / cells.n_faces());
     CellTable table;
     for (int f = 0; f < cells.n_faces(); ++f) {
+        checkpoint_each(f);
         const int begin = cells.face_begin[f];
         const int end = cells.face_begin[f + 1];
         // Near the origin, the area keeps its digits.

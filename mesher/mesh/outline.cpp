@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/domain.hpp"
 
@@ -113,6 +114,7 @@ Wishes wishes_of(const PeriodicMesh& mesh, const Vec2& origin) {
     const Domain domain(mesh.lattice, origin);
     Wishes wishes{mesh.lattice, domain.centre(), {}, {}};
     for (int f = 0; f < mesh.n_faces(); ++f) {
+        checkpoint_each(f);
         Vec2 sum(0, 0);
         for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
             sum += mesh.vertices[mesh.corner_vertex[c]] +
@@ -136,11 +138,43 @@ struct Candidate {
                std::tie(d.unnatural, d.distance, d.face, d.at);
     }
 };
-using Queue = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
+
+/// Candidates in order, none of them twice: each neighbour of a face that is placed proposes it.
+class Candidates {
+   public:
+    explicit Candidates(const Wishes& wishes)
+        : wishes_(wishes), waits_(wishes.natural.size(), 0), waits_at_(wishes.natural.size()) {}
+
+    bool empty() const { return queue_.empty(); }
+    void push(int face, Offset at) {
+        if (waits_[face] != 0) {
+            if (waits_at_[face] == at) return;
+        } else {
+            waits_[face] = 1;
+            waits_at_[face] = at;
+        }
+        queue_.push({at != wishes_.natural[face], wishes_.distance(face, at), face, at});
+    }
+    Candidate pop() {
+        const Candidate first = queue_.top();
+        queue_.pop();
+        if (waits_at_[first.face] == first.at) waits_[first.face] = 0;
+        return first;
+    }
+
+   private:
+    const Wishes& wishes_;
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+    /// Whether a candidate of each face is in the queue, and where it would place the face. Another
+    /// place of the same face may be in the queue as well.
+    std::vector<char> waits_;
+    std::vector<Offset> waits_at_;
+};
 
 int innermost_face(const Wishes& wishes) {
     int best = 0;
     for (int f = 1; f < static_cast<int>(wishes.natural.size()); ++f) {
+        checkpoint_each(f);
         if (wishes.distance(f, wishes.natural[f]) < wishes.distance(best, wishes.natural[best])) {
             best = f;
         }
@@ -151,7 +185,7 @@ int innermost_face(const Wishes& wishes) {
 /// Places every face. A face that would close a ring is postponed until the queue is empty: the
 /// ring encloses faces that are not placed yet, and the innermost of these always fits.
 void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
-    Queue queue;
+    Candidates queue(wishes);
     std::vector<Candidate> put_off;
     int n_placed = 0;
     // Places a face and queues its neighbours.
@@ -161,8 +195,7 @@ void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
         for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
             const int g = disc.face_across(c);
             const Offset there = disc.offset_across(c, at);
-            if (disc.placed(g)) continue;
-            queue.push({there != wishes.natural[g], wishes.distance(g, there), g, there});
+            if (!disc.placed(g)) queue.push(g, there);
         }
     };
     // Start from the face nearest to the centre.
@@ -172,8 +205,8 @@ void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
     while (n_placed < mesh.n_faces()) {
         const int before = n_placed;
         while (!queue.empty()) {
-            const Candidate candidate = queue.top();
-            queue.pop();
+            checkpoint();
+            const Candidate candidate = queue.pop();
             if (disc.placed(candidate.face)) continue;
             if (disc.can_add(candidate.face, candidate.at)) {
                 place(candidate.face, candidate.at);
@@ -182,7 +215,7 @@ void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
             }
         }
         if (n_placed == before) throw InternalError("the tile's outline could not be completed");
-        for (const Candidate& candidate : put_off) queue.push(candidate);
+        for (const Candidate& candidate : put_off) queue.push(candidate.face, candidate.at);
         put_off.clear();
     }
 }
@@ -193,6 +226,7 @@ void trim(const Wishes& wishes, Disc& disc) {
     for (int round = 0; moved && round < kTrimRounds; ++round) {
         moved = false;
         for (int f = 0; f < static_cast<int>(wishes.natural.size()); ++f) {
+            checkpoint_each(f);
             const Offset at = disc.placement()[f];
             const Offset natural = wishes.natural[f];
             if (at == natural || !disc.can_remove(f)) continue;

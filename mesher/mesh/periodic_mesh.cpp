@@ -1,5 +1,6 @@
 #include "mesher/mesh/periodic_mesh.hpp"
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/edge_matching.hpp"
 
 namespace pcvt {
@@ -31,9 +32,11 @@ void append_copy(const PeriodicMesh& mesh, Offset here, int columns, int rows,
     cover.whole_sides.insert(cover.whole_sides.end(), mesh.whole_sides.begin(),
                              mesh.whole_sides.end());
     for (int f = 0; f < mesh.n_faces(); ++f) {
+        checkpoint_each(f);
         cover.face_begin.push_back(first_corner + mesh.face_begin[f + 1]);
     }
     for (int c = 0; c < mesh.n_corners(); ++c) {
+        checkpoint_each(c);
         const Copy vertex = copy_at(here + mesh.corner_offset[c], columns, rows);
         const Copy across = copy_at(here + mesh.frame_across(c), columns, rows);
         cover.corner_vertex.push_back(vertex.index * mesh.n_vertices() + mesh.corner_vertex[c]);
@@ -48,11 +51,13 @@ void append_copy(const PeriodicMesh& mesh, Offset here, int columns, int rows,
 void link_faces(PeriodicMesh& mesh) {
     mesh.corner_face.clear();
     for (int f = 0; f < mesh.n_faces(); ++f) {
+        checkpoint_each(f);
         mesh.corner_face.resize(static_cast<std::size_t>(mesh.face_begin[f + 1]), f);
     }
     std::vector<DirectedEdge> halfedges;
     halfedges.reserve(mesh.corner_vertex.size());
     for (int c = 0; c < mesh.n_corners(); ++c) {
+        checkpoint_each(c);
         const int next = mesh.next(c);
         halfedges.push_back({mesh.corner_vertex[c], mesh.corner_vertex[next],
                              mesh.corner_offset[next] - mesh.corner_offset[c]});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/offset_disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
 
@@ -77,11 +78,13 @@ class Shrinking {
         mesh.whole_sides = mesh_.whole_sides;
         std::vector<int> number(position_.size(), -1);
         for (int v = 0; v < mesh_.n_vertices(); ++v) {
+            checkpoint_each(v);
             if (joined_.root(v).orbit != v) continue;
             number[v] = mesh.n_vertices();
             mesh.vertices.push_back(position_[v]);
         }
         for (int f = 0; f < mesh_.n_faces(); ++f) {
+            checkpoint_each(f);
             for (const MeshCorner& corner : corners_of(f)) {
                 mesh.corner_vertex.push_back(number[corner.vertex]);
                 mesh.corner_offset.push_back(corner.offset);
@@ -149,6 +152,7 @@ class Shrinking {
 std::vector<int> short_halfedges(const PeriodicMesh& cells, Shrinking& shrinking, double shortest) {
     std::vector<std::tuple<double, int>> found;
     for (int c = 0; c < cells.n_corners(); ++c) {
+        checkpoint_each(c);
         if (cells.opposite[c] < c || !shrinking.joins_orbits(c)) continue;
         const double length = shrinking.length(c);
         if (length < shortest) found.emplace_back(length, c);
@@ -166,6 +170,7 @@ PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest) {
     for (bool changed = true; changed;) {
         changed = false;
         for (const int c : short_halfedges(cells, shrinking, shortest)) {
+            checkpoint();
             // The removal of a neighbouring edge may have changed this one.
             if (!shrinking.joins_orbits(c) || !(shrinking.length(c) < shortest)) continue;
             changed = shrinking.shrink(c) || changed;

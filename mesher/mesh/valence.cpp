@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 
 int count_sides(std::span<const Vec2> polygon, double shortest) {
@@ -20,6 +22,7 @@ std::vector<int> cell_sides(const PeriodicMesh& cells) {
     std::vector<int> sides(cells.n_faces());
     std::vector<Vec2> polygon;
     for (int f = 0; f < cells.n_faces(); ++f) {
+        checkpoint_each(f);
         polygon.clear();
         for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
             polygon.push_back(cells.point(c));

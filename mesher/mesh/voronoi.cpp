@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/offset_disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
@@ -15,56 +16,75 @@ namespace {
 /// In units of h: crossings of sides by less than this are rounding errors.
 constexpr double kCrossing = 1e-3 * kSameVertex;
 
-/// Returns the circumcentre of a triangle in its frame, length units.
-Vec2 dual_vertex(const PeriodicDelaunay& delaunay, int triangle) {
-    const Sites& sites = delaunay.sites();
-    const Lattice& reduced = sites.reduction().reduced;
-    std::array<Image, 3> corner;
-    for (int k = 0; k < 3; ++k) {
-        const Corner& c = delaunay.triangulation().corner(3 * triangle + k);
-        corner[k] = image(sites, c.site, c.offset);
-    }
-    const Vec2 centre = circumcentre(delaunay.gram(), corner[0], corner[1], corner[2]);
-    return sites.position(corner[0].site) + reduced.translation(corner[0].offset) +
-           reduced.to_plane(centre);
-}
-
 /// Voronoi vertices before and after merging.
 struct DualVertices {
-    std::vector<Vec2> position;  ///< of each triangle's circumcentre, in the triangle's frame
+    std::vector<Vec2> position;  ///< of each triangle's dual vertex, in the triangle's frame
     OffsetDisjointSets merged;
 };
 
 std::vector<Vec2> dual_positions(const PeriodicDelaunay& delaunay) {
     std::vector<Vec2> positions;
+    positions.reserve(static_cast<std::size_t>(delaunay.triangulation().n_triangles()));
     for (int k = 0; k < delaunay.triangulation().n_triangles(); ++k) {
-        positions.push_back(dual_vertex(delaunay, k));
+        checkpoint_each(k);
+        positions.push_back(delaunay.dual_vertex(k));
     }
     return positions;
 }
 
 /// Calls visit(h, frame across h, dual edge of h as a vector) for one halfedge of each edge.
-template <class Visit>
-void for_each_dual_edge(const PeriodicDelaunay& delaunay, const std::vector<Vec2>& position,
+/// @param position  returns the position of a triangle's circumcentre, in the triangle's frame.
+template <class Position, class Visit>
+void for_each_dual_edge(const PeriodicDelaunay& delaunay, const Position& position,
                         const Visit& visit) {
     const TorusTriangulation& t = delaunay.triangulation();
     const Lattice& reduced = delaunay.sites().reduction().reduced;
-    for (int h = 0; h < t.n_halfedges(); ++h) {
-        const int o = t.opposite(h);
-        if (o < h) continue;
-        const Offset frame = t.frame_across(h);
-        const Vec2 across = position[o / 3] + reduced.translation(frame);
-        visit(h, frame, Vec2(across - position[h / 3]));
+    for (int k = 0; k < t.n_triangles(); ++k) {
+        const Vec2 here = position(k);
+        for (int h = 3 * k; h < 3 * k + 3; ++h) {
+            const int o = t.opposite(h);
+            if (o < h) continue;
+            const Offset frame = t.frame_across(h);
+            const Vec2 across = position(o / 3) + reduced.translation(frame);
+            visit(h, frame, Vec2(across - here));
+        }
     }
+}
+
+/// Merges the ends of each dual edge that is short between the positions of merged vertices.
+/// @returns whether there was one.
+bool merge_shortened_edges(const PeriodicDelaunay& delaunay, double shortest, DualVertices& dual) {
+    const TorusTriangulation& t = delaunay.triangulation();
+    const Lattice& reduced = delaunay.sites().reduction().reduced;
+    bool merges = false;
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        checkpoint_each(h);
+        const int o = t.opposite(h);
+        const Offset frame = t.frame_across(h);
+        const auto from = dual.merged.root(h / 3);
+        const auto to = dual.merged.root(o / 3);
+        if (o < h || from.orbit == to.orbit) continue;
+        const Offset between = to.offset + frame - from.offset;
+        const Vec2 end = dual.position[to.orbit] + reduced.translation(between);
+        if (!((end - dual.position[from.orbit]).norm() < shortest)) continue;
+        dual.merged.join(h / 3, o / 3, frame);
+        merges = true;
+    }
+    return merges;
 }
 
 DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     DualVertices dual{dual_positions(delaunay), OffsetDisjointSets(t.n_triangles())};
     const double shortest = kSameVertex * delaunay.sites().spacing();
-    for_each_dual_edge(delaunay, dual.position, [&](int h, Offset frame, const Vec2& edge) {
-        if (edge.norm() < shortest) dual.merged.join(h / 3, t.opposite(h) / 3, frame);
+    bool merges = false;
+    const auto position = [&](int triangle) { return dual.position[triangle]; };
+    for_each_dual_edge(delaunay, position, [&](int h, Offset frame, const Vec2& edge) {
+        if (!(edge.norm() < shortest)) return;
+        merges = dual.merged.join(h / 3, t.opposite(h) / 3, frame) || merges;
     });
+    // A merged vertex has the position of one of its circumcentres, which may shorten other edges.
+    while (merges) merges = merge_shortened_edges(delaunay, shortest, dual);
     return dual;
 }
 
@@ -107,6 +127,7 @@ void require_simple_cells(const PeriodicMesh& mesh) {
     const double h = std::sqrt(mesh.lattice.area() / mesh.n_faces());
     Polygon polygon;
     for (int f = 0; f < mesh.n_faces(); ++f) {
+        checkpoint_each(f);
         polygon.clear();
         for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
             polygon.push_back(mesh.point(c));
@@ -124,11 +145,13 @@ void require_simple_cells(const PeriodicMesh& mesh) {
 void wrap_vertices(PeriodicMesh& mesh, const Lattice& reduced) {
     std::vector<Offset> moved(mesh.vertices.size());
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        checkpoint_each(v);
         const Vec2 u = reduced.to_lattice(mesh.vertices[v]);
         moved[v] = {wrap(u.x()).whole, wrap(u.y()).whole};
         mesh.vertices[v] -= reduced.translation(moved[v]);
     }
     for (std::size_t c = 0; c < mesh.corner_vertex.size(); ++c) {
+        checkpoint_each(c);
         mesh.corner_offset[c] = mesh.corner_offset[c] + moved[mesh.corner_vertex[c]];
     }
 }
@@ -154,6 +177,7 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
     // Number the merged vertices.
     std::vector<int> vertex_of(dual.position.size(), -1);
     for (int k = 0; k < t.n_triangles(); ++k) {
+        checkpoint_each(k);
         if (dual.merged.root(k).orbit != k) continue;
         vertex_of[k] = mesh.n_vertices();
         mesh.vertices.push_back(dual.position[k]);
@@ -161,6 +185,7 @@ PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay) {
     // Collect the corners of the cell of each site.
     const auto outgoing = outgoing_halfedges(t);
     for (SiteId s = 0; s < t.n_sites(); ++s) {
+        checkpoint_each(s);
         const auto corners = cell_corners(t, dual.merged, outgoing[s]);
         require_polygon(corners, s);
         for (const MeshCorner& corner : corners) {
@@ -182,7 +207,9 @@ std::vector<int> cell_sides(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     const double shortest = kShortEdge * delaunay.sites().spacing();
     std::vector<int> sides(static_cast<std::size_t>(t.n_sites()));
-    for_each_dual_edge(delaunay, dual_positions(delaunay), [&](int h, Offset, const Vec2& edge) {
+    // Stored positions would be the largest array of a run that makes no mesh.
+    const auto position = [&](int triangle) { return delaunay.dual_vertex(triangle); };
+    for_each_dual_edge(delaunay, position, [&](int h, Offset, const Vec2& edge) {
         if (!(edge.norm() > shortest)) return;
         ++sides[t.corner(h).site];
         ++sides[t.corner(TorusTriangulation::next(h)).site];
@@ -194,10 +221,12 @@ PeriodicMesh triangle_mesh(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
     PeriodicMesh mesh{.lattice = delaunay.sites().lattice(), .kind = MeshKind::kDelaunay};
     for (SiteId s = 0; s < t.n_sites(); ++s) {
+        checkpoint_each(s);
         mesh.vertices.push_back(delaunay.sites().position(s));
         mesh.site.push_back(s);
     }
     for (int h = 0; h < t.n_halfedges(); ++h) {
+        checkpoint_each(h);
         mesh.corner_vertex.push_back(t.corner(h).site);
         mesh.corner_offset.push_back(t.corner(h).offset);
         if (h % 3 == 2) mesh.face_begin.push_back(h + 1);

@@ -5,19 +5,22 @@
 
 namespace pcvt {
 
-/// Builds the cells of the periodic Voronoi diagram, unwrapped around their sites, with offsets in
-/// the user's basis.
+/// Builds the cells of the periodic Voronoi diagram, or with weights of the power diagram,
+/// unwrapped around their sites, with offsets in the user's basis.
 ///
 /// Example usage:
 ///   const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 100, 1)));
 ///   const PeriodicMesh cells = cell_mesh(delaunay);
 ///
-/// Vertices are circumcentres of Delaunay triangles (the dual), one per orbit; circumcentres joined
-/// by a dual edge shorter than kSameVertex h are merged. Laws, tested by number:
+/// Vertices are circumcentres of Delaunay triangles, or with weights orthocentres of regular ones
+/// (the dual), one per orbit; the ends of an edge shorter than kSameVertex h are merged, until no
+/// edge is shorter. Two vertices that no edge joins are never merged, however close they are: that
+/// would pinch the cell between them. Laws, tested by number:
 ///   (1) V - E + F = 0, and each edge has two sides.
 ///   (2) The areas of the cells sum to that of the domain.
-///   (3) Each cell is convex and contains its site, and no other image is nearer to any of its
-///       points.
+///   (3) Each cell is convex, and no other image is nearer to any of its points, in the power
+///       distance if there are weights; without weights the cell contains its site.
+///   (4) No edge is shorter than kSameVertex h, h = sqrt(area / n).
 /// @throws InvalidInput if a cell is so small that fewer than three of its corners remain distinct
 ///         or that merging tears it.
 PeriodicMesh cell_mesh(const PeriodicDelaunay& delaunay);

@@ -5,6 +5,9 @@
 #include <limits>
 #include <string>
 
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/proof/site_labels.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -16,6 +19,7 @@ constexpr double kResolved = 1e3;
 double shortest_edge(const Tile& tile) {
     double shortest = std::numeric_limits<double>::infinity();
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         Vec2 from = tile.points[tile.faces[f].back()];
         for (const int v : tile.faces[f]) {
             shortest = std::min(shortest, (tile.points[v] - from).norm());
@@ -32,6 +36,7 @@ TileProof verify_generated_tile(const Tile& tile) {
         TileProof proof = prove_tile(tile, Precision::kDouble);
         compare_vertex_pairs(tile, proof);
         compare_edge_pairs(tile, proof);
+        prove_sites(tile, proof);
         return proof;
     } catch (const NotATile& error) {
         throw InternalError(std::string("the tile breaks a law of tiles: ") + error.what());

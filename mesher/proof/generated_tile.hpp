@@ -4,7 +4,8 @@
 
 namespace pcvt {
 
-/// Proves a tile that pcvt has generated, in double precision and with its stored pairs.
+/// Proves a tile that pcvt has generated, in double precision, with its stored pairs and its
+/// site ids.
 /// @throws InternalError  the tile breaks a law: a fault of pcvt.
 TileProof verify_generated_tile(const Tile& tile);
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "mesher/base/bucket_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
@@ -48,6 +49,7 @@ class Gluing {
         faces_.face_of.reserve(tile_.faces.corners.size());
         std::vector<int> corners;
         for (int f = 0; f < tile_.n_faces(); ++f) {
+            checkpoint_each(f);
             distinct_corners(f, corners);
             if (corners.size() < 3) continue;
             const int face = faces_.n_faces();
@@ -91,13 +93,28 @@ class Gluing {
     }
 
     void match_sides() {
+        faces_.opposite.assign(faces_.corners.size(), -1);
+        faces_.across.resize(faces_.corners.size());
+        // The two sides of an edge share the lower representative.
+        const auto low = [this](int h) {
+            return std::min(orbits_.representative[faces_.corners[h]],
+                            orbits_.representative[faces_.corners[faces_.next(h)]]);
+        };
         std::vector<Side> sides;
-        sides.reserve(faces_.corners.size());
-        for (int h = 0; h < faces_.n_halfedges(); ++h) sides.push_back(side(h));
-        bucket_sort(sides, tile_.n_vertices(), [](const Side& side) { return side.low; });
-        faces_.opposite.assign(sides.size(), -1);
-        faces_.across.resize(sides.size());
+        for_each_bucket(faces_.n_halfedges(), tile_.n_vertices(), low,
+                        [&](std::span<const int> halfedges) {
+                            sides.clear();
+                            for (const int h : halfedges) sides.push_back(side(h));
+                            std::sort(sides.begin(), sides.end());
+                            match(sides);
+                        });
+        require_partners();
+    }
+
+    /// @param sides  sorted, all sides of some edges.
+    void match(const std::vector<Side>& sides) {
         for (std::size_t k = 0; k < sides.size();) {
+            checkpoint_each(k);
             std::size_t end = k + 1;
             while (end < sides.size() && sides[end].same_edge(sides[k])) ++end;
             // The forward sides of an edge come first.
@@ -109,7 +126,6 @@ class Gluing {
             if (end == k + 2) link(sides[k].halfedge, sides[k + 1].halfedge);
             k = end;
         }
-        require_partners();
     }
 
     void link(int g, int h) {
@@ -159,6 +175,7 @@ class Gluing {
         const Vec2 to = tile_.points[faces_.corners[faces_.next(h)]];
         std::pair nearest(-1, std::numeric_limits<double>::infinity());
         for (int g = 0; g < faces_.n_halfedges(); ++g) {
+            checkpoint_each(g);
             if (g == h || faces_.opposite[g] >= 0) continue;
             const Vec2 start = tile_.points[faces_.corners[faces_.next(g)]] - from;
             const Vec2 end = tile_.points[faces_.corners[g]] - to;

@@ -26,6 +26,7 @@ struct GluedFaces : Faces {
 
     int n_halfedges() const { return static_cast<int>(corners.size()); }
     int next(int h) const { return h + 1 == begin[face_of[h] + 1] ? begin[face_of[h]] : h + 1; }
+    int previous(int h) const { return h == begin[face_of[h]] ? begin[face_of[h] + 1] - 1 : h - 1; }
     bool on_seam(int h) const { return across[h] != Offset{}; }
 };
 

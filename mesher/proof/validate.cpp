@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/glued_faces.hpp"
@@ -41,11 +42,13 @@ void require_arrays(const Tile& tile) {
         throw_violation(kFaceLaw, "the faces do not cover the list of corners");
     }
     for (int v = 0; v < tile.n_vertices(); ++v) {
+        checkpoint_each(v);
         if (!tile.points[v].allFinite()) {
             throw_violation(kFaceLaw, "a coordinate of vertex " + to_string(v) + " is not finite");
         }
     }
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         if (tile.face_size(f) < 3) {
             throw_violation(kFaceLaw, "face " + to_string(f) + " has " +
                                           to_string(tile.face_size(f)) +
@@ -56,6 +59,7 @@ void require_arrays(const Tile& tile) {
 
 void require_known_vertices(const Tile& tile) {
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         for (const int v : tile.faces[f]) {
             if (v >= 0 && v < tile.n_vertices()) continue;
             throw_violation(kFaceLaw, "face " + to_string(f) + " names vertex " + to_string(v) +
@@ -106,6 +110,7 @@ double require_simple_faces(const Tile& tile, const GluedFaces& faces, Precision
     double lost = 0;
     Polygon polygon;
     for (int f = 0; f < faces.n_faces(); ++f) {
+        checkpoint_each(f);
         take_face(tile, faces, f, polygon);
         const double area = polygon_area(polygon);
         const bool positive = precision == Precision::kDouble
@@ -129,9 +134,11 @@ double require_simple_faces(const Tile& tile, const GluedFaces& faces, Precision
 void require_connected(const GluedFaces& faces) {
     DisjointSets pieces(faces.n_faces());
     for (int h = 0; h < faces.n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (!faces.on_seam(h)) pieces.unite(faces.face_of[h], faces.face_of[faces.opposite[h]]);
     }
     for (int f = 0; f < faces.n_faces(); ++f) {
+        checkpoint_each(f);
         if (pieces.find(f) == 0) continue;
         throw_violation(kDiscLaw, "face " + to_string(faces.file_face[f]) +
                                       " is not connected to face " + to_string(faces.file_face[0]) +
@@ -139,18 +146,33 @@ void require_connected(const GluedFaces& faces) {
     }
 }
 
-void require_single_fans(const Tile& tile, const GluedFaces& faces) {
-    DisjointSets fans(faces.n_halfedges());
-    for (int h = 0; h < faces.n_halfedges(); ++h) {
-        // h and the successor of its opposite leave the same vertex.
-        if (!faces.on_seam(h)) fans.unite(h, faces.next(faces.opposite[h]));
+/// The number of faces that are reached from that of h by turning round the vertex that h leaves,
+/// over edges inside of the tile.
+int faces_in_fan(const GluedFaces& faces, int h) {
+    int n = 1;
+    // Clockwise: h and the successor of its opposite leave the same vertex.
+    for (int g = h; !faces.on_seam(g); ++n) {
+        g = faces.next(faces.opposite[g]);
+        if (g == h) return n;
     }
-    std::vector<int> fan_at(tile.points.size(), -1);
+    for (int g = faces.previous(h); !faces.on_seam(g); ++n) {
+        g = faces.previous(faces.opposite[g]);
+    }
+    return n;
+}
+
+void require_single_fans(const Tile& tile, const GluedFaces& faces) {
+    std::vector<int> first(tile.points.size(), -1);
+    std::vector<int> n_faces(tile.points.size(), 0);
     for (int h = 0; h < faces.n_halfedges(); ++h) {
-        int& fan = fan_at[faces.corners[h]];
-        if (fan < 0) fan = fans.find(h);
-        if (fan == fans.find(h)) continue;
-        throw_violation(kDiscLaw, "the faces at vertex " + to_string(faces.corners[h]) +
+        checkpoint_each(h);
+        const int v = faces.corners[h];
+        if (n_faces[v]++ == 0) first[v] = h;
+    }
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        checkpoint_each(v);
+        if (n_faces[v] == 0 || n_faces[v] == faces_in_fan(faces, first[v])) continue;
+        throw_violation(kDiscLaw, "the faces at vertex " + to_string(v) +
                                       " form more than one fan: the tile is pinched there");
     }
 }
@@ -161,12 +183,14 @@ void require_one_loop(const Tile& tile, const GluedFaces& faces) {
     DisjointSets loops(tile.n_vertices());
     int first = -1;
     for (int h = 0; h < faces.n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (!faces.on_seam(h)) continue;
         if (first < 0) first = h;
         loops.unite(faces.corners[h], faces.corners[faces.next(h)]);
     }
     if (first < 0) throw_violation(kDiscLaw, "the tile has no boundary");
     for (int h = first; h < faces.n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (!faces.on_seam(h)) continue;
         if (loops.find(faces.corners[h]) == loops.find(faces.corners[first])) continue;
         throw_violation(kDiscLaw, "the boundary has more than one loop: vertices " +
@@ -190,6 +214,7 @@ void require_euler(const std::string& law, int n_vertices, int n_edges, int n_fa
 void require_area(const Tile& tile, const GluedFaces& faces, const TileProof& proof) {
     double perimeter = 0;
     for (int h = 0; h < faces.n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (!faces.on_seam(h)) continue;
         perimeter +=
             (tile.points[faces.corners[faces.next(h)]] - tile.points[faces.corners[h]]).norm();
@@ -208,6 +233,7 @@ void collect_vertices(const VertexOrbits& orbits, const GluedFaces& faces, TileP
     for (const int v : faces.corners) in_faces[v] = true;
     const int n = static_cast<int>(orbits.first_copy.size());
     for (int w = 0; w < n; ++w) {
+        checkpoint_each(w);
         if (orbits.first_copy[w] != w) {
             ++proof.n_merged;
             continue;
@@ -225,6 +251,7 @@ void collect_vertices(const VertexOrbits& orbits, const GluedFaces& faces, TileP
 
 void collect_edges(const GluedFaces& faces, TileProof& proof) {
     for (int h = 0; h < faces.n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (!faces.on_seam(h)) continue;
         ++proof.n_boundary_edges;
         // Store each pair once, from the side with the positive translation.

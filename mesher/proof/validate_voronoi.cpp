@@ -4,102 +4,16 @@
 #include <cmath>
 #include <string>
 
-#include "mesher/lattice/polygon.hpp"
-#include "mesher/proof/glued_faces.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/proof/law_violation.hpp"
-#include "mesher/proof/vertex_orbits.hpp"
+#include "mesher/proof/proven_faces.hpp"
 
 namespace pcvt {
 namespace {
 
 using std::to_string;
 
-const char* const kVoronoiLaw = "of Voronoi";
 const char* const kDelaunayLaw = "of Delaunay";
-
-/// Whether triangle f continues the fan of triangle f - 1.
-bool continues_fan(const Tile& tile, const std::vector<int>& first_copy, int f) {
-    if (f == 0 || tile.face_site.size() != static_cast<std::size_t>(tile.n_faces())) return false;
-    if (tile.face_site[f] != tile.face_site[f - 1]) return false;
-    if (tile.face_size(f) != 3 || tile.face_size(f - 1) != 3) return false;
-    const auto corner = [&](int face, int k) {
-        return first_copy[tile.faces[face][static_cast<std::size_t>(k)]];
-    };
-    return corner(f, 0) == corner(f - 1, 0) && corner(f, 1) == corner(f - 1, 2);
-}
-
-/// Returns the tile with each fan of triangles joined to the polygon that it divides; `file_face`
-/// receives the first face of each polygon.
-Tile join_fans(const Tile& tile, const TileProof& proof, std::vector<int>& file_face) {
-    Tile cells{.lattice = tile.lattice, .kind = MeshKind::kVoronoi, .points = tile.points};
-    for (int f = 0; f < tile.n_faces(); ++f) {
-        const bool joins = continues_fan(tile, proof.first_copy, f);
-        if (!joins) {
-            if (f > 0) cells.faces.close();
-            file_face.push_back(f);
-        }
-        for (int c = tile.faces.begin[f] + (joins ? 2 : 0); c < tile.faces.begin[f + 1]; ++c) {
-            cells.faces.corners.push_back(tile.faces.corners[c]);
-        }
-    }
-    cells.faces.close();
-    return cells;
-}
-
-/// The faces of a proven tile on its vertices, with their indices in the file for the messages.
-class ProvenFaces {
-   public:
-    ProvenFaces(const Tile& tile, const TileProof& proof)
-        : tile_(join_fans(tile, proof, joined_)),
-          faces_(glue_faces(tile_, proven_orbits(proof), Precision::kSingle)) {}
-
-    const GluedFaces& glued() const { return faces_; }
-    const Vec2& from(int h) const { return tile_.points[faces_.corners[h]]; }
-    const Vec2& to(int h) const { return from(faces_.next(h)); }
-    /// Returns the translation that moves the face across h next to the face of h.
-    Vec2 back_across(int h) const { return tile_.lattice.translation(-faces_.across[h]); }
-
-    Polygon polygon(int f) const {
-        Polygon corners;
-        for (const int v : faces_[f]) corners.push_back(tile_.points[v]);
-        return corners;
-    }
-    std::string name(int f) const { return "face " + to_string(joined_[faces_.file_face[f]]); }
-    std::string edge_name(int h) const {
-        return "edge " + edge_in_words(faces_.corners[h], faces_.corners[faces_.next(h)]) +
-               " between " + name(faces_.face_of[h]) + " and " +
-               name(faces_.face_of[faces_.opposite[h]]);
-    }
-
-   private:
-    std::vector<int> joined_;
-    Tile tile_;
-    GluedFaces faces_;
-};
-
-std::string against(double amount, double tolerance) {
-    return in_words(amount) + " h (tolerance " + in_words(tolerance) + " h)";
-}
-
-/// Returns the centroids of the cells.
-std::vector<Vec2> require_convex_cells(const ProvenFaces& faces, double h, double tolerance,
-                                       const CentroidFunction& centroid) {
-    std::vector<Vec2> centroids;
-    for (int f = 0; f < faces.glued().n_faces(); ++f) {
-        const Polygon polygon = faces.polygon(f);
-        const double depth = reflex_depth(polygon) / h;
-        if (!(depth <= tolerance)) {
-            throw_violation(kVoronoiLaw, faces.name(f) +
-                                             " is not convex: a corner lies inside by " +
-                                             against(depth, tolerance));
-        }
-        if (!(polygon_area(polygon) > 0)) {
-            throw_violation(kVoronoiLaw, faces.name(f) + " has no area, so no centroid");
-        }
-        centroids.push_back(centroid(polygon));
-    }
-    return centroids;
-}
 
 /// Returns the larger distance of the ends of a side from the bisector of the centroids on its left
 /// and right.
@@ -118,6 +32,7 @@ double require_voronoi_cells(const ProvenFaces& faces, double tolerance, double 
     const GluedFaces& glued = faces.glued();
     double largest = 0;
     for (int side = 0; side < glued.n_halfedges(); ++side) {
+        checkpoint_each(side);
         const Vec2& left = centroids[glued.face_of[side]];
         const Vec2 right = centroids[glued.face_of[glued.opposite[side]]] + faces.back_across(side);
         const double distance = bisector_distance(faces, side, left, right) / h;
@@ -148,6 +63,7 @@ double require_delaunay_edges(const ProvenFaces& faces, double tolerance, double
     const GluedFaces& glued = faces.glued();
     double largest = 0;
     for (int side = 0; side < glued.n_halfedges(); ++side) {
+        checkpoint_each(side);
         const int beside = glued.opposite[side];
         const Vec2 corner = faces.to(glued.next(beside)) + faces.back_across(side);
         const int apex = glued.next(glued.next(side));
@@ -168,6 +84,7 @@ double require_delaunay_edges(const ProvenFaces& faces, double tolerance, double
 void require_triangles(const ProvenFaces& faces) {
     const GluedFaces& glued = faces.glued();
     for (int f = 0; f < glued.n_faces(); ++f) {
+        checkpoint_each(f);
         const int size = glued.size(f);
         if (size == 3) continue;
         throw_violation(kDelaunayLaw,

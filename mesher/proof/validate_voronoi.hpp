@@ -1,13 +1,8 @@
 #pragma once
 
-#include <functional>
-
-#include "mesher/lattice/polygon.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/proof/proven_faces.hpp"
 
 namespace pcvt {
-
-using CentroidFunction = std::function<Vec2(const Polygon&)>;
 
 /// Works like prove_voronoi (validate.hpp), with any kind of centroid for cells, e.g. of a density.
 /// Triangles do not use it.

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "mesher/base/bucket_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
 #include "mesher/proof/law_violation.hpp"
 
@@ -19,6 +20,10 @@ namespace {
 constexpr double kLongestChain = 4;
 /// A tolerance above this fraction of the shortest period would identify neighbouring images.
 constexpr double kLargestTolerance = 1e-3;
+
+/// In a file that is a tile, a bin holds at most about 700 vertices, because the tolerance is small
+/// against their distances. More comparisons a vertex than this end the search.
+constexpr std::size_t kMostComparisons = 2000;
 
 /// A bin of the domain that a vertex touches. Vertices that agree share a bin.
 struct BinEntry {
@@ -68,6 +73,7 @@ std::vector<int> first_copies(const std::vector<int>& representative,
         [&](int v, int w) { return std::tie(offset[v], v) < std::tie(offset[w], w); });
     std::vector<int> first(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
+        checkpoint_each(k);
         const int v = order[k];
         const bool same = k > 0 && representative[v] == representative[order[k - 1]] &&
                           offset[v] == offset[order[k - 1]];
@@ -101,6 +107,7 @@ class OrbitFinder {
         result.representative.reserve(n);
         result.offset.reserve(n);
         for (int v = 0; v < n; ++v) {
+            checkpoint_each(v);
             const int r = orbits_.find(v);
             const Offset offset = r == v ? Offset{} : offset_between(r, v);
             if (r != v) require_short_chain(r, v, offset);
@@ -127,6 +134,7 @@ class OrbitFinder {
         // Keeps each product and sum of to_original() below 2^31.
         const double limit = 0x1p28 / largest;
         for (std::size_t v = 0; v < coordinates_.size(); ++v) {
+            checkpoint_each(v);
             const double periods = coordinates_[v].cwiseAbs().maxCoeff();
             if (periods <= limit) continue;
             throw_violation("(1)", "vertex " + std::to_string(v) + " lies " + in_words(periods) +
@@ -172,6 +180,7 @@ class OrbitFinder {
         std::vector<BinEntry> entries;
         entries.reserve(points_.size());
         for (int v = 0; v < static_cast<int>(points_.size()); ++v) {
+            checkpoint_each(v);
             const auto column = columns.touched(coordinates_[v].x());
             const auto row = rows.touched(coordinates_[v].y());
             for (int i = 0; i <= (column[0] != column[1]); ++i) {
@@ -188,17 +197,27 @@ class OrbitFinder {
 
     void unite_neighbours() {
         const std::vector<BinEntry> entries = bin_entries();
+        std::size_t comparisons_left = kMostComparisons * points_.size();
         for (std::size_t k = 0; k < entries.size(); ++k) {
+            checkpoint_each(k);
             const BinEntry& e = entries[k];
             for (std::size_t l = k + 1; l < entries.size(); ++l) {
                 const BinEntry& f = entries[l];
                 if (e.column != f.column || e.row != f.row) break;
+                if (comparisons_left-- == 0) throw_crowd(e.vertex);
                 const Offset offset = offset_between(e.vertex, f.vertex);
                 if (mismatch(e.vertex, f.vertex, offset) <= tolerance_) {
                     orbits_.unite(e.vertex, f.vertex);
                 }
             }
         }
+    }
+
+    [[noreturn]] void throw_crowd(int vertex) const {
+        throw_violation("(1)", "thousands of vertices lie as near to vertex " +
+                                   std::to_string(vertex) +
+                                   ", modulo the lattice, as coordinates with a tolerance of " +
+                                   in_words(tolerance_) + " can show");
     }
 
     const Lattice& lattice_;
@@ -221,6 +240,7 @@ VertexOrbits proven_orbits(const TileProof& proof) {
         orbits.offset[pair.w] = pair.offset;
     }
     for (int v = 0; v < n; ++v) {
+        checkpoint_each(v);
         orbits.representative[v] = orbits.representative[proof.first_copy[v]];
         orbits.offset[v] = orbits.offset[proof.first_copy[v]];
     }

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -81,6 +83,7 @@ bool lies_on(const Sites& sites, const LatticePattern& pattern) {
     Places places(pattern);
     Points off(2, n);
     for (SiteId s = 0; s < n; ++s) {
+        checkpoint_each(s);
         const Vec2 u = sites.coordinates().col(s) - sites.coordinates().col(0);
         const auto place = places.take(u);
         if (!place) return false;

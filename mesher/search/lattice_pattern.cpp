@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
 
@@ -158,8 +159,10 @@ std::vector<LatticePattern> best_lattices(const Lattice& period, int n, int coun
     const StepMetric metric(reduce(period).reduced);
     Ranking ranking(count);
     for (int a = 1; a <= n; ++a) {
+        checkpoint_each(a);
         if (n % a != 0) continue;
         for (int b = 0; b < a; ++b) {
+            checkpoint_each(b);
             const HermiteForm form{a, b, n / a};
             ranking.add({energy_of(obtuse_basis(form, metric), metric, period.area(), n), form});
         }
@@ -181,6 +184,7 @@ Points pattern_points(const LatticePattern& pattern) {
     const Lattice reduced = reduce(pattern.period).reduced;
     Points points(2, pattern.n_sites());
     for (int i = 0; i < a; ++i) {
+        checkpoint_each(i);
         for (int j = 0; j < d; ++j) {
             // The second coordinate is wrapped while it is still an integer number of n-ths.
             const std::int64_t v = remainder_of(std::int64_t{j} * a - std::int64_t{i} * b, n);

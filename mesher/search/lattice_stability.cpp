@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -78,6 +80,7 @@ LatticeStability lattice_stability(const LatticePattern& pattern) {
     // Compute the extreme eigenvalues over all wave vectors but zero.
     for (int k = 0; k < pattern.form.a; ++k) {
         for (int m = k == 0 ? 1 : 0; m < pattern.form.d; ++m) {
+            checkpoint_each(m);
             Symmetric hessian;
             for (const Bond& bond : around) {
                 hessian.add(one_minus_cosine(k * bond.i + m * bond.j, n), bond.stiffness);

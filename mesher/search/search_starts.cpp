@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/sites.hpp"
 
 namespace pcvt {
@@ -114,6 +115,7 @@ const std::vector<LatticePattern>& StartMaker::lattices(int n_sites) {
 
 void StartMaker::shake(Points& points, double amount, Random& random) const {
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        checkpoint_each(s);
         points.col(s) += amount * spacing_ * in_disc(random);
     }
 }
@@ -125,6 +127,7 @@ void StartMaker::remove_row(const LatticePattern& pattern, Random& random,
     int surplus = pattern.n_sites() - n_;
     RowWalk walk(pattern, random);
     for (int step = 0; surplus > 0 && step < 4 * n_; ++step) {
+        checkpoint_each(step);
         char& site = kept[static_cast<std::size_t>(
             pattern_site(pattern.form, walk.here().i, walk.here().j))];
         surplus -= site;
@@ -159,6 +162,7 @@ SearchState StartMaker::neighbour(Random& random) {
     if (in_row && !fewer) remove_row(pattern, random, kept);
     auto surplus = std::count(kept.begin(), kept.end(), 1) - n_;
     while (surplus > 0) {
+        checkpoint();
         char& site = kept[static_cast<std::size_t>(pick(random, m))];
         surplus -= site;
         site = 0;

@@ -88,7 +88,11 @@ PeriodicMesh without_shortest(PeriodicMesh cells, double shortest) {
 PeriodicMesh torus_mesh(const PeriodicDelaunay& delaunay, const TileOptions& options, double h) {
     const bool grains = options.kind == MeshKind::kGrains;
     const MeshKind source = grains ? MeshKind::kVoronoi : options.kind;
-    PeriodicMesh mesh = repeated(periodic_mesh(delaunay, source), options.columns, options.rows);
+    PeriodicMesh domain = periodic_mesh(delaunay, source);
+    if (const auto& elongation = options.elongation) {
+        domain = from_round(std::move(domain), elongation->metric, elongation->lattice);
+    }
+    PeriodicMesh mesh = repeated(std::move(domain), options.columns, options.rows);
     if (grains) {
         return without_shortest(std::move(mesh),
                                 std::max(kShortGrainEdge, options.short_edges) * h);
@@ -110,7 +114,12 @@ BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& option
     if (options.kind == MeshKind::kGrains) laid_out = mesh_cells(options, laid_out, h, figures);
     report(options, kGrainsEnd);
     Tile tile = make_tile(laid_out.mesh, laid_out.placement);
+    if (options.elongation) tile.metric = options.elongation->metric;
+    tile.site_weights.assign(delaunay.weights().begin(), delaunay.weights().end());
     tile.grain_site_points = std::move(laid_out.grain_site_points);
+    tile.columns = options.columns;
+    tile.rows = options.rows;
+    tile.short_edges = options.short_edges;
     if (options.kind == MeshKind::kGrains) tile.order = options.order;
     figures.n_edge_pairs = static_cast<int>(tile.edge_pairs.size());
     figures.n_boundary_edges = 2 * figures.n_edge_pairs;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/delaunay/periodic_delaunay.hpp"
+#include "mesher/mesh/elongated_mesh.hpp"
 #include "mesher/mesh/outline.hpp"
 #include "mesher/tile/tile.hpp"
 
@@ -31,6 +32,8 @@ struct TileOptions {
     Vec2 origin = Vec2::Zero();
     /// Moves the box outline to where its shortest edge is longest, instead of to `origin`.
     bool finds_origin = false;
+    /// Maps cells that were computed in the round space of a metric back to the plane.
+    std::optional<Elongation> elongation = {};
     /// Called now and then with the share that is done, about, from 0 to 1; what it throws ends the
     /// building.
     std::function<void(double)> progress = {};

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "mesher/base/cancellable_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -23,12 +26,13 @@ std::vector<Edge> sorted_edges(const Tile& tile) {
     std::vector<Edge> edges;
     edges.reserve(tile.faces.corners.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         for (int c = tile.faces.begin[f]; c < tile.faces.begin[f + 1]; ++c) {
             const int next = c + 1 == tile.faces.begin[f + 1] ? tile.faces.begin[f] : c + 1;
             edges.push_back(edge(tile.faces.corners[c], tile.faces.corners[next], c));
         }
     }
-    std::sort(edges.begin(), edges.end());
+    cancellable_sort(edges.begin(), edges.end());
     return edges;
 }
 
@@ -36,6 +40,7 @@ std::vector<Edge> sorted_edges(const Tile& tile) {
 std::vector<int> first_corners(const std::vector<Edge>& edges) {
     std::vector<int> first(edges.size());
     for (std::size_t k = 0; k < edges.size(); ++k) {
+        checkpoint_each(k);
         const bool again = k > 0 && same(edges[k], edges[k - 1]);
         first[edges[k].corner] = again ? first[edges[k - 1].corner] : edges[k].corner;
     }
@@ -74,9 +79,10 @@ MidsideNodes midside_nodes(const Tile& tile) {
         nodes.points[link.w - tile.n_vertices()] =
             nodes.points[link.v - tile.n_vertices()] + tile.lattice.translation(link.offset);
     }
-    std::sort(nodes.pairs.begin(), nodes.pairs.end(), [](const VertexPair& p, const VertexPair& q) {
-        return std::tie(p.w, p.v) < std::tie(q.w, q.v);
-    });
+    cancellable_sort(nodes.pairs.begin(), nodes.pairs.end(),
+                     [](const VertexPair& p, const VertexPair& q) {
+                         return std::tie(p.w, p.v) < std::tie(q.w, q.v);
+                     });
     return nodes;
 }
 

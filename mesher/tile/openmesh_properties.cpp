@@ -9,6 +9,12 @@ void attach_property(Mesh& mesh, Handle& handle, const char* name, bool persiste
     if (persistent) mesh.property(handle).set_persistent(true);
 }
 
+template <class Mesh, class Handle>
+void attach_mesh_property(Mesh& mesh, Handle& handle, const char* name) {
+    if (!mesh.get_property_handle(handle, name)) mesh.add_property(handle, name);
+    mesh.mproperty(handle).set_persistent(true);
+}
+
 template <class Mesh>
 void attach_all(Mesh& mesh, OpenMeshProperties& id) {
     attach_property(mesh, id.partner, "pcvt_partner");
@@ -19,10 +25,8 @@ void attach_all(Mesh& mesh, OpenMeshProperties& id) {
     attach_property(mesh, id.vertex_site, "pcvt_vertex_site");
     attach_property(mesh, id.site_point, "pcvt_site_point", false);
     attach_property(mesh, id.whole_sides, "pcvt_whole_sides", false);
-    if (!mesh.get_property_handle(id.lattice, "pcvt_lattice")) {
-        mesh.add_property(id.lattice, "pcvt_lattice");
-    }
-    mesh.mproperty(id.lattice).set_persistent(true);
+    attach_mesh_property(mesh, id.lattice, "pcvt_lattice");
+    attach_mesh_property(mesh, id.sites, "pcvt_sites");
 }
 
 }  // namespace

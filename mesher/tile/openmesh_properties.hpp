@@ -30,7 +30,8 @@ struct SitePoint {
 /// The pairing of a tile's boundary, as OpenMesh properties that `.om` files keep.
 ///
 /// Names in the file: "pcvt_partner", "pcvt_partner_offset", "pcvt_orbit", "pcvt_orbit_offset",
-/// "pcvt_face_site", "pcvt_vertex_site" and, of the mesh, "pcvt_lattice" (ax, ay, bx, by).
+/// "pcvt_face_site", "pcvt_vertex_site" and, of the mesh, "pcvt_lattice" (ax, ay, bx, by) and
+/// "pcvt_sites" (columns, rows, length of short edges, 0, x0, y0, x1, y1, ...).
 struct OpenMeshProperties {
     /// A boundary halfedge's partner, as a halfedge index; -1 for a halfedge that has a face.
     OpenMesh::HPropHandleT<int> partner;
@@ -51,6 +52,9 @@ struct OpenMeshProperties {
     /// The site at a vertex of a mesh of Delaunay triangles; else -1.
     OpenMesh::VPropHandleT<int> vertex_site;
     OpenMesh::MPropHandleT<std::vector<double>> lattice;
+    /// Tile::columns, rows and short_edges, 0, then x and y of each site
+    /// (mesher/tile/site_positions.hpp); empty where they are not known.
+    OpenMesh::MPropHandleT<std::vector<double>> sites;
 
     /// Adds the properties to a mesh, or finds them where they are there already.
     void attach(CellMesh& mesh);

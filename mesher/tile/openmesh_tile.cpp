@@ -4,7 +4,9 @@
 #include <limits>
 #include <string>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/tile/site_positions.hpp"
 
 namespace pcvt {
 namespace {
@@ -33,6 +35,7 @@ class MeshBuilder {
     MeshBuilder(const Tile& arrays, OpenMeshTileOf<Mesh>& built)
         : arrays_(arrays), mesh_(built.mesh), id_(built.identification) {
         built.order = arrays.order;
+        note_sites();
     }
 
     void build() {
@@ -45,8 +48,18 @@ class MeshBuilder {
     }
 
    private:
+    void note_sites() {
+        const std::vector<Vec2> positions = site_positions(arrays_);
+        std::vector<double>& sites = mesh_.property(id_.sites);
+        sites.clear();
+        if (positions.empty()) return;
+        sites = {double(arrays_.columns), double(arrays_.rows), arrays_.short_edges, 0};
+        for (const Vec2& p : positions) sites.insert(sites.end(), {p.x(), p.y()});
+    }
+
     void add_vertices() {
         for (int v = 0; v < arrays_.n_vertices(); ++v) {
+            checkpoint_each(v);
             const Vec2& p = arrays_.points[v];
             const VertexHandle vertex = mesh_.add_vertex(Vec3d(p.x(), p.y(), 0));
             mesh_.property(id_.orbit, vertex) = v;
@@ -59,6 +72,7 @@ class MeshBuilder {
     void add_faces() {
         std::vector<VertexHandle> corners;
         for (int f = 0; f < arrays_.n_faces(); ++f) {
+            checkpoint_each(f);
             corners.clear();
             for (const int v : arrays_.faces[f]) {
                 require_vertex(v);
@@ -173,6 +187,7 @@ class ArrayBuilder {
         take_faces();
         take_orbits();
         take_partners();
+        take_sites();
         return std::move(arrays_);
     }
 
@@ -224,6 +239,17 @@ class ArrayBuilder {
         require_all_or_none(arrays_.face_site.size(), n, "faces have sites");
         require_all_or_none(arrays_.whole_sides.size(), n, "faces have a number of whole sides");
         require_all_or_none(arrays_.site_points.size(), n, "faces have the position of a site");
+    }
+
+    void take_sites() {
+        const std::vector<double>& sites = mesh_.property(id_.sites);
+        if (sites.size() < 4) return;
+        arrays_.columns = static_cast<int>(sites[0]);
+        arrays_.rows = static_cast<int>(sites[1]);
+        arrays_.short_edges = sites[2];
+        for (std::size_t k = 4; k + 1 < sites.size(); k += 2) {
+            arrays_.site_positions.emplace_back(sites[k], sites[k + 1]);
+        }
     }
 
     void require_all_or_none(std::size_t found, std::size_t all, const std::string& what) const {

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "mesher/base/cancellable_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/tile/tile_edges.hpp"
 
 namespace pcvt {
@@ -15,7 +17,7 @@ using Neighbours = std::vector<std::pair<SiteId, SiteId>>;
 void finish(Neighbours& pairs) {
     const std::size_t n = pairs.size();
     for (std::size_t k = 0; k < n; ++k) pairs.emplace_back(pairs[k].second, pairs[k].first);
-    std::sort(pairs.begin(), pairs.end());
+    cancellable_sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
 }
@@ -66,6 +68,7 @@ std::vector<SiteId> smallest_last_order(const SiteGraph& graph) {
         by_degree[degree[site]].push_back(site);
     };
     for (SiteId s = graph.n_sites() - 1; s >= 0; --s) {
+        checkpoint_each(s);
         degree[s] = graph.degree(s);
         enter(s);
     }
@@ -99,6 +102,7 @@ std::vector<int> classes(const SiteGraph& graph) {
     std::vector<int> class_of(static_cast<std::size_t>(graph.n_sites()), kNone);
     std::array<int, kSiteClasses> n_sites{};
     for (const SiteId site : smallest_last_order(graph)) {
+        checkpoint();
         std::array<bool, kSiteClasses> taken{};
         graph.for_each_neighbour(site, [&](SiteId other) {
             if (class_of[other] != kNone) taken[class_of[other]] = true;

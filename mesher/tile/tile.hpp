@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/lattice/metric.hpp"
 #include "mesher/lattice/sites.hpp"
 #include "mesher/mesh/mesh_kind.hpp"
 #include "mesher/tile/faces.hpp"
@@ -63,6 +64,19 @@ struct Tile {
     /// Grains of a tile in memory: where the site of the cell lies that each face belongs to, which
     /// distinguishes a cell from its images. Files do not hold it.
     std::vector<Vec2> grain_site_points = {};
+    /// The tile covers columns x rows periods of its sites; 0: not known.
+    int columns = 0;
+    int rows = 0;
+    /// Edges of cells shorter than this may have been removed, units of h = sqrt(area / number of
+    /// cells); 1: not known.
+    double short_edges = 1;
+    /// Files that hold them: where each site lies, in the domain of the first face (vertex) that
+    /// names it. Tiles in memory: empty; site_positions() computes them.
+    std::vector<Vec2> site_positions = {};
+    /// Power cells: the weight of each site 0 ... n - 1, length^2. Else: empty.
+    std::vector<double> site_weights = {};
+    /// Elongated cells: the metric in which they are the cells of their sites.
+    Metric metric = {};
     /// Files whose faces do not share all of their vertices: for each of the last vertices the
     /// earlier one, itself no copy, whose position it repeats. May be empty all the same.
     std::vector<int> copies = {};
@@ -75,6 +89,10 @@ struct Tile {
     int n_vertices() const { return static_cast<int>(points.size()); }
     int n_faces() const { return faces.n_faces(); }
     int face_size(int f) const { return faces.size(f); }
+    /// One site a face, or one a vertex.
+    const std::vector<SiteId>& sites() const {
+        return faces_have_sites(kind) ? face_site : vertex_site;
+    }
 };
 
 }  // namespace pcvt

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesher/base/bucket_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -54,6 +55,7 @@ class TileBuilder {
             });
         std::vector<int> first(order.size());
         for (std::size_t k = 0; k < order.size(); ++k) {
+            checkpoint_each(k);
             const bool same = k > 0 && placed(order[k]) == placed(order[k - 1]);
             first[order[k]] = same ? first[order[k - 1]] : order[k];
         }
@@ -64,6 +66,7 @@ class TileBuilder {
         tile_.faces.corners = first_corners();
         std::vector<int>& corners = tile_.faces.corners;
         for (int c = 0; c < periodic_.n_corners(); ++c) {
+            checkpoint_each(c);
             if (corners[c] == c) {
                 corners[c] = static_cast<int>(vertices_.size());
                 vertices_.push_back(placed(c));
@@ -77,6 +80,7 @@ class TileBuilder {
         std::vector<int> representative(periodic_.vertices.size(), -1);
         tile_.points.reserve(vertices_.size());
         for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) {
+            checkpoint_each(v);
             const auto [orbit, offset] = vertices_[v];
             tile_.points.push_back(periodic_.vertices[orbit] + tile_.lattice.translation(offset));
             int& first = representative[orbit];
@@ -110,6 +114,7 @@ class TileBuilder {
     void pair_edges() {
         const std::vector<int>& vertex = tile_.faces.corners;
         for (int c = 0; c < periodic_.n_corners(); ++c) {
+            checkpoint_each(c);
             const int across = periodic_.opposite[c];
             const int v0 = vertex[c];
             const int v1 = vertex[periodic_.next(c)];

@@ -4,6 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "mesher/base/cancellable_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -24,10 +27,11 @@ std::vector<Side> sorted_sides(const Tile& tile) {
     std::vector<Side> sides;
     sides.reserve(tile.faces.corners.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
         int from = tile.faces[f].back();
         for (const int to : tile.faces[f]) sides.push_back({std::exchange(from, to), to, f});
     }
-    std::sort(sides.begin(), sides.end(), is_before);
+    cancellable_sort(sides.begin(), sides.end(), is_before);
     return sides;
 }
 
@@ -43,6 +47,7 @@ std::vector<TileEdge> tile_edges(const Tile& tile) {
     std::vector<TileEdge> edges;
     edges.reserve(sides.size() / 2 + 2 * tile.edge_pairs.size());
     for (std::size_t s = 0; s < sides.size(); ++s) {
+        checkpoint_each(s);
         const auto [from, to, face] = sides[s];
         if (s + 1 < sides.size() && sides[s].is_opposite(sides[s + 1])) {
             edges.push_back(
@@ -58,7 +63,7 @@ std::vector<TileEdge> tile_edges(const Tile& tile) {
         edges.push_back(
             {.v = pair.w1, .w = pair.w0, .left = right, .right = left, .on_seam = true});
     }
-    std::sort(edges.begin(), edges.end(), [](const TileEdge& e, const TileEdge& f) {
+    cancellable_sort(edges.begin(), edges.end(), [](const TileEdge& e, const TileEdge& f) {
         return std::minmax(e.v, e.w) < std::minmax(f.v, f.w);
     });
     return edges;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/mesh/valence.hpp"
 
 namespace pcvt {
@@ -12,6 +13,7 @@ std::vector<int> cell_sides(const Tile& cells) {
     std::vector<int> sides(cells.n_faces());
     std::vector<Vec2> polygon;
     for (int f = 0; f < cells.n_faces(); ++f) {
+        checkpoint_each(f);
         polygon.clear();
         for (const int v : cells.faces[f]) {
             polygon.push_back(cells.points[v]);

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <new>
 #include <stdexcept>
-#include <string>
 
-#include "io/bytes/output.hpp"
+#include "io/bytes/output_error.hpp"
 #include "mesher/density/density.hpp"
+#include "mesher/finite_volume/mpas_grid.hpp"
 
 namespace pcvt::abi {
 namespace {
@@ -17,8 +17,17 @@ constexpr std::size_t kLongestText = 1024;
 /// Plain bytes: a thread-local object with a destructor would keep the library loaded.
 constinit thread_local char text_of_thread[kLongestText] = "";
 
-pcvt_status note(pcvt_status status, const char* text) {
+/// Appends as much of the text as there is room for; returns the length of the whole.
+std::size_t append(std::size_t length, const char* text) {
+    const std::size_t n = std::min(std::strlen(text), kLongestText - 1 - length);
+    std::memcpy(text_of_thread + length, text, n);
+    text_of_thread[length + n] = '\0';
+    return length + n;
+}
+
+pcvt_status note(pcvt_status status, const char* text, const char* advice = "") {
     set_last_error(text);
+    append(std::strlen(text_of_thread), advice);
     return status;
 }
 
@@ -27,13 +36,11 @@ pcvt_status note(pcvt_status status, const char* text) {
 const char* last_error() { return text_of_thread; }
 
 void set_last_error(const char* text) {
-    const std::size_t length = std::min(std::strlen(text), kLongestText - 1);
-    std::memcpy(text_of_thread, text, length);
-    text_of_thread[length] = '\0';
+    const std::size_t length = append(0, text);
     std::replace(text_of_thread, text_of_thread + length, '\n', ' ');
 }
 
-pcvt_status note_failure(const std::exception_ptr& exception) {
+pcvt_status note_failure(const std::exception_ptr& exception) noexcept {
     try {
         std::rethrow_exception(exception);
     } catch (const AbiMismatch& error) {
@@ -46,10 +53,12 @@ pcvt_status note_failure(const std::exception_ptr& exception) {
         return note(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const DuplicateSites& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());
+    } catch (const UnsuitableCells& error) {
+        return note(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const InvalidInput& error) {
         return note(PCVT_ERROR_ARGUMENT, error.what());
     } catch (const OutputExists& error) {
-        return note(PCVT_ERROR_IO, (std::string(error.what()) + "; set replace").c_str());
+        return note(PCVT_ERROR_IO, error.what(), "; set replace");
     } catch (const OutputError& error) {
         return note(PCVT_ERROR_IO, error.what());
     } catch (const LimitExceeded& error) {

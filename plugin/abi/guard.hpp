@@ -6,6 +6,7 @@
 #include <exception>
 #include <string>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/pcvt.h"
 
@@ -54,6 +55,7 @@ class FloatEnvironment {
 template <class Callback>
 int call_host(const char* name, const std::fenv_t& host, const Callback& callback) {
     const FloatEnvironment environment(&host);
+    const ClientScope no_client(nullptr);
     try {
         return callback();
     } catch (const __cxxabiv1::__forced_unwind&) {
@@ -78,8 +80,9 @@ void set_last_error(const char* text);
 ///   (5) OutputError                                  PCVT_ERROR_IO
 ///   (6) LimitExceeded, bad_alloc, length_error       PCVT_ERROR_MEMORY
 ///   (7) everything else                              PCVT_ERROR_INTERNAL
+/// Allocates nothing.
 /// @pre exception is not null.
-pcvt_status note_failure(const std::exception_ptr& exception);
+pcvt_status note_failure(const std::exception_ptr& exception) noexcept;
 
 /// Runs call(environment of the host) in the default floating-point environment and turns
 /// exceptions into a status. Only the end of a thread (pthread_exit, pthread_cancel) passes

@@ -64,15 +64,33 @@ pcvt_status status_of(const Job& job, const CvtResult& cvt) {
     return PCVT_NOT_CONVERGED;
 }
 
+/// Of runs without a density, else NaN.
+double bound_of(const pcvt_options& options, const Job& job) {
+    const bool uniform = options.density == nullptr && options.density_source == nullptr;
+    return uniform ? energy_bound(job, options.n_sites) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// @returns false if the callback cancelled.
+bool read_density(const pcvt_options& options, const JobCallback& callback, const std::fenv_t& host,
+                  Job& job) {
+    JobMonitor monitor(callback, {});
+    try {
+        set_density(options, host, job);
+    } catch (const Cancelled&) {
+        return false;
+    }
+    return true;
+}
+
 pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std::fenv_t& host) {
     if (result == nullptr) throw InvalidInput("result is a null pointer");
     *result = nullptr;
     const pcvt_options options = read_struct("pcvt_options", given);
     Job job = make_job(options);
-    set_density(options, host, job);
-    const HostProgress progress{options.progress, options.progress_data};
-    std::optional<Computation> computed =
-        compute_job(job, job_callback(progress, energy_bound(job, options.n_sites), host));
+    const JobCallback callback =
+        job_callback({options.progress, options.progress_data}, bound_of(options, job), host);
+    std::optional<Computation> computed;
+    if (read_density(options, callback, host, job)) computed = compute_job(job, callback);
     if (!computed) {
         set_last_error("cancelled by the progress callback");
         return PCVT_CANCELLED;

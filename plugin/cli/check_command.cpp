@@ -9,10 +9,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
+#include "io/file_proof.hpp"
+#include "io/outputs/recovery.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/density/density_centroid.hpp"
-#include "mesher/finite_volume/mpas_grid_proof.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/density_option.hpp"
 #include "plugin/cli/option_values.hpp"
@@ -93,7 +95,9 @@ std::vector<EncodedFile> read_files(const TileFormat& format, const std::string&
     const std::vector<std::string> paths = format.paths(path);
     std::vector<EncodedFile> files = {{paths[0], read_whole_file(paths[0])}};
     for (std::size_t p = 1; p < paths.size(); ++p) {
-        if (std::filesystem::exists(paths[p])) {
+        // A companion that cannot be examined exists for all that is known; its reader says why.
+        std::error_code unknown;
+        if (std::filesystem::exists(paths[p], unknown) || unknown) {
             files.push_back({paths[p], read_whole_file(paths[p])});
         }
     }
@@ -141,17 +145,25 @@ std::string pairs_text(const TileFile& file) {
     return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
 }
 
+/// What was proved of the site ids.
+std::string sites_text(const Tile& tile) {
+    if (tile.sites().empty()) return ", no sites stored";
+    if (tile.site_positions.empty()) return ", site ids complete, no positions of sites stored";
+    return ", " + std::to_string(tile.site_positions.size()) + " sites agree";
+}
+
 /// The proof of an MPAS file as a line.
 std::string prove_grid(GridReader* read, const TileFormat& format, const std::string& path,
                        const Question& question) {
     if (question.cvt_tolerance) {
         throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
     }
-    const MpasGrid grid = read(read_files(format, path));
+    const std::vector<EncodedFile> files = read_files(format, path);
+    const MpasGrid grid = read(files);
     if (question.lattice) {
         compare_lattice(Lattice::rectangle(grid.x_period, grid.y_period), *question.lattice);
     }
-    const MpasGridProof proof = prove_mpas_grid(grid);
+    const MpasGridProof proof = prove_grid(files, grid);
     return path + ": an MPAS mesh: " + std::to_string(grid.n_cells) + " cells, " +
            std::to_string(grid.n_edges) + " edges, " + std::to_string(grid.n_vertices) +
            " vertices, period " + figure(grid.x_period) + " x " + figure(grid.y_period) +
@@ -162,17 +174,17 @@ std::string prove_grid(GridReader* read, const TileFormat& format, const std::st
 /// The proof of a tile as a line.
 std::string prove_one_tile(const TileFormat& format, const std::string& path,
                            const Question& question) {
-    const TileFile file = decode_tile(format, read_files(format, path), question.lattice);
+    const std::vector<EncodedFile> files = read_files(format, path);
+    const TileFile file = decode_tile(format, files, question.lattice);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
-    const TileProof proof = prove_tile(file.tile, file.precision);
-    if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
-    if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
+    const TileProof proof = prove_file(format, files, file);
     std::string line = path + ": a periodic tile: " + std::to_string(proof.n_vertices) +
                        " vertices, " + std::to_string(proof.n_faces) + " faces, " +
                        std::to_string(proof.n_boundary_edges) + " boundary edges in " +
                        std::to_string(proof.edge_pairs.size()) + " pairs, genus 1 after gluing, " +
                        "area " + figure(proof.area) + " (tolerance " + figure(proof.tolerance) +
-                       "), " + std::to_string(proof.n_merged) + " merged" + pairs_text(file);
+                       "), " + std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
+                       sites_text(file.tile);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
     return line + "\n";
 }
@@ -180,6 +192,10 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
 /// The proof of one file as a line.
 std::string prove(const std::string& path, const Question& question) {
     const TileFormat& format = readable_format(path);
+    if (const std::optional<std::string> journal = unfinished_set_of(format.paths(path))) {
+        throw BadFile(path + ": a run ended before it had written all files of its set (" +
+                      *journal + "); run pcvt again in that folder, which finishes the set");
+    }
     if (const auto* read = std::get_if<GridReader*>(&format.read)) {
         return prove_grid(*read, format, path, question);
     }
@@ -196,7 +212,7 @@ bool check(const std::string& path, const Question& question) {
                      find_tile_format(path)->reads_grid() ? "an MPAS mesh" : "a periodic tile",
                      error.what());
     } catch (const InvalidInput&) {
-        std::fprintf(stderr, "%s\n", describe_failure(std::current_exception()).line.c_str());
+        std::fprintf(stderr, "%s\n", describe_failure(std::current_exception()).line.data());
     }
     return false;
 }
@@ -225,7 +241,10 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
     app.footer(
         "Rebuilds the seam from positions and lattice alone and compares it with the stored one:\n"
         "each boundary edge has one reversed partner by one lattice vector, the tile is a disc,\n"
-        "its Euler characteristic is 0 after gluing, the areas sum to that of the domain.\n\n"
+        "its Euler characteristic is 0 after gluing, the areas sum to that of the domain.\n"
+        "Site ids are proved too; in files of pcvt for solvers each group, set and array must\n"
+        "be the one that follows from the tile.\n"
+        "Reads regular files of at most 4 GiB each.\n\n"
         "Examples:\n"
         "  pcvt check tile.obj tile.glb\n"
         "  pcvt check tile.obj --cvt 1e-4\n"

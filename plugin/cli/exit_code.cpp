@@ -1,48 +1,60 @@
 #include "plugin/cli/exit_code.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 
-#include "io/bytes/output.hpp"
+#include "io/bytes/output_error.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
+#include "plugin/cli/terminal/console.hpp"
+#include "plugin/cli/terminal/start_guard.hpp"
 
 namespace pcvt::cli {
 namespace {
 
-std::string one_line(std::string text) {
-    while (!text.empty() && text.back() == '\n') text.pop_back();
+constexpr const char* kName = "pcvt: ";
+static_assert(static_cast<int>(ExitCode::kLimit) == kOutOfMemoryCode);
+
+Failure failure(ExitCode code, const char* prefix, const char* reason, const char* advice = "") {
+    Failure result{code, {}};
+    std::snprintf(result.line.data(), result.line.size(), "%s%s%s", prefix, reason, advice);
+    // Line ends within the reason become blanks, and trailing ones vanish.
+    char* const begin = result.line.data();
+    char* end = begin + std::strlen(begin);
+    while (end > begin && end[-1] == '\n') *--end = '\0';
     std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    return text;
+        begin, end, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return result;
 }
 
-Failure fault(const std::string& what) {
-    return {ExitCode::kFault,
-            one_line("pcvt: " + what + "; this is a fault of pcvt, please report it")};
+Failure fault(const char* what) {
+    return failure(ExitCode::kFault, kName, what, "; this is a fault of pcvt, please report it");
 }
 
 }  // namespace
 
-Failure describe_failure(const std::exception_ptr& exception) {
+Failure describe_failure(const std::exception_ptr& exception) noexcept {
     try {
         std::rethrow_exception(exception);
     } catch (const BadFile& error) {
-        return {ExitCode::kBadInput, one_line(error.what())};
+        return failure(ExitCode::kBadInput, "", error.what());
     } catch (const InvalidInput& error) {
-        return {ExitCode::kBadInput, one_line(std::string("pcvt: ") + error.what())};
+        return failure(ExitCode::kBadInput, kName, error.what());
     } catch (const OutputExists& error) {
-        return {ExitCode::kNotWritten,
-                one_line(std::string("pcvt: ") + error.what() + "; use --force to replace it")};
+        return failure(ExitCode::kNotWritten, kName, error.what(), "; use --force to replace it");
     } catch (const OutputError& error) {
-        return {ExitCode::kNotWritten, one_line(std::string("pcvt: ") + error.what())};
+        return failure(ExitCode::kNotWritten, kName, error.what());
     } catch (const LimitExceeded& error) {
-        return {ExitCode::kLimit, one_line(std::string("pcvt: ") + error.what())};
+        return failure(ExitCode::kLimit, kName, error.what());
+    } catch (const NoMemoryAfterFiles& error) {
+        return failure(ExitCode::kLimit, kName, error.what());
     } catch (const std::bad_alloc&) {
-        return {ExitCode::kLimit, "pcvt: out of memory; take fewer sites or a larger machine"};
+        return failure(ExitCode::kLimit, "", kOutOfMemory);
     } catch (const std::length_error&) {
-        return {ExitCode::kLimit, "pcvt: too large for this machine; take fewer sites"};
+        return failure(ExitCode::kLimit, kName, "too large for this machine; take fewer sites");
     } catch (const std::exception& error) {
         return fault(error.what());
     } catch (...) {
@@ -58,7 +70,8 @@ std::string exit_code_help() {
            "  3    an output could not be written, or exists and --force is not given\n"
            "  4    out of memory, or a limit of pcvt\n"
            "  5    not converged, with --strict\n"
-           "  130  cancelled by Ctrl-C; 143 by SIGTERM\n";
+           "  130  cancelled by Ctrl-C; 143 by SIGTERM\n"
+           "A pipe that its reader has closed changes no exit code.\n";
 }
 
 }  // namespace pcvt::cli

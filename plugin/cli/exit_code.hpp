@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <exception>
 #include <string>
 
@@ -25,15 +26,17 @@ enum class ExitCode {
 /// The message of an exception, and the exit code of the command.
 ///
 ///   const Failure failure = describe_failure(std::current_exception());
-///   std::fprintf(stderr, "%s\n", failure.line.c_str());
+///   std::fprintf(stderr, "%s\n", failure.line.data());
 struct Failure {
     ExitCode code;
     /// One line without a line end. Faults of a file begin with its name, all others with "pcvt: ".
-    std::string line;
+    /// A longer message loses its end: this array needs no memory that may be exhausted.
+    std::array<char, 8192> line;
 };
 
+/// Allocates nothing.
 /// @pre exception is not null.
-Failure describe_failure(const std::exception_ptr& exception);
+Failure describe_failure(const std::exception_ptr& exception) noexcept;
 
 /// The text for a top-level `--help`: one line for each code.
 std::string exit_code_help();

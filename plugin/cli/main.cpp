@@ -12,6 +12,7 @@
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/terminal/malloc_tuning.hpp"
+#include "plugin/cli/terminal/start_guard.hpp"
 #include "plugin/cli/unknown_argument.hpp"
 #include "plugin/job/version.hpp"
 
@@ -79,15 +80,19 @@ std::string command_name(const CommandLine& line) {
 
 ExitCode run_chosen(const CommandLine& line) {
     if (line.mesh->parsed()) {
-        return run_mesh(make_job(*line.mesh, line.mesh_options), line.mesh_options);
+        const Job job = make_job(*line.mesh, line.mesh_options);
+        end_start_guard();
+        return run_mesh(job, line.mesh_options);
     }
     if (line.pattern->parsed()) {
-        return run_mesh(make_pattern_job(*line.pattern, line.pattern_options),
-                        line.pattern_options);
+        const Job job = make_pattern_job(*line.pattern, line.pattern_options);
+        end_start_guard();
+        return run_mesh(job, line.pattern_options);
     }
     if (line.study->parsed()) {
-        return run_study_command(make_study_request(*line.study, line.study_options),
-                                 line.study_options);
+        const StudyRequest request = make_study_request(*line.study, line.study_options);
+        end_start_guard();
+        return run_study_command(request, line.study_options);
     }
     if (line.check->parsed()) return run_check(*line.check, line.check_options);
     print(help_text(line.app, line.help_options));
@@ -118,13 +123,14 @@ ExitCode run(int argc, const char* const* argv) {
 }  // namespace pcvt::cli
 
 int main(int argc, char** argv) {
-    pcvt::cli::ignore_file_size_signal();
+    pcvt::cli::begin_main();
+    pcvt::cli::ignore_signals_of_writes();
     pcvt::cli::keep_freed_memory();
     try {
         return static_cast<int>(pcvt::cli::run(argc, argv));
     } catch (...) {
         const pcvt::cli::Failure failure = pcvt::cli::describe_failure(std::current_exception());
-        std::fprintf(stderr, "%s\n", failure.line.c_str());
+        std::fprintf(stderr, "%s\n", failure.line.data());
         return static_cast<int>(failure.code);
     }
 }

@@ -2,14 +2,16 @@
 
 #include <csignal>
 #include <cstdio>
+#include <utility>
 
-#include "io/bytes/output.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "mesher/density/density_survey.hpp"
 #include "plugin/cli/summary.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/terminal/progress_display.hpp"
+#include "plugin/job/available_memory.hpp"
+#include "plugin/job/job_memory.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -21,12 +23,33 @@ double expected_energy(const Job& job, int n) {
     return bound * DensitySurvey(job.lattice, *job.density, kSurveyResolution).mean_root_squared();
 }
 
+/// From this number of sites on, the estimate of the memory is printed when the run begins.
+constexpr int kFewestAnnounced = 1'000'000;
+
+void announce_memory(const Job& job, const std::optional<double>& available) {
+    std::fprintf(stderr, "pcvt: takes about %s of memory%s\n",
+                 memory_text(estimated_memory(job, plan_files(job))).c_str(),
+                 available ? ("; " + memory_text(*available) + " are available").c_str() : "");
+}
+
+/// The peak of the memory, beside its estimate.
+std::string memory_line(const Job& job) {
+    const std::optional<double> peak = peak_memory();
+    if (!peak) return {};
+    return "memory     " + memory_text(*peak) + " at the peak, " +
+           memory_text(estimated_memory(job, plan_files(job))) + " estimated\n";
+}
+
 /// Runs the job under the signals and the progress display.
 RunSummary run_watched(const Job& job, bool quiet) {
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
+    const std::optional<double> available = available_memory();
+    // The first progress follows the checks of the job, so that a refusal is one line.
+    bool announces = n >= kFewestAnnounced && !quiet;
     ProgressDisplay display(expected_energy(job, n), job.tolerance, !quiet);
     catch_cancel_signals();
-    return run_job(job, [&display](const JobProgress& progress) {
+    return run_job(job, [&](const JobProgress& progress) {
+        if (std::exchange(announces, false)) announce_memory(job, available);
         display.show(progress);
         return cancel_signal() == 0;
     });
@@ -49,11 +72,12 @@ RunSummary run_file(const Job& job, const SiteFile& file, bool quiet) {
 }
 
 void print_summary(const Job& job, const RunSummary& summary) {
-    try {
-        print(summary_text(job, summary));
-    } catch (const OutputError& error) {
-        if (summary.files.empty() && job.report.empty()) throw;
-        throw OutputError(std::string(error.what()) + "; the files are written");
+    const bool has_files = !summary.files.empty() || !job.report.empty();
+    const auto text = [&] { return summary_text(job, summary) + memory_line(job); };
+    if (has_files) {
+        print_after_files(text);
+    } else {
+        print(text());
     }
 }
 

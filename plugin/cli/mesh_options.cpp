@@ -87,7 +87,8 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
         "take the next seed, at most K times, while an output refuses the cells\n(.nc: obtuse "
         "triangles) [0]");
     add(app, "--input", options.input, "FILE",
-        "read the sites, \"x y\" a line, # comments; - is standard input");
+        "read the sites, \"x y\" a line, # comments, from a regular file of at\n"
+        "most 16 GiB; - is standard input, at most 1 GiB");
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY", "any two independent period vectors");
     add(app, "--origin", options.origin, "X,Y|auto",
@@ -115,6 +116,10 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
         "0: the Voronoi diagram of the sites as given [no limit]");
     app.add_flag("--strict", options.strict,
                  "write the files, but exit with 5 if the run did not converge");
+    app.add_flag("--stability", options.stability,
+                 "answer whether the sites end at a minimum of the energy: up to\n"
+                 "10000 sites, without a density; takes up to three times the\n"
+                 "optimisation");
     add(app, "--threads", options.threads, "N", "the result does not depend on it [all cores]");
 }
 
@@ -317,6 +322,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
         throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");
     }
     job.report = options.report;
+    job.stability = options.stability;
     job.force = options.force;
     return job;
 }

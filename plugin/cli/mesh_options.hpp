@@ -41,6 +41,7 @@ struct MeshOptions {
     std::string cells;
     std::string threads;
     bool strict = false;
+    bool stability = false;
     bool force = false;
     bool quiet = false;
 };

@@ -20,7 +20,7 @@ constexpr const char* kExamples =
 /// them.
 constexpr const char* kForeign[] = {"--seed",      "--input",          "--start",  "--solver",
                                     "--tolerance", "--max-iterations", "--strict", "--budget",
-                                    "--density",   "--density-range",  "--retry"};
+                                    "--density",   "--density-range",  "--retry",  "--stability"};
 
 }  // namespace
 

@@ -3,9 +3,11 @@
 #include <csignal>
 #include <cstdio>
 
-#include "io/bytes/output.hpp"
-#include "io/bytes/text.hpp"
+#include "io/bytes/input_file.hpp"
+#include "io/outputs/recovery.hpp"
+#include "io/outputs/writable_paths.hpp"
 #include "io/tiles/tile_file.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/terminal/status_line.hpp"
@@ -13,6 +15,14 @@
 
 namespace pcvt::cli {
 namespace {
+
+/// Ends the work of every thread once a signal is noted.
+class UntilSignal final : public Client {
+   public:
+    void pass() override {
+        if (cancel_signal() != 0) throw Cancelled{};
+    }
+};
 
 /// The share of the work after which the time left is shown.
 constexpr double kLeastShare = 0.02;
@@ -39,7 +49,7 @@ std::optional<StudyTable> run_watched(const StudyRequest& request, bool quiet) {
 MergedStudy merge_files(const StudyRequest& request) {
     std::vector<NamedRuns> parts;
     for (const std::string& file : request.merge) {
-        parts.push_back({file, decode_csv(file, read_whole_file(file))});
+        parts.push_back({file, decode_csv(file, read_whole_file(file, kTableInput))});
     }
     MergedStudy merged = merge_runs(parts);
     if (merged.study.name != request.study.name) {
@@ -54,13 +64,14 @@ ExitCode cancelled() {
     return cancel_signal() == SIGTERM ? ExitCode::kTerminated : ExitCode::kInterrupted;
 }
 
-}  // namespace
-
-ExitCode run_study_command(const StudyRequest& request, const StudyOptions& options) {
+ExitCode run_to_the_end(const StudyRequest& request, const StudyOptions& options) {
     const StudyRecipe& recipe = find_study_recipe(request.study.name);
     const std::vector<StudyFile> files =
         plan_study_files(options.outputs, recipe.name, request.shard, request.merge);
-    for (const StudyFile& file : files) OutputSet::require_writable(file.path, options.force);
+    std::vector<std::string> paths;
+    for (const StudyFile& file : files) paths.push_back(file.path);
+    recover_unfinished(paths);
+    for (const std::string& path : paths) require_writable(path, options.force);
     if (request.shard.count > 1 && files.empty()) {
         throw InvalidInput("--shard makes a file of runs; give -o FILE.csv");
     }
@@ -78,9 +89,28 @@ ExitCode run_study_command(const StudyRequest& request, const StudyOptions& opti
         is_part ? StudyResult{{done.runs}, {}} : conclude_study(done.study, done.runs);
     write_study(done.study, result, files, options.force);
     if (!options.quiet && !is_part) {
-        print(aligned_text(result.tables.front(), recipe.printed_columns));
+        const auto text = [&] {
+            return aligned_text(result.tables.front(), recipe.printed_columns);
+        };
+        if (files.empty()) {
+            print(text());
+        } else {
+            print_after_files(text);
+        }
     }
     return ExitCode::kDone;
+}
+
+}  // namespace
+
+ExitCode run_study_command(const StudyRequest& request, const StudyOptions& options) {
+    UntilSignal until_signal;
+    const ClientScope scope(&until_signal);
+    try {
+        return run_to_the_end(request, options);
+    } catch (const Cancelled&) {
+        return cancelled();
+    }
 }
 
 }  // namespace pcvt::cli

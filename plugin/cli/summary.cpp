@@ -44,6 +44,7 @@ std::string site_text(const Job& job, const RunSummary& summary) {
         text += "; " + std::to_string(n_outside) +
                 " of the file lie outside of the domain and count modulo the lattice";
     }
+    if (2 * n_outside > job.points.cols()) text += ": --period or --lattice may be wrong";
     return text;
 }
 
@@ -120,6 +121,10 @@ std::string density_lines(const DensityFigures& density) {
                                     figure(density.quadrature_error) + " of their spacing");
 }
 
+std::string minimum_text(const RunSummary& summary) {
+    return summary.minimum ? minimum_name(*summary.minimum) : "not known: not converged";
+}
+
 std::string seed_text(const Job& job, const RunSummary& summary) {
     return std::to_string(summary.seed) + ", because an output refused the cells of seed " +
            std::to_string(job.seed) +
@@ -142,12 +147,13 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     }
     text += line("energy", energy_text(summary));
     text += line("residual", figure(summary.run.residual));
-    if (summary.minimum) text += line("minimum", minimum_name(*summary.minimum));
+    if (job.stability) text += line("minimum", minimum_text(summary));
     text += line("hexagons", valence_text(summary));
     if (!summary.start.found.empty()) text += line("found", summary.start.found);
     if (summary.start.pattern) text += pattern_lines(*summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
     text += tile_lines(summary);
+    for (const std::string& words : summary.recovered) text += line("recovered", words);
     for (const std::string& file : summary.files) text += line("file", file);
     if (!job.report.empty()) text += line("report", job.report);
     text += line("seconds", figure(summary.seconds.total));

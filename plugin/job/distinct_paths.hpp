@@ -9,7 +9,8 @@ namespace pcvt {
 class DistinctPaths {
    public:
     void add_input(const std::string& path);
-    /// @throws InvalidInput if the path is an input or another output as well.
+    /// @throws InvalidInput if the path is an input or another output as well, if one of them would
+    ///         be a folder of the other, or if the name holds a control character.
     void add_output(const std::string& path);
 
    private:

@@ -3,11 +3,15 @@
 #include <chrono>
 #include <utility>
 
+#include "io/outputs/recovery.hpp"
+#include "io/outputs/writable_paths.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/domain.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
+#include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_report.hpp"
 #include "plugin/job/job_staging.hpp"
 #include "plugin/job/job_start.hpp"
@@ -68,7 +72,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     summary.n_sites = cvt.delaunay.sites().n_sites();
     summary.seed = job.seed;
     if (!cvt.density) summary.energy_bound = cvt.energy_bound;
-    summary.minimum = minimum_of(cvt);
+    if (job.stability) summary.minimum = minimum_of(cvt);
     summary.n_mirrors = cvt.counts.n_mirrors;
     summary.valences = histogram(cell_sides(cvt.delaunay));
     const auto hexagons = summary.valences.find(6);
@@ -79,15 +83,23 @@ RunSummary summarize(const Job& job, const Computation& computation,
     return summary;
 }
 
-void require_all_writable(const Job& job, const std::vector<JobFile>& files) {
+/// Finishes what earlier runs left. Returns one line for each of their sets.
+std::vector<std::string> require_all_writable(const Job& job, const std::vector<JobFile>& files) {
+    std::vector<std::string> paths;
+    for (const JobFile& file : files) {
+        paths.insert(paths.end(), file.paths.begin(), file.paths.end());
+    }
+    if (!job.report.empty()) paths.push_back(job.report);
+    std::vector<std::string> recovered = recover_unfinished(paths);
     for (const JobFile& file : files) {
         if (!file.folder.empty()) {
-            OutputSet::require_writable_folder(file.folder, file.paths, job.force);
+            require_writable_folder(file.folder, file.paths, job.force);
             continue;
         }
-        for (const std::string& path : file.paths) OutputSet::require_writable(path, job.force);
+        for (const std::string& path : file.paths) require_writable(path, job.force);
     }
-    if (!job.report.empty()) OutputSet::require_writable(job.report, job.force);
+    if (!job.report.empty()) require_writable(job.report, job.force);
+    return recovered;
 }
 
 /// Stages every file and the report.
@@ -138,6 +150,7 @@ RunSummary finish(const Job& job, const std::vector<JobFile>& files, const Compu
         watch.stop(&JobSeconds::build);
         stage(job, files, result, tiles, monitor, watch, summary, outputs);
     });
+    const ClientScope no_client(nullptr);
     outputs.commit(job.force);
     watch.stop(&JobSeconds::write);
     summary.seconds = watch.seconds();
@@ -150,7 +163,7 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
     const Computation result = compute(job, monitor, watch);
     std::vector<BuiltTile> tiles;
     const TileSource make_tiles = [&](JobMonitor&) {
-        tiles = proved_tiles(job, result.cvt, monitor);
+        if (needs_tiles(job, files)) tiles = proved_tiles(job, result.cvt, monitor);
         return std::span<const BuiltTile>(tiles);
     };
     return finish(job, files, result, make_tiles, monitor, watch);
@@ -196,6 +209,7 @@ const char* stop_name(Stop stop) {
 
 std::optional<Computation> compute_job(const Job& job, const JobCallback& callback) {
     check_job(job);
+    require_memory(job, {});
     Stopwatch watch;
     JobMonitor monitor(callback, target_of(job));
     try {
@@ -217,6 +231,7 @@ Points wrapped_sites(const CvtResult& result, const Vec2& origin) {
     const Domain domain(sites.lattice(), origin);
     Points points(2, sites.n_sites());
     for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        checkpoint_each(s);
         const Vec2 p = sites.position(s);
         points.col(s) = p + sites.lattice().translation(domain.offset_into(p));
     }
@@ -245,13 +260,16 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
     check_file_options(job, files);
-    require_all_writable(job, files);
+    std::vector<std::string> recovered = require_all_writable(job, files);
     check_retries(job, files);
+    require_memory(job, files);
     Stopwatch watch;
     Job next = job;
     for (int k = 0;; ++k, ++next.seed) {
         try {
-            return run(next, files, callback, watch);
+            RunSummary summary = run(next, files, callback, watch);
+            summary.recovered = std::move(recovered);
+            return summary;
         } catch (const Cancelled&) {
             return {};
         } catch (const UnsuitableCells& error) {

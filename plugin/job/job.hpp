@@ -52,6 +52,9 @@ struct Job {
     int max_iterations = -1;
     /// At least 1; the result does not depend on it.
     int n_threads = 1;
+    /// Whether the summary answers if the result is a minimum, which costs up to three times the
+    /// optimisation: minimum_of(). For at most kMostSitesForStability sites without a density.
+    bool stability = false;
     /// `nullopt`: rho = 1. Random sites are drawn from rho^(1/2).
     std::optional<Density> density;
     /// Its formula or file, for the report.
@@ -135,7 +138,7 @@ struct RunSummary {
     std::uint64_t seed = 0;
     /// length^4; `nullopt` with a density.
     std::optional<double> energy_bound;
-    /// As minimum_of() returns it.
+    /// As minimum_of() returns it, of jobs that ask for the stability.
     std::optional<Minimum> minimum;
     /// `nullopt` if the triangulation was built without mirrors.
     std::optional<int> n_mirrors;
@@ -148,6 +151,8 @@ struct RunSummary {
     std::vector<TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.
     std::vector<std::string> files;
+    /// One line for each set of an earlier run that was finished before this one.
+    std::vector<std::string> recovered;
     StartFigures start;
     JobSeconds seconds;
 };

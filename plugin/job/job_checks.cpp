@@ -45,9 +45,6 @@ void check_origin(const Job& job, const Reduction& repeated, double n_sites) {
 }
 
 void check_grains(const Job& job) {
-    if (job.grain_size > 0 && job.grain_per_edge > 0) {
-        throw InvalidInput("grains have a size and parts of an edge; take one of the two");
-    }
     const double copies = double(job.columns) * job.rows;
     const double n = std::max<double>(static_cast<double>(job.points.cols()), job.n_sites);
     // A regular hexagon with edges cut into k parts has 2.6 k^2 squares over them.
@@ -71,7 +68,23 @@ void check_meshes(const Job& job) {
             "take the mesh grains with the box outline, or the whole outline");
     }
     if (job.order != 1 && job.order != 2) throw InvalidInput("the order of grains is 1 or 2");
+    // A host may ask for grains later, so their choices never contradict each other.
+    if (job.grain_size > 0 && job.grain_per_edge > 0) {
+        throw InvalidInput("grains have a size and parts of an edge; take one of the two");
+    }
     if (has_mesh(job, &MeshKindRow::grain_size)) check_grains(job);
+}
+
+void check_stability(const Job& job, double n_sites) {
+    if (!job.stability) return;
+    if (job.density) {
+        throw InvalidInput("the stability of a run with a density is not known; leave one out");
+    }
+    if (n_sites > kMostSitesForStability) {
+        throw InvalidInput("the stability is known of at most " +
+                           std::to_string(kMostSitesForStability) +
+                           " sites; leave it out, or take fewer sites");
+    }
 }
 
 void check_density(const Job& job) {
@@ -192,6 +205,7 @@ void check_job(const Job& job) {
         throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
     }
     if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
+    check_stability(job, n);
     check_meshes(job);
     if (n * job.columns * job.rows > kMostSites) {
         throw LimitExceeded("more than " + std::to_string(kMostSites) +

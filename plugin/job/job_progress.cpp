@@ -3,16 +3,28 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <exception>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
-/// The time between two calls of the callback in a phase that does not iterate.
+/// The time between two calls of the callback in a long step.
 constexpr std::chrono::milliseconds kBetweenCalls{100};
+
+/// A clock of a few milliseconds' resolution that costs a few nanoseconds.
+std::chrono::milliseconds coarse_time() {
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC_COARSE, &time);
+    return std::chrono::seconds(time.tv_sec) +
+           std::chrono::duration_cast<std::chrono::milliseconds>(
+               std::chrono::nanoseconds(time.tv_nsec));
+}
 
 /// The part of the way that a residual has come down, on a logarithmic scale.
 double share_of_digits(double first, double residual, double tolerance) {
@@ -27,10 +39,26 @@ double share_of_start(const Progress& progress) {
 }  // namespace
 
 JobMonitor::JobMonitor(const JobCallback& callback, const Target& target)
-    : callback_(callback), target_(target) {}
+    : callback_(callback), target_(target), reported_(coarse_time()) {
+    now_ = {.phase = Phase::kStarting, .text = "starting" + target_.note, .fraction = 0, .run = {}};
+}
 
-bool JobMonitor::report(const JobProgress& progress) const {
-    return !callback_ || callback_(progress);
+bool JobMonitor::report(const JobProgress& progress) {
+    if (!callback_) return true;
+    // The callback is not part of the work: what it calls is not cancelled.
+    const ClientScope scope(nullptr);
+    const bool wanted = callback_(progress);
+    reported_ = coarse_time();
+    return wanted;
+}
+
+void JobMonitor::pass() {
+    const bool is_caller = std::this_thread::get_id() == caller_;
+    if (is_caller && callback_ && coarse_time() - reported_ >= kBetweenCalls) {
+        if (!report(now_)) cancelled_ = true;
+    }
+    require_wanted();
+    if (outer_ != nullptr) outer_->pass();
 }
 
 void JobMonitor::require_wanted() const {
@@ -70,6 +98,7 @@ void JobMonitor::watch(const std::function<void()>& work) {
     std::exception_ptr fault;
     bool ended = false;
     const auto run = [&] {
+        const ClientScope scope(this);
         try {
             work();
         } catch (...) {

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/cvt/cvt.hpp"
 
 namespace pcvt {
@@ -27,13 +30,12 @@ struct JobProgress {
 };
 
 /// Called on the calling thread once an iteration, at the beginning of each phase and of each file,
-/// and ten times a second while later phases last. Returning false cancels the run.
+/// and about ten times a second while a longer step lasts. Returning false cancels the run.
 using JobCallback = std::function<bool(const JobProgress&)>;
 
-/// Thrown through a run whose callback has returned false.
-struct Cancelled {};
-
-/// Reports the progress of one run to its callback.
+/// Reports the progress of one run to its callback. The thread that makes a monitor works for it
+/// while it lives, and so do all threads that help it: each checkpoint of theirs ends a cancelled
+/// run.
 ///
 ///   JobMonitor monitor(callback, {.tolerance = 1e-6});
 ///   compute_cvt(lattice, points, {.progress = [&](auto& p) { return monitor.iteration(p); }});
@@ -41,7 +43,7 @@ struct Cancelled {};
 ///       monitor.begin(Phase::kBuilding, "building the tile");
 ///       build();
 ///   });
-class JobMonitor {
+class JobMonitor final : public Client {
    public:
     /// The ends of the optimisation, from which its fraction follows.
     struct Target {
@@ -54,6 +56,10 @@ class JobMonitor {
 
     /// @param callback  may be empty; must outlive the monitor.
     JobMonitor(const JobCallback& callback, const Target& target);
+
+    /// Throws Cancelled in a cancelled run. On the calling thread, calls the callback if it was not
+    /// called for a while. Then passes the client for which that thread worked before.
+    void pass() override;
 
     /// Report one iteration of the start, or of the optimisation. For the calling thread.
     /// @returns whether the run goes on.
@@ -74,7 +80,7 @@ class JobMonitor {
     void advance(double fraction);
 
    private:
-    bool report(const JobProgress& progress) const;
+    bool report(const JobProgress& progress);
     void report_until(const bool& ended);
     void require_wanted() const;
 
@@ -88,6 +94,11 @@ class JobMonitor {
     /// States that the callback must see before `now_`.
     std::vector<JobProgress> unseen_;
     std::atomic<bool> cancelled_ = false;
+    std::thread::id caller_ = std::this_thread::get_id();
+    Client* outer_ = current_client();
+    /// When the callback was called last.
+    std::chrono::milliseconds reported_;
+    ClientScope scope_{this};
 };
 
 }  // namespace pcvt

@@ -38,15 +38,13 @@ class FileEncoder {
             throw InvalidInput("-o " + path() + ": " + error.what());
         }
     }
-    std::vector<EncodedFile> operator()(SiteWriter* write) const {
-        return write(wrapped_sites(result_.cvt, job_.origin), path());
-    }
+    std::vector<EncodedFile> operator()(SiteWriter* write) const { return write(sites(), path()); }
 
     std::vector<EncodedFile> operator()(CellWriter* write) const {
-        return write(wrapped_sites(result_.cvt, job_.origin),
-                     cell_table(cell_mesh(result_.cvt.delaunay)), path());
+        return write(sites(), cell_table(cell_mesh(result_.cvt.delaunay)), path());
     }
 
+    Points sites() const { return wrapped_sites(result_.cvt, job_.origin); }
     const Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
    private:
@@ -121,6 +119,8 @@ void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& ori
     progress.add(kStaging);
     if (file.format->reads_grid()) {
         prove_grid_files(*file.format, encoded);
+    } else if (file.format->reads_sites()) {
+        prove_site_files(*file.format, encoded, encoder.sites());
     } else if (file.format->is_readable()) {
         prove_tile_files(*file.format, encoded, encoder.tile(), origin);
     }

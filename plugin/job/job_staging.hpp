@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "io/bytes/output.hpp"
+#include "io/outputs/output_set.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_files.hpp"
 

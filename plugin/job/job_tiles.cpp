@@ -1,6 +1,9 @@
 #include "plugin/job/job_tiles.hpp"
 
+#include <algorithm>
+
 #include "mesher/proof/generated_tile.hpp"
+#include "plugin/job/job_checks.hpp"
 
 namespace pcvt {
 
@@ -43,6 +46,12 @@ void for_each_mesh(const Job& job, JobMonitor& monitor, Phase phase, const std::
 }
 
 }  // namespace
+
+bool needs_tiles(const Job& job, const std::vector<JobFile>& files) {
+    return job.outline == Outline::kBox || has_mesh(job, &MeshKindRow::grain_size) ||
+           std::any_of(files.begin(), files.end(),
+                       [](const JobFile& file) { return file.format->needs_tile(); });
+}
 
 std::vector<BuiltTile> proved_tiles(const Job& job, const CvtResult& result, JobMonitor& monitor) {
     std::vector<BuiltTile> tiles;

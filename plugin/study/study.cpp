@@ -28,11 +28,17 @@ struct StudyTask {
     friend constexpr auto operator<=>(const StudyTask&, const StudyTask&) = default;
 };
 
+/// Calls visit(task) for each run, in the order of the table.
+template <class Visit>
+void for_each_task(const Study& study, const Visit& visit) {
+    for (const int n : study.sites) {
+        for (int run = 0; run < study.runs; ++run) visit(StudyTask{n, run});
+    }
+}
+
 std::vector<StudyTask> all_tasks(const Study& study) {
     std::vector<StudyTask> tasks;
-    for (const int n : study.sites) {
-        for (int run = 0; run < study.runs; ++run) tasks.push_back({n, run});
-    }
+    for_each_task(study, [&](StudyTask task) { tasks.push_back(task); });
     return tasks;
 }
 
@@ -175,10 +181,15 @@ std::string in_words(StudyTask task) {
 /// The rows of each run; all rows of a run come from one file.
 using RowsByRun = std::map<StudyTask, std::vector<StudyRow>>;
 
-void collect(const NamedRuns& part, RowsByRun& rows) {
+void collect(const NamedRuns& part, std::uint64_t seed, RowsByRun& rows) {
     std::set<StudyTask> own;
     for (const StudyRow& row : part.table.rows) {
         const StudyTask task = task_of(part.file, part.table, row);
+        const std::string& stated = row[part.table.column("seed")];
+        if (stated != std::to_string(seed + static_cast<std::uint64_t>(task.run))) {
+            throw BadFile(part.file + ": " + in_words(task) + " has the seed " + in_quotes(stated) +
+                          ", not that of the study; the file is damaged, make it again");
+        }
         if (own.insert(task).second && rows.contains(task)) {
             throw BadFile(part.file + ": " + in_words(task) +
                           " is in another file too; give each shard once");
@@ -254,16 +265,17 @@ MergedStudy merge_runs(const std::vector<NamedRuns>& parts) {
             throw BadFile(part.file +
                           ": not the columns of runs; give files of pcvt study --shard");
         }
-        collect(part, rows);
+        collect(part, study.seed, rows);
     }
-    for (const StudyTask task : all_tasks(study)) {
+    // Ends at the first missing run, however many runs a damaged file states.
+    for_each_task(study, [&](StudyTask task) {
         const auto found = rows.find(task);
         if (found == rows.end()) {
             throw InvalidInput(in_words(task) + " is in no file; give the files of all shards");
         }
         std::move(found->second.begin(), found->second.end(), std::back_inserter(merged.runs.rows));
         rows.erase(found);
-    }
+    });
     if (!rows.empty()) {
         throw InvalidInput(in_words(rows.begin()->first) +
                            " does not belong to the study; give files of pcvt study --shard");

@@ -114,7 +114,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
 StudyRecipe fig10_recipe() {
     return {.name = "fig10",
             .description = "mirrors of the paper's method against n",
-            .standard = {"fig10", {10, 32, 100, 316, 1000, 3162, 10000, 31623, 100000}, 10, 0},
+            .standard = Study{"fig10", {10, 32, 100, 316, 1000, 3162, 10000, 31623, 100000}, 10, 0},
             .most_sites = 10'000'000,
             .timed = false,
             .columns = {"mirrors", "boundary_sites", "shrunk_inner_sites"},

@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 
+#include "io/bytes/text.hpp"
 #include "io/pictures/plot_svg.hpp"
 #include "mesher/search/lattice_certificate.hpp"
 #include "plugin/job/job.hpp"
@@ -74,7 +75,7 @@ struct Tally {
 };
 
 int integer(const StudyTable& runs, const StudyRow& row, const char* column) {
-    return static_cast<int>(runs.number(row, column));
+    return parse_integer(row[runs.column(column)]);
 }
 
 void count_pattern(const StudyTable& runs, const StudyRow& row,
@@ -239,7 +240,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
 StudyRecipe fig11_recipe() {
     return {.name = "fig11",
             .description = "share of results with hexagons alone, and pictures of them",
-            .standard = {"fig11", {4, 6, 11, 14, 16, 30, 56, 150}, 5000, 0},
+            .standard = Study{"fig11", {4, 6, 11, 14, 16, 30, 56, 150}, 5000, 0},
             .most_sites = 3000,
             .timed = false,
             .columns = {"stop", "iterations", "evaluations", "energy", "residual", "hexagons", "a",

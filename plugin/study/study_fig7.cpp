@@ -97,7 +97,7 @@ StudyRecipe fig7_recipe() {
     StudyRecipe recipe{
         .name = "fig7",
         .description = "time of the periodic Voronoi diagram against n",
-        .standard = {"fig7", {100, 316, 1000, 3162, 10000, 31623, 100000}, 3, 0},
+        .standard = Study{"fig7", {100, 316, 1000, 3162, 10000, 31623, 100000}, 3, 0},
         .most_sites = 10'000'000,
         .timed = true,
         .columns = {},

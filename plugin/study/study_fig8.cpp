@@ -106,7 +106,7 @@ StudyResult conclude(const Study& /*study*/, const StudyTable& runs) {
 StudyRecipe fig8_recipe() {
     return {.name = "fig8",
             .description = "input, standard CVT, periodic CVT by Lloyd and by L-BFGS, as pictures",
-            .standard = {"fig8", {150}, 1, kAllHexagonSeed},
+            .standard = Study{"fig8", {150}, 1, kAllHexagonSeed},
             .most_sites = 3000,
             .timed = false,
             .columns = {"panel", "iterations", "evaluations", "energy", "residual", "sites"},

@@ -115,7 +115,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
 StudyRecipe fig9_recipe() {
     return {.name = "fig9",
             .description = "energy by iteration, standard against periodic CVT",
-            .standard = {"fig9", {30, 150}, 1, 0},
+            .standard = Study{"fig9", {30, 150}, 1, 0},
             .most_sites = 3000,
             .timed = false,
             .columns = {"method", "iteration", "evaluations", "energy", "residual"},

@@ -5,8 +5,9 @@
 #include <iterator>
 #include <string_view>
 
-#include "io/bytes/output.hpp"
+#include "io/outputs/output_set.hpp"
 #include "io/page/study_page.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/job/distinct_paths.hpp"
 #include "plugin/job/job_files.hpp"
@@ -143,6 +144,7 @@ void write_study(const Study& study, const StudyResult& result, const std::vecto
     for (const StudyFile& file : files) {
         outputs.stage(file.path, file.encode(study, result, file.index));
     }
+    const ClientScope no_client(nullptr);
     outputs.commit(force);
 }
 

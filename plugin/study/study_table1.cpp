@@ -129,7 +129,7 @@ StudyRecipe table1_recipe() {
     return {
         .name = "table1",
         .description = "energies of standard and periodic CVT against the hexagonal bound",
-        .standard = {"table1", {3, 30, 56, 150, 168, 224, 300}, 1000, 0},
+        .standard = Study{"table1", {3, 30, 56, 150, 168, 224, 300}, 1000, 0},
         .most_sites = 3000,
         .timed = false,
         .columns = {"kind", "stop", "energy", "residual", "iterations", "evaluations"},

@@ -18,7 +18,11 @@ void add_cases() {
         for (const auto& [name, lattice] : lattices) {
             add_peer_cases({name, lattice, n});
             add_engine_cases({name, lattice, n});
+            add_mesh_cases({name, lattice, n});
         }
+    }
+    for (const int n : {1000, 10'000, 100'000, 1'000'000}) {
+        add_area_cases({"unit", Lattice::rectangle(1, 1), n});
     }
     add_single_cases();
 }

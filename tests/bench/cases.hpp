@@ -40,6 +40,11 @@ void add_peer_cases(const Input& input);
 /// The moving periodic Delaunay triangulation, and the optimiser on it.
 void add_engine_cases(const Input& input);
 
+/// The tile of the cells and its proof; files of it, which are read back and proved.
+void add_mesh_cases(const Input& input);
+/// Cells of prescribed areas, on random sites.
+void add_area_cases(const Input& input);
+
 /// The cost of the C interface: a run through it over the same run through a call of the mesher.
 void add_abi_case(const Input& input);
 

@@ -1,11 +1,14 @@
 #include "plugin/cli/terminal/cancel_signal.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace pcvt::cli {
 namespace {
 
-volatile std::sig_atomic_t noted_signal = 0;
+/// Several threads look at it.
+std::atomic<int> noted_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void note_signal(int number) { noted_signal = number; }
 
@@ -22,6 +25,9 @@ void catch_cancel_signals() {
 
 int cancel_signal() { return noted_signal; }
 
-void ignore_file_size_signal() { std::signal(SIGXFSZ, SIG_IGN); }
+void ignore_signals_of_writes() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+}
 
 }  // namespace pcvt::cli

@@ -11,8 +11,8 @@ void catch_cancel_signals();
 /// The last signal noted, or 0.
 int cancel_signal();
 
-/// From now on a file that reaches the size limit makes the write fail (EFBIG), and does not end
-/// the process.
-void ignore_file_size_signal();
+/// From now on a file that reaches the size limit (EFBIG), and a pipe that nobody reads (EPIPE),
+/// make the write fail, and do not end the process.
+void ignore_signals_of_writes();
 
 }  // namespace pcvt::cli

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/support/temporary_folder.hpp"
-
 namespace pcvt {
 namespace {
 
@@ -116,48 +114,6 @@ TEST(Text, FaultsNameFileAndLine) {
         EXPECT_THAT(fault.what(),
                     StartsWith("a.txt:2: '1,5' is not a number; use a decimal point"));
     }
-}
-
-TEST(Text, UnreadableFilesAreRefusedWithTheReason) {
-    const testing::TemporaryFolder folder;
-    const auto fault = [](const std::string& path) -> std::string {
-        try {
-            read_whole_file(path);
-        } catch (const BadFile& bad) {
-            return bad.what();
-        }
-        return "";
-    };
-    EXPECT_EQ(fault(folder / "none"),
-              (folder / "none") + ": cannot read: No such file or directory; give a readable file");
-    EXPECT_THAT(fault(folder / ""), HasSubstr("cannot read: Is a directory; "));
-    EXPECT_THAT(fault("-"), HasSubstr("-: cannot read: No such file"));
-}
-
-TEST(Text, AFileComesBackByteForByte) {
-    const testing::TemporaryFolder folder;
-    std::string bytes(200'000, '\0');
-    for (std::size_t k = 0; k < bytes.size(); ++k) bytes[k] = static_cast<char>(k * k >> 3);
-    testing::write_bytes(folder / "f", bytes);
-    EXPECT_EQ(read_whole_file(folder / "f"), bytes);
-    testing::write_bytes(folder / "empty", "");
-    EXPECT_EQ(read_whole_file(folder / "empty"), "");
-}
-
-TEST(Text, AFileHoldsItsBytesAndNoOthers) {
-    const testing::TemporaryFolder folder;
-    const std::string bytes(200'000, 'x');
-    testing::write_bytes(folder / "f", bytes);
-    EXPECT_TRUE(file_holds(folder / "f", bytes));
-    EXPECT_FALSE(file_holds(folder / "f", bytes.substr(1)));
-    EXPECT_FALSE(file_holds(folder / "f", bytes + 'x'));
-    EXPECT_FALSE(file_holds(folder / "f", ""));
-    for (const std::size_t k : {0U, 65'535U, 65'536U, 199'999U}) {
-        std::string other = bytes;
-        other[k] = 'y';
-        EXPECT_FALSE(file_holds(folder / "f", other)) << k;
-    }
-    EXPECT_THROW(file_holds(folder / "none", ""), BadFile);
 }
 
 }  // namespace

@@ -199,8 +199,9 @@ TEST(Ply, FaultsOfTheBodyNameTheirLine) {
     EXPECT_THAT(fault_with("4 0 1 2 3 0", "4 0 1 2 2 0"),
                 StartsWith("t.ply:19: vertex 2 is a cor"));
     EXPECT_THAT(fault_with("4 0 1 2 3 0", "2 0 1 0"), StartsWith("t.ply:19: a face needs 3 corn"));
-    EXPECT_THAT(fault_with("4 0 1 2 3 0", "-1 0"), StartsWith("t.ply:19: a list has a negative"));
-    EXPECT_THAT(fault_with("4 0 1 2 3 0", "9999 0"), StartsWith("t.ply:19: the line is too short"));
+    EXPECT_THAT(fault_with("4 0 1 2 3 0", "-1 0"), StartsWith("t.ply:19: -1 is beyond"));
+    EXPECT_THAT(fault_with("4 0 1 2 3 0", "256 0"), StartsWith("t.ply:19: 256 is beyond its decl"));
+    EXPECT_THAT(fault_with("4 0 1 2 3 0", "255 0"), StartsWith("t.ply:19: the line is too short"));
     EXPECT_THAT(fault_with("4 0 1 2 3 0\n", ""),
                 StartsWith("t.ply: ends before its last 'face'; "));
     EXPECT_THAT(fault_of(std::string(kOneCell) + "1\n"), StartsWith("t.ply:20: the file has data"));

@@ -62,6 +62,18 @@ TEST(DensityExpression, FaultsNameTheirCharacter) {
         EXPECT_THAT(refusal(bad), StartsWith("character ")) << bad;
     }
     EXPECT_THAT(refusal(std::string(100000, '(')), StartsWith("character "));
+    EXPECT_THAT(refusal("1" + std::string(1000000, '+') + "1"), StartsWith("character "));
+}
+
+TEST(DensityExpression, RefusesCharactersThatNoFormulaHolds) {
+    for (const char control : {'\0', '\a', '\b', '\v', '\f', '\x1b', '\x7f'}) {
+        EXPECT_EQ(refusal(std::string("1 +") + control + "u"),
+                  "character 4: a control character; remove it");
+    }
+    EXPECT_EQ(value("1 +\t2\r\n+ 3", {}), 6);
+    for (const char* foreign : {"1 \xE2\x88\x92 u", "2 \xC3\x97 u", "u \xC2\xB2", "2 \xFF"}) {
+        EXPECT_THAT(refusal(foreign), StartsWith("character 3: not a character of a formula; "));
+    }
 }
 
 /// A locale facet that writes a comma for the decimal point.

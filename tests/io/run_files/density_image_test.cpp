@@ -93,9 +93,20 @@ TEST(PngImage, APaletteMustPrecedeThePixels) {
     EXPECT_THAT(refusal(png_bytes({4096, 4096, 8, 3}, rows)), HasSubstr("without its palette"));
 }
 
+TEST(PngImage, APixelBeyondThePaletteIsRefused) {
+    const std::string palette = png_chunk("PLTE", std::string("\x00\x00\x00\xff\xff\xff", 6));
+    EXPECT_EQ(refusal(png_bytes({2, 1, 8, 3}, {std::string("\x01\x02", 2)}, palette)),
+              "t.png: a pixel has the palette entry 2, but the palette ends at 2; "
+              "save the image again");
+    // Two bits a pixel: entries 0 1 1 1 and 0 1 3 0.
+    EXPECT_THAT(greys(png_bytes({4, 1, 2, 3}, {"\x15"}, palette)), ElementsAre(0, 1, 1, 1));
+    EXPECT_THAT(refusal(png_bytes({4, 1, 2, 3}, {"\x1c"}, palette)), HasSubstr("entry 3"));
+}
+
 TEST(PngImage, HugePicturesAreRefusedByTheirHeader) {
     for (const PngHeader& huge :
-         {PngHeader{4097, 4096}, PngHeader{1U << 31, 1U << 31}, PngHeader{0xffffffff, 1}}) {
+         {PngHeader{4097, 4096}, PngHeader{1U << 31, 1U << 31}, PngHeader{0xffffffff, 1},
+          PngHeader{16385, 1}, PngHeader{1, 16385}}) {
         EXPECT_THROW(decode_png("t.png", png_bytes(huge, {"a"})), LimitExceeded);
     }
 }
@@ -124,6 +135,16 @@ TEST(DensityImage, IsBilinearAcrossTheSeam) {
     EXPECT_DOUBLE_EQ(at(density, 0.375, 0x1.fffffffffffffp-1), 1.5);
     const Density dot = image_density({1, 1, {0.5F}}, {1, 2});
     EXPECT_DOUBLE_EQ(at(dot, 0.9, 0.1), 1.5);
+}
+
+// Single-precision differences of pixels would bend the density between their centres.
+TEST(DensityImage, IsLinearBetweenTwoCentresToTheLastDigits) {
+    const Density density = image_density({2, 1, {0.1F, 1}}, {0.01, 1});
+    for (const double share : {0.125, 0.25, 0.5, 0.875}) {
+        const double left = at(density, 0.25, 0.5);
+        const double right = at(density, 0.75, 0.5);
+        EXPECT_NEAR(at(density, 0.25 + share / 2, 0.5), left + share * (right - left), 1e-15);
+    }
 }
 
 TEST(DensityImage, IntegratesToTheMeanOfItsPixels) {

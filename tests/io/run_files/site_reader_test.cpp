@@ -59,8 +59,24 @@ TEST(SiteReader, EachFaultNamesItsLineAndARemedy) {
 TEST(SiteReader, FaultsOfTheWholeFileNameTheFile) {
     EXPECT_EQ(fault_of(""), "s.txt: holds no site; give one \"x y\" a line");
     EXPECT_EQ(fault_of("# nothing\n\n"), "s.txt: holds no site; give one \"x y\" a line");
-    EXPECT_EQ(fault_of(std::string_view("0 0\n\0\1", 6)),
-              "s.txt: appears to be a binary file; give a text with \"x y\" a line");
+}
+
+TEST(SiteReader, BinaryFilesAreRefusedWithALine) {
+    const std::string remedy =
+        ": holds a NUL byte, so it appears to be a binary file; give a text with \"x y\" a line";
+    EXPECT_EQ(fault_of(std::string_view("0 0\n\0\1", 6)), "s.txt:2" + remedy);
+    EXPECT_EQ(fault_of(std::string_view("0 0\r\n1 1\r2 2\r\n\r\0", 16)), "s.txt:5" + remedy);
+    EXPECT_EQ(fault_of(std::string_view("0\0 \0", 4)), "s.txt:1" + remedy);
+    for (const char* mark : {"\xFF\xFE", "\xFE\xFF"}) {
+        EXPECT_EQ(fault_of(mark + std::string("0\0 \0", 4)),
+                  "s.txt:1: the text is UTF-16; save it as UTF-8");
+    }
+    for (const char* binary : {"\x1F\x8B\x08", "\x89PNG\r\n\x1A\n",
+                               "\x7F"
+                               "ELF",
+                               "PK\3\4", "\x80"}) {
+        EXPECT_THAT(fault_of(binary), StartsWith("s.txt:1: ")) << binary;
+    }
 }
 
 TEST(SiteReader, DuplicatesAreReportedWithTheirLines) {
@@ -79,6 +95,18 @@ TEST(SiteReader, WrittenSitesReadBackExactlyAndInOrder) {
     points << 0.1, -0.0, 1e-310, 1e300, 1.0 / 3, 0.7, 5, -2e-9, -1, 2.0 / 3;
     testing::write_bytes(folder / "s.txt", encode_sites(points));
     EXPECT_EQ(read_sites(folder / "s.txt").points, points);
+}
+
+TEST(SiteReader, ATextReadsBackAsItsOwnSitesOnly) {
+    Points points(2, 3);
+    points << 0.1, -0.0, 1.0 / 3, 0.7, 5, 2.0 / 3;
+    const std::string text = encode_sites(points);
+    EXPECT_TRUE(reads_back("s.txt", text, points));
+    EXPECT_FALSE(reads_back("s.txt", text + "0 0\n", points));
+    EXPECT_FALSE(reads_back("s.txt", text, points.leftCols(2)));
+    points(1, 2) = std::nextafter(points(1, 2), 1);
+    EXPECT_FALSE(reads_back("s.txt", text, points));
+    EXPECT_THROW(reads_back("s.txt", "0.1 0.7 2\n", points), BadFile);
 }
 
 TEST(SiteReader, DamagedTextGivesSitesOrAFaultAndNothingElse) {

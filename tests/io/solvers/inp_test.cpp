@@ -146,7 +146,7 @@ TEST(Inp, PolygonsAreRefusedWithARemedy) {
         FAIL();
     } catch (const InvalidInput& fault) {
         EXPECT_STREQ(fault.what(),
-                     "t.inp: the format has no polygons; use --mesh delaunay or --mesh grains");
+                     "t.inp: the format has no polygons; take the mesh delaunay or grains");
     }
 }
 

@@ -74,7 +74,7 @@ TEST(Msh, PolygonsAreRefusedWithARemedy) {
         FAIL();
     } catch (const InvalidInput& fault) {
         EXPECT_STREQ(fault.what(),
-                     "t.msh: the format has no polygons; use --mesh delaunay or --mesh grains");
+                     "t.msh: the format has no polygons; take the mesh delaunay or grains");
     }
 }
 

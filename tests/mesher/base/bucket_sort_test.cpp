@@ -26,5 +26,16 @@ TEST(BucketSort, LeavesAnEmptyRangeEmpty) {
     EXPECT_TRUE(none.empty());
 }
 
+TEST(BucketSort, VisitsEachBucketOnceInOrderOfTheKeys) {
+    const std::vector<int> key{3, 0, 3, 5, 0, 3};
+    std::vector<std::vector<int>> seen;
+    for_each_bucket(
+        6, 7, [&](int k) { return key[k]; },
+        [&](std::span<const int> items) { seen.emplace_back(items.begin(), items.end()); });
+    EXPECT_EQ(seen, (std::vector<std::vector<int>>{{1, 4}, {0, 2, 5}, {3}}));
+    for_each_bucket(
+        0, 0, [](int) { return 0; }, [](std::span<const int>) { ADD_FAILURE(); });
+}
+
 }  // namespace
 }  // namespace pcvt

@@ -156,7 +156,10 @@ TEST(TorusTriangulation, TakesGivenLinksUnchanged) {
     const TorusTriangulation matched(5, triangles);
     std::vector<int> links;
     for (int h = 0; h < matched.n_halfedges(); ++h) links.push_back(matched.opposite(h));
-    const TorusTriangulation linked(5, triangles, links);
+    const auto sites_of = matched.corner_sites();
+    const auto offsets = matched.corner_offsets();
+    const TorusTriangulation linked(5, {sites_of.begin(), sites_of.end()},
+                                    {offsets.begin(), offsets.end()}, links);
     expect_laws(linked);
     EXPECT_EQ(triangle_set(linked), triangle_set(matched));
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "mesher/base/error.hpp"
 #include "tests/support/lattices.hpp"
@@ -71,6 +72,45 @@ TEST(Voronoi, LawsHoldWhereSitesAreCocircular) {
         SCOPED_TRACE(name);
         expect_laws(sites);
     }
+}
+
+/// Sites that lie on one circle but for a few rounding errors of its centre's merging.
+Sites nearly_cocircular_sites(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> uniform(0, 2 * M_PI);
+    std::normal_distribution<double> normal(0, 1e-10);
+    Points points(2, 5 + static_cast<int>(random() % 5));
+    for (auto point : points.colwise()) {
+        const double angle = uniform(random);
+        const double radius = 0.3 + normal(random);
+        point << 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle);
+    }
+    return {Lattice::rectangle(1, 1), points};
+}
+
+double shortest_edge(const PeriodicMesh& cells) {
+    double shortest = std::sqrt(cells.lattice.area());
+    for (int c = 0; c < cells.n_corners(); ++c) {
+        const double length = (corner(cells, cells.next(c)) - corner(cells, c)).norm();
+        shortest = std::min(shortest, length);
+    }
+    return shortest;
+}
+
+// Law 4. A merged vertex lies at one of its circumcentres, which shortens other edges.
+TEST(Voronoi, MergingLeavesNoShortEdge) {
+    std::mt19937_64 random(1);
+    int n_refused = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const PeriodicDelaunay delaunay(nearly_cocircular_sites(random));
+        try {
+            const PeriodicMesh cells = cell_mesh(delaunay);
+            expect_torus(cells);
+            ASSERT_GE(shortest_edge(cells), 0.999 * kSameVertex * delaunay.sites().spacing()) << k;
+        } catch (const InvalidInput&) {
+            ++n_refused;
+        }
+    }
+    EXPECT_LT(n_refused, 60);
 }
 
 TEST(Voronoi, CocircularSitesShareOneVertex) {

@@ -105,6 +105,19 @@ TEST(VertexOrbits, ChainsJoinButMustNotGrowLong) {
                 ThrowsMessage<NotATile>(HasSubstr("vertices 0 and 5 are joined by a chain")));
 }
 
+// The search compares each two vertices of a bin, which would take hours for a million of them.
+TEST(VertexOrbits, ACrowdOfCoincidentVerticesIsRefusedSoon) {
+    const Lattice lattice = Lattice::rectangle(1, 1);
+    EXPECT_THAT(
+        [&] {
+            find_vertex_orbits(lattice, std::vector<Vec2>(3000, Vec2(0.3, 0.4)), kTolerance, {});
+        },
+        ThrowsMessage<NotATile>(HasSubstr("thousands of vertices lie as near to vertex ")));
+    const VertexOrbits few =
+        find_vertex_orbits(lattice, std::vector<Vec2>(700, Vec2(0.3, 0.4)), kTolerance, {});
+    EXPECT_EQ(few.representative.back(), 0);
+}
+
 TEST(VertexOrbits, OfNoVerticesAreEmpty) {
     EXPECT_TRUE(find_vertex_orbits(Lattice::rectangle(1, 1), std::span<const Vec2>(), kTolerance)
                     .offset.empty());

@@ -23,6 +23,7 @@ Tile faces_reversed(const Tile& tile) {
     for (int f = tile.n_faces() - 1; f >= 0; --f) {
         reversed.faces.add(tile.faces[f]);
     }
+    std::reverse(reversed.face_site.begin(), reversed.face_site.end());
     return reversed;
 }
 

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/bytes/output.hpp"
+#include "io/bytes/output_error.hpp"
 #include "plugin/abi/guard.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -115,6 +115,66 @@ static void values_out_of_range_are_refused(void) {
     REFUSED(&options, PCVT_ERROR_MEMORY, "cells");
 }
 
+/* Each field of pcvt_options alone, with values that no run has. */
+static void every_field_is_checked(void) {
+#define FIELD_REFUSED(field, value, words)             \
+    do {                                               \
+        pcvt_options changed = options_for(3);         \
+        changed.field = (value);                       \
+        REFUSED(&changed, PCVT_ERROR_ARGUMENT, words); \
+    } while (0)
+    const double bad_lengths[] = {-1, (double)NAN, (double)INFINITY};
+    size_t k;
+    for (k = 0; k < 3; ++k) {
+        FIELD_REFUSED(grain_size, bad_lengths[k], "grain_size");
+        FIELD_REFUSED(tolerance, bad_lengths[k], "tolerance");
+        FIELD_REFUSED(short_edges, bad_lengths[k], k == 0 ? "edges are removed" : "short_edges");
+    }
+    FIELD_REFUSED(lattice[0], 1e308, "");
+    FIELD_REFUSED(origin[0], 1e300, "origin");
+    FIELD_REFUSED(n_sites, -1, "n_sites");
+    FIELD_REFUSED(n_sites, INT32_MAX, "n_sites");
+    FIELD_REFUSED(start, 5, "start 5");
+    FIELD_REFUSED(solver, -1, "solver -1");
+    FIELD_REFUSED(tolerance, 0, "tolerance");
+    FIELD_REFUSED(n_threads, 1025, "n_threads");
+    FIELD_REFUSED(columns, -1, "repetition");
+    FIELD_REFUSED(rows, INT32_MIN, "repetition");
+    FIELD_REFUSED(grain_order, 3, "grain_order");
+    FIELD_REFUSED(grain_order, -1, "grain_order");
+    FIELD_REFUSED(grain_per_edge, -1, "grain_per_edge");
+    FIELD_REFUSED(short_edges, 0.6, "0.5 h");
+    FIELD_REFUSED(budget, 1, "budget");
+    FIELD_REFUSED(budget, -1, "budget");
+    FIELD_REFUSED(find_origin, 2, "find_origin");
+    FIELD_REFUSED(find_origin, -1, "find_origin");
+    FIELD_REFUSED(density_source, "", "character 1");
+    FIELD_REFUSED(density_source, "1 + \a u", "character 5: a control character");
+    FIELD_REFUSED(density_range[0], (double)NAN, "density_range");
+    FIELD_REFUSED(density_range[1], 1, "density_range");
+#undef FIELD_REFUSED
+}
+
+static void fields_that_contradict_each_other_are_refused(void) {
+    const double site[2] = {0.5, 0.5};
+    pcvt_options options = options_for(3);
+    options.grain_size = 0.1;
+    options.grain_per_edge = 2;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "take one of the two");
+    options = options_for(3);
+    options.start = PCVT_START_BEST;
+    options.budget = (int64_t)1 << 31;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "budget");
+    options = options_for(1);
+    options.sites = site;
+    options.start = PCVT_START_RANDOM;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "start");
+    options = options_for(3);
+    options.density_source = "1 + x";
+    options.density_range[0] = 1;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "range");
+}
+
 static void unknown_tiles_are_refused(void) {
     pcvt_options options = options_for(5);
     pcvt_result* result = generated(&options);
@@ -131,6 +191,16 @@ static void coincident_sites_are_named(void) {
     pcvt_options options = options_for(3);
     options.sites = sites;
     REFUSED(&options, PCVT_ERROR_GEOMETRY, "sites 0 and 2");
+}
+
+static void cells_that_a_format_refuses_are_a_matter_of_geometry(void) {
+    pcvt_options options = options_for(12);
+    pcvt_result* result;
+    options.max_iterations = 0;
+    result = generated(&options);
+    CHECK(pcvt_write(result, "t.nc", NULL) == PCVT_ERROR_GEOMETRY);
+    CHECK(strstr(pcvt_last_error(), "t.nc") != NULL);
+    pcvt_free(result);
 }
 
 static void every_status_has_a_distinct_text(void) {
@@ -164,6 +234,31 @@ static void unknown_forms_of_files_are_refused(void) {
     forms.element = 2;
     CHECK(pcvt_write(result, "t.inp", &forms) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "element 2") != NULL);
+    forms.element = PCVT_CPE;
+    forms.colour = 5;
+    CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "colour 5") != NULL);
+    forms.colour = PCVT_COLOUR_DENSITY;
+    CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
+    forms.colour = PCVT_COLOUR_DEFAULT;
+    forms.background = "#12345";
+    CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
+    forms.background = NULL;
+    forms.kind = -1;
+    CHECK(pcvt_write(result, "t.obj", &forms) == PCVT_ERROR_ARGUMENT);
+    forms.kind = PCVT_VORONOI;
+    forms.outline = 2;
+    CHECK(pcvt_write(result, "t.obj", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "outline 2") != NULL);
+    forms.outline = PCVT_WHOLE;
+    forms.pixels = INT32_MAX;
+    CHECK(pcvt_write(result, "t.png", &forms) < 0);
+    forms.pixels = 0;
+    forms.report = "";
+    CHECK(pcvt_write(result, NULL, &forms) == PCVT_ERROR_ARGUMENT);
+    forms.report = NULL;
+    CHECK(pcvt_write(result, "", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_write(result, "t.xyz", &forms) == PCVT_ERROR_ARGUMENT);
     pcvt_free(result);
 }
 
@@ -175,9 +270,12 @@ int main(void) {
     null_pointers_are_refused();
     numbers_that_are_not_finite_are_refused();
     values_out_of_range_are_refused();
+    every_field_is_checked();
+    fields_that_contradict_each_other_are_refused();
     unknown_tiles_are_refused();
     unknown_forms_of_files_are_refused();
     coincident_sites_are_named();
+    cells_that_a_format_refuses_are_a_matter_of_geometry();
     every_status_has_a_distinct_text();
     return end_of_claims();
 }

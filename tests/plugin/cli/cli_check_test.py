@@ -54,6 +54,25 @@ class Check(CliTest):
             self.write(name, damaged)
             self.refuse(2, rf"^{name}", "check", name)
 
+    def test_wrong_groups_and_fields_of_solvers_are_refused_with_file_and_field(self):
+        self.mesh("--sites", 30, "--mesh", "grains", "-o", "t.msh", "-o", "t.inp", "-o", "t.vtu",
+                  "-o", "t.foam")
+        for check, path, pattern, other, said in (
+                ("t.msh", "t.msh", r"\$Periodic\n(\d+)\n0 (\d+) \d+\n", r"$Periodic\n\1\n0 \2 2\n",
+                 r"t\.msh:\d+: \$Periodic has '2' where its tile has"),
+                ("t.inp", "t.inp", r"NSET=FIXED\n1\n", "NSET=FIXED\n2\n",
+                 r"t\.inp:\d+: \*NSET,NSET=FIXED has '2' where its tile has '1'; "),
+                ("t.vtu", "t.vtu", r'"GlobalIds" format="ascii">\n0\n',
+                 '"GlobalIds" format="ascii">\n1\n', r"t\.vtu:\d+: PointData/GlobalIds has '1' "),
+                ("t.foam", "t.foam/0/T", "cyclic", "empty", r"t\.foam/0/T:\d+: the file has 'empty'")):
+            text = self.path(path).read_text()
+            damaged = re.sub(pattern, other, text, count=1)
+            self.assertNotEqual(damaged, text)
+            self.write(path, damaged)
+            self.refuse(2, said, "check", check)
+            self.write(path, text)
+        self.succeed("check", "t.msh", "t.inp", "t.vtu", "t.foam")
+
     def test_smallest_tiles_are_proved(self):
         for n in (1, 2, 3):
             self.mesh("--sites", n, "--mesh", "voronoi", "--mesh", "delaunay", "-o", f"t{n}.obj", "-o",

@@ -6,6 +6,7 @@ import os
 import re
 import resource
 import struct
+import time
 import zlib
 
 from support.cli import CliTest, limit, main
@@ -94,6 +95,22 @@ class GradedMesh(CliTest):
         turned = self.report("--sites", 150, "--density", "blob.PNG", "--density-range", "1,0.01")
         self.assertLess(turned["mass"], 1)
         self.assertGreater(turned["mass"], report["mass"])
+
+    def test_the_largest_picture_takes_little_memory_and_time(self):
+        small = limit(resource.RLIMIT_AS, 1 << 30)
+        if self.run_pcvt("--version", preexec_fn=small).returncode != 0:
+            self.skipTest("this build does not start in so little memory")
+        for width, height in ((4096, 4096), (16384, 1024), (1024, 16384)):
+            row = bytes(64 + 191 * x // width for x in range(width))
+            self.write("large.png", png(width, height, [row] * height))
+            began = time.monotonic()
+            report = self.report("--sites", 60, "--density", "large.png", "--max-iterations", 0,
+                                 "--threads", 1, preexec_fn=small)
+            # Quadrature on each pixel takes 24 s, sums over columns of pixels 2 s.
+            self.assertLess(time.monotonic() - began, 12)
+            self.assertLess(abs(report["mass_deviation"]), 1e-12)
+        self.write("wide.png", png(16385, 2, [[0] * 16385] * 2))
+        self.refuse(4, "more than 16384 along a side; scale", "mesh", "--sites", 60, "--density", "wide.png")
 
     def test_rows_of_a_picture_run_downwards(self):
         self.write("top.png", png(1, 8, [[255]] * 3 + [[0]] * 5))

@@ -1,12 +1,71 @@
-"""A large tile must fit into the memory of a small machine."""
+"""Large runs must fit into the memory of a small machine."""
 
+import os
+import re
 import resource
+import subprocess
+import time
 import unittest
 
 from support.cli import CliTest, limit, main
 
+# The memory of the command that does not depend on the number of sites.
+FIXED_BYTES = 16 << 20
+
 
 class Large(CliTest):
+    def peak_bytes(self, *arguments):
+        """Runs the command and returns the largest memory that it had resident."""
+        command = [self.binary(), *map(str, arguments)]
+        with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL) as process:
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        return 1024 * usage.ru_maxrss
+
+    def test_a_run_without_a_mesh_takes_220_bytes_a_site(self):
+        n = 500_000
+        outputs = {"nothing": [], "sites": ["-o", "s.txt"], "report": ["--report", "r.json"]}
+        for name, options in outputs.items():
+            with self.subTest(name):
+                peak = self.peak_bytes("mesh", "--sites", n, "--max-iterations", 3, *options)
+                self.assertLess(peak, FIXED_BYTES + 220 * n)
+
+    def test_the_estimate_of_the_memory_is_at_most_half_above_the_peak(self):
+        density = ["--density", "1 + u", "--max-iterations", 2]
+        quick = ["--max-iterations", 3]
+        both = ["--mesh", "voronoi", "--mesh", "delaunay"]
+        jobs = {
+            "sites": ["--sites", 300_000, *quick, "-o", "s.txt"],
+            "built": ["--sites", 300_000, "--max-iterations", 0],
+            "density": ["--sites", 100_000, *density],
+            "cells": ["--sites", 100_000, *quick, "-o", "t.obj"],
+            "triangles": ["--sites", 100_000, *quick, "--mesh", "delaunay", "-o", "t.glb"],
+            "grains": ["--sites", 5000, *quick, "--mesh", "grains", "-o", "t.msh"],
+            "copies": ["--sites", 10_000, *quick, "--repeat", "3x3", "-o", "t.ply"],
+            "two meshes": ["--sites", 50_000, *quick, *both, "-o", "t.obj", "-o", "t.glb"],
+            "a picture": ["--sites", 100, *quick, "--pixels", 4000, "-o", "t.png"],
+        }
+        for name, options in jobs.items():
+            with self.subTest(name):
+                summary = self.succeed("mesh", *options, "--threads", 1, "--force")
+                found = re.search(r"^memory +(\S+) GB at the peak, (\S+) GB estimated$", summary, re.M)
+                peak, estimate = map(float, found.groups())
+                self.assertGreaterEqual(estimate, 0.99 * peak)
+                self.assertLessEqual(estimate, 1.5 * peak)
+
+    def test_a_run_that_cannot_fit_is_refused_before_it_begins(self):
+        small = limit(resource.RLIMIT_AS, 4 << 30)
+        began = time.monotonic()
+        self.refuse(4, r"the run takes about \S+ GB of memory, and \S+ GB are available; take",
+                    "mesh", "--sites", 1 << 28, "-o", "s.txt", preexec_fn=small)
+        self.assertLess(time.monotonic() - began, 5)
+
+    def test_the_estimate_is_printed_before_a_large_run(self):
+        done = self.run_pcvt("mesh", "--sites", 1_000_000, "--max-iterations", 0)
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, rb"^pcvt: takes about \S+ GB of memory; \S+ GB are available\n$")
+
     def test_a_hundred_thousand_sites_fit_into_4_GiB(self):
         small = limit(resource.RLIMIT_AS, 4 << 30)
         self.succeed("mesh", "--sites", 100000, "--max-iterations", 50, "--mesh", "voronoi",

@@ -30,10 +30,6 @@ class Libraries(cli.CliTest):
             self.assertLessEqual(len(objects), MOST_OBJECTS, objects)
             self.assertNotRegex("".join(objects), "not found|netcdf|hdf5|curl")
 
-    def test_the_module_of_mpas_meshes_is_found_in_the_build_folder(self):
-        self.succeed("pattern", "--sites", 8, "--period", "1,0.8660254037844386", "-o", "a.nc")
-        self.assertIn("a.nc", self.succeed("check", "a.nc"))
-
 
 if __name__ == "__main__":
     cli.main()

@@ -128,7 +128,7 @@ class Zsh(CliTest):
     def shown(self, master, last):
         """Returns the output of a terminal up to the text `last`, or until there is no more for seconds."""
         text = ""
-        while last not in text and select.select([master], [], [], 3)[0]:
+        while last not in text and select.select([master], [], [], 30)[0]:
             text += os.read(master, 4096).decode()
         return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]|\x00|\x07", "", text)
 

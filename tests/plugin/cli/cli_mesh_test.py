@@ -117,7 +117,7 @@ class Files(CliTest):
     def test_newton_reaches_machine_precision(self):
         for solver in ("lbfgs", "newton"):
             self.succeed("mesh", "--sites", 40, "--solver", solver, "--tolerance", "1e-11",
-                         "--strict", "--report", "run.json", "--force")
+                         "--strict", "--stability", "--report", "run.json", "--force")
             report = json.loads(self.path("run.json").read_text())
             self.assertEqual((report["solver"], report["minimum"]), (solver, "yes"))
             self.assertLessEqual(report["residual"], 1e-11)
@@ -128,9 +128,18 @@ class Files(CliTest):
         grid = [((i + 0.5) / 4, (j + 0.5) / 4) for i in range(4) for j in range(4)]
         self.write("grid.txt", "".join(f"{x} {y}\n" for x, y in grid))
         for options, minimum in (((), "no"), (("--max-iterations", 0, "--tolerance", 1e-30), None)):
-            self.succeed("mesh", "--input", "grid.txt", *options, "--report", "run.json",
-                         "--force")
+            summary = self.succeed("mesh", "--input", "grid.txt", *options, "--stability",
+                                   "--report", "run.json", "--force")
+            self.assertRegex(summary, f"minimum +{minimum or 'not known'}")
             self.assertEqual(json.loads(self.path("run.json").read_text())["minimum"], minimum)
+
+    def test_the_stability_is_answered_on_request_alone(self):
+        summary = self.succeed("mesh", "--sites", 30, "--report", "run.json")
+        self.assertNotIn("minimum", summary)
+        self.assertIsNone(json.loads(self.path("run.json").read_text())["minimum"])
+        self.refuse(2, "at most 10000 sites; leave it out", "mesh", "--sites", 10001, "--stability")
+        self.refuse(2, "density is not known", "mesh", "--sites", 9, "--stability",
+                    "--density", "1 + u")
 
     def test_a_repeated_tile_is_a_tile_of_the_multiple_periods(self):
         self.succeed("mesh", "--sites", 7, "--repeat", "2x3", "-o", "t.obj", "-o", "s.txt",
@@ -178,7 +187,10 @@ class Words(CliTest):
     def test_the_summary_counts_the_sites_outside_of_the_domain(self):
         self.path("s.txt").write_text("0 0\n1 0.5\n1.4 0.7\n-0.3 0.8\n")
         text = self.succeed("mesh", "--input", "s.txt", "--max-iterations", 0)
-        self.assertRegex(text, "sites +4; 2 of the file lie outside of the domain")
+        self.assertRegex(text, "sites +4; 2 of the file lie outside of the domain and .* lattice\n")
+        self.path("far.txt").write_text("0 0\n11 0.5\n14 0.7\n-3.3 8.2\n")
+        text = self.succeed("mesh", "--input", "far.txt", "--max-iterations", 0)
+        self.assertRegex(text, "sites +4; 3 of .* lattice: --period or --lattice may be wrong\n")
         text = self.succeed("mesh", "--input", "s.txt", "--max-iterations", 0, "--period", "2,1",
                             "--origin", "-0.5,0")
         self.assertRegex(text, "sites +4\n")

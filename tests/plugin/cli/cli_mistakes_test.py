@@ -55,7 +55,7 @@ MISTAKES = [
     ("mesh -o t.obj", ["give --sites N or --input FILE"], 2),
     ("mesh --sites 30 --input sites.txt", ["--sites and --input exclude each other"], 2),
     ("mesh --sites 30 --size 0.1", ["add --mesh grains"], 2),
-    ("mesh --sites 30 -o t.msh", ["no polygons", "--mesh delaunay or --mesh grains"], 2),
+    ("mesh --sites 30 -o t.msh", ["no polygons", "take the mesh delaunay or grains"], 2),
     ("mesh --sites 30 -o t.obj -o t.obj", ["t.obj", "choose another name"], 2),
     ("mesh --input none.txt", ["none.txt"], 2),
     ("check", ["no file to check"], 2),

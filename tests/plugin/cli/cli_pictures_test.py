@@ -28,7 +28,7 @@ class Colours(CliTest):
         kinds = re.findall(r"newmtl (cell_colour_\d)\nKd (\S+) (\S+) (\S+)", self.picture("t.mtl"))
         in_obj = {"".join(f"{round(255 * float(part)):02x}" for part in rgb) for _, *rgb in kinds}
         self.assertEqual(in_obj, in_picture)
-        faces = [line.split() for line in self.picture("t.ply").splitlines()[-60:]]
+        faces = [line.split() for line in self.picture("t.ply").splitlines()[-120:-60]]
         in_ply = {"".join(f"{int(part):02x}" for part in face[-4:-1]) for face in faces}
         self.assertEqual(in_ply, in_picture)
         materials = json.loads(self.picture("t.gltf"))["materials"]
@@ -40,9 +40,10 @@ class Colours(CliTest):
         self.succeed("mesh", "--sites", 12, "--mesh", "grains", "--colour", "cells", "--quiet",
                      "-o", "t.ply")
         header, body = self.picture("t.ply").split("end_header\n")
-        n_vertices = int(re.search(r"element vertex (\d+)", header)[1])
+        n_vertices, n_faces = (int(re.search(rf"element {name} (\d+)", header)[1])
+                               for name in ("vertex", "face"))
         colour_of = {}
-        for line in body.splitlines()[n_vertices:]:
+        for line in body.splitlines()[n_vertices:n_vertices + n_faces]:
             *_, r, g, b, site = line.split()
             self.assertEqual(colour_of.setdefault(site, (r, g, b)), (r, g, b))
         self.assertEqual(len(colour_of), 12)

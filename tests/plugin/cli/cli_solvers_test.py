@@ -26,8 +26,8 @@ class CaseFolder(CliTest):
         self.succeed("mesh", "--sites", 30, "--mesh", "voronoi", "--mesh", "delaunay", "-o", "t.foam",
                      "--lattice", "1,0,0.3,0.9", "--repeat", "2x1")
         lines = self.succeed("check", "t-voronoi.foam", "t-delaunay.foam", "--cvt").splitlines()
-        self.assertRegex(lines[0], r"60 faces.*genus 1.*area 0?1\.8.*stored pairs agree, centroidal")
-        self.assertRegex(lines[1], r"120 faces.*stored pairs agree, Delaunay")
+        self.assertRegex(lines[0], r"60 faces.*genus 1.*area 0?1\.8.*stored pairs agree, .*centroidal")
+        self.assertRegex(lines[1], r"120 faces.*stored pairs agree, .*Delaunay")
 
     def test_force_replaces_what_pcvt_writes_and_nothing_else(self):
         self.succeed("mesh", "--sites", 30, "-o", "t.foam", "--quiet")
@@ -107,7 +107,7 @@ class CGrid(CliTest):
         self.refuse(2, "Delaunay triangle of sites .*MPAS needs acute triangles; .*leave --max-iterations 0 out",
                     *run, "--max-iterations", 0)
         self.refuse(2, "half a period apart.*repeat", "mesh", "--sites", 2, "-o", "t.nc", "--period", "1,1.3")
-        self.refuse(2, "leave --short-edges out", *run, "--short-edges", "0.1")
+        self.refuse(2, "remove no short edges", *run, "--short-edges", "0.1")
 
     # Twelve iterations leave obtuse triangles for some seeds and none for others.
     HARD = ("mesh", "--sites", 30, "--max-iterations", 12, "-o", "t.nc", "-o", "s.txt")

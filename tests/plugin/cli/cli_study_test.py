@@ -118,7 +118,7 @@ class Shards(CliTest):
         self.refuse(2, "run 1 of 4 sites is in no file; give", *merge, "p1.csv")
         self.refuse(2, "^p1.csv: .*another file too", *merge, "p1.csv", "p2.csv", "p1.csv")
         self.refuse(2, "^noise.csv: ", *merge, "noise.csv")
-        self.refuse(2, "^bytes.csv: ", *merge, "bytes.csv")
+        self.refuse(2, "^bytes.csv:1: ", *merge, "bytes.csv")
         self.refuse(2, "^missing.csv: ", *merge, "missing.csv")
         self.refuse(2, "^p1.csv: runs of fig11", "study", "fig9", "--merge", "p1.csv", "p2.csv")
         self.refuse(2, "an input", *merge, "p1.csv", "p2.csv", "--force", "-o", "p1.csv")

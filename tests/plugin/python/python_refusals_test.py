@@ -24,6 +24,8 @@ class Refusals(unittest.TestCase):
         self.refuse(pcvt.GeometryError, "sites 0 and 1 coincide", [[0, 0], [1, 1]])
         self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
         self.refuse(pcvt.ArgumentError, "character 4", density="x +")
+        self.refuse(pcvt.ArgumentError, "character 2: a control character", density="1\a + x")
+        self.refuse(pcvt.ArgumentError, "take one of the two", grain_size=0.1, grain_per_edge=2)
 
     def test_an_origin_is_a_point_or_auto(self):
         with self.assertRaises((TypeError, ValueError, pcvt.ArgumentError)):

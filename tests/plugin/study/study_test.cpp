@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
@@ -136,6 +137,23 @@ TEST(Study, MergingNamesTheFault) {
     EXPECT_THAT(complaint({foreign}), HasSubstr("x: holds no runs"));
     foreign.table.notes = {"pcvt 0.0.1: study fig11 --sites 4 --runs 7 --seed 0"};
     EXPECT_THAT(complaint({foreign}), HasSubstr("another version"));
+}
+
+TEST(Study, DamagedRunsAreRefusedBeforeTheyAreUsed) {
+    NamedRuns whole{"whole", all_runs(kSmall)};
+    StudyTable& table = whole.table;
+    std::string& seed = table.rows[1][table.column("seed")];
+    for (const char* damaged : {"x", "", "-1", "99999999999999999999999"}) {
+        const std::string before = std::exchange(seed, damaged);
+        EXPECT_THAT(complaint({whole}), HasSubstr("not that of the study; ")) << damaged;
+        seed = before;
+    }
+    // A million runs, of which the file holds seven.
+    std::string& note = table.notes[0];
+    const std::size_t runs = note.find("--runs ");
+    ASSERT_NE(runs, std::string::npos);
+    note.insert(runs + 7, "100000");
+    EXPECT_THAT(complaint({whole}), HasSubstr(" is in no file"));
 }
 
 TEST(Study, BadStudiesAreRefused) {

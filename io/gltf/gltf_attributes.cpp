@@ -1,0 +1,221 @@
+#include "io/gltf/gltf_attributes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/tile/texture_coordinates.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Texture coordinates are compared within this many ulps of the largest.
+constexpr float kUlps = 4;
+/// Lines this many ulps of the largest coordinate long may be missing.
+constexpr double kShortUlps = 64;
+
+[[noreturn]] void throw_bad(const GltfDocument& document, const std::string& complaint) {
+    document.throw_bad_file(complaint + "; write the file again with pcvt");
+}
+
+std::vector<float> attribute(const GltfDocument& document, const Json& primitive,
+                             const std::string& key, std::size_t width, std::size_t n) {
+    const Json& attributes = GltfDocument::member(primitive, "attributes");
+    std::vector<float> numbers = document.floats(document.count_in(attributes, key), width);
+    if (numbers.size() == n * width) return numbers;
+    throw_bad(document, "there is not one " + key + " for each vertex");
+}
+
+/// Whether two primitives name the same accessors.
+bool same_accessors(const Json& attributes, const Json& others) {
+    return attributes.size() == others.size() &&
+           std::ranges::all_of(attributes.members(), [&](const JsonMember& member) {
+               const Json* other = others.find(member.name);
+               return other != nullptr && *other == member.value.get<std::size_t>();
+           });
+}
+
+void require_flat(const GltfDocument& document, const Json& primitive, const Tile& tile) {
+    const auto points = attribute(document, primitive, "POSITION", 3, tile.points.size());
+    const auto normals = attribute(document, primitive, "NORMAL", 3, tile.points.size());
+    for (std::size_t v = 0; v < tile.points.size(); ++v) {
+        checkpoint_each(v);
+        const float* normal = &normals[3 * v];
+        if (points[3 * v + 2] == 0 && normal[0] == 0 && normal[1] == 0 && normal[2] == 1) continue;
+        throw_bad(document,
+                  "vertex " + std::to_string(v) + " has z or a normal that is not upright");
+    }
+}
+
+void require_texture(const GltfDocument& document, const Json& primitive, const Tile& tile) {
+    const auto numbers = attribute(document, primitive, "TEXCOORD_0", 2, tile.points.size());
+    const std::vector<TextureCoordinate> wanted = texture_coordinates(tile);
+    float largest = 1;
+    for (const auto& [u, v] : wanted) largest = std::max({largest, std::abs(u), std::abs(v)});
+    const float allowed = kUlps * std::numeric_limits<float>::epsilon() * largest;
+    for (std::size_t v = 0; v < wanted.size(); ++v) {
+        checkpoint_each(v);
+        if (std::abs(numbers[2 * v] - wanted[v][0]) <= allowed &&
+            std::abs(1 - numbers[2 * v + 1] - wanted[v][1]) <= allowed) {
+            continue;
+        }
+        throw_bad(document, "the texture coordinates of vertex " + std::to_string(v) +
+                                " are not its lattice coordinates");
+    }
+}
+
+void require_colours(const GltfDocument& document, const Json& primitive, const Tile& tile) {
+    const auto colours = attribute(document, primitive, "COLOR_0", 3, tile.points.size());
+    std::vector<int> first(tile.points.size(), -1);
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        checkpoint_each(v);
+        const float* colour = &colours[3 * std::size_t(v)];
+        const SiteId site = tile.vertex_site.empty() ? v : tile.vertex_site[v];
+        const bool known = site >= 0 && site < tile.n_vertices();
+        const bool in_range =
+            std::all_of(colour, colour + 3, [](float x) { return x >= 0 && x <= 1; });
+        if (known && first[site] < 0) first[site] = v;
+        if (known && in_range &&
+            std::equal(colour, colour + 3, &colours[3 * std::size_t(first[site])])) {
+            continue;
+        }
+        throw_bad(document, "vertex " + std::to_string(v) + " has a colour that its site has not");
+    }
+}
+
+/// Sums of hashes that tell at each vertex which others edges join it with.
+class EdgeSums {
+   public:
+    explicit EdgeSums(std::size_t n) : lines_(n), leaving_(n), arriving_(n) {}
+
+    void add_line(int v, int w) {
+        lines_[v] += hash(w);
+        lines_[w] += hash(v);
+    }
+    void add_side(int v, int w) {
+        leaving_[v] += hash(w);
+        arriving_[w] += hash(v);
+    }
+
+    /// Whether the lines are the sides of faces, each once. One side leaves each vertex of the
+    /// boundary that none answers, and one arrives there: at a vertex in the interior, each side
+    /// is answered.
+    bool agree() const {
+        std::vector<std::pair<std::uint32_t, int>> boundary;
+        for (std::size_t v = 0; v < lines_.size(); ++v) {
+            checkpoint_each(v);
+            if (lines_[v] == leaving_[v] && lines_[v] == arriving_[v]) continue;
+            boundary.emplace_back(hash(static_cast<int>(v)), static_cast<int>(v));
+        }
+        std::sort(boundary.begin(), boundary.end());
+        for (const auto& [own, v] : boundary) {
+            // The unanswered side that arrives comes from w.
+            const std::uint32_t from = lines_[v] - leaving_[v];
+            const auto w = std::lower_bound(boundary.begin(), boundary.end(), std::pair(from, 0));
+            if (w == boundary.end() || w->first != from) return false;
+            if (lines_[w->second] - arriving_[w->second] != own) return false;
+        }
+        return true;
+    }
+
+   private:
+    static std::uint32_t hash(int v) {
+        std::uint64_t bits = (static_cast<std::uint64_t>(v) + 1) * 0x9e3779b97f4a7c15;
+        bits = (bits ^ bits >> 29) * 0xbf58476d1ce4e5b9;
+        return static_cast<std::uint32_t>(bits >> 32);
+    }
+
+    std::vector<std::uint32_t> lines_;
+    std::vector<std::uint32_t> leaving_;
+    std::vector<std::uint32_t> arriving_;
+};
+
+/// Adds the sides of the faces that the triangles make up, without those inside of a fan.
+void add_sides(const Tile& tile, EdgeSums& sums) {
+    const auto is_joined = [&](int f) {
+        if (f <= 0 || f >= tile.n_faces() || tile.kind != MeshKind::kVoronoi) return false;
+        const auto before = tile.faces[f - 1];
+        const auto face = tile.faces[f];
+        return tile.face_site[f] == tile.face_site[f - 1] && face[0] == before[0] &&
+               face[1] == before[2];
+    };
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
+        const auto face = tile.faces[f];
+        if (!is_joined(f)) sums.add_side(face[0], face[1]);
+        sums.add_side(face[1], face[2]);
+        if (!is_joined(f + 1)) sums.add_side(face[2], face[0]);
+    }
+}
+
+/// Whether float32 brings two vertices so close together that triangles or lines are left out.
+bool has_short_sides(const Tile& tile) {
+    double largest = 0;
+    for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    const double least = kShortUlps * double(std::numeric_limits<float>::epsilon()) * largest;
+    std::vector<Vec2> points = tile.points;
+    std::sort(points.begin(), points.end(), [](const Vec2& p, const Vec2& q) {
+        return std::tie(p.x(), p.y()) < std::tie(q.x(), q.y());
+    });
+    if (std::adjacent_find(points.begin(), points.end()) != points.end()) return true;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        checkpoint_each(f);
+        Vec2 from = tile.points[tile.faces[f].back()];
+        for (const int v : tile.faces[f]) {
+            if ((tile.points[v] - from).norm() <= least) return true;
+            from = tile.points[v];
+        }
+    }
+    return false;
+}
+
+void require_outlines(const GltfDocument& document, const Json& primitive, const Tile& tile) {
+    const auto points = attribute(document, primitive, "POSITION", 3, tile.points.size());
+    for (std::size_t v = 0; v < tile.points.size(); ++v) {
+        checkpoint_each(v);
+        const float* p = &points[3 * v];
+        if (p[0] == tile.points[v].x() && p[1] == tile.points[v].y() && p[2] == points[2] &&
+            p[2] > 0) {
+            continue;
+        }
+        throw_bad(document, "the outlines do not lie above vertex " + std::to_string(v));
+    }
+    const std::vector<int> ends =
+        document.indices(document.count_in(primitive, "indices"), tile.points.size());
+    EdgeSums sums(tile.points.size());
+    bool rises = ends.size() % 2 == 0;
+    for (std::size_t k = 0; rises && k < ends.size(); k += 2) {
+        rises = ends[k] < ends[k + 1] &&
+                (k == 0 || std::tie(ends[k - 2], ends[k - 1]) < std::tie(ends[k], ends[k + 1]));
+        sums.add_line(ends[k], ends[k + 1]);
+    }
+    add_sides(tile, sums);
+    if (rises && (sums.agree() || has_short_sides(tile))) return;
+    throw_bad(document, "the outlines are not the edges of the faces");
+}
+
+}  // namespace
+
+void require_own_attributes(const GltfDocument& document, const Tile& tile) {
+    const std::size_t n_meshes = GltfDocument::member(document.root(), "meshes").size();
+    const auto first_primitive = [&](std::size_t mesh) -> const Json& {
+        return GltfDocument::member(document.entry("meshes", mesh), "primitives")[0];
+    };
+    const Json& surface = first_primitive(0);
+    const Json& attributes = GltfDocument::member(surface, "attributes");
+    for (std::size_t m = 0; m + 1 < n_meshes; ++m) {
+        for (const Json& primitive :
+             GltfDocument::member(document.entry("meshes", m), "primitives")) {
+            if (same_accessors(GltfDocument::member(primitive, "attributes"), attributes)) continue;
+            throw_bad(document, "the triangles do not share their vertices");
+        }
+    }
+    require_flat(document, surface, tile);
+    require_texture(document, surface, tile);
+    if (attributes.contains("COLOR_0")) require_colours(document, surface, tile);
+    require_outlines(document, first_primitive(n_meshes - 1), tile);
+}
+
+}  // namespace pcvt

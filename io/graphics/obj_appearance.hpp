@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/tile/texture_coordinates.hpp"
+
+namespace pcvt {
+
+/// The statements of an OBJ that say how its faces look.
+struct ObjAppearance {
+    struct Material {
+        std::string_view name;
+        /// The material's faces begin here.
+        int first_face;
+    };
+
+    /// One per `vt`.
+    std::vector<TextureCoordinate> coordinates = {};
+    /// Whether a corner of a face names a texture coordinate.
+    bool has_corners = false;
+    /// The line of the first corner whose texture coordinate has another index than its vertex; 0
+    /// if there is none.
+    int other_index_line = 0;
+    /// One per `usemtl`.
+    std::vector<Material> materials = {};
+    /// One per `mtllib`.
+    std::vector<std::string_view> libraries = {};
+};
+
+/// Proves that the appearance is what encode_obj() gives the tile:
+///   - texture coordinates are the lattice coordinates of the vertices, one each, within 4 ulps of
+///     float32;
+///   - every face has a material, one for all faces of a site; `sides_N` of a whole cell has its
+///     number of sides;
+///   - the material file is the one beside the OBJ, and defines each material once.
+/// A file without texture coordinates, materials or a material file lacks them altogether.
+/// @param materials  the .mtl file beside the OBJ; nullptr if there is none.
+/// @throws BadFile naming `path` or the material file.
+void require_own_appearance(const Tile& tile, const ObjAppearance& appearance,
+                            const std::string& path, const EncodedFile* materials);
+
+}  // namespace pcvt

@@ -1,0 +1,90 @@
+#include "io/solvers/inp_fields.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "io/bytes/text.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The beginnings of the names of the sets that pcvt writes.
+constexpr std::array<std::string_view, 8> kSets{
+    "CELL_", "SEAM_", "FIXED", "EALL", "NALL", "GRAIN_BOUNDARY", "TRIPLE_POINTS", "CONTROL_"};
+
+/// Returns a card in upper case and without blanks, as the solver reads it.
+std::string card_name(const std::vector<std::string_view>& words) {
+    std::string card;
+    for (const std::string_view word : words) card += word;
+    for (char& c : card) {
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    }
+    const std::size_t type = card.find("TYPE=CPS");
+    if (type != std::string::npos) card.replace(type, 8, "TYPE=CPE");
+    return card;
+}
+
+bool is_set(const std::string& card) {
+    return card.starts_with("*NSET,") || card.starts_with("*ELSET,");
+}
+
+bool is_nodes(const std::string& card) { return card.starts_with("*NODE,") || card == "*NODE"; }
+
+/// Whether the tile determines the data of a card.
+bool follows_from_tile(const std::string& card) {
+    if (is_set(card)) {
+        const std::string_view name = std::string_view(card).substr(card.find('=') + 1);
+        return std::any_of(kSets.begin(), kSets.end(),
+                           [&](std::string_view set) { return name.starts_with(set); });
+    }
+    return is_nodes(card) || card.starts_with("*ELEMENT") || card == "*EQUATION";
+}
+
+void append_words(std::string_view text, int line, std::vector<FileWord>& words) {
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find(','), text.size());
+        if (length > 0) words.push_back({text.substr(0, length), line});
+        text.remove_prefix(std::min(length + 1, text.size()));
+    }
+}
+
+/// Sorts the members of a set, and removes repetitions.
+void normalise_set(std::vector<FileWord>& words) {
+    const auto less = [](const FileWord& s, const FileWord& t) {
+        return s.text.size() != t.text.size() ? s.text.size() < t.text.size() : s.text < t.text;
+    };
+    std::stable_sort(words.begin(), words.end(), less);
+    const auto same = [](const FileWord& s, const FileWord& t) { return s.text == t.text; };
+    words.erase(std::unique(words.begin(), words.end(), same), words.end());
+}
+
+}  // namespace
+
+std::optional<FileFields> inp_fields(const std::string& name, std::string_view text) {
+    FileFields fields{.name = name};
+    LineScanner scanner(name, text);
+    std::vector<FileWord>* words = nullptr;
+    // The positions of nodes are proved as those of the tile; those of CONTROL_1 and CONTROL_2 are
+    // not among them.
+    bool numbers_alone = false;
+    while (scanner.next()) {
+        if (scanner.words().empty() || scanner.words().front().starts_with("**")) continue;
+        if (scanner.words().front().front() == '*') {
+            const std::string card = card_name(scanner.words());
+            words = follows_from_tile(card) ? &fields.parts[card] : nullptr;
+            numbers_alone = is_nodes(card) && card.find("CONTROL_") == std::string::npos;
+        } else if (words != nullptr) {
+            const std::size_t before = words->size();
+            for (const std::string_view word : scanner.words()) {
+                append_words(word, scanner.line(), *words);
+            }
+            if (numbers_alone && words->size() > before) words->resize(before + 1);
+        }
+    }
+    for (auto& [card, members] : fields.parts) {
+        if (is_set(card)) normalise_set(members);
+    }
+    return fields;
+}
+
+}  // namespace pcvt

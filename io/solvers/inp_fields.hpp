@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/tiles/file_fields.hpp"
+
+namespace pcvt {
+
+/// Returns the fields of an Abaqus input: the data of *ELEMENT and *EQUATION, the numbers of the
+/// nodes, and the members of the sets that encode_inp() names, each once by rising number. CPE and
+/// CPS elements count as equal, because both suit a tile. Cards and sets of a user are left out.
+///
+/// Example usage:
+///     compare_fields(*inp_fields(path, text), *inp_fields(path, expected_text));
+std::optional<FileFields> inp_fields(const std::string& name, std::string_view text);
+
+}  // namespace pcvt

@@ -1,0 +1,47 @@
+#include "mesher/lattice/metric.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The symmetric matrix that multiplies lengths along the unit vector `along` by `factor` and
+/// across it by 1 / factor.
+Eigen::Matrix2d stretch(const Vec2& along, double factor) {
+    const Vec2 across(-along.y(), along.x());
+    return factor * along * along.transpose() + across * across.transpose() / factor;
+}
+
+}  // namespace
+
+Metric::Metric(double ratio, double degrees) : is_round_(ratio == 1) {
+    if (!(ratio >= 1 / kLargestRatio && ratio <= kLargestRatio)) {
+        throw InvalidInput("the aspect ratio must lie between 0.01 and 100");
+    }
+    if (!std::isfinite(degrees)) throw InvalidInput("the angle of the aspect must be finite");
+    if (is_round_) return;
+    // Multiples of 90 degrees are exact.
+    const double right_angles = degrees / 90;
+    const double whole = std::floor(right_angles + 0.5);
+    const double rest = (right_angles - whole) * (std::numbers::pi / 2);
+    Vec2 along(std::cos(rest), std::sin(rest));
+    if (std::fmod(whole, 2) != 0) along = Vec2(-along.y(), along.x());
+    const double root = std::sqrt(ratio);
+    b_ = stretch(along, 1 / root);
+    inverse_ = stretch(along, root);
+}
+
+Points Metric::to_round(const Points& points) const {
+    if (is_round_) return points;
+    return b_ * points;
+}
+
+Lattice Metric::to_round(const Lattice& lattice) const {
+    if (is_round_) return lattice;
+    return {to_round(lattice.a()), to_round(lattice.b())};
+}
+
+}  // namespace pcvt

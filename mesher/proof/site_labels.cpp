@@ -1,0 +1,270 @@
+#include "mesher/proof/site_labels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/proof/law_violation.hpp"
+#include "mesher/proof/site_images.hpp"
+#include "mesher/proof/vertex_orbits.hpp"
+#include "mesher/tile/site_positions.hpp"
+
+namespace pcvt {
+namespace {
+
+using std::to_string;
+
+const char* const kSiteLaw = "of the sites";
+
+/// The distances of a vertex from the sites of its cells agree within this, in units of h.
+constexpr double kOffBisector = 1e-7;
+/// ... and within this many tolerances of positions.
+constexpr double kRoundings = 8;
+
+/// Law (1). @returns the number of sites.
+int require_all_ids(const Tile& tile) {
+    const std::vector<SiteId>& sites = tile.sites();
+    const std::size_t stated = tile.site_positions.size();
+    const std::size_t limit = stated > 0 ? stated : sites.size();
+    std::vector<bool> occurs(limit, false);
+    SiteId last = -1;
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        const SiteId site = sites[k];
+        if (site < 0 || static_cast<std::size_t>(site) >= limit) {
+            throw_violation(kSiteLaw, (faces_have_sites(tile.kind) ? "face " : "vertex ") +
+                                          to_string(k) + " names site " + to_string(site) +
+                                          "; there are at most " + to_string(limit));
+        }
+        occurs[static_cast<std::size_t>(site)] = true;
+        last = std::max(last, site);
+    }
+    const int n = stated > 0 ? static_cast<int>(stated) : last + 1;
+    for (int s = 0; s < n; ++s) {
+        if (occurs[static_cast<std::size_t>(s)]) continue;
+        throw_violation(kSiteLaw,
+                        "no " + std::string(faces_have_sites(tile.kind) ? "face" : "vertex") +
+                            " belongs to site " + to_string(s) + " of 0 to " + to_string(n - 1));
+    }
+    return n;
+}
+
+/// Checks that each site has the same number of owners.
+void require_equal_shares(const std::vector<int>& owners, int share, const std::string& name) {
+    for (std::size_t s = 0; s < owners.size(); ++s) {
+        if (owners[s] == share) continue;
+        throw_violation(kSiteLaw, "site " + to_string(s) + " has " + to_string(owners[s]) + " " +
+                                      name + ", not " + to_string(share));
+    }
+}
+
+/// Law (2).
+void require_orbits(const Tile& tile, const TileProof& proof, int n_sites) {
+    const VertexOrbits orbits = proven_orbits(proof);
+    std::vector<int> n_orbits(static_cast<std::size_t>(n_sites), 0);
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        const int r = orbits.representative[v];
+        if (r == v) ++n_orbits[tile.vertex_site[v]];
+        if (tile.vertex_site[r] == tile.vertex_site[v]) continue;
+        throw_violation(kSiteLaw, "vertex " + to_string(v) + " has site " +
+                                      to_string(tile.vertex_site[v]) + ", but its image, vertex " +
+                                      to_string(r) + ", has site " +
+                                      to_string(tile.vertex_site[r]));
+    }
+    const int copies = tile.columns * tile.rows;
+    require_equal_shares(n_orbits, copies > 0 ? copies : proof.n_orbits / n_sites, "orbits");
+}
+
+/// Law (5) of Delaunay triangles, and law (4).
+void require_sites_at_vertices(const Tile& tile, const SiteImages& images, double tolerance) {
+    std::vector<bool> seen(static_cast<std::size_t>(images.n_sites()), false);
+    for (int v = 0; v < tile.n_vertices(); ++v) {
+        const SiteId site = tile.vertex_site[v];
+        const Offset offset = seen[site] ? images.nearest(site, tile.points[v]) : Offset{};
+        seen[site] = true;
+        const double off = (tile.points[v] - images.position(site, offset)).norm();
+        if (off <= tolerance) continue;
+        throw_violation(kSiteLaw, "site " + to_string(site) + " lies off vertex " + to_string(v) +
+                                      ", which names it, by " + in_words(off));
+    }
+}
+
+Vec2 middle_of(const Tile& tile, int f) {
+    Vec2 sum(0, 0);
+    for (const int v : tile.faces[f]) sum += tile.points[v];
+    return sum / tile.face_size(f);
+}
+
+/// Laws (4) and (5) of cells and grains. @returns the image of its site for each face.
+std::vector<Offset> images_of_faces(const Tile& tile, const SiteImages& images) {
+    std::vector<bool> seen(static_cast<std::size_t>(images.n_sites()), false);
+    const auto n_copies = static_cast<std::size_t>(images.copies());
+    if (seen.size() * n_copies > static_cast<std::size_t>(tile.n_faces())) {
+        throw_violation(kSiteLaw, "the tile has fewer faces than images of its sites");
+    }
+    std::vector<bool> has_face(seen.size() * n_copies, false);
+    std::vector<Offset> offsets;
+    offsets.reserve(static_cast<std::size_t>(tile.n_faces()));
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        const SiteId site = tile.face_site[f];
+        offsets.push_back(images.nearest(site, middle_of(tile, f)));
+        if (!seen[site] && offsets.back() != Offset{}) {
+            throw_violation(kSiteLaw, "face " + to_string(f) + ", the first of site " +
+                                          to_string(site) +
+                                          ", lies nearer to another image of the site");
+        }
+        seen[site] = true;
+        has_face[std::size_t(site) * n_copies + images.copy_of(offsets.back())] = true;
+    }
+    for (std::size_t k = 0; k < has_face.size(); ++k) {
+        if (has_face[k]) continue;
+        throw_violation(kSiteLaw, "site " + to_string(k / n_copies) +
+                                      " has no cell in one of the periods of the tile");
+    }
+    return offsets;
+}
+
+/// How the distances of an orbit from the sites of its faces differ.
+struct Meeting {
+    double first_distance = -1;
+    float spread = 0;
+
+    void add(double distance) {
+        if (first_distance < 0) first_distance = distance;
+        spread = std::max(spread, static_cast<float>(std::abs(distance - first_distance)));
+    }
+};
+
+/// Proves law (6).
+class Equidistance {
+   public:
+    Equidistance(const Tile& tile, const TileProof& proof, const SiteImages& images,
+                 std::vector<Offset> of_face)
+        : tile_(tile),
+          orbits_(proven_orbits(proof)),
+          images_(images),
+          of_face_(std::move(of_face)),
+          tolerance_(kOffBisector * std::sqrt(images.cell_area()) + kRoundings * proof.tolerance),
+          meetings_(tile.points.size()) {}
+
+    void require() {
+        for (int f = 0; f < tile_.n_faces(); ++f) {
+            checkpoint_each(f);
+            for (const int v : tile_.faces[f]) {
+                meetings_[orbits_.representative[v]].add(
+                    images_.distance(tile_.points[v], tile_.face_site[f], of_face_[f]));
+            }
+        }
+        for (int v = 0; v < tile_.n_vertices(); ++v) {
+            if (!(meetings_[v].spread <= tolerance_)) require_at(v);
+        }
+    }
+
+   private:
+    Vec2 site_of(int f) const { return images_.position(tile_.face_site[f], of_face_[f]); }
+
+    /// The corners of faces at an orbit.
+    std::vector<std::pair<int, int>> corners_at(int orbit) const {
+        std::vector<std::pair<int, int>> corners;
+        for (int f = 0; f < tile_.n_faces(); ++f) {
+            for (const int v : tile_.faces[f]) {
+                if (orbits_.representative[v] == orbit) corners.emplace_back(f, v);
+            }
+        }
+        return corners;
+    }
+
+    /// Compares the distances at one orbit again. Where two sites lie close together compared with
+    /// their distance from the vertex, rounding moves the vertex farther.
+    void require_at(int orbit) const {
+        const auto corners = corners_at(orbit);
+        double nearest = std::numeric_limits<double>::infinity();
+        double farthest = 0;
+        for (const auto& [f, v] : corners) {
+            const Vec2 from_f = site_of(f) - tile_.points[v];
+            farthest = std::max(farthest, from_f.norm());
+            for (const auto& [g, w] : corners) {
+                const double between = (site_of(g) - tile_.points[w] - from_f).norm();
+                if (between > tolerance_) nearest = std::min(nearest, between);
+            }
+        }
+        const double spread = meetings_[orbit].spread;
+        if (spread <= tolerance_ * std::max(1.0, farthest / nearest)) return;
+        std::string cells;
+        for (const auto& [f, v] : corners) {
+            cells += (cells.empty() ? "" : ", ") + to_string(tile_.face_site[f]);
+        }
+        throw_violation(kSiteLaw, "vertex " + to_string(orbit) +
+                                      " is not equally far from the sites of its faces, " + cells +
+                                      ": the distances differ by " + in_words(spread) +
+                                      ", more than " + in_words(tolerance_));
+    }
+
+    const Tile& tile_;
+    VertexOrbits orbits_;
+    const SiteImages& images_;
+    std::vector<Offset> of_face_;
+    double tolerance_;
+    std::vector<Meeting> meetings_;
+};
+
+/// Law (3).
+void require_faces(const Tile& tile, int n_sites) {
+    if (tile.columns == 0) return;
+    std::vector<int> n_faces(static_cast<std::size_t>(n_sites), 0);
+    for (const SiteId site : tile.face_site) ++n_faces[site];
+    const int share = tile.columns * tile.rows;
+    for (int s = 0; s < n_sites; ++s) {
+        if (n_faces[s] >= share) continue;
+        throw_violation(kSiteLaw, "site " + to_string(s) + " has " + to_string(n_faces[s]) +
+                                      " faces, fewer than the " + to_string(share) +
+                                      " periods of the tile");
+    }
+}
+
+/// The tile in the space in which its metric is the Euclidean one.
+Tile rounded(Tile tile) {
+    const auto map = [&tile](std::vector<Vec2>& points) {
+        for (Vec2& p : points) p = tile.metric.to_round(p);
+    };
+    for (std::vector<Vec2>* points :
+         {&tile.points, &tile.site_points, &tile.grain_site_points, &tile.site_positions}) {
+        map(*points);
+    }
+    tile.lattice = tile.metric.to_round(tile.lattice);
+    tile.metric = {};
+    return tile;
+}
+
+}  // namespace
+
+void prove_sites(const Tile& tile, const TileProof& proof) {
+    if (!tile.metric.is_round()) return prove_sites(rounded(tile), proof);
+    if (tile.sites().empty()) return;
+    const int n_sites = require_all_ids(tile);
+    const bool owned = faces_have_sites(tile.kind);
+    if (!owned) require_orbits(tile, proof, n_sites);
+    if (!tile.site_weights.empty() && std::ssize(tile.site_weights) != n_sites) {
+        throw_violation(kSiteLaw, "there are " + to_string(tile.site_weights.size()) +
+                                      " weights for " + to_string(n_sites) + " sites");
+    }
+    std::vector<Vec2> positions = site_positions(tile);
+    if (positions.empty()) {
+        if (owned) require_faces(tile, n_sites);
+        return;
+    }
+    const SiteImages images(tile, std::move(positions));
+    // Where corners were moved, no bound for their distances is proved, nor which image is nearest.
+    const bool is_moved = tile.kind == MeshKind::kGrains || (owned && tile.short_edges > 0);
+    if (is_moved) {
+        require_faces(tile, n_sites);
+    } else if (owned) {
+        Equidistance(tile, proof, images, images_of_faces(tile, images)).require();
+    } else {
+        require_sites_at_vertices(tile, images, kRoundings * proof.tolerance);
+    }
+}
+
+}  // namespace pcvt

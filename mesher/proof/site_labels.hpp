@@ -1,0 +1,39 @@
+#pragma once
+
+#include "mesher/proof/validate.hpp"
+
+namespace pcvt {
+
+/// Proves the site ids of a proven tile: that its faces, or its vertices, belong to the sites that
+/// they name. A tile without ids passes.
+///
+/// Example usage:
+///   const TileProof proof = prove_tile(tile, Precision::kDouble);
+///   prove_sites(tile, proof);
+///
+///   (1) The ids are 0 ... n - 1, and each of them occurs.
+///   (2) Delaunay triangles: all vertices of an orbit have one id, and each id has as many orbits
+///       as every other one, `columns` x `rows` where the tile states them.
+///   (3) Cells and grains of a tile that states `columns` and `rows`: each id has at least one face
+///       for each period.
+///
+/// Where the positions of the sites are known (Tile::site_positions, or those in memory), S is the
+/// set of all images of the sites by the vectors i a / columns + j b / rows, and:
+///   (4) The position of a site is in S with the zero vector at the first face (vertex) that names
+///       it.
+///   (5) Cells: each face belongs to the image of its site that is nearest to it, and each image
+///       modulo the lattice has a face. Delaunay triangles: each vertex is an image of its site.
+///   (6) Cells: a vertex is equally far from the sites of all its faces.
+///
+/// Laws (4) to (6) hold, and are proved, unless corners of cells were moved: in grains, and where
+/// edges of the length Tile::short_edges were removed.
+///
+/// With weights (Tile::site_weights), "equally far" means an equal power distance |p - x|^2 - w;
+/// distances are those of Tile::metric.
+///
+/// By (4) to (6), two ids that are exchanged are found, and a site that moves. Distances are
+/// compared within 1e-7 h + 8 proof.tolerance, h = sqrt(area / number of cells). Cost: O(n).
+/// @throws NotATile naming the site and the face or the vertex.
+void prove_sites(const Tile& tile, const TileProof& proof);
+
+}  // namespace pcvt

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// Returns where each site 0 ... n - 1 of a tile lies, so that a file can prove its site ids: the
+/// image of the site whose cell the first face with this id belongs to, or the first vertex with
+/// this id. Returns an empty list where the tile does not know its sites, their positions, or
+/// the numbers of its periods.
+///
+/// Example usage:
+///   for (const Vec2& p : site_positions(tile)) std::printf("%.17g %.17g\n", p.x(), p.y());
+std::vector<Vec2> site_positions(const Tile& tile);
+
+/// Returns the position of the site of the cell that each face of a tile of grains belongs to, as
+/// Tile::grain_site_points: the image of its site that is nearest to the face. Returns an empty
+/// list for other tiles and where the tile states no positions.
+/// @pre prove_sites() accepts the tile.
+std::vector<Vec2> nearest_site_images(const Tile& tile);
+
+}  // namespace pcvt

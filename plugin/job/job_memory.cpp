@@ -1,0 +1,158 @@
+#include "plugin/job/job_memory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "mesher/base/error.hpp"
+#include "plugin/job/available_memory.hpp"
+#include "plugin/job/job_tiles.hpp"
+
+namespace pcvt {
+namespace {
+
+// Measured at 1e5 to 1e7 sites, with the heap that the command keeps (malloc_tuning); the figures
+// include the triangulation of the sites, which lives to the end of the run.
+
+/// The command with its libraries, and one thread more.
+constexpr double kCommand = 14e6;
+constexpr double kThread = 1e6;
+
+/// Bytes a site until the sites are where they end.
+constexpr double kTriangulating = 185;
+constexpr double kOptimising = 205;
+constexpr double kWithDensity = 60;
+/// Sites of a file, with their lines.
+constexpr double kFromFile = 65;
+
+/// Bytes of a run that writes one file of a format.
+struct FormatMemory {
+    std::string_view extension;
+    /// A site, for cells, the whole torus, or no mesh at all.
+    double cell;
+    /// A Delaunay triangle, and a triangle of grains.
+    double triangle;
+    double grain;
+};
+constexpr std::array<FormatMemory, 16> kFormats{{
+    {".obj", 900, 280, 250},
+    {".ply", 900, 300, 250},
+    {".glb", 985, 280, 240},
+    {".gltf", 1200, 490, 380},
+    {".om", 1230, 560, 460},
+    {".msh", 0, 1000, 480},
+    {".inp", 0, 320, 250},
+    {".vtu", 815, 330, 280},
+    {".svg", 710, 285, 395},
+    {".png", 930, 510, 520},
+    {".dxf", 1180, 580, 465},
+    {".html", 1190, 320, 305},
+    {".foam", 1900, 880, 775},
+    {".nc", 5000, 0, 0},
+    {".csv", 815, 0, 0},
+    {".txt", 0, 0, 0},
+}};
+
+/// A run that builds its tile for the figures alone.
+constexpr FormatMemory kBuilt{"", 600, 0, 230};
+/// A tile that is held while others are built and written.
+constexpr FormatMemory kHeld{"", 160, 60, 60};
+/// The part of its own run that a file adds while another one is written.
+constexpr double kBesideAnother = 0.5;
+/// A pixel of a picture that one colours.
+constexpr double kPixel = 3;
+/// The number of pixels of a side where the job gives none.
+constexpr double kDefaultPixels = 500;
+/// The part of these bytes that depends on the sites and not on their copies in a repeated tile.
+constexpr double kOfSites = 1.0 / 3;
+/// Triangles of grains in a square of their size; equilateral ones would be 2.3.
+constexpr double kTrianglesPerSquare = 3;
+/// A triangle with mid-side nodes takes this many times the memory of one without.
+constexpr double kOrder2 = 1.85;
+
+/// An estimate may be too high by this factor: a run is refused only where it cannot fit.
+constexpr double kMostAbovePeak = 1.25;
+
+constexpr double kGigabyte = 1e9;
+
+double n_sites(const Job& job) {
+    return job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+}
+
+/// The number of triangles of the grains, those with mid-side nodes counted as several.
+double n_grain_triangles(const Job& job) {
+    const double copies = double(job.columns) * job.rows;
+    // Edges of the default size are h / 3; a regular hexagon has edges of 0.62 h.
+    const double parts = job.grain_per_edge > 0 ? 1.6 * job.grain_per_edge : 3;
+    const double squares = job.grain_size > 0
+                               ? job.lattice.area() * copies / (job.grain_size * job.grain_size)
+                               : n_sites(job) * copies * parts * parts;
+    return kTrianglesPerSquare * squares * (job.order == 2 ? kOrder2 : 1);
+}
+
+double mesh_bytes(const Job& job, MeshKind kind, const FormatMemory& bytes) {
+    if (mesh_kind_row(kind).grain_size) return bytes.grain * n_grain_triangles(job);
+    const double copies = double(job.columns) * job.rows;
+    const double a_site = kind == MeshKind::kVoronoi ? bytes.cell : 2 * bytes.triangle;
+    return a_site * n_sites(job) * (kOfSites + (1 - kOfSites) * copies);
+}
+
+/// A run that writes this file alone.
+double file_bytes(const Job& job, const JobFile& file) {
+    const auto row = std::find_if(kFormats.begin(), kFormats.end(), [&](const FormatMemory& f) {
+        return f.extension == file.format->extension;
+    });
+    if (row == kFormats.end()) return 0;
+    const MeshKind kind =
+        file.mesh < 0 ? MeshKind::kVoronoi : job.meshes[static_cast<std::size_t>(file.mesh)];
+    const double side = job.file_options.pixels != 0 ? job.file_options.pixels : kDefaultPixels;
+    return mesh_bytes(job, kind, *row) + (file.format->takes_pixels ? kPixel * side * side : 0);
+}
+
+/// The sites, from their start to the end of their optimisation.
+double site_bytes(const Job& job) {
+    const double moving = job.max_iterations == 0 ? kTriangulating : kOptimising;
+    return n_sites(job) * (moving + (job.density ? kWithDensity : 0));
+}
+
+}  // namespace
+
+double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
+    // The files that take most are written at the same time.
+    std::vector<double> writing;
+    for (const JobFile& file : files) writing.push_back(file_bytes(job, file));
+    std::sort(writing.begin(), writing.end(), std::greater<>());
+    const std::size_t n_at_once =
+        std::min(writing.size(), static_cast<std::size_t>(std::max(1, job.n_threads)));
+    double meshes = 0;
+    for (std::size_t k = 0; k < n_at_once; ++k)
+        meshes += (k == 0 ? 1 : kBesideAnother) * writing[k];
+    // All tiles of a job are built before the first file is written.
+    if (needs_tiles(job, files)) {
+        meshes = std::max(meshes, mesh_bytes(job, job.meshes.front(), kBuilt));
+        for (std::size_t k = 1; k < job.meshes.size(); ++k) {
+            meshes += mesh_bytes(job, job.meshes[k], kHeld);
+        }
+    }
+    const double from_file = job.points.cols() > 0 ? kFromFile * n_sites(job) : 0;
+    return kCommand + kThread * job.n_threads + from_file + std::max(site_bytes(job), meshes);
+}
+
+void require_memory(const Job& job, const std::vector<JobFile>& files) {
+    const double estimate = estimated_memory(job, files);
+    const std::optional<double> available = available_memory();
+    if (!available || estimate <= kMostAbovePeak * *available) return;
+    throw LimitExceeded("the run takes about " + memory_text(estimate) + " of memory, and " +
+                        memory_text(*available) +
+                        " are available; take fewer sites, or fewer outputs at a time");
+}
+
+std::string memory_text(double bytes) {
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "%.3g GB", bytes / kGigabyte);
+    return text.data();
+}
+
+}  // namespace pcvt

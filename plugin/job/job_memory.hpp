@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "plugin/job/job_files.hpp"
+
+namespace pcvt {
+
+/// The memory that a run takes at its peak, in bytes: from the tables of bytes a site in
+/// job_memory.cpp, which are measured. Between the peak and 1.5 times the peak.
+///
+/// Example usage:
+///
+///     check_job(job);
+///     const double bytes = estimated_memory(job, plan_files(job));
+double estimated_memory(const Job& job, const std::vector<JobFile>& files);
+
+/// Refuses a job that cannot fit into the memory that is available.
+/// @throws LimitExceeded with both amounts.
+void require_memory(const Job& job, const std::vector<JobFile>& files);
+
+/// An amount of memory in words: "18.3 GB".
+std::string memory_text(double bytes);
+
+}  // namespace pcvt

@@ -1,0 +1,61 @@
+#include <filesystem>
+
+#include "io/file_proof.hpp"
+#include "mesher/cvt/cvt.hpp"
+#include "mesher/proof/generated_tile.hpp"
+#include "mesher/tile/build_tile.hpp"
+#include "tests/bench/cases.hpp"
+
+namespace pcvt::bench {
+namespace {
+
+/// Cells after this number of iterations have about the valences of a converged run.
+constexpr int kIterations = 20;
+
+CvtResult some_cells(const Input& input) {
+    CvtOptions options;
+    options.max_iterations = kIterations;
+    options.numbering = Numbering::kByColumns;
+    return compute_cvt(input.lattice, input.sites(), options);
+}
+
+/// The tile of the cells, with its proof.
+void add_tile(const Input& input) {
+    add_case("tile", input, [=](benchmark::State& state) {
+        const CvtResult cells = some_cells(input);
+        for ([[maybe_unused]] auto _ : state) {
+            const BuiltTile built = build_tile(cells.delaunay, {});
+            benchmark::DoNotOptimize(verify_generated_tile(built.tile));
+        }
+    })->Iterations(1);
+}
+
+/// Files of the tile: encoded, on the disk, read back and proved.
+void add_files(const Input& input) {
+    add_case("files", input, [=](benchmark::State& state) {
+        const CvtResult cells = some_cells(input);
+        const Tile tile = build_tile(cells.delaunay, {}).tile;
+        const std::string folder = std::filesystem::temp_directory_path().string();
+        for ([[maybe_unused]] auto _ : state) {
+            for (const std::string extension : {".obj", ".glb"}) {
+                const std::string path = folder + "/pcvt-bench" + extension;
+                const TileFormat& format = *find_tile_format(path);
+                OutputSet outputs;
+                const auto files = encode_tile(format, tile, path);
+                for (const EncodedFile& file : files) outputs.stage(file.path, file.bytes);
+                require_on_disk(outputs, files);
+                prove_tile_files(format, files, tile, Vec2::Zero());
+            }
+        }
+    })->Iterations(1);
+}
+
+}  // namespace
+
+void add_mesh_cases(const Input& input) {
+    if (input.lattice_name != "unit") return;
+    add_tile(input);
+    add_files(input);
+}
+
+}  // namespace pcvt::bench

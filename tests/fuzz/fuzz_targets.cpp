@@ -1,0 +1,273 @@
+#include "tests/fuzz/fuzz_targets.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+#include "io/file_proof.hpp"
+#include "io/graphics/seam_json.hpp"
+#include "io/run_files/density_expression.hpp"
+#include "io/run_files/density_image.hpp"
+#include "io/run_files/site_reader.hpp"
+#include "io/run_files/site_writer.hpp"
+#include "io/tile_formats.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/finite_volume/mpas_grid_proof.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/proof/generated_tile.hpp"
+#include "mesher/tile/build_tile.hpp"
+#include "plugin/study/study.hpp"
+#include "tests/support/hexagons.hpp"
+#include "tests/support/png_bytes.hpp"
+
+namespace pcvt::testing {
+namespace {
+
+/// Separates the files of one input; text formats hold no such byte.
+constexpr char kNextFile = '\x1c';
+/// Files of sites up to this size are meshed as well.
+constexpr Eigen::Index kMostMeshedSites = 24;
+/// Images up to this size are integrated as well.
+constexpr int kMostSampledPixels = 1 << 12;
+
+const Lattice& oblique() {
+    static const Lattice lattice({1, 0}, {0.37, 0.81});
+    return lattice;
+}
+
+PeriodicDelaunay few_sites(int n) {
+    return PeriodicDelaunay(Sites(oblique(), uniform_points(oblique(), n, 5)));
+}
+
+/// Small tiles of every kind, outline and order.
+std::vector<Tile> example_tiles() {
+    std::vector<Tile> tiles;
+    for (const TileOptions& options :
+         {TileOptions{.kind = MeshKind::kVoronoi},
+          TileOptions{.kind = MeshKind::kVoronoi, .outline = Outline::kBox},
+          TileOptions{.kind = MeshKind::kDelaunay, .columns = 2},
+          TileOptions{.kind = MeshKind::kGrains, .grain_per_edge = 1},
+          TileOptions{.kind = MeshKind::kGrains, .grain_per_edge = 1, .order = 2}}) {
+        tiles.push_back(build_tile(few_sites(3), options).tile);
+    }
+    return tiles;
+}
+
+/// The forms of files that change more than colours.
+std::vector<FileOptions> file_forms(const TileFormat& format) {
+    std::vector<FileOptions> forms(1);
+    if (format.takes_gltf_nodes) {
+        forms[0].gltf_nodes = GltfNodes::kCells;
+        forms.push_back({.gltf_nodes = GltfNodes::kOne});
+    }
+    if (format.takes_single_precision) forms.push_back({.single_precision = true});
+    return forms;
+}
+
+std::vector<std::string> tile_seeds(const TileFormat& format) {
+    std::vector<std::string> seeds;
+    const std::string path = "t" + std::string(format.extension);
+    for (const Tile& tile : example_tiles()) {
+        if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) continue;
+        if (tile.order > format.highest_order) continue;
+        for (const FileOptions& form : file_forms(format)) {
+            std::vector<std::string> files;
+            for (const EncodedFile& file : encode_tile(format, tile, path, form)) {
+                files.push_back(file.bytes);
+            }
+            seeds.push_back(join_files(files));
+        }
+    }
+    return seeds;
+}
+
+void read_tile(const TileFormat& format, const std::string& bytes) {
+    const std::string path = "t" + std::string(format.extension);
+    const std::vector<std::string> paths = format.paths(path);
+    std::vector<EncodedFile> files;
+    if (paths.size() == 1) {
+        files.push_back({path, bytes});
+    } else {
+        const std::vector<std::string> parts = split_files(bytes);
+        for (std::size_t k = 0; k < std::min(parts.size(), paths.size()); ++k) {
+            files.push_back({paths[k], parts[k]});
+        }
+    }
+    const TileFile file = decode_tile(format, files, oblique());
+    const TileProof proof = prove_file(format, files, file);
+    if (file.tile.kind != MeshKind::kGrains) prove_voronoi(file.tile, proof, 1e-6);
+}
+
+void read_grid(const std::string& bytes) {
+    prove_mpas_grid(std::get<GridReader*>(find_tile_format("t.nc")->read)({{"t.nc", bytes}}));
+}
+
+std::vector<std::string> grid_seeds() {
+    const PeriodicMesh cells = hexagonal_cells(3, 4);
+    const Torus torus{cells, Vec2::Zero(), {}};
+    TorusWriter* write = std::get<TorusWriter*>(find_tile_format("t.nc")->write);
+    return {write(torus, "t.nc").front().bytes};
+}
+
+void read_seam(const std::string& bytes) { decode_seam("t.seam.json", bytes); }
+
+std::vector<std::string> seam_seeds() {
+    std::vector<std::string> seeds;
+    for (const Tile& tile : example_tiles()) seeds.push_back(encode_seam(tile));
+    return seeds;
+}
+
+void read_site_text(const std::string& bytes) {
+    const SiteFile file = parse_sites("sites.txt", bytes);
+    if (file.points.cols() > kMostMeshedSites) return;
+    Sites sites(oblique(), file.points);
+    const PeriodicDelaunay delaunay(std::move(sites));
+    for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+        verify_generated_tile(build_tile(delaunay, {.outline = outline}).tile);
+    }
+}
+
+std::vector<std::string> site_seeds() {
+    return {encode_sites(uniform_points(oblique(), 5, 1)),
+            "# a grid\r\n0 0\r\n.5 0\r\n0 +5e-1 # comment\r\n\t.5,.5",
+            "\xEF\xBB\xBF-1e3 1e-300\n0.25 0.125\n\n"};
+}
+
+void read_csv(const std::string& bytes) {
+    const MergedStudy merged = merge_runs({{"runs.csv", decode_csv("runs.csv", bytes)}});
+    conclude_study(merged.study, merged.runs);
+}
+
+std::vector<std::string> csv_seeds() {
+    std::vector<std::string> seeds;
+    for (const StudyRecipe& recipe : study_recipes()) {
+        if (recipe.timed) continue;
+        const Study study{.name = recipe.name, .sites = {3}, .runs = 1};
+        const std::optional<StudyTable> runs = run_study(study, {}, 1, {});
+        seeds.push_back(encode_csv(*runs));
+    }
+    return seeds;
+}
+
+void read_formula(const std::string& bytes) {
+    const Density density = expression_density(bytes);
+    densities_at(density, oblique(), uniform_points(oblique(), 3, 2));
+}
+
+std::vector<std::string> formula_seeds() {
+    return {"1 + 99 * exp(-((v - 0.5) / 0.08)^2)",
+            "2 + sin(2 * pi * u) * cos(2 * _pi * v) + abs(x) + max(y, 1e-3, 2)",
+            "u < 0.5 && v >= .25 || x != y ? 4 : 1",
+            "sqrt(x^2 + y^2) + _e + rint(7.5) - -avg(1, 2) / (3 + log2(8)) + atan2(1, 2)"};
+}
+
+/// Returns the bytes with the right checksum in each chunk, so that damage reaches the decoder.
+std::string with_checksums(std::string bytes) {
+    for (std::size_t at = png_signature().size(); at + 12 <= bytes.size();) {
+        std::uint32_t length = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            length = length << 8 | static_cast<unsigned char>(bytes[at + k]);
+        }
+        if (length > bytes.size() - at - 12) break;
+        const std::string type = bytes.substr(at + 4, 4);
+        const std::string chunk = png_chunk(type, bytes.substr(at + 8, length));
+        bytes.replace(at, chunk.size(), chunk);
+        at += chunk.size();
+    }
+    return bytes;
+}
+
+void read_png(const std::string& bytes) {
+    const GreyImage image = decode_png("t.png", with_checksums(bytes));
+    if (image.width * image.height > kMostSampledPixels) return;
+    densities_at(image_density(image, {}), oblique(), uniform_points(oblique(), 9, 2));
+}
+
+std::vector<std::string> png_seeds() {
+    const std::string palette = png_chunk("PLTE", std::string("\0\0\0\xff\0\0\0\xff\0", 9));
+    const std::string clear = png_chunk("tRNS", std::string("\x40\xff", 2));
+    return {png_bytes({2, 2, 8, 0}, {"\x10\x20", "\x30\x40"}),
+            png_bytes({2, 1, 16, 2}, {"abcdefghijkl"}),
+            png_bytes({4, 2, 2, 3}, {"\x18", "\x24"}, palette + clear),
+            png_bytes({1, 1, 8, 6}, {"\x10\x20\x30\x40"}), png_bytes({8, 1, 1, 0}, {"\x5a"})};
+}
+
+FuzzTarget format_target(const TileFormat& format) {
+    const std::string_view name = format.extension.substr(1);
+    if (format.reads_grid()) return {name, read_grid, grid_seeds};
+    return {name, [&](const std::string& bytes) { read_tile(format, bytes); },
+            [&] { return tile_seeds(format); }};
+}
+
+std::vector<FuzzTarget> make_targets() {
+    std::vector<FuzzTarget> targets;
+    for (const TileFormat& format : tile_formats()) {
+        if (format.is_readable()) targets.push_back(format_target(format));
+    }
+    targets.push_back({"seam", read_seam, seam_seeds});
+    targets.push_back({"txt", read_site_text, site_seeds});
+    targets.push_back({"csv", read_csv, csv_seeds});
+    targets.push_back({"png", read_png, png_seeds});
+    targets.push_back({"formula", read_formula, formula_seeds});
+    return targets;
+}
+
+bool is_printable_line(std::string_view text) {
+    return !text.empty() && std::none_of(text.begin(), text.end(), [](char c) {
+        return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+    });
+}
+
+}  // namespace
+
+const std::vector<FuzzTarget>& fuzz_targets() {
+    static const std::vector<FuzzTarget> targets = make_targets();
+    return targets;
+}
+
+const FuzzTarget* find_fuzz_target(std::string_view name) {
+    const std::vector<FuzzTarget>& targets = fuzz_targets();
+    const auto found = std::find_if(targets.begin(), targets.end(),
+                                    [&](const FuzzTarget& row) { return row.name == name; });
+    return found == targets.end() ? nullptr : &*found;
+}
+
+std::string run_fuzz_input(const FuzzTarget& target, const std::string& bytes) {
+    try {
+        target.read(bytes);
+        return "";
+    } catch (const InvalidInput& refusal) {
+        if (is_printable_line(refusal.what())) return "";
+        return std::string("a refusal is not one printable line: ") + refusal.what();
+    } catch (const LimitExceeded& refusal) {
+        if (is_printable_line(refusal.what())) return "";
+        return std::string("a refusal is not one printable line: ") + refusal.what();
+    } catch (const std::bad_alloc&) {
+        return "out of memory";
+    } catch (const std::exception& error) {
+        return std::string("an exception that is no refusal: ") + error.what();
+    }
+}
+
+std::string join_files(const std::vector<std::string>& files) {
+    std::string bytes;
+    for (const std::string& file : files) {
+        if (&file != files.data()) bytes += kNextFile;
+        bytes += file;
+    }
+    return bytes;
+}
+
+std::vector<std::string> split_files(std::string_view bytes) {
+    std::vector<std::string> files(1);
+    for (const char c : bytes) {
+        if (c == kNextFile) {
+            files.emplace_back();
+        } else {
+            files.back() += c;
+        }
+    }
+    return files;
+}
+
+}  // namespace pcvt::testing

@@ -1,0 +1,97 @@
+#include "tests/mutants/base_files.hpp"
+
+#include "io/file_proof.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/cvt/cvt.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/tile/build_tile.hpp"
+
+namespace pcvt::testing {
+namespace {
+
+constexpr int kSites = 7;
+
+struct Shape {
+    const char* name;
+    TileOptions options;
+};
+
+std::vector<Shape> shapes() {
+    return {{"voronoi whole", {.kind = MeshKind::kVoronoi}},
+            {"voronoi box", {.kind = MeshKind::kVoronoi, .outline = Outline::kBox}},
+            {"voronoi whole 2x1", {.kind = MeshKind::kVoronoi, .columns = 2}},
+            {"voronoi short-edges", {.kind = MeshKind::kVoronoi, .short_edges = 0.2}},
+            {"delaunay", {.kind = MeshKind::kDelaunay}},
+            {"delaunay 1x2", {.kind = MeshKind::kDelaunay, .rows = 2}},
+            {"grains whole", {.kind = MeshKind::kGrains, .grain_per_edge = 1}},
+            {"grains box", {.kind = MeshKind::kGrains, .outline = Outline::kBox}}};
+}
+
+/// The forms in which a format writes one tile.
+std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format) {
+    std::vector<std::pair<const char*, FileOptions>> forms{{"", {}}};
+    if (format.takes_gltf_nodes) forms.push_back({" one-node", {.gltf_nodes = GltfNodes::kOne}});
+    if (format.takes_single_precision) forms.push_back({" float32", {.single_precision = true}});
+    if (format.takes_colouring) forms.push_back({" by-size", {.colouring = Colouring::kSize}});
+    return forms;
+}
+
+bool holds(const TileFormat& format, const Tile& tile, Outline outline) {
+    if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) return false;
+    if (format.check == nullptr) return true;
+    try {
+        format.check({tile.lattice, tile.kind, outline, 0});
+        return true;
+    } catch (const InvalidInput&) {
+        return false;
+    }
+}
+
+void add_tiles(const TileFormat& format, const PeriodicDelaunay& delaunay, const Shape& shape,
+               std::vector<BaseFile>& bases) {
+    Tile tile = build_tile(delaunay, shape.options).tile;
+    if (!holds(format, tile, shape.options.outline)) return;
+    const std::string path = "tile" + std::string(format.extension);
+    for (const auto& [form, options] : forms(format)) {
+        bases.push_back(
+            {std::string(shape.name) + form, tile.kind, encode_tile(format, tile, path, options)});
+    }
+    if (format.highest_order < 2 || tile.kind != MeshKind::kGrains) return;
+    tile.order = 2;
+    bases.push_back(
+        {std::string(shape.name) + " order 2", tile.kind, encode_tile(format, tile, path, {})});
+}
+
+std::vector<BaseFile> grid_files(const TileFormat& format) {
+    const Lattice lattice = Lattice::rectangle(1, 0.8);
+    const CvtResult result = compute_cvt(lattice, uniform_points(lattice, 12, 1), {});
+    const PeriodicMesh cells = cell_mesh(result.delaunay);
+    const Torus torus{.cells = cells, .origin = Vec2::Zero(), .site_densities = {}};
+    return {{"grid", MeshKind::kVoronoi, std::get<TorusWriter*>(format.write)(torus, "tile.nc")}};
+}
+
+}  // namespace
+
+std::vector<BaseFile> base_files(const TileFormat& format) {
+    if (format.needs_torus()) return grid_files(format);
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    const CvtResult result = compute_cvt(lattice, uniform_points(lattice, kSites, 5), {});
+    std::vector<BaseFile> bases;
+    for (const Shape& shape : shapes()) add_tiles(format, result.delaunay, shape, bases);
+    return bases;
+}
+
+std::string refusal(const TileFormat& format, const Files& files) {
+    try {
+        if (const auto* read = std::get_if<GridReader*>(&format.read)) {
+            prove_grid(files, (*read)(files));
+        } else {
+            prove_file(format, files, decode_tile(format, files, std::nullopt));
+        }
+        return "";
+    } catch (const InvalidInput& fault) {
+        return fault.what();
+    }
+}
+
+}  // namespace pcvt::testing

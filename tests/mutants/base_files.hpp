@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/tile_formats.hpp"
+#include "tests/mutants/mutants.hpp"
+
+namespace pcvt::testing {
+
+/// A valid file, small enough to change each of its fields.
+struct BaseFile {
+    /// "voronoi box 2x1".
+    std::string name;
+    MeshKind kind;
+    Files files;
+};
+
+/// Returns files of a format: each kind, outline, repetition and form that it holds.
+std::vector<BaseFile> base_files(const TileFormat& format);
+
+/// Returns the complaint with which `pcvt check` refuses the files; empty if it accepts them.
+std::string refusal(const TileFormat& format, const Files& files);
+
+}  // namespace pcvt::testing

@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/mutants/mutated_formats.hpp"
+
+namespace pcvt::testing {
+namespace {
+
+/// Real numbers change by this much.
+constexpr double kDigit = 1e-5;
+
+/// Names the words of a file of a case by the file, and those of a dictionary by their key as well.
+class FoamNamer {
+   public:
+    explicit FoamNamer(std::string file) : file_(std::move(file)) {}
+
+    LineNames operator()(const std::vector<std::string_view>& words) const {
+        if (words.empty() || words[0].starts_with("//")) return {};
+        const char first = words[0][0];
+        const bool is_data = first == '-' || first == '.' || (first >= '0' && first <= '9');
+        const std::string name = file_ + (is_data ? " data" : " " + std::string(words[0]));
+        LineNames names{.row = name + " row", .words = {is_data ? name : name + " key"}};
+        names.words.resize(words.size(), name);
+        return names;
+    }
+
+   private:
+    std::string file_;
+};
+
+}  // namespace
+
+std::vector<Mutant> foam_mutants(const BaseFile& base) {
+    std::vector<Mutant> mutants;
+    for (std::size_t file = 0; file < base.files.size(); ++file) {
+        const std::string name = std::filesystem::path(base.files[file].path).filename().string();
+        const std::vector<Mutant> more =
+            text_mutants(base.files, file, FoamNamer(name), "(){};\"", kDigit);
+        mutants.insert(mutants.end(), more.begin(), more.end());
+    }
+    return mutants;
+}
+
+std::span<const Harmless> harmless_in_foam() { return {}; }
+
+}  // namespace pcvt::testing

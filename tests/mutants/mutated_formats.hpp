@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tests/mutants/base_files.hpp"
+
+namespace pcvt::testing {
+
+/// Mutants that `pcvt check` may accept.
+struct Harmless {
+    /// The name of a field; "v.*" covers all names that begin with "v.".
+    std::string_view field;
+    /// Empty: every change.
+    std::string_view change;
+    std::string_view reason;
+    /// The beginning of the name of a base file; empty: every file.
+    std::string_view base = {};
+};
+
+/// The reason for sites of grains, and of cells whose short edges were removed.
+inline constexpr std::string_view kMoved =
+    "laws (4) to (6) of sites do not hold where corners were moved";
+
+/// One row of the table of formats whose fields the campaign changes.
+struct MutatedFormat {
+    std::string_view extension;
+    /// Every change of every field and row that a consumer reads.
+    /// @pre the base outlives the result.
+    std::vector<Mutant> (*mutants)(const BaseFile& base);
+    std::span<const Harmless> harmless;
+};
+
+std::span<const MutatedFormat> mutated_formats();
+
+/// One function a format, in the file of the format.
+std::vector<Mutant> obj_mutants(const BaseFile& base);
+std::vector<Mutant> msh_mutants(const BaseFile& base);
+std::vector<Mutant> inp_mutants(const BaseFile& base);
+std::vector<Mutant> vtu_mutants(const BaseFile& base);
+std::vector<Mutant> foam_mutants(const BaseFile& base);
+std::vector<Mutant> nc_mutants(const BaseFile& base);
+std::span<const Harmless> harmless_in_obj();
+std::vector<Mutant> ply_mutants(const BaseFile& base);
+std::span<const Harmless> harmless_in_ply();
+std::vector<Mutant> glb_mutants(const BaseFile& base);
+std::vector<Mutant> gltf_mutants(const BaseFile& base);
+std::span<const Harmless> harmless_in_gltf();
+std::vector<Mutant> om_mutants(const BaseFile& base);
+std::span<const Harmless> harmless_in_om();
+std::span<const Harmless> harmless_in_msh();
+std::span<const Harmless> harmless_in_inp();
+std::span<const Harmless> harmless_in_vtu();
+std::span<const Harmless> harmless_in_foam();
+std::span<const Harmless> harmless_in_nc();
+
+}  // namespace pcvt::testing

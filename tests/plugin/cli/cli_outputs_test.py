@@ -1,0 +1,71 @@
+"""Outputs: names, pipes, runs that were killed, runs side by side."""
+
+import os
+import signal
+import subprocess
+import time
+
+from support.cli import CliTest, main
+
+MESH = ("mesh", "--sites", "20", "--seed", "3", "--threads", "1", "--quiet")
+
+
+class Outputs(CliTest):
+    def test_names_with_control_characters_are_refused(self):
+        for name in ("a\nb.obj", "a\tb.svg", "\x1b[2J.ply", "x\x7f.glb", "d\n/a.txt", "a\rb.foam"):
+            with self.subTest(name):
+                self.refuse(2, "control character; choose another name", *MESH, "-o", name)
+        self.refuse(2, "control character", *MESH, "-o", "a.obj", "--report", "r\n.json")
+        self.refuse(2, "control character", "study", "fig11", "--sites", "6", "--runs", "1", "-o", "a\n.csv")
+
+    def run_into_closed_pipe(self, *arguments):
+        reader, writer = os.pipe()
+        os.close(reader)
+        with os.fdopen(writer, "wb") as pipe:
+            done = subprocess.run([self.binary(), *arguments], cwd=self.folder, stdout=pipe,
+                                  stderr=subprocess.PIPE, check=False)
+        return done.returncode, done.stderr.decode()
+
+    def test_a_closed_pipe_changes_no_exit_code(self):
+        tile = ("mesh", "--sites", "20", "-o", "t.ply", "-o", "t.obj")
+        self.assertEqual(self.run_into_closed_pipe(*tile), (0, ""))
+        self.succeed("check", "t.ply", "t.obj")
+        for arguments in (("check", "t.ply", "t.obj"), ("mesh", "--sites", "20"), ("mesh", "--help"),
+                          ("study", "fig11", "--sites", "6", "--runs", "1", "-o", "a.csv")):
+            with self.subTest(arguments):
+                self.assertEqual(self.run_into_closed_pipe(*arguments), (0, ""))
+        self.write("bad.ply", "ply\n")
+        self.assertEqual(self.run_into_closed_pipe("check", "t.ply", "bad.ply")[0], 2)
+
+    def test_no_output_goes_into_a_file_when_the_standard_streams_are_closed(self):
+        self.succeed(*MESH, "-o", "expected.ply")
+        shell = ["sh", "-c", 'exec "$0" "$@" <&- >&- 2>&-', self.binary(), *MESH[:-1]]
+        done = subprocess.run([*shell, "-o", "t.ply"], cwd=self.folder, check=False)
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(self.path("t.ply").read_bytes(), self.path("expected.ply").read_bytes())
+
+    def test_the_next_run_removes_what_a_killed_run_has_staged(self):
+        run = subprocess.Popen([self.binary(), "mesh", "--sites", "300000", "--max-iterations", "0",
+                                "--quiet", "-o", "a.obj", "-o", "new/a.ply"], cwd=self.folder)
+        limit = time.monotonic() + 120
+        while not list(self.folder.glob(".a.*")) and run.poll() is None and time.monotonic() < limit:
+            time.sleep(0.005)
+        run.send_signal(signal.SIGKILL)
+        run.wait()
+        left = [p.name for p in self.folder.iterdir()]
+        self.assertTrue(any(name.startswith(".pcvt-") for name in left), left)
+        self.succeed(*MESH, "-o", "b.txt")
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["b.txt"])
+
+    def test_runs_side_by_side_do_not_disturb_each_other(self):
+        runs = [subprocess.Popen([self.binary(), *MESH, "-o", f"{k}.obj", "-o", f"out/{k}.glb"],
+                                 cwd=self.folder, stderr=subprocess.PIPE) for k in range(12)]
+        for run in runs:
+            self.assertEqual((run.communicate()[1], run.returncode), (b"", 0))
+        names = {str(p.relative_to(self.folder)) for p in self.folder.rglob("*") if p.is_file()}
+        self.assertEqual(names, {f"{k}.{e}" for k in range(12) for e in ("obj", "mtl", "seam.json")}
+                         | {f"out/{k}.glb" for k in range(12)})
+
+
+if __name__ == "__main__":
+    main()
