@@ -6,6 +6,7 @@
 
 #include "io/colours/colouring.hpp"
 #include "io/tiles/plane_element.hpp"
+#include "mesher/materials/cell_materials.hpp"
 
 namespace pcvt {
 
@@ -28,6 +29,8 @@ inline constexpr int kDefaultPixels = 1024;
 struct FileOptions {
     /// Of graded meshes: the densities at sites 0 to n - 1 of one period; else empty.
     std::span<const double> site_densities = {};
+    /// Phases and orientations of the cells, which must outlive the options; null: none.
+    const CellMaterials* materials = nullptr;
     /// The quantity that colours show; `nullopt`: each format has its own default.
     std::optional<Colouring> colouring = {};
     /// Of pictures; `nullopt`: the page behind the picture shows through.

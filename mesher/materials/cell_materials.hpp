@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pcvt {
+
+/// The orientation of a crystal by Bunge's Euler angles, degrees: turns by phi1 about z, by Phi
+/// about the new x, by phi2 about the new z take the axes of the sample to those of the crystal
+/// (H.-J. Bunge 1982).
+struct BungeAngles {
+    double phi1 = 0;
+    double Phi = 0;
+    double phi2 = 0;
+
+    friend bool operator==(const BungeAngles&, const BungeAngles&) = default;
+};
+
+/// What the cells of a polycrystal consist of.
+struct CellMaterials {
+    /// In the order in which the user named them; empty: the cells have no phases.
+    std::vector<std::string> phase_names = {};
+    /// The index of the phase of the cell of each site 0 ... n - 1; empty without phases.
+    std::vector<int> site_phase = {};
+    /// The orientation of the cell of each site; may be empty.
+    std::vector<BungeAngles> site_orientation = {};
+
+    bool empty() const { return site_phase.empty() && site_orientation.empty(); }
+};
+
+}  // namespace pcvt
