@@ -70,7 +70,9 @@ std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path)
     MpasGrid grid = mpas_grid(torus.cells, torus.origin);
     if (!torus.site_densities.empty()) fill_mesh_density(torus.site_densities, grid);
     const std::vector<std::string> paths = mpas_paths(path);
-    return {{paths[0], encode_mpas(grid)}, {paths[1], encode_mpas_graph(grid)}};
+    std::vector<EncodedFile> files = only_file(paths[0], encode_mpas(grid));
+    files.push_back({paths[1], encode_mpas_graph(grid)});
+    return files;
 }
 
 MpasGrid read_mpas(const std::vector<EncodedFile>& files) {

@@ -95,6 +95,8 @@ std::size_t OutputSet::run_file_for(const std::string& target) {
     for (std::size_t k = 0; k < run_files_.size(); ++k) {
         if (run_files_[k].folder() == folder) return k;
     }
+    // A run file that exists already must find its place, or it would be left behind.
+    run_files_.reserve(run_files_.size() + 1);
     run_files_.push_back(RunFile::create(folder, target));
     return run_files_.size() - 1;
 }

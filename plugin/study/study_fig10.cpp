@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/pictures/plot_svg.hpp"
 #include "mesher/delaunay/mirror_diagram.hpp"
@@ -106,7 +107,10 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
     }
     plots[0].series.push_back(counts);
     plots[1].series.push_back(shares);
-    return {{table}, {plot_picture("Mirrors against n", plots)}};
+    StudyResult result;
+    result.tables.push_back(std::move(table));
+    result.pictures.push_back(plot_picture("Mirrors against n", plots));
+    return result;
 }
 
 }  // namespace

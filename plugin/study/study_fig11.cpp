@@ -231,8 +231,12 @@ StudyPicture share_plot(std::vector<Tally> tallies) {
 StudyResult conclude(const Study& study, const StudyTable& runs) {
     std::vector<Tally> tallies;
     for (const int n : study.sites) tallies.push_back(tally(runs, n));
-    return {{share_table(tallies), pattern_table(tallies)},
-            {{"", gallery(tallies)}, share_plot(tallies)}};
+    StudyResult result;
+    result.tables.push_back(share_table(tallies));
+    result.tables.push_back(pattern_table(tallies));
+    result.pictures.push_back({.suffix = "", .svg = gallery(tallies)});
+    result.pictures.push_back(share_plot(tallies));
+    return result;
 }
 
 }  // namespace

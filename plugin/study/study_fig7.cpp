@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <ctime>
+#include <utility>
 
 #include "io/pictures/plot_svg.hpp"
 #include "mesher/delaunay/mirror_diagram.hpp"
@@ -88,7 +89,10 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         row.push_back(rounded(median(runs, n, "full_copies_s") / median(runs, n, "mirrors_s"), 3));
         table.rows.push_back(row);
     }
-    return {{table}, {plot_picture("PVD time against n", {plot})}};
+    StudyResult result;
+    result.tables.push_back(std::move(table));
+    result.pictures.push_back(plot_picture("PVD time against n", {plot}));
+    return result;
 }
 
 }  // namespace

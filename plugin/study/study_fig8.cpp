@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "io/bytes/text.hpp"
 #include "mesher/cvt/clipped_cvt.hpp"
@@ -98,7 +99,10 @@ StudyResult conclude(const Study& /*study*/, const StudyTable& runs) {
     }
     const Legend legend{"From random sites to the standard and the periodic CVT",
                         panel_legend(panels)};
-    return {{table}, {{"", encode_cell_panels(legend, panels, {2, 440})}}};
+    StudyResult result;
+    result.tables.push_back(std::move(table));
+    result.pictures.push_back({.suffix = "", .svg = encode_cell_panels(legend, panels, {2, 440})});
+    return result;
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "io/pictures/plot_svg.hpp"
 #include "mesher/cvt/clipped_cvt.hpp"
 #include "plugin/study/study_pictures.hpp"
@@ -105,9 +107,11 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
                                .points = {Vec2(0, f_hex(n)), Vec2(longest, f_hex(n))}});
         plots.push_back(std::move(plot));
     }
-    return {{table},
-            {plot_picture("CVT energy by iteration", plots),
-             plot_picture("CVT energy above the hexagonal bound", excess)}};
+    StudyResult result;
+    result.tables.push_back(std::move(table));
+    result.pictures.push_back(plot_picture("CVT energy by iteration", plots));
+    result.pictures.push_back(plot_picture("CVT energy above the hexagonal bound", excess));
+    return result;
 }
 
 }  // namespace
