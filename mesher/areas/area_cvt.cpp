@@ -21,9 +21,11 @@ constexpr double kTrialTolerance = 0.1;
 /// of the triangulation.
 class AreaObjective final : public Objective {
    public:
-    AreaObjective(MovingDelaunay& delaunay, const Eigen::VectorXd& areas, Workers& workers)
+    AreaObjective(MovingDelaunay& delaunay, const Eigen::VectorXd& areas,
+                  const NewtonCallback& callback, Workers& workers)
         : delaunay_(delaunay),
           areas_(areas),
+          callback_(callback),
           workers_(workers),
           pass_(delaunay, workers),
           newton_(delaunay, workers) {}
@@ -37,7 +39,8 @@ class AreaObjective final : public Objective {
         measure();
         const auto [largest, rms] =
             residuals(cells_.gradient, cells_.mass, delaunay_.spacing(), workers_);
-        evaluation.value = cells_.energy;
+        // g(w): its error is quadratic in that of the areas, that of the energy is linear.
+        evaluation.value = cells_.energy + newton_.weights().dot(areas_ - cells_.mass);
         evaluation.gradient = cells_.gradient;
         evaluation.residual = largest;
         evaluation.rms_residual = rms;
@@ -68,7 +71,7 @@ class AreaObjective final : public Objective {
 
     void measure() {
         const double tolerance = kTrialTolerance * area_tolerance(delaunay_.n_sites());
-        const AreaFigures now = newton_.solve(areas_, tolerance);
+        const AreaFigures now = newton_.solve(areas_, tolerance, callback_);
         measure_cells(newton_.diagram(), newton_.heights(), workers_, cells_);
         figures_.largest_relative_error = now.largest_relative_error;
         figures_.converged = now.largest_relative_error <= area_tolerance(delaunay_.n_sites());
@@ -79,6 +82,7 @@ class AreaObjective final : public Objective {
 
     MovingDelaunay& delaunay_;
     const Eigen::VectorXd& areas_;
+    const NewtonCallback& callback_;
     Workers& workers_;
     EnergyPass pass_;
     Energy euclidean_;
@@ -152,7 +156,8 @@ AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
                            std::to_string(points.cols()) + " sites; give one for each site");
     }
     // Triangulate, and give the areas the order and the unit of the triangulation.
-    MovingDelaunay delaunay{Sites(lattice, points)};
+    MovingDelaunay delaunay(Sites(lattice, points), options.numbering);
+    require_distinct(delaunay);
     const double unit = delaunay.unit();
     const int n = delaunay.n_sites();
     Eigen::VectorXd areas(n);
@@ -160,7 +165,7 @@ AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
     areas *= delaunay.frame().ax * delaunay.frame().by / areas.sum();
     // Minimise.
     Workers workers(options.n_threads);
-    AreaObjective objective(delaunay, areas, workers);
+    AreaObjective objective(delaunay, areas, options.newton_progress, workers);
     const double value_unit = std::pow(unit, 4);
     ProgressCallback progress;
     if (options.progress) {

@@ -18,6 +18,8 @@ inline double area_tolerance(int n_sites) {
 struct AreaCvtOptions {
     /// length^2, of each site, with the sum of the domain's area (scaled_areas).
     Eigen::VectorXd areas;
+    /// The numbers of the result's sites, in whose order the areas are.
+    Numbering numbering = Numbering::kAsGiven;
     /// 0: the sites stay. k: k times each site moves to the centroid of its cell, and the weights
     /// follow. Negative: the sites move until each is the centroid of its cell.
     int centroidal_steps = 0;
@@ -25,8 +27,10 @@ struct AreaCvtOptions {
     double tolerance = 1e-6;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
-    /// Called once per centroidal step; returning false cancels the run.
+    /// Called once per centroidal step or iteration; returning false cancels the run.
     ProgressCallback progress = {};
+    /// Called with the figures of the weights of each position, as AreaNewton::solve does.
+    NewtonCallback newton_progress = {};
 };
 
 struct AreaCvtResult {
@@ -56,8 +60,8 @@ struct AreaCvtResult {
 ///     const PeriodicMesh cells = cell_mesh(grains.delaunay);
 ///
 /// @param points  2 x n, length units; need not be wrapped.
-/// @throws InvalidInput and DuplicateSites as Sites does, and InvalidInput if there are not n
-/// areas.
+/// @throws InvalidInput and DuplicateSites as Sites and require_distinct do, and InvalidInput if
+///         there are not n areas.
 AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
                                const AreaCvtOptions& options);
 

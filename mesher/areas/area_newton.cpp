@@ -127,7 +127,8 @@ double AreaNewton::rounding(const Eigen::VectorXd& areas) const {
            areas.minCoeff();
 }
 
-AreaFigures AreaNewton::solve(const Eigen::VectorXd& areas, double tolerance) {
+AreaFigures AreaNewton::solve(const Eigen::VectorXd& areas, double tolerance,
+                              const NewtonCallback& callback) {
     begin(areas.minCoeff());
     last_step_ = 1;
     const double least_mass = std::min(areas.minCoeff(), here_.mass.minCoeff()) / 2;
@@ -135,6 +136,7 @@ AreaFigures AreaNewton::solve(const Eigen::VectorXd& areas, double tolerance) {
     for (;;) {
         figures.largest_relative_error = largest_error(here_.mass, areas);
         figures.converged = figures.largest_relative_error <= tolerance;
+        if (callback) callback(figures);
         if (figures.converged) return figures;
         if (figures.newton_steps == kMostSteps) break;
         if (!step(areas, tolerance, least_mass, figures)) break;

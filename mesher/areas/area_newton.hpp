@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/power/power_cells.hpp"
@@ -23,6 +24,9 @@ struct AreaFigures {
     /// Whether the error is below the tolerance or the rounding.
     bool converged = false;
 };
+
+/// Called before the first step and after each one; what it throws ends the iteration.
+using NewtonCallback = std::function<void(const AreaFigures&)>;
 
 /// Finds the weights that give the power cells of fixed sites prescribed areas.
 ///
@@ -56,7 +60,8 @@ class AreaNewton {
     /// Starts from the weights of the last call where they give every site a cell, else from 0.
     /// @param areas  a_i in units^2 and the order of `delaunay`, positive, with the sum of the
     ///               domain's area.
-    AreaFigures solve(const Eigen::VectorXd& areas, double tolerance);
+    AreaFigures solve(const Eigen::VectorXd& areas, double tolerance,
+                      const NewtonCallback& callback = {});
 
     /// In units^2.
     const Eigen::VectorXd& weights() const { return here_.weights; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -54,6 +56,7 @@ LaplacianSolver::Level LaplacianSolver::finest_level(const CellGraph& graph) {
     level.column.reserve(graph.neighbour.size());
     level.conductance.reserve(graph.neighbour.size());
     for (int row = 0; row < graph.n_rows(); ++row) {
+        checkpoint_each(row);
         for (int k = graph.row_begin[row]; k < graph.row_begin[row + 1]; ++k) {
             level.column.push_back(graph.neighbour[k]);
             level.conductance.push_back(static_cast<float>(graph.conductance[k]));
@@ -69,6 +72,7 @@ std::vector<int> LaplacianSolver::match_pairs(const Level& level, int& n_pairs) 
     std::vector<int> pair(static_cast<std::size_t>(level.n_rows()), -1);
     n_pairs = 0;
     for (int row = 0; row < level.n_rows(); ++row) {
+        checkpoint_each(row);
         if (pair[row] >= 0) continue;
         int partner = -1;
         float strongest = 0;
@@ -100,6 +104,7 @@ LaplacianSolver::Level LaplacianSolver::merged(const Level& fine, const std::vec
     coarse.conductance.reserve(fine.column.size() / 2);
     std::vector<int> place(static_cast<std::size_t>(n_coarse), -1);
     for (int a = 0; a < n_coarse; ++a) {
+        checkpoint_each(a);
         const int row_begin = coarse.row_begin.back();
         for (int m = begin[a]; m < begin[a + 1]; ++m) {
             const int row = members[m];
@@ -262,6 +267,7 @@ int LaplacianSolver::solve(const Eigen::VectorXd& b, double accuracy, Eigen::Vec
     int n_products = 0;
     // Conjugate gradients for a preconditioner that changes from step to step.
     for (; residual.norm() > enough && n_products < kMostProducts; ++n_products) {
+        checkpoint();
         precondition(0, residual, z);
         const double beta = last > 0 ? -z.dot(product) / last : 0;
         direction = z + beta * direction;

@@ -19,24 +19,6 @@ namespace {
 constexpr double kLargestMove = 0.5;
 constexpr int kSitesPerTask = 1 << 14;
 
-/// Checks Delaunay edges only: each site is joined to its nearest neighbour by one.
-void require_distinct(const MovingDelaunay& delaunay) {
-    const TorusTriangulation& t = delaunay.triangulation();
-    std::pair<SiteId, SiteId> found{-1, -1};
-    for (int h = 0; h < t.n_halfedges(); ++h) {
-        const Corner from = t.corner(h);
-        const Corner to = t.corner(TorusTriangulation::next(h));
-        const Vec2 edge = delaunay.frame().to_plane(
-            difference(image(delaunay.coordinates(), from.site, from.offset),
-                       image(delaunay.coordinates(), to.site, to.offset)));
-        if (edge.norm() >= kSameVertex * delaunay.spacing()) continue;
-        const std::pair<SiteId, SiteId> pair =
-            std::minmax({delaunay.original_id(from.site), delaunay.original_id(to.site)});
-        if (found.first < 0 || pair < found) found = pair;
-    }
-    if (found.first >= 0) throw DuplicateSites(found.first, found.second);
-}
-
 /// The energy as a function of moving sites. It works in the frame and the length unit of the
 /// triangulation, so the optimiser's products and thresholds do not depend on the user's unit.
 class CvtObjective final : public Objective {

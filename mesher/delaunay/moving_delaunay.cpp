@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/base/huge_pages.hpp"
 #include "mesher/delaunay/mirror_diagram.hpp"
 #include "mesher/delaunay/untangling.hpp"
@@ -213,6 +214,24 @@ std::pair<Sites, TorusTriangulation> MovingDelaunay::release() {
     triangulation_.add_to_offsets(change);
     triangulation_.renumber_sites(order_);
     return {Sites(lattice_, reduction_, std::move(coordinates)), std::move(triangulation_)};
+}
+
+void require_distinct(const MovingDelaunay& delaunay) {
+    // Each site is joined to its nearest neighbour by a Delaunay edge.
+    const TorusTriangulation& t = delaunay.triangulation();
+    std::pair<SiteId, SiteId> found{-1, -1};
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        const Corner from = t.corner(h);
+        const Corner to = t.corner(TorusTriangulation::next(h));
+        const Vec2 edge = delaunay.frame().to_plane(
+            difference(image(delaunay.coordinates(), from.site, from.offset),
+                       image(delaunay.coordinates(), to.site, to.offset)));
+        if (edge.norm() >= kSameVertex * delaunay.spacing()) continue;
+        const std::pair<SiteId, SiteId> pair =
+            std::minmax({delaunay.original_id(from.site), delaunay.original_id(to.site)});
+        if (found.first < 0 || pair < found) found = pair;
+    }
+    if (found.first >= 0) throw DuplicateSites(found.first, found.second);
 }
 
 }  // namespace pcvt

@@ -151,4 +151,9 @@ class MovingDelaunay {
     FlipLog flip_log_;
 };
 
+/// @pre the triangulation is restored.
+/// @throws DuplicateSites naming two sites, by their original ids, that are nearer to each other
+///         than kSameVertex h (sites.hpp).
+void require_distinct(const MovingDelaunay& delaunay);
+
 }  // namespace pcvt

@@ -23,9 +23,11 @@ std::string digits(double value) {
     return {text.data(), end.ptr};
 }
 
+bool is_density(double rho) { return rho >= kLeastDensity && rho <= kGreatestDensity; }
+
 [[noreturn]] void throw_first_bad_density(std::span<const DensityPoint> points, const double* rho) {
     std::size_t k = 0;
-    while (rho[k] >= kLeastDensity && rho[k] <= kGreatestDensity) ++k;
+    while (is_density(rho[k])) ++k;
     const DensityPoint& p = points[k];
     const bool positive = std::isfinite(rho[k]) && rho[k] > 0;
     throw BadDensity(
@@ -59,6 +61,26 @@ PCVT_TARGET_CLONES bool find_extremes(const double* rho, std::size_t n, double& 
 }
 
 }  // namespace
+
+Density fixed_to_lattice(Density density, const Lattice& lattice) {
+    density.make_function = [make = std::move(density.make_function), lattice]() {
+        return [function = make(), lattice, fixed = std::vector<DensityPoint>()](
+                   std::span<const DensityPoint> points, std::span<double> rho) mutable {
+            fixed.assign(points.begin(), points.end());
+            for (DensityPoint& p : fixed) {
+                const Vec2 x = lattice.a() * p.u + lattice.b() * p.v;
+                p.x = x.x();
+                p.y = x.y();
+            }
+            function(fixed, rho);
+            // Here the message names the point on `lattice`.
+            if (!std::all_of(rho.begin(), rho.end(), is_density)) {
+                throw_first_bad_density(fixed, rho.data());
+            }
+        };
+    };
+    return density;
+}
 
 void DensityRange::add(const DensityRange& other) {
     least = std::min(least, other.least);

@@ -65,6 +65,10 @@ Density shared_density(Function function) {
     return {[function = std::move(function)] { return pointwise(function); }};
 }
 
+/// The same density for a run on another lattice with the same lattice coordinates u and v, such as
+/// that of the round space of a metric (metric.hpp): its function gets x and y on `lattice`.
+Density fixed_to_lattice(Density density, const Lattice& lattice);
+
 /// Limits of a density, and of the ratio of its largest to its least value.
 inline constexpr double kLeastDensity = 1e-60;
 inline constexpr double kGreatestDensity = 1e60;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 
 bool PowerFlips::is_locally_regular(int h) const {
@@ -48,6 +50,7 @@ std::optional<SiteId> PowerFlips::flip_from(int first, std::vector<int>& stack) 
 std::optional<SiteId> PowerFlips::run() {
     std::vector<int> stack;
     for (int h = 0; h < triangulation_.n_halfedges(); ++h) {
+        checkpoint_each(h);
         if (h > triangulation_.opposite(h)) continue;
         if (const auto hidden = flip_from(h, stack)) return hidden;
     }
