@@ -161,7 +161,8 @@ typedef struct pcvt_options {
     int32_t start;   /**< PCVT_START_...; only where `sites` is NULL [default] */
     uint64_t seed;   /**< [0] */
     int32_t solver;  /**< PCVT_SOLVER_... [default] */
-    int32_t max_iterations; /**< negative: no limit; 0: the Voronoi diagram of the sites as given
+    int32_t max_iterations; /**< negative: no limit; 0: the Voronoi diagram of the sites as given;
+                               with areas: steps that move each site to the centroid of its cell
                                [-1] */
     double tolerance;       /**< converged once the residual is at most this [1e-6] */
     int32_t n_threads;      /**< 0: as many as there are cores; at most 1024 [0] */
@@ -180,6 +181,16 @@ typedef struct pcvt_options {
     int32_t grain_per_edge; /**< parts of each cell edge; excludes grain_size [0: grain_size] */
     int32_t find_origin;    /**< 1: tiles with PCVT_BOX ignore `origin`; they are cut where the
                                shortest edge of the cut is longest [0] */
+    const double* areas; /**< n_areas positive numbers, in any unit: cells whose areas are to each
+                            other as these, as power cells; excludes a density [NULL] */
+    int32_t n_areas;     /**< n_sites, or 0 where `areas` is NULL [0] */
+    int32_t reserved;
+    const char* area_law; /**< "equal", or "lognormal:S" or "gamma:S", drawn from `seed`, with S the
+                             standard deviation over the mean of the equivalent diameters; excludes
+                             `areas` [NULL] */
+    double aspect;        /**< cells so many times as long along aspect_degrees as across, 0.01 to
+                             100 [1] */
+    double aspect_degrees; /**< from x [0] */
 } pcvt_options;
 
 /** The optimised sites. */
@@ -188,6 +199,9 @@ typedef struct pcvt_sites {
     const double* points; /**< n_sites pairs x, y, wrapped into the domain at `origin` */
     int32_t n_sites;
     int32_t reserved;
+    const double* weights; /**< n_sites numbers, length^2; NULL without areas. The cell of site i is
+                              where |p - x_i|^2 - weights[i] is least; with an aspect, lengths are
+                              those of its metric */
 } pcvt_sites;
 
 /** The cells or the triangles on the torus: one face and one vertex for all of its images.
@@ -258,7 +272,10 @@ typedef struct pcvt_statistics {
     int32_t iterations;
     int32_t evaluations;
     int32_t n_threads;
-    int32_t n_mirrors; /**< -1 if the triangulation was built without mirrors */
+    int32_t n_mirrors;    /**< -1 if the triangulation was built without mirrors */
+    double area_error;    /**< largest |area - wished| / wished; NaN without areas */
+    int32_t newton_steps; /**< that found the weights; 0 without areas */
+    int32_t reserved;
 } pcvt_statistics;
 
 /** The options of pcvt_write(). Zero in all fields but struct_size is the default. */

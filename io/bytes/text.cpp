@@ -142,6 +142,16 @@ void LineScanner::throw_bad_file(const std::string& complaint) const {
     throw BadFile(name_ + ":" + std::to_string(line_) + ": " + complaint);
 }
 
+std::vector<std::string_view> words_before_comment(const LineScanner& scanner) {
+    std::vector<std::string_view> words;
+    for (const std::string_view word : scanner.words()) {
+        const std::size_t comment = word.find('#');
+        if (comment != 0) words.push_back(word.substr(0, comment));
+        if (comment != std::string_view::npos) break;
+    }
+    return words;
+}
+
 void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy) {
     for (const std::string_view mark : kUtf16Marks) {
         if (!text.starts_with(mark)) continue;

@@ -68,6 +68,9 @@ class LineScanner {
     int line_ = 0;
 };
 
+/// Returns the words of the current line before the first #.
+std::vector<std::string_view> words_before_comment(const LineScanner& scanner);
+
 /// Refuses a text that holds a NUL byte or begins with the byte order mark of UTF-16.
 /// @throws BadFile `name:line: holds a NUL byte, so it appears to be a binary file; remedy`.
 void refuse_binary(const std::string& name, std::string_view text, const std::string& remedy);

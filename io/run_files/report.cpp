@@ -73,6 +73,18 @@ std::string word(const Report::Pattern& pattern) {
            ", \"smallest_eigenvalue\": " + word(pattern.smallest_eigenvalue) + "}";
 }
 
+std::string word(const Report::Areas& areas) {
+    return "{\"law\": " + word(areas.law) + ", \"std_over_mean\": " + word(areas.std_over_mean) +
+           ", \"largest_relative_error\": " + word(areas.largest_relative_error) +
+           ", \"newton_steps\": " + word(areas.newton_steps) +
+           ", \"circularity_mean\": " + word(areas.circularity_mean) +
+           ", \"circularity_std\": " + word(areas.circularity_std) + "}";
+}
+
+std::string word(const Report::Aspect& aspect) {
+    return "{\"ratio\": " + word(aspect.ratio) + ", \"degrees\": " + word(aspect.degrees) + "}";
+}
+
 }  // namespace
 
 std::string encode_report(const Report& report) {
@@ -120,6 +132,8 @@ std::string encode_report(const Report& report) {
                                        {"quadrature_error", word(density.quadrature_error)},
                                        {"rough_cells", word(density.rough_cells)}});
     }
+    if (report.areas) entries.emplace_back("areas", word(*report.areas));
+    if (report.aspect) entries.emplace_back("aspect", word(*report.aspect));
     // One key per line.
     std::string text;
     for (const auto& [key, value] : entries) {

@@ -70,6 +70,22 @@ struct Report {
         double quadrature_error;
         int rough_cells;
     };
+    /// The statistics of a run with prescribed areas.
+    struct Areas {
+        /// The law, or the path of the file.
+        std::string law;
+        /// Of the equivalent diameters.
+        double std_over_mean;
+        double largest_relative_error;
+        int newton_steps;
+        double circularity_mean;
+        double circularity_std;
+    };
+    /// Of elongated cells.
+    struct Aspect {
+        double ratio;
+        double degrees;
+    };
 
     std::string version;
     int sites;
@@ -105,8 +121,10 @@ struct Report {
     /// one.
     std::optional<double> box_shortest_edge = {};
     std::optional<Grains> grains = {};
-    /// Runs without a density leave its keys out.
+    /// Runs without a density, areas or an aspect leave their keys out.
     std::optional<Density> density = {};
+    std::optional<Areas> areas = {};
+    std::optional<Aspect> aspect = {};
 };
 
 /// Encodes the report as JSON: one key per line, numbers as the shortest decimals that read back,

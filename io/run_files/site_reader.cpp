@@ -8,17 +8,6 @@
 namespace pcvt {
 namespace {
 
-/// Returns the words of the current line before the first #.
-std::vector<std::string_view> words_before_comment(const LineScanner& scanner) {
-    std::vector<std::string_view> words;
-    for (const std::string_view word : scanner.words()) {
-        const std::size_t comment = word.find('#');
-        if (comment != 0) words.push_back(word.substr(0, comment));
-        if (comment != std::string_view::npos) break;
-    }
-    return words;
-}
-
 Vec2 parse_site(const LineScanner& scanner, const std::vector<std::string_view>& words) {
     std::vector<double> numbers;
     for (const std::string_view word : words) numbers.push_back(scanner.number(word));

@@ -95,6 +95,31 @@ int threads(std::int32_t wanted) {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
+std::optional<WishedAreas> wished_areas(const pcvt_options& options) {
+    if (options.areas != nullptr && options.area_law != nullptr) {
+        throw InvalidInput("areas and area_law exclude each other; leave one out");
+    }
+    if (options.area_law != nullptr) {
+        return WishedAreas{.law = parse_area_law(options.area_law), .name = options.area_law};
+    }
+    if (options.areas == nullptr) {
+        if (options.n_areas == 0) return std::nullopt;
+        throw InvalidInput("n_areas is not 0, but areas is a null pointer; give both");
+    }
+    if (options.n_areas != options.n_sites) {
+        throw InvalidInput("n_areas is not n_sites; give one area for each site");
+    }
+    return WishedAreas{.given = Eigen::Map<const Eigen::VectorXd>(options.areas, options.n_areas),
+                       .name = "given"};
+}
+
+std::optional<Aspect> aspect(const pcvt_options& options) {
+    const double values[] = {options.aspect, options.aspect_degrees};
+    require_finite("aspect or aspect_degrees", values, 2);
+    if (options.aspect == 1) return std::nullopt;
+    return Aspect{.ratio = options.aspect, .degrees = options.aspect_degrees};
+}
+
 Points given_sites(const pcvt_options& options) {
     if (options.sites == nullptr) return Points(2, 0);
     const Eigen::Map<const Points> sites(options.sites, 2, options.n_sites);
@@ -143,6 +168,7 @@ pcvt_options default_options() {
     options.max_iterations = -1;
     options.tolerance = 1e-6;
     options.columns = options.rows = 1;
+    options.aspect = 1;
     return options;
 }
 
@@ -202,6 +228,8 @@ Job make_job(const pcvt_options& options) {
         throw InvalidInput("find_origin is neither 0 nor 1");
     }
     job.finds_origin = options.find_origin == 1;
+    job.areas = wished_areas(options);
+    job.aspect = aspect(options);
     return job;
 }
 

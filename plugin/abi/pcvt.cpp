@@ -56,9 +56,9 @@ JobCallback job_callback(const HostProgress& to, double energy_bound, const std:
     };
 }
 
-pcvt_status status_of(const Job& job, const CvtResult& cvt) {
-    if (cvt.run.stop == Stop::kConverged || job.max_iterations == 0) return PCVT_OK;
-    set_last_error(cvt.run.stop == Stop::kStalled
+pcvt_status status_of(const Job& job, const RunStatistics& run) {
+    if (run.stop == Stop::kConverged || job.max_iterations == 0) return PCVT_OK;
+    set_last_error(run.stop == Stop::kStalled
                        ? "not converged: double precision gives no more; take a larger tolerance"
                        : "not converged: the iteration limit came first");
     return PCVT_NOT_CONVERGED;
@@ -95,7 +95,7 @@ pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std:
         set_last_error("cancelled by the progress callback");
         return PCVT_CANCELLED;
     }
-    const pcvt_status status = status_of(job, computed->cvt);
+    const pcvt_status status = status_of(job, computed->cells.run);
     // The callback may not be called after this call.
     if (job.density) job.density = Density{};
     *result = new pcvt_result{{std::move(job), *std::move(computed)}};

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "mesher/mesh/valence.hpp"
-#include "mesher/mesh/voronoi.hpp"
 #include "plugin/abi/guard.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_tiles.hpp"
@@ -62,9 +61,9 @@ void note_orbits(TileArrays& arrays) {
     }
 }
 
-std::vector<int> counts_by_sides(const PeriodicDelaunay& delaunay) {
+std::vector<int> counts_by_sides(const Tessellation& cells) {
     std::vector<int> counts;
-    for (const auto& [sides, count] : histogram(cell_sides(delaunay))) {
+    for (const auto& [sides, count] : histogram(cell_sides(cells))) {
         counts.resize(static_cast<std::size_t>(sides) + 1, 0);
         counts[sides] = count;
     }
@@ -92,14 +91,14 @@ std::int32_t minimum_number(const std::optional<Minimum>& minimum) {
 Result::Result(Job job, Computation computed)
     : job_(std::move(job)),
       computed_(std::move(computed)),
-      sites_(wrapped_sites(computed_.cvt, job_.origin)) {}
+      sites_(wrapped_sites(computed_.cells, job_.origin)) {}
 
 const PeriodicMesh& Result::periodic(MeshKind kind) const {
     if (kind == MeshKind::kGrains) {
         throw InvalidInput("grains exist only as a tile; use pcvt_get_tile");
     }
     return meshes_[kind_number(kind)].get(
-        [&] { return from_geometry([&] { return periodic_mesh(computed_.cvt.delaunay, kind); }); });
+        [&] { return from_geometry([&] { return plane_mesh(computed_.cells, kind); }); });
 }
 
 const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) const {
@@ -109,7 +108,7 @@ const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) cons
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
         std::vector<BuiltTile> built =
-            from_geometry([&] { return proved_tiles(job, computed_.cvt, monitor); });
+            from_geometry([&] { return proved_tiles(job, computed_.cells, monitor); });
         TileArrays made{std::move(built.front()), {}, {}, {}};
         note_orbits(made);
         return made;
@@ -130,32 +129,38 @@ pcvt_sites Result::sites() const {
     copy_lattice(job_.lattice, view.lattice);
     view.points = sites_.data();
     view.n_sites = static_cast<std::int32_t>(sites_.cols());
+    const Eigen::VectorXd& weights = computed_.cells.delaunay.weights();
+    view.weights = weights.size() == 0 ? nullptr : weights.data();
     return view;
 }
 
 pcvt_statistics Result::statistics() const {
     const std::vector<int>& valences =
-        valences_.get([&] { return counts_by_sides(computed_.cvt.delaunay); });
-    const CvtResult& cvt = computed_.cvt;
-    return {.energy = cvt.run.energy,
+        valences_.get([&] { return counts_by_sides(computed_.cells); });
+    const Tessellation& cells = computed_.cells;
+    return {.energy = cells.run.energy,
             .energy_bound = energy_bound(),
-            .residual = cvt.run.residual,
-            .rms_residual = cvt.run.rms_residual,
+            .residual = cells.run.residual,
+            .rms_residual = cells.run.rms_residual,
             .seconds_build = computed_.seconds.build,
             .seconds_optimize = computed_.seconds.optimize,
             .valences = numbers(valences),
             .n_valences = static_cast<std::int32_t>(valences.size()),
             .n_hexagons = valences.size() > 6 ? valences[6] : 0,
-            .stop = stop_number(cvt.run.stop),
+            .stop = stop_number(cells.run.stop),
             .n_sites = static_cast<std::int32_t>(sites_.cols()),
-            .iterations = cvt.run.iterations,
-            .evaluations = cvt.run.evaluations,
+            .iterations = cells.run.iterations,
+            .evaluations = cells.run.evaluations,
             .n_threads = job_.n_threads,
-            .n_mirrors = cvt.counts.n_mirrors.value_or(-1)};
+            .n_mirrors = cells.counts.n_mirrors.value_or(-1),
+            .area_error = cells.areas ? cells.areas->largest_relative_error
+                                      : std::numeric_limits<double>::quiet_NaN(),
+            .newton_steps = cells.areas ? cells.areas->newton_steps : 0,
+            .reserved = 0};
 }
 
 std::int32_t Result::minimum() const {
-    return minimum_.get([&] { return minimum_number(minimum_of(computed_.cvt)); });
+    return minimum_.get([&] { return minimum_number(minimum_of(computed_.cells)); });
 }
 
 pcvt_mesh Result::mesh(MeshKind kind) const {

@@ -1,6 +1,14 @@
-#include "plugin/cli/density_option.hpp"
+#include "plugin/cli/cell_options.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <filesystem>
 
 #include "io/bytes/text.hpp"
+#include "io/run_files/area_reader.hpp"
+#include "mesher/areas/target_areas.hpp"
+#include "plugin/cli/help_command.hpp"
 #include "plugin/cli/option_values.hpp"
 #include "plugin/job/job_density.hpp"
 
@@ -18,7 +26,87 @@ GreyRange grey_range(const std::string& text) {
     return {range.x(), range.y()};
 }
 
+void read_density(const CLI::App& app, const CellOptions& options, Job& job) {
+    if (app.count("--density") == 0) {
+        if (app.count("--density-range") == 0) return;
+        throw InvalidInput("--density-range is for --density FILE.png; give one");
+    }
+    job.density = density_option(options.density, options.density_range, job.lattice);
+    job.density_name = options.density;
+    if (names_picture(options.density)) job.inputs.push_back(options.density);
+}
+
+/// A law, or the name of a file.
+WishedAreas wished_areas(const std::string& text) {
+    if (names_area_law(text)) {
+        try {
+            return {.law = parse_area_law(text), .name = text};
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("--areas " + std::string(error.what()));
+        }
+    }
+    std::error_code unknown;
+    if (text.empty() || !std::filesystem::exists(text, unknown)) {
+        throw InvalidInput("--areas " + (text.empty() ? "''" : text) +
+                           ": neither a law nor a file; take equal, lognormal:S, gamma:S or a file "
+                           "with one area a line");
+    }
+    return {.name = text};
+}
+
+/// "R" or "R,DEGREES".
+Aspect read_aspect(const std::string& text) {
+    const bool has_angle = text.find(',') != std::string::npos;
+    const Vec2 values = point("--aspect", has_angle ? text : text + ",0");
+    const Aspect aspect{.ratio = values.x(), .degrees = values.y()};
+    try {
+        Metric(aspect.ratio, aspect.degrees);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("--aspect " + text + ": " + error.what());
+    }
+    return aspect;
+}
+
 }  // namespace
+
+void add_cell_options(CLI::App& app, CellOptions& options) {
+    const auto add = [&](const char* name, std::string& value, const char* form,
+                         const std::string& description) {
+        app.add_option(name, value, description)->type_name(form);
+    };
+    add("--density", options.density, "EXPR|FILE.png",
+        "cells are small where it is large: a formula in x, y (length) and\n"
+        "u, v (0 to 1 along the period vectors), or a picture laid over\n"
+        "the domain; random sites are then drawn from its square root [1];\n" +
+            formula_words());
+    add("--density-range", options.density_range, "LO,HI",
+        "densities of black and of white pixels [0.01,1]");
+    add("--areas", options.areas, "equal|lognormal:S|gamma:S|FILE",
+        "cells of prescribed areas, exact to 1e-10: a law of the equivalent\n"
+        "diameter, drawn from --seed, S its standard deviation over its\n"
+        "mean; or a file with one area a line, one for each site (below the\n"
+        "word diameter: one diameter), scaled to the area of the domain;\n"
+        "see --max-iterations");
+    add("--aspect", options.aspect, "R[,DEGREES]",
+        "elongated cells, R times as long along DEGREES from x as across\n"
+        "it, from 0.01 to 100 [1,0]");
+}
+
+void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
+    if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect);
+    if (app.count("--areas") > 0) {
+        job.areas = wished_areas(options.areas);
+        if (!names_area_law(options.areas)) job.inputs.push_back(options.areas);
+    }
+    read_density(app, options, job);
+}
+
+void read_area_file(Job& job) {
+    if (!job.areas || names_area_law(job.areas->name)) return;
+    const AreaFile file = read_areas(job.areas->name);
+    require_areas(file, job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites);
+    job.areas->given = file.areas;
+}
 
 Density density_option(const std::string& density, const std::string& range,
                        const Lattice& lattice) {

@@ -3,8 +3,32 @@
 #include <string>
 
 #include "mesher/density/density.hpp"
+#include "plugin/job/job.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace pcvt::cli {
+
+/// What decides the sizes and the shapes of cells, as the user typed it; empty if not given.
+struct CellOptions {
+    std::string density;
+    std::string density_range;
+    std::string areas;
+    std::string aspect;
+};
+
+/// Adds the options to `app`; parsing fills `options`.
+void add_cell_options(CLI::App& app, CellOptions& options);
+
+/// Gives the job what the options ask for, without the areas of a file, which it does not read.
+/// @throws InvalidInput, BadFile, BadDensity, LimitExceeded naming the option.
+void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job);
+
+/// Reads the file of areas of a job that has its sites, if it names one.
+/// @throws BadFile naming the line.
+void read_area_file(Job& job);
 
 /// The density of --density and --density-range.
 ///

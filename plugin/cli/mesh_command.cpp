@@ -98,10 +98,12 @@ ExitCode not_converged(const RunSummary& summary, double tolerance) {
 ExitCode run_mesh(Job job, const MeshOptions& options) {
     RunSummary summary;
     if (options.input.empty()) {
+        read_area_file(job);
         summary = run_watched(job, options.quiet);
     } else {
         const SiteFile file = read_sites(options.input);
         job.points = file.points;
+        read_area_file(job);
         summary = run_file(job, file, options.quiet);
     }
     if (summary.run.stop == Stop::kCancelled) return cancelled();

@@ -8,11 +8,9 @@
 #include <limits>
 #include <thread>
 
-#include "plugin/cli/density_option.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/option_values.hpp"
 #include "plugin/job/job_checks.hpp"
-#include "plugin/job/job_density.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_start.hpp"
 
@@ -94,13 +92,7 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--origin", options.origin, "X,Y|auto",
         "corner of the domain; auto: the box outline is cut where the\n"
         "shortest edge of the cut is longest [0,0]");
-    add(app, "--density", options.density, "EXPR|FILE.png",
-        "cells are small where it is large: a formula in x, y (length) and\n"
-        "u, v (0 to 1 along the period vectors), or a picture laid over\n"
-        "the domain; random sites are then drawn from its square root [1];\n" +
-            formula_words());
-    add(app, "--density-range", options.density_range, "LO,HI",
-        "densities of black and of white pixels [0.01,1]");
+    add_cell_options(app, options.cells);
 }
 
 void add_solver_options(CLI::App& app, MeshOptions& options) {
@@ -113,7 +105,9 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
         "converged once max |x_i - g_i| / h <= T; x_i: site i, g_i: centroid\nof its cell, h = "
         "sqrt(area / n) [1e-6]");
     add(app, "--max-iterations", options.max_iterations, "K",
-        "0: the Voronoi diagram of the sites as given [no limit]");
+        "0: the Voronoi diagram of the sites as given; with --areas, steps\n"
+        "that move each site to the centroid of its cell: 0 keeps the sites,\n"
+        "5 gives round grains [no limit]");
     app.add_flag("--strict", options.strict,
                  "write the files, but exit with 5 if the run did not converge");
     app.add_flag("--stability", options.stability,
@@ -151,7 +145,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
         ->option_text("FILE")
         ->allow_extra_args(false);
     add_file_choices(app, options.files);
-    add(app, "--cells", options.cells, "FILE.csv",
+    add(app, "--cells", options.table, "FILE.csv",
         "a table of the cells: position, area, diameter, sides, circularity\n"
         "and neighbours of each site");
     add(app, "--report", options.report, "FILE.json", "figures of the run");
@@ -184,7 +178,9 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
         throw InvalidInput("--input: the name is empty; give a file, or - for standard input");
     }
     if (drawn) job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
+    const bool draws_areas = job.areas && job.areas->is_drawn();
     for (const char* name : {"--seed", "--retry", "--start"}) {
+        if (name == std::string("--seed") && draws_areas) continue;
         if (from_file && app.count(name) > 0) {
             throw InvalidInput(std::string(name) +
                                " is for random sites, but --input gives them; remove one");
@@ -237,16 +233,6 @@ void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
         }
     }
     if (app.count("--order") > 0) job.order = whole_number("--order", options.order, 1, 2);
-}
-
-void read_density(const CLI::App& app, const MeshOptions& options, Job& job) {
-    if (app.count("--density") == 0) {
-        if (app.count("--density-range") == 0) return;
-        throw InvalidInput("--density-range is for --density FILE.png; give one");
-    }
-    job.density = density_option(options.density, options.density_range, job.lattice);
-    job.density_name = options.density;
-    if (names_picture(options.density)) job.inputs.push_back(options.density);
 }
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
@@ -304,19 +290,19 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
 Job make_job(const CLI::App& app, const MeshOptions& options) {
     Job job;
     job.lattice = chosen_lattice(app, options);
+    read_cell_options(app, options.cells, job);
     read_site_source(app, options, job);
     read_choices(app, options, job);
     read_meshes(app, options, job);
     read_grains(app, options, job);
     read_numbers(app, options, job);
-    read_density(app, options, job);
     job.file_options = file_options(app, options.files);
     job.outputs = options.outputs;
     if (app.count("--cells") > 0) {
-        if (lower_case_extension(options.cells) != ".csv") {
-            throw InvalidInput("--cells " + options.cells + ": not a .csv file; name it FILE.csv");
+        if (lower_case_extension(options.table) != ".csv") {
+            throw InvalidInput("--cells " + options.table + ": not a .csv file; name it FILE.csv");
         }
-        job.outputs.push_back(options.cells);
+        job.outputs.push_back(options.table);
     }
     if (app.count("--report") > 0 && !options.report.ends_with(".json")) {
         throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "plugin/cli/cell_options.hpp"
 #include "plugin/cli/file_choices.hpp"
 #include "plugin/job/job.hpp"
 
@@ -20,8 +21,7 @@ struct MeshOptions {
     std::string input;
     std::string period;
     std::string lattice;
-    std::string density;
-    std::string density_range;
+    CellOptions cells;
     std::string start;
     std::string budget;
     std::string solver;
@@ -38,7 +38,7 @@ struct MeshOptions {
     std::vector<std::string> outputs;
     FileChoices files;
     std::string report;
-    std::string cells;
+    std::string table;
     std::string threads;
     bool strict = false;
     bool stability = false;
@@ -53,7 +53,8 @@ struct MeshOptions {
 ///   const Job job = make_job(app, options);
 void add_mesh_options(CLI::App& app, MeshOptions& options);
 
-/// The job that the options describe, without the sites of `options.input`, which it does not read.
+/// The job that the options describe, without the sites of `options.input` and the areas of a file,
+/// which it does not read.
 /// @param app  that of add_mesh_options, after parsing.
 /// @throws InvalidInput, LimitExceeded naming the option.
 Job make_job(const CLI::App& app, const MeshOptions& options);

@@ -121,6 +121,15 @@ std::string density_lines(const DensityFigures& density) {
                                     figure(density.quadrature_error) + " of their spacing");
 }
 
+std::string area_lines(const Job& job, const AreaSummary& areas) {
+    return line("areas", job.areas->name + ", diameters with std / mean " +
+                             figure(areas.std_over_mean) + ", off by at most " +
+                             figure(areas.newton.largest_relative_error) + " after " +
+                             std::to_string(areas.newton.newton_steps) + " Newton steps") +
+           line("shapes", "circularity " + figure(areas.circularity_mean) + " +- " +
+                              figure(areas.circularity_std) + ", of a regular hexagon 0.952");
+}
+
 std::string minimum_text(const RunSummary& summary) {
     return summary.minimum ? minimum_name(*summary.minimum) : "not known: not converged";
 }
@@ -152,6 +161,11 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (!summary.start.found.empty()) text += line("found", summary.start.found);
     if (summary.start.pattern) text += pattern_lines(*summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
+    if (summary.areas) text += area_lines(job, *summary.areas);
+    if (job.aspect) {
+        text += line("aspect", figure(job.aspect->ratio) + " along " + figure(job.aspect->degrees) +
+                                   " degrees");
+    }
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += line("recovered", words);
     for (const std::string& file : summary.files) text += line("file", file);

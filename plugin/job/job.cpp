@@ -6,9 +6,7 @@
 #include "io/outputs/recovery.hpp"
 #include "io/outputs/writable_paths.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/lattice/domain.hpp"
 #include "mesher/mesh/valence.hpp"
-#include "mesher/mesh/voronoi.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
@@ -44,40 +42,27 @@ class Stopwatch {
 JobMonitor::Target target_of(const Job& job) {
     return {.tolerance = job.tolerance,
             .max_iterations = job.max_iterations,
+            .has_areas = job.areas.has_value(),
             .note = job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""};
-}
-
-CvtResult tessellate(const Job& job, JobStart& start, JobMonitor& monitor, Stopwatch& watch) {
-    CvtOptions options;
-    options.precondition_below = start.precondition_below;
-    options.solver = job.solver;
-    options.tolerance = job.tolerance;
-    options.max_iterations = job.max_iterations;
-    options.n_threads = job.n_threads;
-    options.numbering = start.numbering;
-    options.density = job.density;
-    options.progress = [&, built = false](const Progress& progress) mutable {
-        // The first call comes once the first triangulation is built and evaluated.
-        if (!std::exchange(built, true)) watch.stop(&JobSeconds::build);
-        return monitor.iteration(progress);
-    };
-    return compute_cvt(job.lattice, std::move(start.points), options);
 }
 
 RunSummary summarize(const Job& job, const Computation& computation,
                      std::span<const BuiltTile> tiles) {
-    const CvtResult& cvt = computation.cvt;
+    const Tessellation& cells = computation.cells;
     RunSummary summary;
-    summary.run = cvt.run;
-    summary.n_sites = cvt.delaunay.sites().n_sites();
+    summary.run = cells.run;
+    summary.n_sites = cells.n_sites();
     summary.seed = job.seed;
-    if (!cvt.density) summary.energy_bound = cvt.energy_bound;
-    if (job.stability) summary.minimum = minimum_of(cvt);
-    summary.n_mirrors = cvt.counts.n_mirrors;
-    summary.valences = histogram(cell_sides(cvt.delaunay));
+    if (!cells.density) {
+        summary.energy_bound = hexagonal_bound(job.lattice.area(), summary.n_sites);
+    }
+    if (job.stability) summary.minimum = minimum_of(cells);
+    summary.n_mirrors = cells.counts.n_mirrors;
+    summary.valences = histogram(cell_sides(cells));
     const auto hexagons = summary.valences.find(6);
     summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
-    summary.density = cvt.density;
+    summary.density = cells.density;
+    if (cells.areas) summary.areas = area_summary(cells);
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
     return summary;
@@ -121,22 +106,32 @@ void stage(const Job& job, const std::vector<JobFile>& files, const Computation&
 }
 
 /// Evaluated before any file is written, because a host's density ends with its call.
-std::vector<double> site_densities(const Job& job, const CvtResult& result) {
+std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     if (!job.density) return {};
-    return densities_at(*job.density, job.lattice, wrapped_sites(result, job.origin));
+    return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
 }
 
 Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
-    JobStart start = job_start(
-        job, [&monitor](const Progress& progress) { return monitor.start_iteration(progress); });
+    const Metric metric = metric_of(job);
+    const std::optional<Job> round =
+        metric.is_round() ? std::nullopt : std::optional(in_round_space(job, metric));
+    // Start, optimise, and map back.
+    JobStart start = job_start(round ? *round : job, [&monitor](const Progress& progress) {
+        return monitor.start_iteration(progress);
+    });
     if (start.cancelled) throw Cancelled{};
     watch.stop(&JobSeconds::optimize);
-    CvtResult cvt = tessellate(job, start, monitor, watch);
+    Tessellation cells = tessellate(round ? *round : job, start, monitor,
+                                    [&watch] { watch.stop(&JobSeconds::build); });
     watch.stop(&JobSeconds::optimize);
-    if (cvt.run.stop == Stop::kCancelled) throw Cancelled{};
-    cvt.run.evaluations += start.evaluations;
-    std::vector<double> densities = site_densities(job, cvt);
-    return {std::move(cvt), std::move(start.figures), std::move(densities), watch.seconds()};
+    if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
+    cells.run.evaluations += start.evaluations;
+    if (round) {
+        cells.elongation = Elongation{metric, job.lattice};
+        if (start.figures.pattern) map_back(metric, start.figures.pattern->lattice);
+    }
+    std::vector<double> densities = site_densities(job, cells);
+    return {std::move(cells), std::move(start.figures), std::move(densities), watch.seconds()};
 }
 
 /// Makes the tiles and the files of a computed job. The commit of the files cannot be cancelled.
@@ -163,7 +158,7 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
     const Computation result = compute(job, monitor, watch);
     std::vector<BuiltTile> tiles;
     const TileSource make_tiles = [&](JobMonitor&) {
-        if (needs_tiles(job, files)) tiles = proved_tiles(job, result.cvt, monitor);
+        if (needs_tiles(job, files)) tiles = proved_tiles(job, result.cells, monitor);
         return std::span<const BuiltTile>(tiles);
     };
     return finish(job, files, result, make_tiles, monitor, watch);
@@ -217,25 +212,6 @@ std::optional<Computation> compute_job(const Job& job, const JobCallback& callba
     } catch (const Cancelled&) {
         return std::nullopt;
     }
-}
-
-std::optional<Minimum> minimum_of(const CvtResult& result) {
-    const Sites& sites = result.delaunay.sites();
-    const bool few = sites.n_sites() <= kMostSitesForStability;
-    if (result.run.stop != Stop::kConverged || result.density || !few) return {};
-    return stability(sites);
-}
-
-Points wrapped_sites(const CvtResult& result, const Vec2& origin) {
-    const Sites& sites = result.delaunay.sites();
-    const Domain domain(sites.lattice(), origin);
-    Points points(2, sites.n_sites());
-    for (SiteId s = 0; s < sites.n_sites(); ++s) {
-        checkpoint_each(s);
-        const Vec2 p = sites.position(s);
-        points.col(s) = p + sites.lattice().translation(domain.offset_into(p));
-    }
-    return points;
 }
 
 RunSummary write_job(const Job& job, const Computation& result, const TileSource& tiles,

@@ -9,18 +9,36 @@
 #include <vector>
 
 #include "io/tiles/file_options.hpp"
+#include "mesher/areas/target_areas.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
-#include "mesher/energy/stability.hpp"
 #include "mesher/search/lattice_stability.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "plugin/job/job_progress.hpp"
+#include "plugin/job/tessellation.hpp"
 
 namespace pcvt {
 
 /// Where the sites begin when none are given: at random, from coarse to fine, at the best exact
 /// lattice for their number, at the best state of a global search. job_start.hpp has their table.
 enum class Start { kRandom, kCoarse, kLattice, kBest };
+
+/// The wished areas of the cells: drawn from a law, or given.
+struct WishedAreas {
+    AreaLaw law = {};
+    /// One positive number a site, in any unit: scaled to the area of the domain. Empty: `law`.
+    Eigen::VectorXd given = {};
+    /// The law or the file, for the report.
+    std::string name;
+
+    bool is_drawn() const { return given.size() == 0 && law.kind != AreaLaw::Kind::kEqual; }
+};
+
+/// Elongated cells: as Metric.
+struct Aspect {
+    double ratio = 1;
+    double degrees = 0;
+};
 
 /// The largest Job::short_edges: an edge of a regular hexagon has 0.62 h.
 inline constexpr double kLongestShortEdge = 0.5;
@@ -48,7 +66,8 @@ struct Job {
 
     Solver solver = Solver::kLbfgs;
     double tolerance = 1e-6;
-    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
+    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given. With `areas`,
+    /// the number of steps that move each site to the centroid of its cell.
     int max_iterations = -1;
     /// At least 1; the result does not depend on it.
     int n_threads = 1;
@@ -59,6 +78,11 @@ struct Job {
     std::optional<Density> density;
     /// Its formula or file, for the report.
     std::string density_name;
+    /// Cells of prescribed areas: power cells. Excludes a density, and starts and solvers of cells
+    /// that are all alike.
+    std::optional<WishedAreas> areas;
+    /// The cells are Voronoi cells, or with `areas` power cells, in this metric.
+    std::optional<Aspect> aspect;
 
     /// Voronoi edges shorter than this are removed from cells and grains, units of h. 0: none,
     /// except the shortest ones of grains (mesher/grains/grains.hpp).
@@ -121,7 +145,7 @@ struct StartFigures {
 struct Computation {
     /// Its evaluations include those of a global search, but not those of the coarser problems of a
     /// coarse start.
-    CvtResult cvt;
+    Tessellation cells;
     StartFigures start;
     /// rho at each site; empty without a density.
     std::vector<double> site_densities;
@@ -131,7 +155,7 @@ struct Computation {
 
 /// The summary of a run, besides its files.
 struct RunSummary {
-    /// As in Computation::cvt. kCancelled: no file was written, and no other member is set.
+    /// As in Computation::cells. kCancelled: no file was written, and no other member is set.
     RunStatistics run = {.stop = Stop::kCancelled};
     int n_sites = 0;
     /// The seed that was used, which follows Job::seed where outputs refused the seeds before it.
@@ -147,6 +171,8 @@ struct RunSummary {
     int n_hexagons = 0;
     /// Of jobs with a density.
     std::optional<DensityFigures> density;
+    /// Of jobs with areas.
+    std::optional<AreaSummary> areas;
     /// One entry for each mesh of the job.
     std::vector<TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.
@@ -177,11 +203,6 @@ void check_job(const Job& job);
 
 /// Computes the tessellation; `nullopt` after a cancelled run.
 std::optional<Computation> compute_job(const Job& job, const JobCallback& callback);
-/// Whether the result is a minimum, according to its Hessian; `nullopt` if the run did not
-/// converge, has a density, or has more than kMostSitesForStability sites. Cost: of order n^1.5.
-std::optional<Minimum> minimum_of(const CvtResult& result);
-/// The optimised sites, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
-Points wrapped_sites(const CvtResult& result, const Vec2& origin);
 /// Makes the tiles of a job, proved, one for each of job.meshes; they must outlive the call. May be
 /// empty if no output is a tile.
 using TileSource = std::function<std::span<const BuiltTile>(JobMonitor&)>;

@@ -89,9 +89,36 @@ void check_stability(const Job& job, double n_sites) {
 
 void check_density(const Job& job) {
     if (!job.density) return;
-    if (job.start && !start_row(*job.start).with_density) {
+    if (job.start && !start_row(*job.start).with_sizes) {
         throw InvalidInput(
             "a lattice knows no density; leave the start out, or take coarse or random");
+    }
+}
+
+void check_areas(const Job& job) {
+    if (!job.areas) return;
+    if (job.density) {
+        throw InvalidInput(
+            "cells have prescribed areas or follow a density; leave one of the two out");
+    }
+    if (job.start && !start_row(*job.start).with_sizes) {
+        throw InvalidInput(
+            "the cells of a lattice are all alike; leave the start out, or take coarse or random");
+    }
+    if (job.solver != Job().solver) {
+        throw InvalidInput("prescribed areas have a solver of their own; leave the solver out");
+    }
+    if (job.stability) {
+        throw InvalidInput("the stability of prescribed areas is not known; leave one out");
+    }
+}
+
+void check_aspect(const Job& job) {
+    if (!job.aspect) return;
+    try {
+        reduce(metric_of(job).to_round(job.lattice));
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }
 }
 
@@ -198,6 +225,8 @@ void check_retries(const Job& job, const std::vector<JobFile>& files) {
 
 void check_job(const Job& job) {
     check_density(job);
+    check_areas(job);
+    check_aspect(job);
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
     if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");

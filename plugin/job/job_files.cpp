@@ -36,6 +36,11 @@ std::string kind_suffix(MeshKind kind) { return std::string("-") + mesh_kind_row
 /// @param kind  of the mesh that goes into the file; any one where the format needs no tile.
 void check_format(const Job& job, const TileFormat& format, MeshKind kind,
                   const std::string& path) {
+    if (format.needs_torus() && (job.areas || job.aspect)) {
+        throw InvalidInput("-o " + path +
+                           ": the grid needs Voronoi cells; leave areas and aspect out, or take "
+                           "another format, such as .vtu");
+    }
     if (format.check != nullptr) {
         try {
             format.check({.lattice = job.lattice.repeated(job.columns, job.rows),

@@ -17,6 +17,9 @@ namespace {
 /// The time between two calls of the callback in a long step.
 constexpr std::chrono::milliseconds kBetweenCalls{100};
 
+/// About the relative error at which the search for weights ends.
+constexpr double kAreaGoal = 1e-10;
+
 /// A clock of a few milliseconds' resolution that costs a few nanoseconds.
 std::chrono::milliseconds coarse_time() {
     timespec time{};
@@ -73,20 +76,41 @@ bool JobMonitor::start_iteration(const Progress& progress) {
     return report(now_);
 }
 
-bool JobMonitor::iteration(const Progress& progress) {
-    if (now_.phase != Phase::kOptimising || now_.text.empty()) {
-        now_ = {.phase = Phase::kOptimising,
-                .text = "optimising" + target_.note,
-                .fraction = 0,
-                .run = {}};
-        first_residual_ = progress.residual;
+void JobMonitor::begin_optimising() {
+    if (now_.phase == Phase::kOptimising) return;
+    now_ = {.phase = Phase::kOptimising, .text = {}, .fraction = 0, .run = {}};
+}
+
+std::string JobMonitor::optimising_words() const {
+    if (!target_.has_areas || target_.max_iterations < 0) return "optimising" + target_.note;
+    if (first_residual_ < 0) return "fitting the areas";
+    const int n = target_.max_iterations;
+    return "centroidal step " + std::to_string(std::min(now_.run.iteration + 1, n)) + " of " +
+           std::to_string(n);
+}
+
+void JobMonitor::newton_step(int step, double error) {
+    begin_optimising();
+    if (first_error_ < 0) first_error_ = error;
+    now_.text = optimising_words() + ", Newton step " + std::to_string(step);
+    if (target_.max_iterations == 0) {
+        const double share = share_of_digits(first_error_, error, kAreaGoal);
+        now_.fraction = std::clamp(share, now_.fraction, 1.0);
     }
+    if (!report(now_)) cancelled_ = true;
+    require_wanted();
+}
+
+bool JobMonitor::iteration(const Progress& progress) {
+    begin_optimising();
+    if (first_residual_ < 0) first_residual_ = progress.residual;
     double share = share_of_digits(first_residual_, progress.residual, target_.tolerance);
     if (target_.max_iterations > 0) {
         share = std::max(share, double(progress.iteration) / target_.max_iterations);
     }
     now_.fraction = std::clamp(share, now_.fraction, 1.0);
     now_.run = progress;
+    now_.text = optimising_words();
     return report(now_);
 }
 

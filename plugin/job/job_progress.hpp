@@ -50,6 +50,9 @@ class JobMonitor final : public Client {
         double tolerance = 0;
         /// Negative: no limit.
         int max_iterations = -1;
+        /// Whether the areas of the cells are prescribed; `max_iterations` then counts centroidal
+        /// steps.
+        bool has_areas = false;
         /// Follows the words of the optimisation, ", seed 4".
         std::string note = {};
     };
@@ -65,6 +68,11 @@ class JobMonitor final : public Client {
     /// @returns whether the run goes on.
     bool start_iteration(const Progress& progress);
     bool iteration(const Progress& progress);
+    /// Reports one step of the Newton method that finds the weights of prescribed areas. For the
+    /// calling thread.
+    /// @param error  the largest relative error of an area.
+    /// @throws Cancelled in a cancelled run.
+    void newton_step(int step, double error);
 
     /// Runs `work` on a thread of its own while this one calls the callback, so that a long step
     /// does not delay it. For the calling thread.
@@ -81,12 +89,17 @@ class JobMonitor final : public Client {
 
    private:
     bool report(const JobProgress& progress);
+    void begin_optimising();
+    std::string optimising_words() const;
     void report_until(const bool& ended);
     void require_wanted() const;
 
     const JobCallback& callback_;
     Target target_;
-    double first_residual_ = 0;
+    /// The residual of the first iteration and the error of the first Newton step; below 0:
+    /// unknown.
+    double first_residual_ = -1;
+    double first_error_ = -1;
 
     std::mutex mutex_;
     std::condition_variable changed_;

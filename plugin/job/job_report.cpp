@@ -56,6 +56,22 @@ std::optional<Report::Density> report_density(const Job& job, const RunSummary& 
                            .rough_cells = figures.n_rough_cells};
 }
 
+std::optional<Report::Areas> report_areas(const Job& job, const RunSummary& summary) {
+    if (!summary.areas) return std::nullopt;
+    const AreaSummary& areas = *summary.areas;
+    return Report::Areas{.law = job.areas->name,
+                         .std_over_mean = areas.std_over_mean,
+                         .largest_relative_error = areas.newton.largest_relative_error,
+                         .newton_steps = areas.newton.newton_steps,
+                         .circularity_mean = areas.circularity_mean,
+                         .circularity_std = areas.circularity_std};
+}
+
+std::optional<Report::Aspect> report_aspect(const Job& job) {
+    if (!job.aspect) return std::nullopt;
+    return Report::Aspect{.ratio = job.aspect->ratio, .degrees = job.aspect->degrees};
+}
+
 }  // namespace
 
 std::string encode_job_report(const Job& job, const RunSummary& summary) {
@@ -88,6 +104,8 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .box_shortest_edge = shortest_box_edge(summary),
         .grains = report_grains(summary),
         .density = report_density(job, summary),
+        .areas = report_areas(job, summary),
+        .aspect = report_aspect(job),
     });
 }
 

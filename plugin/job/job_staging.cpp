@@ -7,7 +7,6 @@
 
 #include "io/file_proof.hpp"
 #include "mesher/base/workers.hpp"
-#include "mesher/mesh/voronoi.hpp"
 
 namespace pcvt {
 namespace {
@@ -28,8 +27,8 @@ class FileEncoder {
         return write(tile(), options, path());
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
-        const PeriodicMesh cells = repeated(periodic_mesh(result_.cvt.delaunay, MeshKind::kVoronoi),
-                                            job_.columns, job_.rows);
+        const PeriodicMesh cells =
+            repeated(plane_mesh(result_.cells, MeshKind::kVoronoi), job_.columns, job_.rows);
         try {
             return write({cells, job_.origin, result_.site_densities}, path());
         } catch (const UnsuitableCells& error) {
@@ -41,10 +40,10 @@ class FileEncoder {
     std::vector<EncodedFile> operator()(SiteWriter* write) const { return write(sites(), path()); }
 
     std::vector<EncodedFile> operator()(CellWriter* write) const {
-        return write(sites(), cell_table(cell_mesh(result_.cvt.delaunay)), path());
+        return write(sites(), cell_table(plane_mesh(result_.cells, MeshKind::kVoronoi)), path());
     }
 
-    Points sites() const { return wrapped_sites(result_.cvt, job_.origin); }
+    Points sites() const { return wrapped_sites(result_.cells, job_.origin); }
     const Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
    private:

@@ -1,6 +1,7 @@
 #include "plugin/job/job_start.hpp"
 
 #include <array>
+#include <utility>
 
 #include "mesher/cvt/coarse_start.hpp"
 #include "mesher/density/density_survey.hpp"
@@ -54,25 +55,25 @@ JobStart best_start(const Job& job, const ProgressCallback& callback) {
 constexpr std::array kStarts{StartRow{.start = Start::kRandom,
                                       .word = "random",
                                       .abi_value = 1,
-                                      .with_density = true,
+                                      .with_sizes = true,
                                       .help = "",
                                       .make = random_start},
                              StartRow{.start = Start::kCoarse,
                                       .word = "coarse",
                                       .abi_value = 2,
-                                      .with_density = true,
+                                      .with_sizes = true,
                                       .help = "few sites first, then\nbetween them more",
                                       .make = coarse_job_start},
                              StartRow{.start = Start::kLattice,
                                       .word = "lattice",
                                       .abi_value = 3,
-                                      .with_density = false,
+                                      .with_sizes = false,
                                       .help = "at the exact lattice with the lowest\nenergy",
                                       .make = lattice_start},
                              StartRow{.start = Start::kBest,
                                       .word = "best",
                                       .abi_value = 4,
-                                      .with_density = false,
+                                      .with_sizes = false,
                                       .help = "after a global search",
                                       .make = best_start}};
 
@@ -80,10 +81,21 @@ constexpr std::array kStarts{StartRow{.start = Start::kRandom,
 /// random starts.
 constexpr int kFewestForCoarse = 1000;
 
+/// One for each site, length^2; empty unless the job has areas.
+Eigen::VectorXd target_areas(const Job& job) {
+    if (!job.areas) return {};
+    const auto& [law, given, name] = *job.areas;
+    const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
+    return scaled_areas(given.size() > 0 ? given : draw_areas(law, n, job.seed), n,
+                        job.lattice.area());
+}
+
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
-    // Where a density jumps, the coarse cells miss detail, and the minima become higher.
-    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0 && !job.density;
+    // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
+    // cells know nothing of prescribed areas.
+    const bool alike = !job.density && !job.areas;
+    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0 && alike;
     return coarse ? Start::kCoarse : Start::kRandom;
 }
 
@@ -94,10 +106,17 @@ std::span<const StartRow> start_rows() { return kStarts; }
 const StartRow& start_row(Start start) { return kStarts[static_cast<std::size_t>(start)]; }
 
 JobStart job_start(const Job& job, const ProgressCallback& callback) {
-    if (job.points.cols() == 0) return start_row(chosen_start(job)).make(job, callback);
+    Eigen::VectorXd areas = target_areas(job);
     JobStart start;
-    start.points = job.points;
-    start.numbering = Numbering::kAsGiven;
+    if (job.points.cols() > 0) {
+        start.points = job.points;
+    } else {
+        start = start_row(chosen_start(job)).make(job, callback);
+    }
+    // Given areas belong to random places: numbers by columns would arrange sorted areas.
+    const bool given = job.areas && job.areas->given.size() > 0;
+    if (job.points.cols() > 0 || given) start.numbering = Numbering::kAsGiven;
+    start.areas = std::move(areas);
     return start;
 }
 

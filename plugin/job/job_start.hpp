@@ -12,6 +12,8 @@ struct JobStart {
     Points points;
     /// Sites of the user keep their numbers; all others are numbered by columns.
     Numbering numbering = Numbering::kByColumns;
+    /// Of jobs with areas: one a site, in the order of the result's sites, length^2.
+    Eigen::VectorXd areas = {};
     /// For CvtOptions.
     double precondition_below = CvtOptions().precondition_below;
     StartFigures figures;
@@ -27,8 +29,8 @@ struct StartRow {
     const char* word;
     /// PCVT_START_... of pcvt.h.
     int abi_value;
-    /// Whether it can follow a density.
-    bool with_density;
+    /// Whether cells of different sizes, by a density or by prescribed areas, can begin there.
+    bool with_sizes;
     /// For the command's help, with its line breaks; may be empty.
     const char* help;
     JobStart (*make)(const Job& job, const ProgressCallback& callback);
@@ -43,8 +45,10 @@ const StartRow& start_row(Start start);
 ///   JobStart start = job_start(job, callback);
 ///   if (!start.cancelled) use(start.points);
 ///
+/// @param job       in the round space, if it has an aspect.
 /// @param callback  called by the coarse start and the global search once an iteration; false
 ///                  cancels.
+/// @throws InvalidInput as scaled_areas does, before any computation.
 JobStart job_start(const Job& job, const ProgressCallback& callback);
 
 /// The start of a job in reports: "file" if the user gave the sites, else its word.

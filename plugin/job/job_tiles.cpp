@@ -9,19 +9,20 @@ namespace pcvt {
 
 namespace {
 
-BuiltTile built_tile(const Job& job, const CvtResult& result, MeshKind kind,
+BuiltTile built_tile(const Job& job, const Tessellation& cells, MeshKind kind,
                      const std::function<void(double)>& progress) {
-    return build_tile(result.delaunay, {.kind = kind,
-                                        .outline = job.outline,
-                                        .short_edges = job.short_edges,
-                                        .grain_size = job.grain_size,
-                                        .grain_per_edge = job.grain_per_edge,
-                                        .order = job.order,
-                                        .columns = job.columns,
-                                        .rows = job.rows,
-                                        .origin = job.origin,
-                                        .finds_origin = job.finds_origin,
-                                        .progress = progress});
+    return build_tile(cells.delaunay, {.kind = kind,
+                                       .outline = job.outline,
+                                       .short_edges = job.short_edges,
+                                       .grain_size = job.grain_size,
+                                       .grain_per_edge = job.grain_per_edge,
+                                       .order = job.order,
+                                       .columns = job.columns,
+                                       .rows = job.rows,
+                                       .origin = job.origin,
+                                       .finds_origin = job.finds_origin,
+                                       .elongation = cells.elongation,
+                                       .progress = progress});
 }
 
 /// "building the tile" if the job has one mesh, "building grains, 2 of 3" if it has several.
@@ -53,14 +54,15 @@ bool needs_tiles(const Job& job, const std::vector<JobFile>& files) {
                        [](const JobFile& file) { return file.format->needs_tile(); });
 }
 
-std::vector<BuiltTile> proved_tiles(const Job& job, const CvtResult& result, JobMonitor& monitor) {
+std::vector<BuiltTile> proved_tiles(const Job& job, const Tessellation& cells,
+                                    JobMonitor& monitor) {
     std::vector<BuiltTile> tiles;
     tiles.reserve(job.meshes.size());
     for_each_mesh(job, monitor, Phase::kBuilding, "building", [&](std::size_t k) {
         const auto progress = [&](double share) {
             monitor.advance((double(k) + share) / double(job.meshes.size()));
         };
-        tiles.push_back(built_tile(job, result, job.meshes[k], progress));
+        tiles.push_back(built_tile(job, cells, job.meshes[k], progress));
     });
     for_each_mesh(job, monitor, Phase::kProving, "proving",
                   [&](std::size_t k) { verify_generated_tile(tiles[k].tile); });

@@ -44,7 +44,10 @@ StudyRow row_of(const std::string& panel, const RunStatistics& run, const Points
 
 StudyRow periodic_row(const std::string& panel, const Points& start, const CvtOptions& options) {
     const CvtResult result = compute_cvt(unit_square(), start, options);
-    return row_of(panel, result.run, wrapped_sites(result, Vec2::Zero()));
+    return row_of(
+        panel, result.run,
+        wrapped_sites({.delaunay = result.delaunay, .run = result.run, .counts = result.counts},
+                      Vec2::Zero()));
 }
 
 std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {

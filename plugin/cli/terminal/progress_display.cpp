@@ -16,6 +16,8 @@ std::string formatted(const char* form, double number) {
 }
 
 void add_iteration(const Progress& run, double energy_bound, std::vector<std::string>& parts) {
+    // Before the first evaluation.
+    if (run.evaluations == 0 && run.residual == 0) return;
     if (run.budget > 0) {
         parts.push_back(formatted("start %.0f", run.iteration));
         parts.push_back(formatted("lowest energy/bound %.6f", run.value / energy_bound));

@@ -106,6 +106,19 @@ def _set_sites(options, sites):
     return points
 
 
+def _set_areas(options, areas):
+    """Returns the array that must stay alive as long as the options are used, or None."""
+    if areas is None:
+        return None
+    if isinstance(areas, str):
+        options.area_law = _text("areas", areas)
+        return None
+    array = _doubles("areas", areas, np.size(areas))
+    _set_integers(options, n_areas=len(array))
+    options.areas = array.ctypes.data
+    return array
+
+
 def _set_functions(options, density, callbacks):
     options.progress = _library.ProgressCallback(callbacks.show_progress)
     if callable(density):
@@ -117,7 +130,7 @@ def _set_functions(options, density, callbacks):
 def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
-         budget=0, progress=None):
+         budget=0, progress=None, areas=None, aspect=1.0):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -136,10 +149,17 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     start           where drawn sites begin: default, random, coarse, lattice, best
     solver          default, lbfgs, lloyd, newton
     tolerance       converged once the residual max |x_i - g_i| / h is at most this
-    max_iterations  negative: no limit; 0: the periodic Voronoi diagram of the sites as given
+    max_iterations  negative: no limit; 0: the periodic Voronoi diagram of the sites as given. With
+                    areas: steps that move each site to the centroid of its cell
     threads         0: as many as there are cores
     grain_order, grain_size, grain_per_edge, short_edges, budget
                     as in pcvt.h
+    areas           cells of prescribed areas, power cells: shape (n,), positive numbers in any unit,
+                    scaled to the area of the domain; or "equal", or "lognormal:S" or "gamma:S", drawn
+                    from `seed`, with S the standard deviation over the mean of the equivalent
+                    diameters. See Result.weights
+    aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
+                    100
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -148,7 +168,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     """
     options = _library.Options()
     checked(library.pcvt_options_init(byref(options), sizeof(options), _library.ABI_VERSION))
-    _points = _set_sites(options, sites)  # Alive while the library reads them.
+    # Alive while the library reads them.
+    _points, _areas = _set_sites(options, sites), _set_areas(options, areas)
     columns, rows = repeat
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
@@ -160,6 +181,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                  origin=(0, 0) if options.find_origin else origin, density_range=density_range)
     options.tolerance, options.grain_size = tolerance, grain_size
     options.short_edges = short_edges
+    options.aspect, options.aspect_degrees = (aspect, 0) if np.ndim(aspect) == 0 else aspect
     pointer = c_void_p()
     with Callbacks(density, progress) as callbacks:
         _set_functions(options, density, callbacks)
@@ -176,6 +198,8 @@ class Result:
 
     lattice     (2, 2), rows a, b
     sites       (n, 2), wrapped into the domain at `origin`
+    weights     (n,), length^2, or None without areas: the cell of site i is where
+                |p - sites[i]|^2 - weights[i] is least; with an aspect, in its metric
     statistics  a Statistics
     cells       (n,), measures of the cells, an array with the fields site, x, y, area, diameter,
                 sides, circularity, neighbours
@@ -186,6 +210,7 @@ class Result:
         view = handle.view(library.pcvt_get_sites, _library.Sites)
         self.lattice = np.array(view.lattice).reshape(2, 2)
         self.sites = handle.array(view.points, np.float64, view.n_sites, 2)
+        self.weights = handle.array(view.weights, np.float64, view.n_sites)
 
     @property
     def statistics(self):

@@ -67,12 +67,14 @@ class Options(ctypes.Structure):
                 ("density_range", c_double * 2), ("density", DensityCallback),
                 ("density_data", c_void_p), ("progress", ProgressCallback),
                 ("progress_data", c_void_p), ("grain_per_edge", c_int32),
-                ("find_origin", c_int32)]
+                ("find_origin", c_int32), ("areas", c_void_p), ("n_areas", c_int32),
+                ("reserved", c_int32), ("area_law", c_char_p), ("aspect", c_double),
+                ("aspect_degrees", c_double)]
 
 
 class Sites(ctypes.Structure):
     _fields_ = [("lattice", c_double * 4), ("points", c_void_p), ("n_sites", c_int32),
-                ("reserved", c_int32)]
+                ("reserved", c_int32), ("weights", c_void_p)]
 
 
 class Mesh(ctypes.Structure):
@@ -97,7 +99,8 @@ class Statistics(ctypes.Structure):
                 ("seconds_optimize", c_double), ("valences", c_void_p), ("n_valences", c_int32),
                 ("n_hexagons", c_int32), ("stop", c_int32), ("n_sites", c_int32),
                 ("iterations", c_int32), ("evaluations", c_int32), ("n_threads", c_int32),
-                ("n_mirrors", c_int32)]
+                ("n_mirrors", c_int32), ("area_error", c_double), ("newton_steps", c_int32),
+                ("reserved", c_int32)]
 
 
 class WriteOptions(ctypes.Structure):

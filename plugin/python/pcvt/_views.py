@@ -19,6 +19,8 @@ class Statistics(NamedTuple):
     valences      int32: valences[k] cells have k sides, edges under 1e-5 h not counted
     stop          "converged", "iteration-limit" or "stalled"
     n_mirrors     -1 if the triangulation was built without mirrors
+    area_error    largest |area - wished| / wished; NaN without areas
+    newton_steps  that found the weights; 0 without areas
     """
 
     energy: float
@@ -35,6 +37,8 @@ class Statistics(NamedTuple):
     evaluations: int
     n_threads: int
     n_mirrors: int
+    area_error: float
+    newton_steps: int
 
 
 class TorusMesh:

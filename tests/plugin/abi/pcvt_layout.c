@@ -100,6 +100,12 @@ static void print_options(void) {
     FIELD(pcvt_options, progress_data);
     FIELD(pcvt_options, grain_per_edge);
     FIELD(pcvt_options, find_origin);
+    FIELD(pcvt_options, areas);
+    FIELD(pcvt_options, n_areas);
+    FIELD(pcvt_options, reserved);
+    FIELD(pcvt_options, area_law);
+    FIELD(pcvt_options, aspect);
+    FIELD(pcvt_options, aspect_degrees);
 }
 
 static void print_sites(void) {
@@ -108,6 +114,7 @@ static void print_sites(void) {
     FIELD(pcvt_sites, points);
     FIELD(pcvt_sites, n_sites);
     FIELD(pcvt_sites, reserved);
+    FIELD(pcvt_sites, weights);
 }
 
 static void print_mesh(void) {
@@ -173,6 +180,9 @@ static void print_statistics(void) {
     FIELD(pcvt_statistics, evaluations);
     FIELD(pcvt_statistics, n_threads);
     FIELD(pcvt_statistics, n_mirrors);
+    FIELD(pcvt_statistics, area_error);
+    FIELD(pcvt_statistics, newton_steps);
+    FIELD(pcvt_statistics, reserved);
 }
 
 static void print_write_options(void) {

@@ -152,15 +152,34 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(density_source, "1 + \a u", "character 5: a control character");
     FIELD_REFUSED(density_range[0], (double)NAN, "density_range");
     FIELD_REFUSED(density_range[1], 1, "density_range");
+    FIELD_REFUSED(n_areas, 3, "n_areas");
+    FIELD_REFUSED(area_law, "", "law");
+    FIELD_REFUSED(area_law, "gamma:-1", "gamma:S");
+    FIELD_REFUSED(aspect, 0, "aspect");
+    FIELD_REFUSED(aspect, (double)NAN, "aspect");
+    FIELD_REFUSED(aspect_degrees, (double)INFINITY, "aspect_degrees");
 #undef FIELD_REFUSED
 }
 
 static void fields_that_contradict_each_other_are_refused(void) {
     const double site[2] = {0.5, 0.5};
+    const double areas[3] = {1, -1, 1};
     pcvt_options options = options_for(3);
     options.grain_size = 0.1;
     options.grain_per_edge = 2;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "take one of the two");
+    options = options_for(3);
+    options.areas = areas;
+    options.n_areas = 2;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_areas");
+    options.n_areas = 3;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "area of site 1");
+    options.area_law = "equal";
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "areas and area_law");
+    options = options_for(3);
+    options.area_law = "equal";
+    options.density_source = "1 + u";
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "leave one of the two out");
     options = options_for(3);
     options.start = PCVT_START_BEST;
     options.budget = (int64_t)1 << 31;

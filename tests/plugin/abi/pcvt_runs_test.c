@@ -57,6 +57,37 @@ static void the_floating_point_environment_of_the_host_is_kept_and_does_not_matt
     pcvt_free(second);
 }
 
+static void cells_of_given_areas_have_weights(void) {
+    const double areas[4] = {1, 2, 3, 4};
+    pcvt_options options = options_for(4);
+    pcvt_result* result = NULL;
+    pcvt_sites sites;
+    pcvt_statistics figures;
+    pcvt_tile tile;
+    int32_t f, k;
+    options.areas = areas;
+    options.n_areas = 4;
+    options.max_iterations = 3;
+    options.aspect = 2;
+    CHECK(pcvt_generate(&options, &result) == PCVT_OK);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    CHECK(pcvt_get_statistics(result, &figures, sizeof figures) == PCVT_OK);
+    CHECK(pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, &tile, sizeof tile) == PCVT_OK);
+    CHECK(sites.weights[3] > sites.weights[0]);
+    CHECK(figures.area_error < 1e-10 && figures.newton_steps > 0);
+    for (f = 0; f < 4; ++f) {
+        double area = 0;
+        for (k = tile.face_begin[f]; k < tile.face_begin[f + 1]; ++k) {
+            const int32_t next = k + 1 < tile.face_begin[f + 1] ? k + 1 : tile.face_begin[f];
+            const double* p = tile.points + 2 * tile.corners[k];
+            const double* q = tile.points + 2 * tile.corners[next];
+            area += (p[0] * q[1] - q[0] * p[1]) / 2;
+        }
+        CHECK(fabs(area - areas[tile.face_site[f]] / 10) < 1e-8);
+    }
+    pcvt_free(result);
+}
+
 static int always_nan(const double* points, size_t n_points, double* values, void* data) {
     (void)points, (void)data;
     for (size_t k = 0; k < n_points; ++k) values[k] = (double)NAN;
@@ -115,6 +146,7 @@ int main(void) {
     cancelling_at_iteration_7_gives_the_cancelled_status();
     the_iteration_limit_gives_a_result_that_is_not_converged();
     the_floating_point_environment_of_the_host_is_kept_and_does_not_matter();
+    cells_of_given_areas_have_weights();
     an_invalid_density_is_a_domain_error();
     a_density_grades_the_cells();
     return end_of_claims();

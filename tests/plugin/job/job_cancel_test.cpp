@@ -155,6 +155,14 @@ TEST(Cancelling, IsNoticedWithDensities) {
     expect_short_pauses(job);
 }
 
+TEST(Cancelling, IsNoticedWhileAreasAreFitted) {
+    const TemporaryFolder folder;
+    Job job = job_of(kSites, 1, folder, {"t.svg", "t.csv"});
+    job.areas = WishedAreas{.law = parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
+    job.aspect = Aspect{.ratio = 2, .degrees = 30};
+    expect_short_pauses(job);
+}
+
 /// Cancels the run at a checkpoint.
 class CancelAt final : public Client {
    public:

@@ -1,0 +1,141 @@
+#include "plugin/job/tessellation.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "mesher/areas/area_cvt.hpp"
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/lattice/domain.hpp"
+#include "mesher/mesh/cell_table.hpp"
+#include "mesher/mesh/valence.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "plugin/job/job.hpp"
+#include "plugin/job/job_start.hpp"
+
+namespace pcvt {
+namespace {
+
+Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
+                           const std::function<void()>& built) {
+    CvtOptions options;
+    options.precondition_below = start.precondition_below;
+    options.solver = job.solver;
+    options.tolerance = job.tolerance;
+    options.max_iterations = job.max_iterations;
+    options.n_threads = job.n_threads;
+    options.numbering = start.numbering;
+    options.density = job.density;
+    options.progress = [&, first = true](const Progress& progress) mutable {
+        // The first call comes once the first triangulation is built and evaluated.
+        if (std::exchange(first, false)) built();
+        return monitor.iteration(progress);
+    };
+    CvtResult cvt = compute_cvt(job.lattice, std::move(start.points), options);
+    return {.delaunay = std::move(cvt.delaunay),
+            .run = cvt.run,
+            .counts = cvt.counts,
+            .density = cvt.density};
+}
+
+/// Of prescribed areas.
+Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& monitor,
+                                 const std::function<void()>& built) {
+    AreaCvtOptions options;
+    options.areas = std::move(start.areas);
+    options.numbering = start.numbering;
+    options.centroidal_steps = job.max_iterations;
+    options.tolerance = job.tolerance;
+    options.n_threads = job.n_threads;
+    options.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
+    options.newton_progress = [&, first = true](const AreaFigures& areas) mutable {
+        // The first call comes once the first triangulation is built and measured.
+        if (std::exchange(first, false)) built();
+        monitor.newton_step(areas.newton_steps, areas.largest_relative_error);
+    };
+    AreaCvtResult result = compute_area_cvt(job.lattice, start.points, options);
+    return {.delaunay = std::move(result.delaunay),
+            .run = result.run,
+            .counts = result.counts,
+            .areas = result.areas};
+}
+
+double mean(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+}  // namespace
+
+Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& monitor,
+                        const std::function<void()>& built) {
+    return job.areas ? compute_power_cells(job, start, monitor, built)
+                     : compute_cells(job, start, monitor, built);
+}
+
+Metric metric_of(const Job& job) {
+    return job.aspect ? Metric(job.aspect->ratio, job.aspect->degrees) : Metric();
+}
+
+Job in_round_space(const Job& job, const Metric& metric) {
+    Job round = job;
+    round.lattice = metric.to_round(job.lattice);
+    round.points = metric.to_round(job.points);
+    if (job.density) round.density = fixed_to_lattice(*job.density, job.lattice);
+    return round;
+}
+
+void map_back(const Metric& metric, LatticePattern& pattern) {
+    for (Lattice* lattice : {&pattern.period, &pattern.basis}) {
+        *lattice = {metric.from_round(lattice->a()), metric.from_round(lattice->b())};
+    }
+}
+
+PeriodicMesh plane_mesh(const Tessellation& tessellation, MeshKind kind) {
+    PeriodicMesh mesh = periodic_mesh(tessellation.delaunay, kind);
+    const auto& elongation = tessellation.elongation;
+    if (!elongation) return mesh;
+    return from_round(std::move(mesh), elongation->metric, elongation->lattice);
+}
+
+std::vector<int> cell_sides(const Tessellation& tessellation) {
+    if (!tessellation.elongation) return cell_sides(tessellation.delaunay);
+    return cell_sides(plane_mesh(tessellation, MeshKind::kVoronoi));
+}
+
+AreaSummary area_summary(const Tessellation& tessellation) {
+    const CellTable cells = cell_table(plane_mesh(tessellation, MeshKind::kVoronoi));
+    std::vector<double> circularities;
+    for (SiteId s = 0; s < cells.n_cells(); ++s) circularities.push_back(cells.circularity(s));
+    AreaSummary summary{.newton = *tessellation.areas};
+    summary.std_over_mean = diameter_spread(Eigen::Map<const Eigen::VectorXd>(
+        cells.area.data(), static_cast<Eigen::Index>(cells.area.size())));
+    summary.circularity_mean = mean(circularities);
+    for (double& c : circularities)
+        c = (c - summary.circularity_mean) * (c - summary.circularity_mean);
+    summary.circularity_std = std::sqrt(mean(circularities));
+    return summary;
+}
+
+Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {
+    const Sites& sites = tessellation.delaunay.sites();
+    const Lattice& lattice = tessellation.lattice();
+    const Domain domain(lattice, origin);
+    const Metric metric = tessellation.elongation ? tessellation.elongation->metric : Metric();
+    Points points(2, sites.n_sites());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        checkpoint_each(s);
+        const Vec2 p = metric.from_round(sites.position(s));
+        points.col(s) = p + lattice.translation(domain.offset_into(p));
+    }
+    return points;
+}
+
+std::optional<Minimum> minimum_of(const Tessellation& tessellation) {
+    const Sites& sites = tessellation.delaunay.sites();
+    const bool few = sites.n_sites() <= kMostSitesForStability;
+    const bool uniform = !tessellation.density && !tessellation.areas;
+    if (tessellation.run.stop != Stop::kConverged || !uniform || !few) return {};
+    return stability(sites);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "mesher/areas/area_newton.hpp"
+#include "mesher/cvt/cvt.hpp"
+#include "mesher/energy/stability.hpp"
+#include "mesher/mesh/elongated_mesh.hpp"
+#include "mesher/search/lattice_pattern.hpp"
+
+namespace pcvt {
+
+struct Job;
+struct JobStart;
+class JobMonitor;
+
+/// The tessellation of a run: Voronoi cells, or power cells of prescribed areas, in the plane or in
+/// a metric. Meshes and positions that follow from it lie in the plane of the user.
+///
+/// Example usage:
+///     const PeriodicMesh cells = plane_mesh(tessellation, MeshKind::kVoronoi);
+///     const Points sites = wrapped_sites(tessellation, job.origin);
+struct Tessellation {
+    /// In the round space of `elongation`, if there is one. With weights in a run with areas.
+    PeriodicDelaunay delaunay;
+    /// Of elongated cells.
+    std::optional<Elongation> elongation = {};
+    /// Energy and residuals are those of the round space.
+    RunStatistics run;
+    DelaunayCounts counts;
+    /// Of a run with a density.
+    std::optional<DensityFigures> density = {};
+    /// Of a run with areas.
+    std::optional<AreaFigures> areas = {};
+
+    /// That of the user.
+    const Lattice& lattice() const {
+        return elongation ? elongation->lattice : delaunay.sites().lattice();
+    }
+    int n_sites() const { return delaunay.sites().n_sites(); }
+};
+
+/// Computes the tessellation of a job that has no aspect, from its start, whose points and areas
+/// are moved from.
+/// @param built  called once the first triangulation is built and evaluated.
+Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& monitor,
+                        const std::function<void()>& built);
+
+/// The metric of the job's aspect.
+Metric metric_of(const Job& job);
+/// The job with its lattice, sites and density mapped to the round space of a metric.
+Job in_round_space(const Job& job, const Metric& metric);
+/// Maps the period and the basis of a pattern back to the plane.
+void map_back(const Metric& metric, LatticePattern& pattern);
+
+/// periodic_mesh() in the plane.
+PeriodicMesh plane_mesh(const Tessellation& tessellation, MeshKind kind);
+
+/// The number of sides of each site's cell, of those longer than kShortEdge h in the plane.
+std::vector<int> cell_sides(const Tessellation& tessellation);
+
+/// The figures of a run with prescribed areas.
+struct AreaSummary {
+    AreaFigures newton;
+    /// Standard deviation over mean of the equivalent diameters.
+    double std_over_mean = 0;
+    /// Of the cells (cell_table.hpp).
+    double circularity_mean = 0;
+    double circularity_std = 0;
+};
+
+AreaSummary area_summary(const Tessellation& tessellation);
+
+/// The sites, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
+Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin);
+
+/// Whether the sites are at a minimum of the energy, according to its Hessian; `nullopt` if the run
+/// did not converge, has a density or areas, or has more than kMostSitesForStability sites. Cost:
+/// of order n^1.5.
+std::optional<Minimum> minimum_of(const Tessellation& tessellation);
+
+}  // namespace pcvt

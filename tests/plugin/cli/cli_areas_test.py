@@ -1,0 +1,185 @@
+"""Prescribed areas and elongated cells on the command line: laws and files, refusals and reports."""
+
+import csv
+import json
+import math
+import os
+import statistics
+
+from support.cli import CliTest, main
+
+OBLIQUE = ("--lattice", "1,0,0.37,0.81")
+
+
+class AreaTest(CliTest):
+    def report(self, *arguments, **options):
+        self.succeed("mesh", "--quiet", "--force", "--report", "r.json", *arguments, **options)
+        return json.loads(self.path("r.json").read_text())
+
+    def table(self, name):
+        lines = self.path(name).read_text().splitlines()
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+    def areas(self, name):
+        return [float(row["area"]) for row in self.table(name)]
+
+    def assert_proportional(self, areas, wished, tolerance):
+        for area, wish in zip(areas, wished, strict=True):
+            self.assertAlmostEqual(area / sum(areas) * sum(wished) / wish, 1, delta=tolerance)
+
+
+class PrescribedAreas(AreaTest):
+    def test_a_law_is_reported_as_the_table_of_cells_shows_it(self):
+        report = self.report("--sites", 400, "--areas", "lognormal:0.42", "--max-iterations", 2, "-o", "t.csv")
+        self.assertEqual((report["stop"], report["iterations"]), ("converged", 2))
+        areas = report["areas"]
+        self.assertEqual(list(areas), ["law", "std_over_mean", "largest_relative_error", "newton_steps",
+                                       "circularity_mean", "circularity_std"])
+        self.assertEqual(areas["law"], "lognormal:0.42")
+        self.assertLessEqual(areas["largest_relative_error"], 1e-10)
+        table = self.table("t.csv")
+        diameters = [float(row["diameter"]) for row in table]
+        spread = statistics.pstdev(diameters) / statistics.fmean(diameters)
+        self.assertAlmostEqual(areas["std_over_mean"], spread, delta=1e-12)
+        self.assertAlmostEqual(spread, 0.42, delta=0.06)
+        circularities = [float(row["circularity"]) for row in table]
+        self.assertAlmostEqual(areas["circularity_mean"], statistics.fmean(circularities), delta=1e-12)
+        self.assertAlmostEqual(areas["circularity_std"], statistics.pstdev(circularities), delta=1e-12)
+
+    def test_five_steps_give_the_circularity_of_grains(self):
+        areas = self.report("--sites", 1000, "--areas", "lognormal:0.42", "--max-iterations", 5)["areas"]
+        self.assertTrue(0.095 < 1 - areas["circularity_mean"] < 0.105, areas)
+
+    def test_a_run_without_a_limit_is_centroidal(self):
+        report = self.report("--sites", 100, "--areas", "gamma:0.3", "--tolerance", "1e-5", "-o", "t.csv")
+        self.assertEqual(report["stop"], "converged")
+        self.assertLessEqual(report["residual"], 1e-5)
+        self.assertLessEqual(report["areas"]["largest_relative_error"], 1e-10)
+
+    def test_a_file_gives_each_site_its_area_or_its_diameter(self):
+        wished = [1 + (7 * k) % 12 for k in range(12)]
+        self.write("a.txt", "# areas\r\n\r\n" + "".join(f"\t{a}  # one\r\n" for a in wished))
+        self.write("d.txt", "diameter\n" + "\n".join(str(math.sqrt(a)) for a in wished))
+        for name in ("a.txt", "d.txt"):
+            report = self.report("--sites", 12, *OBLIQUE, "--areas", name, "--max-iterations", 1, "-o", "t.csv")
+            self.assertEqual(report["areas"]["law"], name)
+            areas = self.areas("t.csv")
+            self.assert_proportional(areas, wished, 1e-9)
+            self.assertAlmostEqual(sum(areas), 0.81, delta=1e-12)
+
+    def test_sites_of_a_file_keep_their_places_and_get_their_areas(self):
+        sites = [(0.1, 0.2), (0.8, 0.3), (0.4, 0.7)]
+        self.write("s.txt", "".join(f"{x} {y}\n" for x, y in sites))
+        self.write("a.txt", "3\n2\n1\n")
+        self.report("--input", "s.txt", "--areas", "a.txt", "--max-iterations", 0, "-o", "t.csv")
+        table = self.table("t.csv")
+        for row, (x, y) in zip(table, sites, strict=True):
+            self.assertAlmostEqual(float(row["x"]), x, delta=1e-14)
+            self.assertAlmostEqual(float(row["y"]), y, delta=1e-14)
+        self.assert_proportional(self.areas("t.csv"), [3, 2, 1], 1e-9)
+
+    def test_the_seed_draws_the_areas_also_for_sites_of_a_file(self):
+        self.write("s.txt", "".join(f"{(k * 0.618) % 1} {(k * 0.415) % 1}\n" for k in range(20)))
+        arguments = ("--input", "s.txt", "--areas", "gamma:0.3", "--max-iterations", 0)
+        for seed, name in ((1, "a.csv"), (1, "b.csv"), (2, "c.csv")):
+            self.report(*arguments, "--seed", seed, "-o", name)
+        self.assertEqual(self.areas("a.csv"), self.areas("b.csv"))
+        self.assertNotEqual(self.areas("a.csv"), self.areas("c.csv"))
+        self.refuse(2, "--seed", "mesh", "--input", "s.txt", "--areas", "equal", "--seed", 1)
+
+    def test_the_same_bytes_for_any_number_of_threads(self):
+        for threads in (1, 3):
+            self.report("--sites", 2000, "--areas", "gamma:0.3", "--aspect", "2,30", "--max-iterations", 1, "--threads",
+                        threads, "-o", f"{threads}.csv", "-o", f"{threads}.svg", "-o", f"{threads}.txt")
+        for extension in ("csv", "svg", "txt"):
+            one, three = (self.path(f"{threads}.{extension}").read_bytes() for threads in (1, 3))
+            self.assertEqual(one, three)
+
+    def test_what_does_not_combine_is_refused_with_what_to_do(self):
+        areas = ("mesh", "--sites", 50, "--areas", "gamma:0.3")
+        self.refuse(2, "leave one of the two out", *areas, "--density", "1 + u")
+        self.refuse(2, "take coarse or random", *areas, "--start", "best")
+        self.refuse(2, "take coarse or random", *areas, "--start", "lattice")
+        self.refuse(2, "leave the solver out", *areas, "--solver", "newton")
+        self.refuse(2, "leave one out", *areas, "--stability")
+        self.refuse(2, "t.nc.*leave areas and aspect out", *areas, "-o", "t.nc")
+        self.refuse(2, "t.nc.*leave areas and aspect out", "mesh", "--sites", 50, "--aspect", 2, "-o", "t.nc")
+        self.refuse(2, "--retry", *areas, "--retry", 3)
+
+    def test_impossible_laws_are_refused(self):
+        for law, words in (("lognormal", "lognormal:S"), ("lognormal:0", "above 0"), ("gamma:3", "at most 2"),
+                           ("gamma:nan", "gamma:S"), ("equal:1", "write 'equal'"), ("lognromal:0.4", "neither a law"),
+                           ("", "neither a law"), ("missing.txt", "a file with one area a line")):
+            self.refuse(2, "--areas.*" + words, "mesh", "--sites", 5, "--areas", law)
+        self.refuse(2, "smaller spread", "mesh", "--sites", 500, "--areas", "gamma:2")
+
+    def test_impossible_files_are_refused_with_the_line(self):
+        for text, words in (("1\n2\n", "a.txt:2: the last of 2 areas, but there are 3 sites; give one"),
+                            ("1\n2\n3\n\n4\n", "a.txt:5: area 4, but there are 3 sites; give one"),
+                            ("1\n-2\n3\n", "a.txt:2: '-2' is no size"), ("1\n0\n3\n", "a.txt:2: '0' is no size"),
+                            ("1\nnan\n3\n", "a.txt:2: 'nan' is not a finite number"), ("1\n1e400\n3\n", "a.txt:2: '1e400'"),
+                            ("1\n2 3\n4\n", "a.txt:2: .*one area a line"), ("1\ndiameter\n3\n", "a.txt:2: 'diameter'"),
+                            ("1\n1e-9\n1\n", "a.txt:2: the area is below 1e-6 of the mean"),
+                            ("# none\n", "a.txt: holds no area"), ("1\n\0\n", "a.txt:2: holds a NUL")):
+            self.write("a.txt", text)
+            self.refuse(2, words, "mesh", "--sites", 3, "--areas", "a.txt", "-o", "t.obj")
+        os.mkfifo(self.path("pipe"))
+        done = self.run_pcvt("mesh", "--sites", 3, "--areas", "pipe", timeout=20)
+        self.assertEqual(done.returncode, 2)
+        self.path("pipe").unlink()
+        self.write("a.csv", "1\n2\n3\n")
+        self.refuse(2, "a.csv", "mesh", "--sites", 3, "--areas", "a.csv", "--force", "-o", "a.csv")
+
+
+class ElongatedCells(AreaTest):
+    def test_areas_and_domain_are_those_of_the_user(self):
+        report = self.report("--sites", 200, "--period", "2,1", "--origin", "0.5,-1", "--aspect", "3,30", "-o", "t.csv",
+                             "-o", "t.txt", "-o", "t.svg")
+        self.assertEqual(report["aspect"], {"ratio": 3, "degrees": 30})
+        self.assertEqual((report["lattice"], report["stop"]), ([[2, 0], [0, 1]], "converged"))
+        self.assertAlmostEqual(sum(self.areas("t.csv")), 2, delta=1e-12)
+        for row in self.table("t.csv"):
+            self.assertTrue(0.5 <= float(row["x"]) < 2.5 and -1 <= float(row["y"]) < 0)
+
+    def test_sites_that_are_read_back_give_the_same_cells(self):
+        options = (*OBLIQUE, "--aspect", "4,70")
+        self.report("--sites", 60, *options, "-o", "t.csv", "-o", "t.txt")
+        self.report("--input", "t.txt", *options, "--max-iterations", 0, "-o", "again.csv")
+        for before, after in zip(self.table("t.csv"), self.table("again.csv"), strict=True):
+            self.assertEqual(before["neighbours"].split().sort(), after["neighbours"].split().sort())
+            self.assertAlmostEqual(float(before["area"]), float(after["area"]), delta=1e-12)
+        self.report("--input", "t.txt", *OBLIQUE, "--max-iterations", 0, "-o", "round.csv")
+        self.assertNotAlmostEqual(self.areas("t.csv")[0], self.areas("round.csv")[0], delta=1e-5)
+
+    def test_ratio_1_changes_no_byte(self):
+        self.succeed("mesh", "--sites", 100, "--aspect", "1,30", "-o", "a.obj", "-o", "a.txt")
+        self.succeed("mesh", "--sites", 100, "-o", "b.obj", "-o", "b.txt")
+        self.assertEqual(self.path("a.txt").read_text(), self.path("b.txt").read_text())
+        self.assertEqual(self.path("a.obj").read_text().replace("a.mtl", "b.mtl"), self.path("b.obj").read_text())
+
+    def test_a_pattern_of_the_metric_is_reported_in_the_plane(self):
+        basis = self.report("--sites", 12, "--aspect", "3,0", "--start", "lattice")["pattern"]["basis"]
+        (ax, ay), (bx, by) = basis
+        self.assertAlmostEqual(ax * by - ay * bx, 1 / 12, delta=1e-12)
+        # Its vectors lead from a site to sites: 12 times each is a vector of integers.
+        for v in (ax, ay, bx, by):
+            self.assertAlmostEqual(12 * v, round(12 * v), delta=1e-9)
+
+    def test_a_density_is_evaluated_in_the_plane(self):
+        report = self.report("--sites", 300, "--aspect", "2,45", "--density", "1 + 9 * exp(-((x - 0.5) / 0.1)^2)",
+                             "--tolerance", "1e-4", "-o", "t.csv")
+        self.assertLess(abs(report["mass_deviation"]), 1e-7)
+        table = self.table("t.csv")
+        inside = [float(r["area"]) for r in table if abs(float(r["x"]) - 0.5) < 0.05]
+        outside = [float(r["area"]) for r in table if abs(float(r["x"]) - 0.5) > 0.3]
+        self.assertLess(2 * statistics.fmean(inside), statistics.fmean(outside))
+        self.refuse(2, "at x = 0.9", "mesh", "--sites", 30, "--aspect", "2,45", "--density", "0.9 - (x > 0.9)")
+
+    def test_bad_ratios_are_refused(self):
+        for aspect, words in (("0", "between 0.01 and 100"), ("-2", "between"), ("101", "between"), ("x", "number"),
+                              ("2,inf", "number"), ("2,3,4", "numbers"), ("", "number")):
+            self.refuse(2, "--aspect.*" + words, "mesh", "--sites", 5, "--aspect", aspect)
+
+
+if __name__ == "__main__":
+    main()
