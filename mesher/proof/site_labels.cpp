@@ -23,6 +23,8 @@ const char* const kSiteLaw = "of the sites";
 constexpr double kOffBisector = 1e-7;
 /// ... and within this many tolerances of positions.
 constexpr double kRoundings = 8;
+/// The roundings of positions that are mapped to the round space of a metric and back.
+constexpr double kMappings = 2;
 
 /// Law (1). @returns the number of sites.
 int require_all_ids(const Tile& tile) {
@@ -241,7 +243,14 @@ Tile rounded(Tile tile) {
 }  // namespace
 
 void prove_sites(const Tile& tile, const TileProof& proof) {
-    if (!tile.metric.is_round()) return prove_sites(rounded(tile), proof);
+    if (!tile.metric.is_round()) {
+        // No vector becomes longer by more than the norm of the metric's matrix.
+        const double norm = std::hypot(tile.metric.to_round(Vec2(1, 0)).norm(),
+                                       tile.metric.to_round(Vec2(0, 1)).norm());
+        TileProof round = proof;
+        round.tolerance *= kMappings * norm;
+        return prove_sites(rounded(tile), round);
+    }
     if (tile.sites().empty()) return;
     const int n_sites = require_all_ids(tile);
     const bool owned = faces_have_sites(tile.kind);
