@@ -1,0 +1,325 @@
+/// Jobs with prescribed areas and with elongated cells: every tile of them is proved, and their
+/// cells are compared with brute force.
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+#include "io/run_files/site_reader.hpp"
+#include "mesher/grains/grains.hpp"
+#include "mesher/lattice/domain.hpp"
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/mesh/cell_table.hpp"
+#include "plugin/job/job.hpp"
+#include "plugin/job/job_tiles.hpp"
+#include "tests/support/lattices.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace pcvt {
+namespace {
+
+using pcvt::testing::TemporaryFolder;
+using ::testing::HasSubstr;
+
+/// A number below n.
+int below(std::mt19937_64& random, int n) { return static_cast<int>(random() % std::uint64_t(n)); }
+
+double unit(std::mt19937_64& random) { return std::uniform_real_distribution<double>()(random); }
+
+/// Sites at random, in clusters, on a line or on a grid.
+Points some_sites(std::mt19937_64& random, const Lattice& lattice, int n) {
+    Points points = uniform_points(lattice, n, random());
+    const int kind = below(random, 4);
+    for (int s = 0; s < n; ++s) {
+        const double u = (s + 0.5) / n;
+        if (kind == 1) points.col(s) *= 0.05;
+        if (kind == 2) points.col(s) = lattice.to_plane({u, 0.3});
+        if (kind == 3) points.col(s) = lattice.to_plane({u, double((s * 5) % n) / n});
+    }
+    return points;
+}
+
+WishedAreas some_areas(std::mt19937_64& random, int n) {
+    switch (below(random, 4)) {
+        case 0:
+            return {.law = parse_area_law("equal"), .name = "equal"};
+        case 1:
+            return {.law = parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
+        case 2:
+            return {.law = parse_area_law("gamma:0.3"), .name = "gamma:0.3"};
+        default:
+            Eigen::VectorXd areas(n);
+            for (double& a : areas) a = 1 + below(random, 20);
+            return {.given = areas, .name = "areas.txt"};
+    }
+}
+
+Job some_job(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    Job job;
+    job.seed = seed;
+    job.lattice = testing::random_lattice(random);
+    job.n_sites = 1 + below(random, below(random, 3) == 0 ? 8 : 60);
+    job.max_iterations = std::array{0, 1, 4}[below(random, 3)];
+    if (below(random, 3) == 0) job.points = some_sites(random, job.lattice, job.n_sites);
+    const int kind = below(random, 3);
+    if (kind != 0) job.areas = some_areas(random, job.n_sites);
+    if (kind != 1) {
+        job.aspect =
+            Aspect{.ratio = std::exp(3 * unit(random) - 1.5), .degrees = 360 * unit(random)};
+    }
+    job.columns = 1 + below(random, 3);
+    job.rows = 1 + below(random, 2);
+    job.order = 1 + below(random, 2);
+    job.origin = {unit(random) - 0.5, unit(random) - 0.5};
+    job.outline = below(random, 2) == 0 ? Outline::kBox : Outline::kWhole;
+    job.finds_origin = job.outline == Outline::kBox && below(random, 2) == 0;
+    job.meshes = {MeshKind::kVoronoi, MeshKind::kGrains};
+    if (job.outline == Outline::kWhole) job.meshes.push_back(MeshKind::kDelaunay);
+    if (below(random, 3) == 0) job.short_edges = 0.1 * unit(random);
+    if (below(random, 4) == 0) job.grain_per_edge = 1 + below(random, 2);
+    return job;
+}
+
+/// Sums of the areas of the faces of each site.
+std::vector<double> areas_by_site(const Tile& tile, int n_sites) {
+    std::vector<double> areas(static_cast<std::size_t>(n_sites));
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        Polygon polygon;
+        for (const int v : tile.faces[f])
+            polygon.push_back(tile.points[v] - tile.points[tile.faces[f][0]]);
+        areas[tile.face_site[f]] += polygon_area(polygon);
+    }
+    return areas;
+}
+
+Eigen::VectorXd wished(const Job& job) {
+    const auto& [law, given, name] = *job.areas;
+    return scaled_areas(given.size() > 0 ? given : draw_areas(law, job.n_sites, job.seed),
+                        job.n_sites, job.lattice.area());
+}
+
+/// Expects that the faces of each site have its area, but for short edges that were removed.
+void expect_areas(const Job& job, const BuiltTile& built) {
+    const double grains = built.figures.kind == MeshKind::kGrains ? kShortGrainEdge : 0;
+    const double h = std::sqrt(job.lattice.area() / job.n_sites);
+    // No cell has a perimeter of more than some 40 h.
+    const double change = std::max({1e-8, grains, job.short_edges}) * h * 40 * h;
+    const std::vector<double> areas = areas_by_site(built.tile, job.n_sites);
+    const Eigen::VectorXd targets = wished(job);
+    for (int s = 0; s < job.n_sites; ++s) {
+        EXPECT_NEAR(areas[s] / (job.columns * job.rows), targets[s], change);
+    }
+}
+
+TEST(JobAreas, EveryTileIsProvedAndHasTheAreas) {
+    const JobCallback silent;
+    int n_proved = 0;
+    int n_too_thin = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        const Job job = some_job(seed);
+        JobMonitor monitor(silent, {});
+        try {
+            const Computation computed = compute_job(job, {}).value();
+            for (const BuiltTile& built : proved_tiles(job, computed.cells, monitor)) {
+                ++n_proved;
+                EXPECT_EQ(built.tile.site_weights.size(), job.areas ? job.n_sites : 0);
+                EXPECT_EQ(built.tile.metric.is_round(), !job.aspect);
+                if (job.areas && built.figures.kind != MeshKind::kDelaunay)
+                    expect_areas(job, built);
+            }
+        } catch (const DuplicateSites&) {
+        } catch (const LimitExceeded&) {
+            ++n_too_thin;  // A piece that the box cuts off.
+        }
+    }
+    EXPECT_GT(n_proved, 400);
+    EXPECT_LT(n_too_thin, 20);
+}
+
+TEST(JobAreas, CellsHaveTheAreasExactly) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        const Job job = some_job(seed);
+        if (!job.areas) continue;
+        std::optional<Computation> computed;
+        try {
+            computed = compute_job(job, {});
+        } catch (const DuplicateSites&) {
+            continue;
+        }
+        EXPECT_EQ(computed->cells.run.stop, Stop::kConverged);
+        const CellTable table = cell_table(plane_mesh(computed->cells, MeshKind::kVoronoi));
+        const Eigen::VectorXd targets = wished(job);
+        const double tolerance = std::max(1e-10, computed->cells.areas->rounding);
+        for (int s = 0; s < job.n_sites; ++s) {
+            // Corners are merged within 1e-9 h.
+            EXPECT_NEAR(table.area[s] / targets[s], 1, 10 * tolerance + 1e-7);
+        }
+    }
+}
+
+/// The power distance of p from the nearest image of each site, in the metric of the cells.
+std::vector<double> power_distances(const Tessellation& cells, const Vec2& p) {
+    const Sites& sites = cells.delaunay.sites();
+    const Lattice& reduced = sites.reduction().reduced;
+    const Eigen::VectorXd& weights = cells.delaunay.weights();
+    const Metric metric = cells.elongation ? cells.elongation->metric : Metric();
+    std::vector<double> distances;
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        const Vec2 u = reduced.to_lattice(metric.to_round(p) - sites.position(s));
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = -1; i <= 1; ++i) {
+            for (int j = -1; j <= 1; ++j) {
+                const Vec2 d(u.x() - std::round(u.x()) + i, u.y() - std::round(u.y()) + j);
+                least = std::min(least, reduced.to_plane(d).squaredNorm());
+            }
+        }
+        distances.push_back(least - (weights.size() > 0 ? weights[s] : 0));
+    }
+    return distances;
+}
+
+TEST(JobAreas, CellsAreThoseOfBruteForceInTheMetric) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        const Job job = some_job(seed);
+        std::optional<Computation> computed;
+        try {
+            computed = compute_job(job, {});
+        } catch (const DuplicateSites&) {
+            continue;
+        }
+        std::mt19937_64 random(seed);
+        const PeriodicMesh mesh = plane_mesh(computed->cells, MeshKind::kVoronoi);
+        EXPECT_EQ(mesh.lattice.a(), job.lattice.a());
+        const double rounding = 1e-7 * job.lattice.area() / job.n_sites;
+        for (int f = 0; f < mesh.n_faces(); ++f) {
+            // A point of the cell.
+            Vec2 p = Vec2::Zero();
+            double sum = 0;
+            for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+                const double part = unit(random);
+                p += part * mesh.point(c);
+                sum += part;
+            }
+            const std::vector<double> distances = power_distances(computed->cells, p / sum);
+            const double least = *std::min_element(distances.begin(), distances.end());
+            EXPECT_LE(distances[mesh.site[f]], least + rounding);
+        }
+    }
+}
+
+TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
+    Job job;
+    job.lattice = Lattice({2, 0}, {0.7, 1});
+    job.n_sites = 50;
+    job.points = uniform_points(job.lattice, 50, 3);
+    job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
+    job.aspect = Aspect{.ratio = 2, .degrees = 30};
+    job.max_iterations = 0;
+    const Computation computed = compute_job(job, {}).value();
+    const Points sites = wrapped_sites(computed.cells, job.origin);
+    const Domain domain(job.lattice, job.origin);
+    for (int s = 0; s < 50; ++s) {
+        const Vec2 p = job.points.col(s);
+        const Vec2 inside = p + job.lattice.translation(domain.offset_into(p));
+        EXPECT_LT((sites.col(s) - inside).norm(), 1e-12);
+    }
+    const CellTable table = cell_table(plane_mesh(computed.cells, MeshKind::kVoronoi));
+    EXPECT_NEAR(table.area[49] / table.area[0], 3, 1e-8);
+}
+
+TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
+    Job job;
+    job.n_sites = 400;
+    job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
+    job.max_iterations = 0;
+    const Points sites = wrapped_sites(compute_job(job, {}).value().cells, job.origin);
+    // The correlation of x with the number of the site.
+    double sum = 0;
+    for (int s = 0; s < 400; ++s) sum += (sites(0, s) - 0.5) * (s - 199.5);
+    EXPECT_LT(std::abs(sum) / (400 * 0.289 * 115.5), 0.2);
+}
+
+TEST(JobAreas, TheResultIsThatOfTheRoundSpace) {
+    // Elongated along x, the unit square is the round rectangle 1/2 x 2.
+    Job round;
+    round.lattice = Lattice::rectangle(0.5, 2);
+    round.points = uniform_points(round.lattice, 80, 1);
+    Job job;
+    job.points = round.points;
+    job.points.row(0) *= 2;
+    job.points.row(1) /= 2;
+    job.aspect = Aspect{.ratio = 4, .degrees = 0};
+    const Computation here = compute_job(job, {}).value();
+    const Computation there = compute_job(round, {}).value();
+    EXPECT_EQ(here.cells.run.energy, there.cells.run.energy);
+    Points mapped = wrapped_sites(there.cells, Vec2::Zero());
+    mapped.row(0) *= 2;
+    mapped.row(1) /= 2;
+    EXPECT_EQ(wrapped_sites(here.cells, Vec2::Zero()), mapped);
+}
+
+TEST(JobAreas, ProgressNamesTheStepsAndRises) {
+    for (const int steps : {-1, 0, 3}) {
+        Job job;
+        job.n_sites = 200;
+        job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+        job.max_iterations = steps;
+        job.tolerance = 1e-3;
+        std::string words;
+        double fraction = 0;
+        compute_job(job, [&](const JobProgress& progress) {
+            if (progress.phase != Phase::kOptimising) return true;
+            EXPECT_GE(progress.fraction, fraction);
+            EXPECT_LE(progress.fraction, 1);
+            fraction = progress.fraction;
+            words += progress.text + "\n";
+            return true;
+        });
+        EXPECT_THAT(words, HasSubstr("Newton step 1\n"));
+        const char* const begin =
+            steps < 0 ? "optimising, Newton" : "fitting the areas, Newton step 0\n";
+        EXPECT_THAT(words, HasSubstr(begin));
+        const char* const later = steps == 3 ? "centroidal step 2 of 3, Newton step 1" : "";
+        EXPECT_THAT(words, HasSubstr(later));
+        EXPECT_GT(fraction, 0.9);
+    }
+}
+
+TEST(JobAreas, AnyCallOfTheCallbackCancels) {
+    Job job;
+    job.n_sites = 100;
+    job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.max_iterations = 2;
+    for (int last = 0; last < 12; ++last) {
+        int n_calls = 0;
+        EXPECT_FALSE(compute_job(job, [&](const JobProgress&) { return n_calls++ < last; }));
+        EXPECT_EQ(n_calls, last + 1);
+    }
+}
+
+TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
+    const TemporaryFolder folder;
+    Job job;
+    job.n_sites = 30;
+    job.lattice = Lattice({1, 0}, {0.4, 0.9});
+    job.aspect = Aspect{.ratio = 3, .degrees = 110};
+    job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.max_iterations = 1;
+    job.origin = {3, -2};
+    job.meshes = {MeshKind::kVoronoi, MeshKind::kGrains};
+    job.outputs = {folder / "t.svg", folder / "t.txt", folder / "t.csv"};
+    job.report = folder / "r.json";
+    const RunSummary summary = run_job(job, {});
+    EXPECT_LT(summary.areas->newton.largest_relative_error, 1e-10);
+    const Points sites = read_sites(folder / "t.txt").points;
+    const Computation computed = compute_job(job, {}).value();
+    EXPECT_EQ(sites, wrapped_sites(computed.cells, job.origin));
+}
+
+}  // namespace
+}  // namespace pcvt
