@@ -1,39 +1,35 @@
 #include "io/file_proof.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "io/bytes/output_error.hpp"
 #include "io/mpas/mpas_graph.hpp"
+#include "io/tiles/site_notes.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/proof/generated_tile.hpp"
 #include "mesher/proof/site_labels.hpp"
+#include "mesher/tile/round_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
 #include "mesher/tile/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
 
-/// No cell is wider, in units of h, but for those of few sites that were not optimised.
-constexpr double kWidestCell = 2;
+/// Corners of grains may be moved by this much, in units of h.
+constexpr double kMovedCorner = 0.05;
 
 std::vector<EdgePair> sorted(std::vector<EdgePair> pairs) {
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
 
-/// Whether the positions of the sites that a file holds are those of the tile.
-bool same_site_positions(const Tile& file, const Tile& proved) {
-    return file.site_positions.empty() ||
-           (file.columns == proved.columns && file.rows == proved.rows &&
-            file.site_positions == site_positions(proved));
-}
-
 /// Whether every law of a tile says the same of both: the proof of the one is that of the other.
 bool is_the_same(const TileFile& file, const Tile& proved) {
     return file.precision == Precision::kDouble && same_geometry(file.tile, proved) &&
-           same_site_positions(file.tile, proved) &&
+           same_site_notes(file.tile, proved) &&
            (!file.has_vertex_pairs || file.tile.vertex_pairs == proved.vertex_pairs) &&
            (!file.has_edge_pairs || sorted(file.tile.edge_pairs) == sorted(proved.edge_pairs));
 }
@@ -52,17 +48,29 @@ std::string path_of(const TileFormat& format, const std::vector<EncodedFile>& fi
 }
 
 /// Whether the nearest image of its site may not be the cell of a triangle of grains: where short
-/// edges were removed, and where a cell may touch an image of itself, because a period of the sites
-/// is no longer than the widest cells.
+/// edges were removed, and where a triangle lies about halfway between two images of its site.
 bool has_ambiguous_cells(const Tile& tile) {
     if (tile.kind != MeshKind::kGrains || tile.face_site.empty()) return false;
     if (tile.short_edges > 0) return true;
+    const Tile round = round_tile(tile);
     const int columns = std::max(tile.columns, 1);
     const int rows = std::max(tile.rows, 1);
-    const Lattice lattice(tile.lattice.a() / columns, tile.lattice.b() / rows);
+    const Lattice lattice(round.lattice.a() / columns, round.lattice.b() / rows);
     const int n_sites = 1 + *std::max_element(tile.face_site.begin(), tile.face_site.end());
-    return reduce(lattice).reduced.a().norm() <
-           kWidestCell * std::sqrt(lattice.area() / std::max(n_sites, 1));
+    const double moved = kMovedCorner * std::sqrt(lattice.area() / std::max(n_sites, 1));
+    const Lattice reduced = reduce(lattice).reduced;
+    const std::array translations{reduced.a(), reduced.b(), Vec2(reduced.a() + reduced.b()),
+                                  Vec2(reduced.a() - reduced.b())};
+    const std::vector<Vec2> sites = nearest_site_images(round);
+    for (std::size_t f = 0; f < sites.size(); ++f) {
+        const Vec2 from_site = face_middle(round, static_cast<int>(f)) - sites[f];
+        for (const Vec2& t : translations) {
+            // The distance from the bisector of the site and its image at t, or at -t.
+            const double within = t.norm() / 2 - std::abs(from_site.dot(t)) / t.norm();
+            if (!(within > moved)) return true;
+        }
+    }
+    return false;
 }
 
 /// Compares the files with those that the writer gives for their tile, unless they are these.

@@ -25,8 +25,8 @@ TileProof prove_tile_file(const TileFile& file);
 
 /// Proves all that `files` state: the tile that was read from them, and, where they state its
 /// lattice as pcvt writes it, each further field that follows from the tile. In grains without
-/// short edges, and in those whose cells may touch images of themselves (a period of less than
-/// 2 h), these fields do not follow.
+/// short edges, and in those of which a triangle lies about halfway between two images of its site,
+/// these fields do not follow.
 ///
 /// Example usage:
 ///   const TileFile file = decode_tile(format, files, std::nullopt);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/tiles/site_notes.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -194,9 +196,12 @@ class LayoutProof {
 
     void require_all_used() {
         const Json& extras = GltfDocument::member(document_.entry("nodes", 0), "extras");
-        const Json& sites =
-            GltfDocument::member(GltfDocument::member(extras, "periodic"), "sitePositions");
-        if (!sites.is_null()) use(document_.count(sites, "sitePositions"), false);
+        const Json& periodic = GltfDocument::member(extras, "periodic");
+        for (const SiteNote& note : site_notes()) {
+            const std::string member(note.member);
+            const Json& value = GltfDocument::member(periodic, member);
+            if (note.of_each_site && !value.is_null()) use(document_.count(value, member), false);
+        }
         for (std::size_t k = 0; k < used_.size(); ++k) {
             if (used_[k] == 0) throw_bad("nothing uses accessor " + std::to_string(k));
         }

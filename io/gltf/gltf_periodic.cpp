@@ -1,44 +1,61 @@
 #include "io/gltf/gltf_periodic.hpp"
 
-#include "io/tiles/tile_file.hpp"
+#include <utility>
+
+#include "io/tiles/site_notes.hpp"
 
 namespace pcvt {
 namespace {
 
-int period_count(const GltfDocument& document, const Json& periods, std::size_t k) {
-    const std::size_t n =
-        periods.is_array() && periods.size() == 2 ? document.count(periods[k], "periods") : 0;
-    if (n < 1 || n > std::size_t{kMostPeriods}) {
-        document.throw_bad_file("extras.periodic.periods is not [columns, rows]");
+constexpr const char* kPeriodic = "extras.periodic.";
+
+/// The numbers of a note of the tile: a number, or a list.
+std::vector<double> listed_numbers(const GltfDocument& document, const SiteNote& note,
+                                   const Json& value) {
+    const bool is_list = value.is_array();
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k < (is_list ? value.size() : 1); ++k) {
+        const Json& number = is_list ? value[k] : value;
+        if (is_list == (note.n_parts > 1) && number.is_number()) {
+            numbers.push_back(number.get<double>());
+            continue;
+        }
+        document.throw_bad_file(kPeriodic + std::string(note.member) + " is not " +
+                                std::string(note.parts));
     }
-    return static_cast<int>(n);
+    return numbers;
+}
+
+std::vector<double> note_numbers(const GltfDocument& document, const SiteNote& note,
+                                 const Json& value) {
+    if (!note.of_each_site) return listed_numbers(document, note, value);
+    const std::size_t accessor = document.count(value, std::string(note.member));
+    const std::vector<float> numbers = document.floats(accessor, note.n_parts);
+    return {numbers.begin(), numbers.end()};
 }
 
 }  // namespace
 
-void read_site_positions(const GltfDocument& document, const Json& periodic, Tile& tile) {
-    const Json& accessor = GltfDocument::member(periodic, "sitePositions");
-    const Json& periods = GltfDocument::member(periodic, "periods");
-    if (accessor.is_null() && periods.is_null()) return;
-    if (accessor.is_null() || tile.sites().empty()) {
+void read_site_notes(const GltfDocument& document, const Json& periodic, Tile& tile) {
+    SiteNotes notes{.short_edges = 0};
+    bool is_stated = false;
+    for (const SiteNote& note : site_notes()) {
+        const Json& value = GltfDocument::member(periodic, std::string(note.member));
+        if (value.is_null()) continue;
+        is_stated = true;
+        const std::vector<double> numbers = note_numbers(document, note, value);
+        try {
+            take_note(note, numbers, notes);
+        } catch (const InvalidInput& fault) {
+            document.throw_bad_file(kPeriodic + std::string(note.member) + ": " + fault.what());
+        }
+    }
+    if (!is_stated) return;
+    if (notes.positions.empty() || tile.sites().empty()) {
         document.throw_bad_file(
             "extras.periodic has periods without sitePositions, or positions of sites without ids");
     }
-    tile.columns = periods.is_null() ? 1 : period_count(document, periods, 0);
-    tile.rows = periods.is_null() ? 1 : period_count(document, periods, 1);
-    tile.short_edges = 0;
-    const Json& short_edges = GltfDocument::member(periodic, "shortEdges");
-    if (!short_edges.is_null()) {
-        tile.short_edges = short_edges.is_number() ? short_edges.get<double>() : 0;
-        if (!(tile.short_edges > 0 && tile.short_edges <= kLongestRemovedEdge)) {
-            document.throw_bad_file("extras.periodic.shortEdges is not from 0 to 1");
-        }
-    }
-    const std::vector<float> numbers =
-        document.floats(document.count(accessor, "sitePositions"), 2);
-    for (std::size_t k = 0; k < numbers.size(); k += 2) {
-        tile.site_positions.emplace_back(numbers[k], numbers[k + 1]);
-    }
+    std::move(notes).give_to(tile);
 }
 
 }  // namespace pcvt

@@ -335,7 +335,7 @@ TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<
     } else if (all_known(finding.vertex_site)) {
         tile.vertex_site = std::move(finding.vertex_site);
     }
-    if (finding.periodic) read_site_positions(finding.document, *finding.periodic, tile);
+    if (finding.periodic) read_site_notes(finding.document, *finding.periodic, tile);
     if (is_own_gltf(finding.document)) {
         require_own_layout(finding.document);
         require_own_attributes(finding.document, tile);

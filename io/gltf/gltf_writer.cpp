@@ -3,8 +3,8 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 
 #include "io/bytes/text.hpp"
@@ -14,9 +14,9 @@
 #include "io/gltf/gltf_model_builder.hpp"
 #include "io/gltf/gltf_surface.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/site_notes.hpp"
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/tile/site_positions.hpp"
 #include "mesher/tile/texture_coordinates.hpp"
 
 namespace pcvt {
@@ -30,10 +30,10 @@ constexpr double kLift = 0.002;
 constexpr Colour kLineColour{0.16, 0.17, 0.20};
 constexpr Colour kWhite{1, 1, 1};
 
-template <class Number>
-void append_list(std::string& text, std::initializer_list<Number> numbers) {
+template <class Numbers>
+void append_list(std::string& text, const Numbers& numbers) {
     char before = '[';
-    for (const Number number : numbers) {
+    for (const auto number : numbers) {
         text += before;
         append_number(text, number);
         before = ',';
@@ -42,35 +42,23 @@ void append_list(std::string& text, std::initializer_list<Number> numbers) {
 }
 
 /// Returns extras.periodic as JSON. A tinygltf::Value would take 150 bytes per number.
-/// @param position_accessor  of the positions of the sites; -1 if the tile does not know them.
-std::string periodic_json(const Tile& tile, const Surface& surface, int position_accessor) {
+/// @param notes  the members that state the sites, each with a comma behind it.
+std::string periodic_json(const Tile& tile, const Surface& surface, const std::string& notes) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     std::string text = "{";
     if (tile.kind == MeshKind::kGrains) text += "\"kind\":\"" + file_word(tile.kind) + "\",";
     // Lattice, cells, pairs.
     text += "\"lattice\":[";
-    append_list(text, {a.x(), a.y()});
+    append_list(text, a);
     text += ',';
-    append_list(text, {b.x(), b.y()});
+    append_list(text, b);
     text += "],";
-    if (position_accessor >= 0) {
-        text += "\"sitePositions\":" + std::to_string(position_accessor) + ',';
-        if (tile.columns * tile.rows > 1) {
-            text += "\"periods\":";
-            append_list(text, {tile.columns, tile.rows});
-            text += ',';
-        }
-        if (tile.short_edges > 0) {
-            text += "\"shortEdges\":";
-            append_number(text, tile.short_edges);
-            text += ',';
-        }
-    }
+    text += notes;
     if (!surface.cells.empty()) {
         text += "\"cellTriangles\":[";
         for (const CellTriangles& cell : surface.cells) {
-            append_list(text, {cell.site, cell.n_triangles});
+            append_list(text, std::array{cell.site, cell.n_triangles});
             text += ',';
         }
         text.back() = ']';
@@ -78,7 +66,7 @@ std::string periodic_json(const Tile& tile, const Surface& surface, int position
     }
     text += "\"vertexPairs\":[";
     for (const VertexPair& pair : tile.vertex_pairs) {
-        append_list(text, {pair.v, pair.w, pair.offset.i, pair.offset.j});
+        append_list(text, std::array{pair.v, pair.w, pair.offset.i, pair.offset.j});
         text += ',';
     }
     if (tile.vertex_pairs.empty()) return text + "]}";
@@ -193,13 +181,35 @@ void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builde
     builder.add_node("outlines", {std::move(primitive)});
 }
 
-/// Adds the positions of the sites. @returns their accessor; -1 if the tile does not know them.
-int add_site_positions(const Tile& tile, ModelBuilder& builder) {
-    std::vector<Point32> positions;
-    for (const Vec2& p : site_positions(tile)) {
-        positions.push_back({static_cast<float>(p.x()), static_cast<float>(p.y())});
+/// Adds the numbers of a note of each site. @returns their accessor.
+int add_site_note(const StatedNote& stated, ModelBuilder& builder) {
+    const std::vector<double>& numbers = stated.numbers;
+    if (stated.note->n_parts == 1) {
+        return builder.add_vertex_data(std::vector<float>(numbers.begin(), numbers.end()),
+                                       TINYGLTF_TYPE_SCALAR);
     }
-    return positions.empty() ? -1 : builder.add_vertex_data(positions, TINYGLTF_TYPE_VEC2);
+    std::vector<Point32> pairs;
+    for (std::size_t k = 0; k < numbers.size(); k += 2) {
+        pairs.push_back({static_cast<float>(numbers[k]), static_cast<float>(numbers[k + 1])});
+    }
+    return builder.add_vertex_data(pairs, TINYGLTF_TYPE_VEC2);
+}
+
+/// Adds what the file states of the sites. @returns the members of extras.periodic.
+std::string add_site_notes(const Tile& tile, ModelBuilder& builder) {
+    std::string text;
+    for (const StatedNote& stated : stated_notes(tile)) {
+        text += '"' + std::string(stated.note->member) + "\":";
+        if (stated.note->of_each_site) {
+            append_number(text, add_site_note(stated, builder));
+        } else if (stated.note->n_parts == 1) {
+            append_number(text, stated.numbers.front());
+        } else {
+            append_list(text, stated.numbers);
+        }
+        text += ',';
+    }
+    return text;
 }
 
 enum class Container { kText, kBinary };
@@ -225,16 +235,16 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
     ModelBuilder builder(surface.points.size() *
                              (3 * sizeof(Point3) + sizeof(TextureCoordinate) + sizeof(float)) +
                          tile.points.size() * sizeof(Point3) + sites.size() * sizeof(Point32) +
+                         tile.site_weights.size() * sizeof(float) +
                          (surface.indices.size() + 2 * tile.faces.corners.size()) * sizeof(int));
     add_surface(tile, surface, colours, builder);
     add_outlines(tile, surface, builder);
-    const int position_accessor = add_site_positions(tile, builder);
+    const std::string notes = add_site_notes(tile, builder);
     std::vector<unsigned char> buffer = std::move(builder.model().buffers[0].data);
     if (buffer.size() > kMaxBytes) {
         throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");
     }
-    return {std::move(builder.model()), std::move(buffer),
-            periodic_json(tile, surface, position_accessor)};
+    return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface, notes)};
 }
 
 std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path,

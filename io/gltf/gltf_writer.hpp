@@ -16,7 +16,9 @@ namespace pcvt {
 /// the surface, which all of its triangles share. Where the tile knows the positions of its sites,
 /// "sitePositions" is the accessor of x and y of site 0, 1, ..., those of the image at the first
 /// face (vertex) that names the site, and a tile of several periods has "periods": [columns, rows],
-/// one without edges shorter than Tile::short_edges has "shortEdges".
+/// one without edges shorter than Tile::short_edges has "shortEdges", one of elongated cells has
+/// "metric": [ratio, degrees], and one of power cells has "siteWeights", the accessor of a weight
+/// for each site (io/tiles/site_notes.hpp).
 /// Grains add "kind": "grains". Coordinates are float32; the lattice keeps double precision. The
 /// children of `tile`:
 ///

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 5> kPassedOver{"vn", "vp", "o", "g", "s"}
 class ObjParser {
    public:
     ObjParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), file_{.name = name, .index_base = 1, .short_edges = 0} {}
+        : scanner_(name, text), file_{.name = name, .index_base = 1, .notes = {.short_edges = 0}} {}
 
     FileTileBuilder parse() {
         while (scanner_.next()) parse_line();
@@ -130,11 +130,8 @@ class ObjParser {
         const std::string_view key = words.front();
         const Words values = words.subspan(1);
         // Vertices count from 1 in the file, sites from 0.
-        if (key == "kind") {
-            file_.take_kind(scanner_, values);
-        } else if (key == "lattice") {
-            file_.take_lattice(scanner_, values);
-        } else if (key == "vertex_pair") {
+        if (file_.take_comment(scanner_, key, values)) return;
+        if (key == "vertex_pair") {
             const auto [v, w, i, j] = integers<4>(values);
             file_.vertex_pairs.push_back({from_zero(v), from_zero(w), {i, j}});
         } else if (key == "edge_pair") {
@@ -144,17 +141,6 @@ class ObjParser {
                                         .w0 = from_zero(w0),
                                         .w1 = from_zero(w1),
                                         .offset = {i, j}});
-        } else if (key == "sites") {
-            for (const std::string_view word : values)
-                file_.sites.push_back(scanner_.integer(word));
-        } else if (key == "site") {
-            if (values.size() != 2) scanner_.throw_bad_file("a site has 2 numbers; write x and y");
-            file_.site_positions.emplace_back(scanner_.number(values[0]),
-                                              scanner_.number(values[1]));
-        } else if (key == "periods") {
-            file_.take_periods(scanner_, values);
-        } else if (key == "short_edges") {
-            file_.take_short_edges(scanner_, values);
         } else {
             scanner_.throw_bad_file("pcvt does not know " + in_quotes(key) + "; remove the line");
         }

@@ -9,9 +9,9 @@
 #include "io/bytes/text.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/site_notes.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/tile/site_positions.hpp"
 #include "mesher/tile/texture_coordinates.hpp"
 
 namespace pcvt {
@@ -30,11 +30,7 @@ constexpr const char* kExplanation =
     "#   lattice ax ay bx by        the period vectors a and b\n"
     "#   vertex_pair v w i j        vertex w lies at vertex v + i a + j b\n"
     "#   edge_pair v0 v1 w0 w1 i j  boundary edge v0 v1 + i a + j b is boundary edge w0 w1\n"
-    "#   sites s ...                the site of each face (or vertex of triangles), in order\n"
-    "#   site x y                   where site 0, 1, ... lies: the image at its first face\n"
-    "#   periods columns rows       a repeated tile has the sites of one period in each\n"
-    "#   short_edges length         edges of cells shorter than this, in units of h, were removed\n"
-    "# Vertices count from 1, sites from 0.\n";
+    "#   sites s ...                the site of each face (or vertex of triangles), in order\n";
 
 template <class Number>
 void append_words(std::string& text, std::initializer_list<Number> numbers) {
@@ -77,23 +73,6 @@ Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
     return sorted;
 }
 
-void append_site_positions(std::string& text, const Tile& tile) {
-    const std::vector<Vec2> positions = site_positions(tile);
-    if (positions.empty()) return;
-    if (tile.columns * tile.rows > 1) {
-        text += "# pcvt periods";
-        append_words(text, {tile.columns, tile.rows});
-    }
-    if (tile.short_edges > 0) {
-        text += "# pcvt short_edges";
-        append_words(text, {tile.short_edges});
-    }
-    for (const Vec2& p : positions) {
-        text += "# pcvt site";
-        append_words(text, {p.x(), p.y()});
-    }
-}
-
 void append_seam(std::string& text, const Tile& tile) {
     // Kind and lattice.
     const Vec2& a = tile.lattice.a();
@@ -117,7 +96,7 @@ void append_seam(std::string& text, const Tile& tile) {
         append_number(text, sites[k]);
     }
     text += '\n';
-    append_site_positions(text, tile);
+    append_note_comments(text, "# pcvt ", tile);
 }
 
 std::string obj_text(const Tile& tile, const TileColours& colours,
@@ -125,9 +104,12 @@ std::string obj_text(const Tile& tile, const TileColours& colours,
     const std::vector<int>& material = colours.class_of;
     // Memory that is reserved and not used costs nothing, in contrast to a text that is moved.
     std::string text;
-    text.reserve((5 * tile.points.size() + 2 * tile.site_points.size()) * kLongestNumber +
+    text.reserve((5 * tile.points.size() + 2 * tile.site_points.size() + tile.site_weights.size()) *
+                     kLongestNumber +
                  (2 * tile.faces.corners.size() + tile.faces.begin.size()) * kLongestInteger);
     text += kExplanation;
+    append_note_meanings(text, "#   ");
+    text += "# Vertices count from 1, sites from 0.\n";
     append_seam(text, tile);
     text += "mtllib " + material_file + "\n";
     for (const Vec2& p : tile.points) {

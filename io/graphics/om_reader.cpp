@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/tiles/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
@@ -204,11 +205,26 @@ class OmParser {
         if (!is_complete || !(sites[2] >= 0 && sites[2] <= kLongestRemovedEdge)) {
             throw_bad_file("has no proper pcvt_sites");
         }
-        tile.columns = period_count(sites[0]);
-        tile.rows = period_count(sites[1]);
-        tile.short_edges = sites[2];
+        SiteNotes notes{.columns = period_count(sites[0]),
+                        .rows = period_count(sites[1]),
+                        .short_edges = sites[2]};
         for (std::size_t k = 4; k < sites.size(); k += 2) {
-            tile.site_positions.emplace_back(sites[k], sites[k + 1]);
+            notes.positions.emplace_back(sites[k], sites[k + 1]);
+        }
+        for (const SiteNote& note : site_notes()) read_note(note, notes);
+        std::move(notes).give_to(tile);
+    }
+
+    /// Reads a note with a property of its own; an empty one states nothing.
+    void read_note(const SiteNote& note, SiteNotes& notes) const {
+        if (note.property.empty() || !properties_.contains(note.property)) return;
+        const std::string name(note.property);
+        const std::vector<double> values = numbers(name.c_str());
+        if (values.empty()) return;
+        try {
+            take_note(note, values, notes);
+        } catch (const InvalidInput& fault) {
+            throw_bad_file("has no proper " + name + ": " + fault.what());
         }
     }
 

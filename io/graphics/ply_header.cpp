@@ -60,17 +60,11 @@ void read_comment(const LineScanner& scanner, FileTileBuilder& file) {
     const Words& words = scanner.words();
     if (words.size() < 3 || words[1] != "pcvt") return;
     const Words values(words.begin() + 3, words.end());
-    if (words[2] == "kind") {
-        file.take_kind(scanner, values);
-    } else if (words[2] == "lattice") {
-        file.take_lattice(scanner, values);
-    } else if (words[2] == "periods") {
-        file.take_periods(scanner, values);
-    } else if (words[2] == "short_edges") {
-        file.take_short_edges(scanner, values);
-    } else {
-        scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
-    }
+    // Sites are no comments in a PLY.
+    const bool is_known =
+        !words[2].starts_with("site") && file.take_comment(scanner, words[2], values);
+    if (is_known) return;
+    scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
 }
 
 void read_element(const LineScanner& scanner, std::vector<PlyElement>& elements) {

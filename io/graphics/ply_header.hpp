@@ -40,7 +40,7 @@ struct PlyElement {
 };
 
 /// Reads the header of an ASCII PLY up to `end_header`. The comments `pcvt kind`, `pcvt lattice`
-/// and `pcvt periods` fill `file`.
+/// and those of the notes of the tile (site_notes.hpp) fill `file`.
 /// @returns the elements in the order of their declaration; names point into the scanner's text.
 /// @throws BadFile with the line, also for a binary PLY.
 std::vector<PlyElement> read_ply_header(LineScanner& scanner, FileTileBuilder& file);

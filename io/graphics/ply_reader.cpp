@@ -78,7 +78,7 @@ constexpr const char* kColourTypes = ", uchar red, uchar green, uchar blue";
 class PlyParser {
    public:
     PlyParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), file_{.name = name, .index_base = 0, .short_edges = 0} {
+        : scanner_(name, text), file_{.name = name, .index_base = 0, .notes = {.short_edges = 0}} {
         elements_ = read_ply_header(scanner_, file_);
         if (file_.kind) {
             require_own_elements();
@@ -92,7 +92,7 @@ class PlyParser {
         for (const PlyElement& element : elements_) {
             if (element.name == "vertex") require_vertex(element);
             if (element.name == "face") require_face(element);
-            if (has_positions(element)) require_position(element);
+            if (has_positions(element)) require_site(element);
             PlyValues values(element);
             for (int k = 0; k < element.count; ++k) parse_element(element, values);
         }
@@ -155,6 +155,13 @@ class PlyParser {
         require(element, "y", Type::kNumber);
     }
 
+    void require_site(const PlyElement& site) const {
+        require_position(site);
+        for (const std::string_view part : site_parts()) {
+            if (site.find(part)) require(site, part, Type::kNumber);
+        }
+    }
+
     /// A colour that lacks a part is none for most programs; pcvt writes all three parts.
     void require_colour(const PlyElement& element) const {
         const auto has = [&](const char* part) { return element.find(part) != nullptr; };
@@ -181,7 +188,10 @@ class PlyParser {
             } else if (is_face) {
                 wanted = real + " vertex_indices" + kColourTypes + (owned ? ", int site" : "");
             } else if (element.name == "site") {
-                wanted = coordinates;
+                for (const std::string_view part : site_parts()) {
+                    if (!element.find(part)) continue;
+                    wanted += (wanted.empty() ? "" : ", ") + real + ' ' + std::string(part);
+                }
             }
             if (!wanted.empty() && (!is_new || (is_usual && wanted == declaration(element))))
                 continue;
@@ -221,9 +231,15 @@ class PlyParser {
         parse_values(scanner_, element, values);
         if (element.name == "vertex") add_vertex(values);
         if (element.name == "face") add_face(values);
-        if (has_positions(element)) {
-            file_.site_positions.emplace_back(values.number("x"), values.number("y"));
+        if (has_positions(element)) add_site(element, values);
+    }
+
+    void add_site(const PlyElement& site, const PlyValues& values) {
+        std::vector<double> numbers;
+        for (const std::string_view part : site_parts()) {
+            if (site.find(part)) numbers.push_back(values.number(part));
         }
+        take_site_note(numbers, file_.notes);
     }
 
     void add_vertex(const PlyValues& values) {

@@ -7,9 +7,9 @@
 #include "io/bytes/text.hpp"
 #include "io/colours/palette.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/site_notes.hpp"
 #include "io/tiles/triangle_fan.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/tile/site_positions.hpp"
 
 namespace pcvt {
 namespace {
@@ -41,7 +41,8 @@ std::vector<std::string> class_words(const TileColours& colours) {
 
 void end_line(std::string& text) { text.back() = '\n'; }
 
-std::string header(const Tile& tile, std::size_t n_positions, bool single_precision) {
+/// @param notes  of the tile and of its sites.
+std::string header(const Tile& tile, const std::vector<StatedNote>& notes, bool single_precision) {
     // Kind and lattice are comments.
     const bool owned = faces_have_sites(tile.kind);
     const Vec2& a = tile.lattice.a();
@@ -53,15 +54,7 @@ std::string header(const Tile& tile, std::size_t n_positions, bool single_precis
         file_word(tile.kind) + "\ncomment pcvt lattice ";
     for (const double number : {a.x(), a.y(), b.x(), b.y()}) append_word(text, number);
     end_line(text);
-    if (n_positions > 0 && tile.columns * tile.rows > 1) {
-        text += "comment pcvt periods " + std::to_string(tile.columns) + ' ' +
-                std::to_string(tile.rows) + '\n';
-    }
-    if (n_positions > 0 && tile.short_edges > 0) {
-        text += "comment pcvt short_edges ";
-        append_word(text, tile.short_edges);
-        end_line(text);
-    }
+    append_tile_notes(text, "comment pcvt ", notes);
     // Vertices have a position, a colour and their place on their orbit.
     text += "element vertex " + std::to_string(tile.n_vertices()) +
             (single_precision ? "\nproperty float x\nproperty float y\nproperty float z\n"
@@ -77,19 +70,25 @@ std::string header(const Tile& tile, std::size_t n_positions, bool single_precis
     text += most_corners <= kMostByUchar ? "uchar" : "int";
     text += " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
     if (owned) text += "property int site\n";
-    // Sites have a position.
-    if (n_positions > 0) {
-        text += "element site " + std::to_string(n_positions) +
-                (single_precision ? "\nproperty float x\nproperty float y\n"
-                                  : "\nproperty double x\nproperty double y\n");
+    // Sites have a position, and perhaps a weight.
+    const SiteRows sites = site_rows(notes);
+    if (sites.n_sites() > 0) {
+        text += "element site " + std::to_string(sites.n_sites()) + '\n';
+        const std::vector<std::string_view> parts = site_parts();
+        for (std::size_t k = 0; k < sites.width; ++k) {
+            text += single_precision ? "property float " : "property double ";
+            (text += parts[k]) += '\n';
+        }
     }
     return text + "end_header\n";
 }
 
+void append_real(std::string& text, double x, bool single_precision) {
+    single_precision ? append_word(text, static_cast<float>(x)) : append_word(text, x);
+}
+
 void append_coordinates(std::string& text, const Vec2& p, bool single_precision) {
-    for (const double x : p) {
-        single_precision ? append_word(text, static_cast<float>(x)) : append_word(text, x);
-    }
+    for (const double x : p) append_real(text, x, single_precision);
 }
 
 void append_vertices(std::string& text, const Tile& tile, const TileColours& colours,
@@ -133,14 +132,14 @@ void append_faces(std::string& text, const Tile& tile, const TileColours& colour
     }
 }
 
-/// @param positions  of the sites; empty where the tile does not know them.
 std::string ply_text(const Tile& tile, const TileColours& colours,
-                     const std::vector<Vec2>& positions, bool single_precision) {
-    std::string text = header(tile, positions.size(), single_precision);
+                     const std::vector<StatedNote>& notes, bool single_precision) {
+    std::string text = header(tile, notes, single_precision);
     append_vertices(text, tile, colours, single_precision);
     append_faces(text, tile, colours);
-    for (const Vec2& p : positions) {
-        append_coordinates(text, p, single_precision);
+    const SiteRows sites = site_rows(notes);
+    for (std::size_t s = 0; s < sites.n_sites(); ++s) {
+        for (const double number : sites[s]) append_real(text, number, single_precision);
         end_line(text);
     }
     return text;
@@ -176,10 +175,10 @@ std::vector<EncodedFile> encode_ply(const Tile& tile, const FileOptions& options
     TileColours colours =
         tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.site_densities);
     const bool single = options.single_precision;
-    const std::vector<Vec2> positions = site_positions(tile);
-    if (!single) return only_file(path, ply_text(tile, colours, positions, single));
+    const std::vector<StatedNote> notes = stated_notes(tile);
+    if (!single) return only_file(path, ply_text(tile, colours, notes, single));
     const Tile narrow = narrowed(tile, colours.class_of, path);
-    return only_file(path, ply_text(narrow, colours, positions, single));
+    return only_file(path, ply_text(narrow, colours, notes, single));
 }
 
 }  // namespace pcvt

@@ -142,16 +142,16 @@ void read_boundary(const EncodedFile& file, ExtrudedMesh& extruded) {
     }
 }
 
-/// Reads the comments `// pcvt kind ...` and `// pcvt lattice ...`.
+/// Reads the comments `// pcvt ...`.
 FileTileBuilder read_comments(const EncodedFile& file) {
-    FileTileBuilder comments{.name = file.path, .index_base = 0};
+    FileTileBuilder comments{.name = file.path, .index_base = 0, .notes = {.short_edges = 0}};
     LineScanner scanner(file.path, file.bytes);
     while (scanner.next()) {
         const auto& words = scanner.words();
         if (words.size() < 3 || words[0] != "//" || words[1] != "pcvt") continue;
         const std::vector<std::string_view> values(words.begin() + 3, words.end());
-        if (words[2] == "kind") comments.take_kind(scanner, values);
-        if (words[2] == "lattice") comments.take_lattice(scanner, values);
+        if (comments.take_comment(scanner, words[2], values)) continue;
+        scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
     }
     return comments;
 }
@@ -163,7 +163,7 @@ TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<
     for (const EncodedFile& file : files) {
         refuse_binary(file.path, file.bytes, "write the case with writeFormat ascii");
     }
-    const FileTileBuilder comments = read_comments(boundary);
+    FileTileBuilder comments = read_comments(boundary);
     const std::optional<Lattice> known = comments.lattice ? comments.lattice : lattice;
     if (!known) {
         throw BadFile(boundary.path + ": the file names no lattice; pass --lattice AX,AY,BX,BY");
@@ -174,11 +174,14 @@ TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<
     extruded.owner = read_labels(file_named(files, "owner"));
     extruded.neighbour = read_labels(file_named(files, "neighbour"));
     read_boundary(boundary, extruded);
-    return {.tile = extruded_base(extruded),
+    const bool states_lattice = comments.lattice.has_value();
+    Tile tile = extruded_base(extruded);
+    give_sites(std::move(comments), tile);
+    return {.tile = std::move(tile),
             .precision = Precision::kDouble,
             .has_vertex_pairs = false,
             .has_edge_pairs = true,
-            .states_lattice = comments.lattice.has_value()};
+            .states_lattice = states_lattice};
 }
 
 }  // namespace pcvt

@@ -7,9 +7,12 @@
 #include "io/openfoam/foam_case.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/site_notes.hpp"
 
 namespace pcvt {
 namespace {
+
+constexpr std::size_t kSitesALine = 16;
 
 /// ParaView and VTK open a case by an empty file NAME.foam in its folder.
 const char* const kMarker = "";
@@ -89,7 +92,18 @@ void append_patch(std::string& text, const ExtrudedMesh& extruded, const Extrude
     text += "    }\n";
 }
 
-std::string encode_boundary(const ExtrudedMesh& extruded) {
+/// Appends the site of each cell, or of each point of Delaunay triangles, as comments.
+void append_sites(std::string& text, const Tile& tile) {
+    const std::vector<SiteId>& sites = tile.sites();
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        text += k % kSitesALine == 0 ? (k == 0 ? "// pcvt sites" : "\n// pcvt sites") : "";
+        text += ' ';
+        append_number(text, sites[k]);
+    }
+    if (!sites.empty()) text += '\n';
+}
+
+std::string encode_boundary(const Tile& tile, const ExtrudedMesh& extruded) {
     std::string text = foam_header("polyBoundaryMesh", kMeshFolder, "boundary") +
                        "// A periodic tile, written by pcvt: seam_I_J is answered at + I a + J b\n"
                        "// pcvt kind " +
@@ -100,7 +114,10 @@ std::string encode_boundary(const ExtrudedMesh& extruded) {
         text += ' ';
         append_number(text, number);
     }
-    text += "\n" + count_line(static_cast<int>(extruded.patches.size()));
+    text += '\n';
+    append_note_comments(text, "// pcvt ", tile);
+    append_sites(text, tile);
+    text += count_line(static_cast<int>(extruded.patches.size()));
     for (const ExtrudedPatch& patch : extruded.patches) append_patch(text, extruded, patch);
     return text + ")\n";
 }
@@ -130,7 +147,7 @@ std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder
                                          encode_faces(extruded),
                                          encode_labels(extruded, "owner", extruded.owner),
                                          encode_labels(extruded, "neighbour", extruded.neighbour),
-                                         encode_boundary(extruded),
+                                         encode_boundary(tile, extruded),
                                          foam_transport(flow, cells),
                                          foam_turbulence(),
                                          foam_control(flow, cells),

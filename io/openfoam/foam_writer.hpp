@@ -18,7 +18,8 @@ std::vector<std::string> foam_paths(const std::string& folder);
 /// case in ParaView.
 ///
 /// Cell i is face i of the tile; in a tile of cells without repetition it is the cell of site i.
-/// Comments in the boundary file hold the kind of the faces and the period vectors.
+/// Comments in the boundary file hold the kind of the faces, the period vectors, the site of each
+/// cell and the notes of the sites (io/tiles/site_notes.hpp).
 ///
 /// Example usage:
 ///     OutputSet output;

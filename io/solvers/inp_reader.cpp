@@ -71,7 +71,7 @@ struct Tie {
 class InpParser {
    public:
     InpParser(const std::string& name, std::string_view text)
-        : scanner_(name, text), file_{.name = name, .index_base = 1, .short_edges = 0} {}
+        : scanner_(name, text), file_{.name = name, .index_base = 1, .notes = {.short_edges = 0}} {}
 
     FileTileBuilder parse() {
         while (scanner_.next()) parse_line();
@@ -106,24 +106,8 @@ class InpParser {
     void parse_comment(const Words& words) {
         if (words.size() < 3 || words[0] != "**" || words[1] != "pcvt") return;
         const Words values(words.begin() + 3, words.end());
-        if (words[2] == "kind") {
-            file_.take_kind(scanner_, values);
-        } else if (words[2] == "lattice") {
-            file_.take_lattice(scanner_, values);
-        } else if (words[2] == "periods") {
-            file_.take_periods(scanner_, values);
-        } else if (words[2] == "short_edges") {
-            file_.take_short_edges(scanner_, values);
-        } else if (words[2] == "site") {
-            file_.take_site(scanner_, values);
-        } else if (words[2] == "sites") {
-            for (const std::string_view word : values) {
-                file_.sites.push_back(scanner_.integer(word));
-            }
-        } else {
-            scanner_.throw_bad_file("pcvt does not know " + in_quotes(words[2]) +
-                                    "; remove the line");
-        }
+        if (file_.take_comment(scanner_, words[2], values)) return;
+        scanner_.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
     }
 
     void parse_card(const Words& fields) {

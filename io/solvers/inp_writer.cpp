@@ -12,9 +12,9 @@
 #include "io/elements/triangle_cells.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/site_notes.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/tile/site_positions.hpp"
 
 namespace pcvt {
 namespace {
@@ -80,30 +80,13 @@ class InpText {
             text_ += ' ';
             append_number(text_, number);
         }
-        append_site_positions();
+        text_ += '\n';
+        append_note_comments(text_, "** pcvt ", tile_);
         for (std::size_t k = 0; k < tile_.vertex_site.size(); ++k) {
-            text_ += k % kSitesALine == 0 ? "\n** pcvt sites " : " ";
+            text_ += k % kSitesALine != 0 ? " " : k == 0 ? "** pcvt sites " : "\n** pcvt sites ";
             append_number(text_, tile_.vertex_site[k]);
         }
-        text_ += '\n';
-    }
-
-    void append_site_positions() {
-        const std::vector<Vec2> sites = site_positions(tile_);
-        if (!sites.empty() && tile_.columns * tile_.rows > 1) {
-            text_ += "\n** pcvt periods " + std::to_string(tile_.columns) + " " +
-                     std::to_string(tile_.rows);
-        }
-        if (!sites.empty() && tile_.short_edges > 0) {
-            text_ += "\n** pcvt short_edges ";
-            append_number(text_, tile_.short_edges);
-        }
-        for (const Vec2& p : sites) {
-            text_ += "\n** pcvt site ";
-            append_number(text_, p.x());
-            text_ += ' ';
-            append_number(text_, p.y());
-        }
+        if (!tile_.vertex_site.empty()) text_ += '\n';
     }
 
     void append_node(int number, const Vec2& p) {

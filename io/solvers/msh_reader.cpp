@@ -48,7 +48,7 @@ struct CurveLink {
 class MshParser {
    public:
     MshParser(const std::string& name, std::string_view text)
-        : rows_(name, text), file_{.name = name, .index_base = 1, .short_edges = 0} {}
+        : rows_(name, text), file_{.name = name, .index_base = 1, .notes = {.short_edges = 0}} {}
 
     FileTileBuilder parse() {
         if (!rows_.next_filled() || rows_.words() != Words{"$MeshFormat"}) {
@@ -126,20 +126,8 @@ class MshParser {
             if (words.size() < 2 || words[0] != "pcvt") continue;
             is_ours_ = true;
             const Words values(words.begin() + 2, words.end());
-            if (words[1] == "kind") {
-                file_.take_kind(rows_.scanner(), values);
-            } else if (words[1] == "lattice") {
-                file_.take_lattice(rows_.scanner(), values);
-            } else if (words[1] == "periods") {
-                file_.take_periods(rows_.scanner(), values);
-            } else if (words[1] == "short_edges") {
-                file_.take_short_edges(rows_.scanner(), values);
-            } else if (words[1] == "site") {
-                file_.take_site(rows_.scanner(), values);
-            } else {
-                rows_.throw_bad_file("pcvt does not know " + in_quotes(words[1]) +
-                                     "; remove the line");
-            }
+            if (file_.take_comment(rows_.scanner(), words[1], values)) continue;
+            rows_.throw_bad_file("pcvt does not know " + in_quotes(words[1]) + "; remove the line");
         }
     }
 

@@ -10,7 +10,7 @@
 #include "io/solvers/msh_entities.hpp"
 #include "io/solvers/msh_groups.hpp"
 #include "io/tiles/finite.hpp"
-#include "mesher/tile/site_positions.hpp"
+#include "io/tiles/site_notes.hpp"
 
 namespace pcvt {
 namespace {
@@ -80,19 +80,7 @@ void append_head(std::string& text, const Tile& tile, const Model& model) {
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
     text += "pcvt kind " + file_word(tile.kind) + "\npcvt lattice ";
     append_line(text, {a.x(), a.y(), b.x(), b.y()});
-    const std::vector<Vec2> sites = site_positions(tile);
-    if (!sites.empty() && tile.columns * tile.rows > 1) {
-        text += "pcvt periods ";
-        append_line(text, {tile.columns, tile.rows});
-    }
-    if (!sites.empty() && tile.short_edges > 0) {
-        text += "pcvt short_edges ";
-        append_line(text, {tile.short_edges});
-    }
-    for (const Vec2& p : sites) {
-        text += "pcvt site ";
-        append_line(text, {p.x(), p.y()});
-    }
+    append_note_comments(text, "pcvt ", tile);
     text += "$EndComments\n$PhysicalNames\n";
     const std::size_t n = model.seam_groups.size() + model.entities.surfaces.size();
     append_line(text, {static_cast<int>(n) + (model.has_boundary ? 1 : 0)});

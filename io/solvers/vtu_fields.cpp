@@ -5,6 +5,7 @@
 
 #include "io/bytes/char_set.hpp"
 #include "io/bytes/xml_scanner.hpp"
+#include "io/tiles/site_notes.hpp"
 
 namespace pcvt {
 namespace {
@@ -12,10 +13,7 @@ namespace {
 using Event = XmlScanner::Event;
 
 /// SECTION/NAME of the arrays. The array of points may have any name.
-constexpr std::array<std::string_view, 13> kArrays{"FieldData/PeriodicLattice",
-                                                   "FieldData/Periods",
-                                                   "FieldData/SitePositions",
-                                                   "FieldData/ShortEdges",
+constexpr std::array<std::string_view, 10> kArrays{"FieldData/PeriodicLattice",
                                                    "PointData/GlobalIds",
                                                    "PointData/PeriodicPointIds",
                                                    "PointData/PeriodicOffset",
@@ -68,6 +66,10 @@ void append_array(XmlScanner& scanner, bool with_values, std::vector<FileWord>& 
 }  // namespace
 
 bool is_vtu_array(std::string_view key) {
+    constexpr std::string_view kFieldData = "FieldData/";
+    for (const SiteNote& note : site_notes()) {
+        if (key.starts_with(kFieldData) && key.substr(kFieldData.size()) == note.array) return true;
+    }
     return std::find(kArrays.begin(), kArrays.end(), key) != kArrays.end();
 }
 

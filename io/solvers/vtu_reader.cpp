@@ -11,6 +11,7 @@
 #include "io/solvers/vtu_fields.hpp"
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
+#include "io/tiles/site_notes.hpp"
 
 namespace pcvt {
 namespace {
@@ -184,7 +185,7 @@ class VtuTile {
         take_faces();
         if (const Array* periods = arrays_.find("FieldData/PeriodicLattice"))
             take_lattice(*periods);
-        if (arrays_.find("FieldData/SitePositions")) take_site_positions();
+        if (arrays_.find("FieldData/SitePositions")) take_site_notes();
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
         if (type_ == kVtkQuadraticTriangle) remove_midside_nodes(file_, lattice, precision);
@@ -268,23 +269,18 @@ class VtuTile {
         }
     }
 
-    void take_site_positions() {
-        const Array& sites = arrays_.get("FieldData/SitePositions", -1, 2, false);
-        if (sites.size() % 2 != 0) throw_bad_file(sites.line, "a site lacks its y; add it");
-        for (std::size_t k = 0; k < sites.size(); k += 2) {
-            file_.site_positions.emplace_back(sites.values[k], sites.values[k + 1]);
-        }
-        file_.short_edges = arrays_.get("FieldData/ShortEdges", 1, 1, false).values[0];
-        if (!(file_.short_edges >= 0 && file_.short_edges <= kLongestRemovedEdge)) {
-            throw_bad_file(sites.line, "the length of short edges is not from 0 to 1; correct it");
-        }
-        const Array& periods = arrays_.get("FieldData/Periods", 2, 1, true);
-        file_.columns = periods.integer(0);
-        file_.rows = periods.integer(1);
-        for (const int n : {file_.columns, file_.rows}) {
-            if (n >= 1 && n <= kMostPeriods) continue;
-            throw_bad_file(periods.line, "the number of periods is not from 1 to " +
-                                             std::to_string(kMostPeriods) + "; correct it");
+    void take_site_notes() {
+        for (const SiteNote& note : site_notes()) {
+            const std::string key = "FieldData/" + std::string(note.array);
+            if (!note.always_in_arrays && arrays_.find(key) == nullptr) continue;
+            const int n_tuples = note.of_each_site ? -1 : static_cast<int>(note.n_parts);
+            const int width = note.of_each_site ? static_cast<int>(note.n_parts) : 1;
+            const Array& array = arrays_.get(key, n_tuples, width, note.of_integers);
+            try {
+                take_note(note, array.values, file_.notes);
+            } catch (const InvalidInput& fault) {
+                throw_bad_file(array.line, fault.what());
+            }
         }
     }
 

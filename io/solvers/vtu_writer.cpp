@@ -6,7 +6,7 @@
 #include "io/elements/solver_nodes.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/tiles/finite.hpp"
-#include "mesher/tile/site_positions.hpp"
+#include "io/tiles/site_notes.hpp"
 
 namespace pcvt {
 namespace {
@@ -55,22 +55,26 @@ void append_vectors(std::string& text, const char* name, const std::vector<Vec2>
     close_array(text);
 }
 
+/// Appends a note as an array: of each site a tuple, of the tile the numbers in one line.
+void append_note(std::string& text, const StatedNote& stated) {
+    const SiteNote& note = *stated.note;
+    const std::size_t width = note.of_each_site ? note.n_parts : 1;
+    std::string attributes =
+        " NumberOfTuples=\"" + std::to_string(stated.numbers.size() / width) + '"';
+    if (width > 1) attributes += " NumberOfComponents=\"" + std::to_string(width) + '"';
+    open_array(text, note.of_integers ? "Int32" : "Float64", note.array.data(), attributes);
+    const std::size_t in_line = note.n_parts;
+    for (std::size_t k = 0; k < stated.numbers.size(); ++k) {
+        append_word(text, stated.numbers[k]);
+        if ((k + 1) % in_line == 0) end_line(text);
+    }
+    close_array(text);
+}
+
 void append_field_data(std::string& text, const Tile& tile) {
     text += "<FieldData>\n";
     append_vectors(text, "PeriodicLattice", {tile.lattice.a(), tile.lattice.b()});
-    const std::vector<Vec2> sites = site_positions(tile);
-    if (!sites.empty()) {
-        open_array(text, "Int32", "Periods", " NumberOfTuples=\"2\"");
-        append_word(text, tile.columns);
-        append_word(text, tile.rows);
-        end_line(text);
-        close_array(text);
-        append_vectors(text, "SitePositions", sites);
-        open_array(text, "Float64", "ShortEdges", " NumberOfTuples=\"1\"");
-        append_word(text, tile.short_edges);
-        end_line(text);
-        close_array(text);
-    }
+    for (const StatedNote& stated : stated_notes(tile, true)) append_note(text, stated);
     text += "</FieldData>\n";
 }
 

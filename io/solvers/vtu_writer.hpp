@@ -19,7 +19,9 @@ namespace pcvt {
 ///   CellData   `CellId`, the site of each cell, and element_cells() for triangles.
 ///   FieldData  `PeriodicLattice`, the vectors a and b; where the tile knows its sites, `Periods`,
 ///              the numbers of periods along both, `SitePositions`, and `ShortEdges`, the length
-///              below which edges of cells were removed, in units of h.
+///              below which edges of cells were removed, in units of h; for elongated cells
+///              `Metric`, ratio and degrees, for power cells `SiteWeights`
+///              (io/tiles/site_notes.hpp).
 ///
 /// The arrays are ASCII, because the shortest decimals that round-trip are exact, take no more room
 /// than raw binary arrays (12.7 MB for the triangles of 1e5 sites, against 12.6 MB), and let a

@@ -1,7 +1,6 @@
 #include "io/tiles/file_tile_builder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <utility>
@@ -60,19 +59,45 @@ MeshKind guess_kind(const FileTileBuilder& file) {
     return MeshKind::kDelaunay;
 }
 
-void check_sites(const FileTileBuilder& file, MeshKind kind) {
-    const bool of_faces = faces_have_sites(kind);
-    if (!file.kind && !file.site_positions.empty()) {
-        throw_bad_file(file, "there are positions of sites, but no kind; write the file again");
+/// @throws BadFile  a word is no number.
+std::vector<double> numbers_of(const LineScanner& scanner,
+                               std::span<const std::string_view> words) {
+    std::vector<double> numbers;
+    for (const std::string_view word : words) numbers.push_back(scanner.number(word));
+    return numbers;
+}
+
+MeshKind read_kind(const LineScanner& scanner, std::span<const std::string_view> words) {
+    const auto found = words.size() == 1 ? mesh_kind_of_file_word(words[0]) : std::nullopt;
+    if (!found)
+        scanner.throw_bad_file("the kind is unclear; name it once: cells, triangles or grains");
+    return *found;
+}
+
+Lattice read_lattice(const LineScanner& scanner, std::span<const std::string_view> words) {
+    if (words.size() != 4) {
+        scanner.throw_bad_file("the lattice is unclear; name it once, with 4 numbers: ax ay bx by");
     }
-    if (file.sites.empty() && !file.site_positions.empty()) {
-        throw_bad_file(file, "there are positions of sites, but no sites; give both or none");
+    const std::vector<double> n = numbers_of(scanner, words);
+    try {
+        return {Vec2(n[0], n[1]), Vec2(n[2], n[3])};
+    } catch (const InvalidInput& fault) {
+        scanner.throw_bad_file(fault.what());
     }
-    const std::size_t owners = of_faces ? file.face_lines.size() : file.points.size();
-    if (file.sites.empty() || file.sites.size() == owners) return;
-    throw_bad_file(file, "there are " + std::to_string(file.sites.size()) + " sites for " +
-                             std::to_string(owners) + (of_faces ? " faces" : " vertices") +
-                             "; give one each or none");
+}
+
+/// @returns whether the key is that of a note.
+bool take_note_comment(const LineScanner& scanner, std::string_view key,
+                       std::span<const std::string_view> words, SiteNotes& notes) {
+    const SiteNote* const note = find_site_note(key);
+    if (note == nullptr && key != "site") return false;
+    const std::vector<double> numbers = numbers_of(scanner, words);
+    try {
+        note == nullptr ? take_site_note(numbers, notes) : take_note(*note, numbers, notes);
+    } catch (const InvalidInput& fault) {
+        scanner.throw_bad_file(fault.what());
+    }
+    return true;
 }
 
 }  // namespace
@@ -82,57 +107,48 @@ void FileTileBuilder::add_face(const std::vector<int>& vertices, int line) {
     face_lines.push_back(line);
 }
 
-void FileTileBuilder::take_kind(const LineScanner& scanner,
-                                std::span<const std::string_view> words) {
-    const auto found = words.size() == 1 ? mesh_kind_of_file_word(words[0]) : std::nullopt;
-    if (!found || kind)
-        scanner.throw_bad_file("the kind is unclear; name it once: cells, triangles or grains");
-    kind = found;
-}
-
-void FileTileBuilder::take_lattice(const LineScanner& scanner,
+bool FileTileBuilder::take_comment(const LineScanner& scanner, std::string_view key,
                                    std::span<const std::string_view> words) {
-    if (words.size() != 4 || lattice) {
-        scanner.throw_bad_file("the lattice is unclear; name it once, with 4 numbers: ax ay bx by");
+    if (key == "sites") {
+        for (const std::string_view word : words) sites.push_back(scanner.integer(word));
+        return true;
     }
-    std::array<double, 4> n{};
-    for (std::size_t k = 0; k < n.size(); ++k) n[k] = scanner.number(words[k]);
-    try {
-        lattice.emplace(Vec2(n[0], n[1]), Vec2(n[2], n[3]));
-    } catch (const InvalidInput& fault) {
-        scanner.throw_bad_file(fault.what());
+    if (key != "site" && std::find(stated.begin(), stated.end(), key) != stated.end()) {
+        scanner.throw_bad_file("a second line states the " + std::string(key) + "; keep one");
     }
+    if (key == "kind") {
+        kind = read_kind(scanner, words);
+    } else if (key == "lattice") {
+        lattice = read_lattice(scanner, words);
+    } else if (!take_note_comment(scanner, key, words, notes)) {
+        return false;
+    }
+    stated.push_back(key);
+    return true;
 }
 
-void FileTileBuilder::take_periods(const LineScanner& scanner,
-                                   std::span<const std::string_view> words) {
-    if (words.size() != 2 || columns > 0) {
-        scanner.throw_bad_file(
-            "the periods are unclear; name their numbers of columns and rows once");
+void give_sites(FileTileBuilder file, Tile& tile) {
+    const bool of_faces = faces_have_sites(tile.kind);
+    const SiteNotes& notes = file.notes;
+    if (!file.kind && !notes.positions.empty()) {
+        throw_bad_file(file, "there are positions of sites, but no kind; write the file again");
     }
-    columns = scanner.integer(words[0]);
-    rows = scanner.integer(words[1]);
-    if (columns < 1 || rows < 1 || columns > kMostPeriods || rows > kMostPeriods) {
-        scanner.throw_bad_file("the number of periods is not from 1 to " +
-                               std::to_string(kMostPeriods));
+    if (file.sites.empty() && !notes.positions.empty()) {
+        throw_bad_file(file, "there are positions of sites, but no sites; give both or none");
     }
-}
-
-void FileTileBuilder::take_site(const LineScanner& scanner,
-                                std::span<const std::string_view> words) {
-    if (words.size() != 2) scanner.throw_bad_file("a site has 2 numbers; write x and y");
-    site_positions.emplace_back(scanner.number(words[0]), scanner.number(words[1]));
-}
-
-void FileTileBuilder::take_short_edges(const LineScanner& scanner,
-                                       std::span<const std::string_view> words) {
-    if (words.size() != 1 || short_edges > 0) {
-        scanner.throw_bad_file("the length of short edges is unclear; name it once");
+    if (!notes.weights.empty() && notes.weights.size() != notes.positions.size()) {
+        throw_bad_file(file, "there are " + std::to_string(notes.weights.size()) + " weights for " +
+                                 std::to_string(notes.positions.size()) +
+                                 " sites; give one each or none");
     }
-    short_edges = scanner.number(words[0]);
-    if (!(short_edges > 0 && short_edges <= kLongestRemovedEdge)) {
-        scanner.throw_bad_file("the length of short edges is not from 0 to 1");
+    const std::size_t owners = of_faces ? tile.faces.begin.size() - 1 : tile.points.size();
+    if (!file.sites.empty() && file.sites.size() != owners) {
+        throw_bad_file(file, "there are " + std::to_string(file.sites.size()) + " sites for " +
+                                 std::to_string(owners) + (of_faces ? " faces" : " vertices") +
+                                 "; give one each or none");
     }
+    std::move(file.notes).give_to(tile);
+    (of_faces ? tile.face_site : tile.vertex_site) = std::move(file.sites);
 }
 
 TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Precision precision) {
@@ -146,11 +162,9 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
         check_face(file, f, kind != MeshKind::kVoronoi, scratch);
     for (const VertexPair& p : file.vertex_pairs) check_pair(file, {p.v, p.w}, p.offset);
     for (const EdgePair& p : file.edge_pairs) check_pair(file, {p.v0, p.v1, p.w0, p.w1}, p.offset);
-    check_sites(file, kind);
     if (!file.lattice) file.lattice = lattice;
     if (!file.lattice)
         throw_bad_file(file, "the file names no lattice; pass --lattice AX,AY,BX,BY");
-    if (!file.site_positions.empty() && file.columns == 0) file.columns = file.rows = 1;
     const bool has_vertex_pairs = !file.vertex_pairs.empty();
     const bool has_edge_pairs = !file.edge_pairs.empty();
     Tile tile{.lattice = *file.lattice,
@@ -159,12 +173,8 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
               .faces = std::move(file.faces),
               .vertex_pairs = std::move(file.vertex_pairs),
               .edge_pairs = std::move(file.edge_pairs),
-              .columns = file.columns,
-              .rows = file.rows,
-              .short_edges = file.short_edges,
-              .site_positions = std::move(file.site_positions),
               .order = file.order};
-    (faces_have_sites(kind) ? tile.face_site : tile.vertex_site) = std::move(file.sites);
+    give_sites(std::move(file), tile);
     return {std::move(tile), precision, has_vertex_pairs, has_edge_pairs, states_lattice};
 }
 

@@ -8,6 +8,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/tiles/numbered_items.hpp"
+#include "io/tiles/site_notes.hpp"
 #include "io/tiles/tile_file.hpp"
 
 namespace pcvt {
@@ -37,11 +38,9 @@ struct FileTileBuilder {
     /// One a face of cells and grains, one a vertex of Delaunay triangles; empty where the file has
     /// none.
     std::vector<SiteId> sites = {};
-    /// As in Tile; a file with positions that states no periods covers one.
-    std::vector<Vec2> site_positions = {};
-    int columns = 0;
-    int rows = 0;
-    double short_edges = 1;
+    SiteNotes notes = {};
+    /// The keys of the comments that were read and may be there once.
+    std::vector<std::string_view> stated = {};
     std::vector<VertexPair> vertex_pairs = {};
     std::vector<EdgePair> edge_pairs = {};
     /// As Tile::order; the nodes in the middle of edges are not among the points.
@@ -49,15 +48,18 @@ struct FileTileBuilder {
     NumberedItems numbered = {};
 
     void add_face(const std::vector<int>& vertices, int line);
-    /// Reads the words after the key of the comments `kind ...`, `lattice ax ay bx by`,
-    /// `periods columns rows`, `short_edges length` and, once for each site, `site x y`.
+    /// Reads the words after the key of the comments `kind ...`, `lattice ax ay bx by` and
+    /// `sites s ...`, and of those of append_note_comments().
+    /// @returns whether the key is one of these.
     /// @throws BadFile if they are malformed or were read before.
-    void take_kind(const LineScanner& scanner, std::span<const std::string_view> words);
-    void take_lattice(const LineScanner& scanner, std::span<const std::string_view> words);
-    void take_periods(const LineScanner& scanner, std::span<const std::string_view> words);
-    void take_site(const LineScanner& scanner, std::span<const std::string_view> words);
-    void take_short_edges(const LineScanner& scanner, std::span<const std::string_view> words);
+    bool take_comment(const LineScanner& scanner, std::string_view key,
+                      std::span<const std::string_view> words);
 };
+
+/// Gives a tile the sites and the notes of a file, for readers that do not call finish().
+/// @throws BadFile if there is not one site for each owner; there are positions of sites without
+///         sites or without a kind, or not one weight for each position.
+void give_sites(FileTileBuilder builder, Tile& tile);
 
 /// Gives numbered items their indices, checks the laws that every tile needs and returns the tile.
 /// A file that does not state its kind holds triangles if all of its faces have three corners, else
@@ -67,8 +69,9 @@ struct FileTileBuilder {
 /// @throws BadFile if there is no vertex, no face or no lattice; a face has fewer than three
 ///         corners, a corner twice, a vertex that does not exist, or not three corners in a
 ///         triangle tile; a pair names a vertex that does not exist or a huge offset; the number of
-///         sites is not that of their owners; a file has positions of sites without sites; a number
-///         is given twice, or used but not given; a translation is no lattice vector within 4 ulps.
+///         sites is not that of their owners; a file has positions of sites without sites, or not
+///         one weight for each; a number is given twice, or used but not given; a translation is no
+///         lattice vector within 4 ulps.
 TileFile finish(FileTileBuilder builder, const std::optional<Lattice>& lattice,
                 Precision precision);
 

@@ -1,5 +1,6 @@
 #include "mesher/lattice/metric.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,8 @@ Metric::Metric(double ratio, double degrees) : is_round_(ratio == 1) {
     }
     if (!std::isfinite(degrees)) throw InvalidInput("the angle of the aspect must be finite");
     if (is_round_) return;
+    ratio_ = ratio;
+    degrees_ = degrees;
     // Multiples of 90 degrees are exact.
     const double right_angles = degrees / 90;
     const double whole = std::floor(right_angles + 0.5);
@@ -43,5 +46,7 @@ Lattice Metric::to_round(const Lattice& lattice) const {
     if (is_round_) return lattice;
     return {to_round(lattice.a()), to_round(lattice.b())};
 }
+
+double Metric::largest_stretch() const { return std::sqrt(std::max(ratio_, 1 / ratio_)); }
 
 }  // namespace pcvt

@@ -32,6 +32,10 @@ class Metric {
     static constexpr double kLargestRatio = 100;
 
     bool is_round() const { return is_round_; }
+    /// The two numbers of the constructor, from which another metric of the same bits can be made;
+    /// 1 and 0 of a round one.
+    double ratio() const { return ratio_; }
+    double degrees() const { return degrees_; }
     /// B p
     Vec2 to_round(const Vec2& p) const { return is_round_ ? p : Vec2(b_ * p); }
     /// B^-1 p
@@ -39,9 +43,17 @@ class Metric {
     Points to_round(const Points& points) const;
     /// The lattice with the period vectors B a and B b.
     Lattice to_round(const Lattice& lattice) const;
+    /// The largest factor by which to_round() multiplies a length.
+    double largest_stretch() const;
+
+    friend bool operator==(const Metric& s, const Metric& t) {
+        return s.ratio_ == t.ratio_ && s.degrees_ == t.degrees_;
+    }
 
    private:
     bool is_round_ = true;
+    double ratio_ = 1;
+    double degrees_ = 0;
     Eigen::Matrix2d b_ = Eigen::Matrix2d::Identity();
     Eigen::Matrix2d inverse_ = Eigen::Matrix2d::Identity();
 };

@@ -26,6 +26,8 @@ class ProvenFaces {
     const GluedFaces& glued() const { return faces_; }
     const Vec2& from(int h) const { return tile_.points[faces_.corners[h]]; }
     const Vec2& to(int h) const { return from(faces_.next(h)); }
+    /// The vertex at which h begins.
+    int vertex(int h) const { return faces_.corners[h]; }
     int face_across(int h) const { return faces_.face_of[faces_.opposite[h]]; }
     /// Returns the translation that moves the face across h next to the face of h.
     Vec2 back_across(int h) const { return tile_.lattice.translation(-faces_.across[h]); }

@@ -10,6 +10,7 @@
 #include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/site_images.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
+#include "mesher/tile/round_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
 
 namespace pcvt {
@@ -93,12 +94,6 @@ void require_sites_at_vertices(const Tile& tile, const SiteImages& images, doubl
     }
 }
 
-Vec2 middle_of(const Tile& tile, int f) {
-    Vec2 sum(0, 0);
-    for (const int v : tile.faces[f]) sum += tile.points[v];
-    return sum / tile.face_size(f);
-}
-
 /// Laws (4) and (5) of cells and grains. @returns the image of its site for each face.
 std::vector<Offset> images_of_faces(const Tile& tile, const SiteImages& images) {
     std::vector<bool> seen(static_cast<std::size_t>(images.n_sites()), false);
@@ -111,7 +106,7 @@ std::vector<Offset> images_of_faces(const Tile& tile, const SiteImages& images) 
     offsets.reserve(static_cast<std::size_t>(tile.n_faces()));
     for (int f = 0; f < tile.n_faces(); ++f) {
         const SiteId site = tile.face_site[f];
-        offsets.push_back(images.nearest(site, middle_of(tile, f)));
+        offsets.push_back(images.nearest(site, face_middle(tile, f)));
         if (!seen[site] && offsets.back() != Offset{}) {
             throw_violation(kSiteLaw, "face " + to_string(f) + ", the first of site " +
                                           to_string(site) +
@@ -226,31 +221,16 @@ void require_faces(const Tile& tile, int n_sites) {
     }
 }
 
-/// The tile in the space in which its metric is the Euclidean one.
-Tile rounded(Tile tile) {
-    const auto map = [&tile](std::vector<Vec2>& points) {
-        for (Vec2& p : points) p = tile.metric.to_round(p);
-    };
-    for (std::vector<Vec2>* points :
-         {&tile.points, &tile.site_points, &tile.grain_site_points, &tile.site_positions}) {
-        map(*points);
-    }
-    tile.lattice = tile.metric.to_round(tile.lattice);
-    tile.metric = {};
-    return tile;
+/// Proves a tile in its round space, where rounding is larger.
+void prove_round_sites(const Tile& tile, TileProof proof) {
+    proof.tolerance *= kMappings * tile.metric.largest_stretch();
+    prove_sites(round_tile(tile), proof);
 }
 
 }  // namespace
 
 void prove_sites(const Tile& tile, const TileProof& proof) {
-    if (!tile.metric.is_round()) {
-        // No vector becomes longer by more than the norm of the metric's matrix.
-        const double norm = std::hypot(tile.metric.to_round(Vec2(1, 0)).norm(),
-                                       tile.metric.to_round(Vec2(0, 1)).norm());
-        TileProof round = proof;
-        round.tolerance *= kMappings * norm;
-        return prove_sites(rounded(tile), round);
-    }
+    if (!tile.metric.is_round()) return prove_round_sites(tile, proof);
     if (tile.sites().empty()) return;
     const int n_sites = require_all_ids(tile);
     const bool owned = faces_have_sites(tile.kind);

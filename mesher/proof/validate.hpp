@@ -74,13 +74,21 @@ void compare_edge_pairs(const Tile& tile, const TileProof& proof);
 /// edge lies on the bisector of the two adjacent centroids. For triangles, proves that each edge is
 /// locally Delaunay. Both local laws imply the global property.
 ///
+/// With weights (Tile::site_weights), which power cells have, it proves that each site lies at the
+/// centroid of its cell, and of triangles that each edge is locally regular: no corner lies inside
+/// the power circle of a triangle beside its own, the circle of equal power distance from the
+/// corners of that triangle. Elongated cells are proved in their metric (Tile::metric), in which h
+/// is the same.
+///
 /// A cell is a face or a fan of consecutive triangles that have the same face_site and the same
 /// first corner and share an edge with their predecessor. Cells must be whole: the pieces of a cell
 /// that an outline has cut are refused like any other face that is not a Voronoi cell.
 /// @param proof      the result of prove_tile for this tile.
 /// @param tolerance  cells: the largest distance of a corner from the bisector on which it should
-///                   lie; triangles: the largest depth of an opposite corner in a circumcircle; in
-///                   units of h = sqrt(area / number of cells or of vertex orbits).
+///                   lie, with weights of a site from the centroid; triangles: the largest depth of
+///                   an opposite corner in a circumcircle or a power circle; in units of
+///                   h = sqrt(area / number of cells or of vertex orbits).
+/// @pre prove_sites() accepts a tile with weights.
 /// @returns the largest such distance or depth found, in units of h; 0 if no corner lies inside a
 ///          circumcircle.
 /// @throws NotATile naming the face and the amount.

@@ -7,6 +7,9 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/proven_faces.hpp"
+#include "mesher/proof/site_images.hpp"
+#include "mesher/tile/round_tile.hpp"
+#include "mesher/tile/site_positions.hpp"
 
 namespace pcvt {
 namespace {
@@ -46,39 +49,106 @@ double require_voronoi_cells(const ProvenFaces& faces, double tolerance, double 
     return largest;
 }
 
-/// Returns the depth of the point inside the circumcircle of a counter-clockwise triangle; negative
-/// outside.
-double depth_in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& point) {
-    const Vec2 p = b - a;
-    const Vec2 q = c - a;
-    const Vec2 s = point - a;
-    const double twice_area = cross(p, q);
-    const Vec2 weighted = p.squaredNorm() * q - q.squaredNorm() * p;
-    const Vec2 centre = Vec2(weighted.y(), -weighted.x()) / (2 * twice_area);
-    // Radius minus distance, without cancellation between two nearly equal roots.
-    return s.dot(2 * centre - s) / (centre.norm() + (s - centre).norm());
+/// Compares the sites with the centroids of their cells; the cells are power cells by
+/// prove_sites(). Two cells that lie at one site, parts of a cell that an outline has cut, are
+/// refused.
+double require_centroidal_sites(const Tile& tile, const ProvenFaces& faces, double tolerance,
+                                const CentroidFunction& centroid) {
+    const int n_cells = faces.glued().n_faces();
+    const double h = std::sqrt(tile.lattice.area() / n_cells);
+    const std::vector<Vec2> centroids = require_convex_cells(faces, h, tolerance, centroid);
+    const SiteImages images(tile, site_positions(tile));
+    if (n_cells != images.n_sites() * images.copies()) {
+        throw_violation(kVoronoiLaw, "there are " + to_string(n_cells) + " faces for " +
+                                         to_string(images.n_sites()) +
+                                         " sites: the cells are not whole");
+    }
+    double largest = 0;
+    for (int f = 0; f < n_cells; ++f) {
+        const SiteId site = tile.face_site[faces.file_face(f)];
+        const Vec2 at = images.position(site, images.nearest(site, centroids[f]));
+        const double distance = (centroids[f] - at).norm() / h;
+        if (!(distance <= tolerance)) {
+            throw_violation(kVoronoiLaw,
+                            "site " + to_string(site) + " lies off the centroid of its cell, " +
+                                faces.name(f) + ", by " + against(distance, tolerance));
+        }
+        largest = std::max(largest, distance);
+    }
+    return largest;
 }
 
-double require_delaunay_edges(const ProvenFaces& faces, double tolerance, double h) {
+/// A corner of triangles with the weight of its site.
+struct WeightedPoint {
+    Vec2 p;
+    double weight;
+};
+
+/// Returns the depth of the point inside the power circle of a counter-clockwise triangle, negative
+/// outside: by how much its power distance from the centre is less than those of the corners, over
+/// the sum of the distances of a and the point. Without weights, the depth in the circumcircle.
+double depth_in_circle(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
+                       const WeightedPoint& point) {
+    const Vec2 p = b.p - a.p;
+    const Vec2 q = c.p - a.p;
+    const Vec2 s = point.p - a.p;
+    const double twice_area = cross(p, q);
+    const Vec2 weighted =
+        (p.squaredNorm() + a.weight - b.weight) * q - (q.squaredNorm() + a.weight - c.weight) * p;
+    const Vec2 centre = Vec2(weighted.y(), -weighted.x()) / (2 * twice_area);
+    // Radius minus distance, without cancellation between two nearly equal roots.
+    return (s.dot(2 * centre - s) + point.weight - a.weight) /
+           (centre.norm() + (s - centre).norm());
+}
+
+/// The corners of triangles with their weights.
+class WeightedCorners {
+   public:
+    WeightedCorners(const Tile& tile, const ProvenFaces& faces) : tile_(tile), faces_(faces) {}
+
+    /// The corner at which a side begins.
+    WeightedPoint at(int side) const {
+        if (tile_.site_weights.empty()) return {faces_.from(side), 0};
+        return {faces_.from(side), tile_.site_weights[tile_.vertex_site[faces_.vertex(side)]]};
+    }
+
+   private:
+    const Tile& tile_;
+    const ProvenFaces& faces_;
+};
+
+double require_delaunay_edges(const Tile& tile, const ProvenFaces& faces, double tolerance,
+                              double h) {
     const GluedFaces& glued = faces.glued();
+    const WeightedCorners corners(tile, faces);
+    const std::string circle = tile.site_weights.empty() ? "circumcircle" : "power circle";
     double largest = 0;
     for (int side = 0; side < glued.n_halfedges(); ++side) {
         checkpoint_each(side);
         const int beside = glued.opposite[side];
-        const Vec2 corner = faces.to(glued.next(beside)) + faces.back_across(side);
-        const int apex = glued.next(glued.next(side));
-        const double depth =
-            depth_in_circle(faces.from(side), faces.to(side), faces.from(apex), corner) / h;
+        WeightedPoint corner = corners.at(glued.next(glued.next(beside)));
+        corner.p += faces.back_across(side);
+        const int next = glued.next(side);
+        const double depth = depth_in_circle(corners.at(side), corners.at(next),
+                                             corners.at(glued.next(next)), corner) /
+                             h;
         if (!(depth <= tolerance)) {
-            throw_violation(kDelaunayLaw,
-                            "at the " + faces.edge_name(side) +
-                                " the corner of the second lies inside the circumcircle of "
-                                "the first by " +
-                                against(depth, tolerance));
+            throw_violation(kDelaunayLaw, "at the " + faces.edge_name(side) +
+                                              " the corner of the second lies inside the " +
+                                              circle + " of the first by " +
+                                              against(depth, tolerance));
         }
         largest = std::max(largest, depth);
     }
     return largest;
+}
+
+/// The centroid of a polygon of the round space: that of the polygon mapped back to the plane.
+CentroidFunction in_round_space(const CentroidFunction& centroid, const Metric& metric) {
+    return [&centroid, &metric](Polygon polygon) {
+        for (Vec2& p : polygon) p = metric.from_round(p);
+        return metric.to_round(centroid(polygon));
+    };
 }
 
 void require_triangles(const ProvenFaces& faces) {
@@ -101,14 +171,21 @@ double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance,
             "grains are neither Voronoi cells nor Delaunay triangles; ask for the "
             "Voronoi property of a tile of cells");
     }
+    if (!tile.metric.is_round()) {
+        return prove_voronoi(round_tile(tile), proof, tolerance,
+                             in_round_space(centroid, tile.metric));
+    }
     const ProvenFaces faces(tile, proof);
+    if (tile.kind == MeshKind::kVoronoi && !tile.site_weights.empty()) {
+        return require_centroidal_sites(tile, faces, tolerance, centroid);
+    }
     if (tile.kind == MeshKind::kVoronoi) {
         const double h = std::sqrt(tile.lattice.area() / faces.glued().n_faces());
         return require_voronoi_cells(faces, tolerance, h, centroid);
     }
     require_triangles(faces);
     const double h = std::sqrt(tile.lattice.area() / proof.n_orbits);
-    return require_delaunay_edges(faces, tolerance, h);
+    return require_delaunay_edges(tile, faces, tolerance, h);
 }
 
 double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance) {

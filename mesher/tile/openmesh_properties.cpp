@@ -27,6 +27,8 @@ void attach_all(Mesh& mesh, OpenMeshProperties& id) {
     attach_property(mesh, id.whole_sides, "pcvt_whole_sides", false);
     attach_mesh_property(mesh, id.lattice, "pcvt_lattice");
     attach_mesh_property(mesh, id.sites, "pcvt_sites");
+    attach_mesh_property(mesh, id.site_weights, "pcvt_site_weights");
+    attach_mesh_property(mesh, id.metric, "pcvt_metric");
 }
 
 }  // namespace

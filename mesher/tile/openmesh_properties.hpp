@@ -31,7 +31,8 @@ struct SitePoint {
 ///
 /// Names in the file: "pcvt_partner", "pcvt_partner_offset", "pcvt_orbit", "pcvt_orbit_offset",
 /// "pcvt_face_site", "pcvt_vertex_site" and, of the mesh, "pcvt_lattice" (ax, ay, bx, by) and
-/// "pcvt_sites" (columns, rows, length of short edges, 0, x0, y0, x1, y1, ...).
+/// "pcvt_sites" (columns, rows, length of short edges, 0, x0, y0, x1, y1, ...), "pcvt_site_weights"
+/// and "pcvt_metric" (ratio, degrees).
 struct OpenMeshProperties {
     /// A boundary halfedge's partner, as a halfedge index; -1 for a halfedge that has a face.
     OpenMesh::HPropHandleT<int> partner;
@@ -55,6 +56,10 @@ struct OpenMeshProperties {
     /// Tile::columns, rows and short_edges, 0, then x and y of each site
     /// (mesher/tile/site_positions.hpp); empty where they are not known.
     OpenMesh::MPropHandleT<std::vector<double>> sites;
+    /// Tile::site_weights.
+    OpenMesh::MPropHandleT<std::vector<double>> site_weights;
+    /// The numbers of Tile::metric; empty for a round one.
+    OpenMesh::MPropHandleT<std::vector<double>> metric;
 
     /// Adds the properties to a mesh, or finds them where they are there already.
     void attach(CellMesh& mesh);

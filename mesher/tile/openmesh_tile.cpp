@@ -49,6 +49,11 @@ class MeshBuilder {
 
    private:
     void note_sites() {
+        mesh_.property(id_.site_weights) = arrays_.site_weights;
+        const Metric& metric = arrays_.metric;
+        std::vector<double>& numbers = mesh_.property(id_.metric);
+        numbers.clear();
+        if (!metric.is_round()) numbers = {metric.ratio(), metric.degrees()};
         const std::vector<Vec2> positions = site_positions(arrays_);
         std::vector<double>& sites = mesh_.property(id_.sites);
         sites.clear();
@@ -242,6 +247,9 @@ class ArrayBuilder {
     }
 
     void take_sites() {
+        arrays_.site_weights = mesh_.property(id_.site_weights);
+        const std::vector<double>& metric = mesh_.property(id_.metric);
+        if (metric.size() == 2) arrays_.metric = Metric(metric[0], metric[1]);
         const std::vector<double>& sites = mesh_.property(id_.sites);
         if (sites.size() < 4) return;
         arrays_.columns = static_cast<int>(sites[0]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcvt {
 namespace {
@@ -34,25 +35,37 @@ std::vector<Vec2> site_positions(const Tile& tile) {
     return positions;
 }
 
+Vec2 face_middle(const Tile& tile, int f) {
+    Vec2 sum(0, 0);
+    for (const int v : tile.faces[f]) sum += tile.points[v];
+    return sum / tile.face_size(f);
+}
+
 std::vector<Vec2> nearest_site_images(const Tile& tile) {
     if (tile.kind != MeshKind::kGrains || tile.site_positions.empty()) return {};
+    // The cell lies in the Voronoi cell of its site among the images of that site, in the metric.
     const Lattice& lattice = tile.lattice;
-    const Lattice of_sites =
-        reduce(Lattice(lattice.a() / tile.columns, lattice.b() / tile.rows)).reduced;
+    const Metric& metric = tile.metric;
+    const Lattice of_sites(lattice.a() / tile.columns, lattice.b() / tile.rows);
+    const Reduction reduction = reduce(metric.to_round(of_sites));
     std::vector<Vec2> images;
     images.reserve(tile.face_site.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
-        Vec2 middle(0, 0);
-        for (const int v : tile.faces[f]) middle += tile.points[v] / tile.face_size(f);
+        const Vec2 middle = face_middle(tile, f);
         const Vec2& site = tile.site_positions[tile.face_site[f]];
-        const Vec2 u = of_sites.to_lattice(middle - site);
+        const Vec2 u = reduction.reduced.to_lattice(metric.to_round(Vec2(middle - site)));
         const Offset about{static_cast<int>(std::lround(u.x())),
                            static_cast<int>(std::lround(u.y()))};
-        Vec2 best = site + of_sites.translation(about);
+        double least = std::numeric_limits<double>::infinity();
+        Vec2 best = site;
         for (int i = -1; i <= 1; ++i) {
             for (int j = -1; j <= 1; ++j) {
-                const Vec2 image = site + of_sites.translation(about + Offset{i, j});
-                if ((image - middle).squaredNorm() < (best - middle).squaredNorm()) best = image;
+                const Offset offset = reduction.to_original(about + Offset{i, j});
+                const Vec2 image = site + of_sites.translation(offset);
+                const double distance = metric.to_round(Vec2(image - middle)).squaredNorm();
+                if (!(distance < least)) continue;
+                least = distance;
+                best = image;
             }
         }
         images.push_back(best);

@@ -136,8 +136,12 @@ std::string prove_cvt(const TileFile& file, const TileProof& proof, const Questi
     const bool cells = file.tile.kind == MeshKind::kVoronoi;
     const double tolerance = resolved(file, proof, *question.cvt_tolerance);
     const double found = prove_voronoi(file, proof, question, tolerance);
-    return std::string(cells ? ", centroidal Voronoi within " : ", Delaunay within ") +
-           figure(found) + " h (tolerance " + figure(tolerance) + " h)";
+    const bool weighted = !file.tile.site_weights.empty();
+    const char* const property = cells
+                                     ? (weighted ? "centroidal power cells" : "centroidal Voronoi")
+                                     : (weighted ? "regular" : "Delaunay");
+    return std::string(", ") + property + " within " + figure(found) + " h (tolerance " +
+           figure(tolerance) + " h)";
 }
 
 std::string pairs_text(const TileFile& file) {
@@ -145,11 +149,23 @@ std::string pairs_text(const TileFile& file) {
     return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
 }
 
+/// The kind of the cells. Where corners were moved, and of triangles, it is stated only.
+std::string shape_text(const Tile& tile) {
+    std::string text;
+    if (!tile.site_weights.empty()) text += ", power cells";
+    if (!tile.metric.is_round()) {
+        text += ", elongated " + figure(tile.metric.ratio()) + ":1 at " +
+                figure(tile.metric.degrees()) + " degrees";
+    }
+    const bool proved = tile.kind == MeshKind::kVoronoi && !(tile.short_edges > 0);
+    return proved || text.empty() ? text : text + " as stated";
+}
+
 /// What was proved of the site ids.
 std::string sites_text(const Tile& tile) {
     if (tile.sites().empty()) return ", no sites stored";
     if (tile.site_positions.empty()) return ", site ids complete, no positions of sites stored";
-    return ", " + std::to_string(tile.site_positions.size()) + " sites agree";
+    return ", " + std::to_string(tile.site_positions.size()) + " sites agree" + shape_text(tile);
 }
 
 /// The proof of an MPAS file as a line.

@@ -19,6 +19,7 @@
 #include "plugin/study/study.hpp"
 #include "tests/support/hexagons.hpp"
 #include "tests/support/png_bytes.hpp"
+#include "tests/support/power_tiles.hpp"
 
 namespace pcvt::testing {
 namespace {
@@ -49,6 +50,11 @@ std::vector<Tile> example_tiles() {
           TileOptions{.kind = MeshKind::kGrains, .grain_per_edge = 1},
           TileOptions{.kind = MeshKind::kGrains, .grain_per_edge = 1, .order = 2}}) {
         tiles.push_back(build_tile(few_sites(3), options).tile);
+    }
+    // The last of the shapes of cells has weights and a metric.
+    const testing::CellShape shape = testing::cell_shapes().back();
+    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
+        tiles.push_back(testing::power_tile(oblique(), 3, 1, shape, {.kind = kind}));
     }
     return tiles;
 }

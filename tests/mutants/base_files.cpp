@@ -4,7 +4,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/mesh/voronoi.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "tests/support/power_tiles.hpp"
 
 namespace pcvt::testing {
 namespace {
@@ -27,6 +27,14 @@ std::vector<Shape> shapes() {
             {"grains box", {.kind = MeshKind::kGrains, .outline = Outline::kBox}}};
 }
 
+std::vector<Shape> power_shapes() {
+    return {{"voronoi power", {.kind = MeshKind::kVoronoi}},
+            {"voronoi power box", {.kind = MeshKind::kVoronoi, .outline = Outline::kBox}},
+            {"voronoi power 2x1", {.kind = MeshKind::kVoronoi, .columns = 2}},
+            {"delaunay power", {.kind = MeshKind::kDelaunay}},
+            {"grains power", {.kind = MeshKind::kGrains, .grain_per_edge = 1}}};
+}
+
 /// The forms in which a format writes one tile.
 std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format) {
     std::vector<std::pair<const char*, FileOptions>> forms{{"", {}}};
@@ -47,9 +55,8 @@ bool holds(const TileFormat& format, const Tile& tile, Outline outline) {
     }
 }
 
-void add_tiles(const TileFormat& format, const PeriodicDelaunay& delaunay, const Shape& shape,
+void add_tiles(const TileFormat& format, Tile tile, const Shape& shape,
                std::vector<BaseFile>& bases) {
-    Tile tile = build_tile(delaunay, shape.options).tile;
     if (!holds(format, tile, shape.options.outline)) return;
     const std::string path = "tile" + std::string(format.extension);
     for (const auto& [form, options] : forms(format)) {
@@ -77,7 +84,14 @@ std::vector<BaseFile> base_files(const TileFormat& format) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const CvtResult result = compute_cvt(lattice, uniform_points(lattice, kSites, 5), {});
     std::vector<BaseFile> bases;
-    for (const Shape& shape : shapes()) add_tiles(format, result.delaunay, shape, bases);
+    for (const Shape& shape : shapes()) {
+        add_tiles(format, build_tile(result.delaunay, shape.options).tile, shape, bases);
+    }
+    // The last of the shapes of cells has weights and a metric.
+    for (const Shape& shape : power_shapes()) {
+        const CellShape cells = cell_shapes().back();
+        add_tiles(format, power_tile(lattice, kSites, 5, cells, shape.options), shape, bases);
+    }
     return bases;
 }
 

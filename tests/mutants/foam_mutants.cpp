@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "tests/mutants/mutated_formats.hpp"
@@ -15,7 +16,8 @@ class FoamNamer {
     explicit FoamNamer(std::string file) : file_(std::move(file)) {}
 
     LineNames operator()(const std::vector<std::string_view>& words) const {
-        if (words.empty() || words[0].starts_with("//")) return {};
+        if (words.empty()) return {};
+        if (words[0].starts_with("//")) return names_of_comment(words);
         const char first = words[0][0];
         const bool is_data = first == '-' || first == '.' || (first >= '0' && first <= '9');
         const std::string name = file_ + (is_data ? " data" : " " + std::string(words[0]));
@@ -25,6 +27,15 @@ class FoamNamer {
     }
 
    private:
+    static LineNames names_of_comment(const std::vector<std::string_view>& words) {
+        if (words.size() < 3 || words[1] != "pcvt") return {};
+        const std::string name = "pcvt " + std::string(words[2]);
+        LineNames names{.row = name + " row", .words = {"", "pcvt", "pcvt"}};
+        names.words.resize(words.size(), name);
+        if (words[2] == "site" && words.size() == 6) names.words.back() = "pcvt weight";
+        return names;
+    }
+
     std::string file_;
 };
 
@@ -41,6 +52,15 @@ std::vector<Mutant> foam_mutants(const BaseFile& base) {
     return mutants;
 }
 
-std::span<const Harmless> harmless_in_foam() { return {}; }
+std::span<const Harmless> harmless_in_foam() {
+    static constexpr std::array kHarmless{
+        Harmless{"pcvt site*", "", kMoved, "grains"},
+        Harmless{"pcvt weight", "", kNotShown, "delaunay"},
+        Harmless{"pcvt weight", "", kNotShown, "grains"},
+        Harmless{"pcvt metric*", "", kNotShown, "delaunay"},
+        Harmless{"pcvt metric*", "", kNotShown, "grains"},
+    };
+    return kHarmless;
+}
 
 }  // namespace pcvt::testing

@@ -135,7 +135,9 @@ std::map<std::size_t, std::vector<std::string>> accessor_names(const Json& json)
         }
     }
     const Json& periodic = json["nodes"][0]["extras"]["periodic"];
-    if (periodic.contains("sitePositions")) note(periodic["sitePositions"], "sitePositions");
+    for (const char* key : {"sitePositions", "siteWeights"}) {
+        if (periodic.contains(key)) note(periodic[key], key);
+    }
     return names;
 }
 
@@ -188,6 +190,13 @@ std::vector<Mutant> glb_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_gltf() {
     static constexpr std::array kHarmless{
+        Harmless{"sitePositions.x", "digit", kStretched, "voronoi power"},
+        Harmless{"sitePositions.y", "digit", kStretched, "voronoi power"},
+        Harmless{"siteWeights", "digit", kStretched, "voronoi power"},
+        Harmless{"siteWeights", "", kNotShown, "delaunay"},
+        Harmless{"siteWeights", "", kNotShown, "grains"},
+        Harmless{"nodes.extras.periodic.metric*", "", kNotShown, "delaunay"},
+        Harmless{"nodes.extras.periodic.metric*", "", kNotShown, "grains"},
         Harmless{"sitePositions.x", "", kMoved, "grains"},
         Harmless{"sitePositions.x", "", kMoved, "voronoi short-edges"},
         Harmless{"sitePositions.y", "", kMoved, "grains"},

@@ -34,6 +34,7 @@ class InpNamer {
         if (words.size() < 3 || words[1] != "pcvt") return {};
         LineNames names{.row = "pcvt " + std::string(words[2]) + " row", .words = {"", "", "pcvt"}};
         names.words.resize(words.size(), "pcvt " + std::string(words[2]));
+        if (words[2] == "site" && words.size() == 6) names.words.back() = "pcvt weight";
         return names;
     }
 
@@ -48,6 +49,10 @@ std::vector<Mutant> inp_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_inp() {
     static constexpr std::array kHarmless{
+        Harmless{"pcvt weight", "", kNotShown, "delaunay"},
+        Harmless{"pcvt weight", "", kNotShown, "grains"},
+        Harmless{"pcvt metric*", "", kNotShown, "delaunay"},
+        Harmless{"pcvt metric*", "", kNotShown, "grains"},
         Harmless{"pcvt site*", "", kMoved, "grains"},
         Harmless{"pcvt site*", "", kMoved, "voronoi short-edges"},
         Harmless{"*NODE.1", "", "a node inside of a grain; the mesh is another one", "grains"},

@@ -44,6 +44,10 @@ std::vector<Mutant> msh_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_msh() {
     static constexpr std::array kHarmless{
+        Harmless{"pcvt site 5.4", "", kNotShown, "delaunay"},
+        Harmless{"pcvt site 5.4", "", kNotShown, "grains"},
+        Harmless{"pcvt metric*", "", kNotShown, "delaunay"},
+        Harmless{"pcvt metric*", "", kNotShown, "grains"},
         Harmless{"pcvt site*", "", kMoved, "grains"},
         Harmless{"pcvt site*", "", kMoved, "voronoi short-edges"},
         Harmless{"$Nodes 3.0", "", "a node inside of a grain; the mesh is another one", "grains"},

@@ -23,6 +23,13 @@ struct Harmless {
 inline constexpr std::string_view kMoved =
     "laws (4) to (6) of sites do not hold where corners were moved";
 
+/// The reason for weights and metrics of triangles.
+inline constexpr std::string_view kNotShown =
+    "triangles do not show the weights and the metric of the cells; --cvt proves regularity";
+
+/// The reason for small steps in files of 32 bits: a metric stretches the rounding, too.
+inline constexpr std::string_view kStretched = "below the rounding of 32 bits in the metric";
+
 /// One row of the table of formats whose fields the campaign changes.
 struct MutatedFormat {
     std::string_view extension;

@@ -26,7 +26,9 @@ LineNames names_of_obj(const std::vector<std::string_view>& words) {
     if (words[0] == "mtllib") return {"mtllib row", {"", "mtllib.name"}};
     if (words.size() < 3 || words[0] != "#" || words[1] != "pcvt") return {};
     const std::string key(words[2]);
-    return numbered(key + " row", 3, words.size(), key);
+    LineNames names = numbered(key + " row", 3, words.size(), key);
+    if (key == "site" && words.size() == 6) names.words.back() = "site.weight";
+    return names;
 }
 
 LineNames names_of_mtl(const std::vector<std::string_view>& words) {
@@ -72,6 +74,14 @@ std::vector<Mutant> obj_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_obj() {
     static constexpr std::array kHarmless{
+        Harmless{"site.weight", "", kNotShown, "delaunay"},
+        Harmless{"site.weight", "", kNotShown, "grains"},
+        Harmless{"alone site.weight", "", kNotShown, "delaunay"},
+        Harmless{"alone site.weight", "", kNotShown, "grains"},
+        Harmless{"metric*", "", kNotShown, "delaunay"},
+        Harmless{"metric*", "", kNotShown, "grains"},
+        Harmless{"alone metric*", "", kNotShown, "delaunay"},
+        Harmless{"alone metric*", "", kNotShown, "grains"},
         Harmless{"v.x", "", kMoved, "voronoi short-edges"},
         Harmless{"v.y", "", kMoved, "voronoi short-edges"},
         Harmless{"site", "", kMoved, "grains"},

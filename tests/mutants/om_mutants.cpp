@@ -81,7 +81,9 @@ class OmFields {
         read_text();
         const std::size_t size = word_at(bytes_, at_);
         add(1, Binary::kUint32, {"property.size"});
-        if (name == "pcvt_lattice" || name == "pcvt_sites") {
+        constexpr std::array<std::string_view, 4> kLists{"pcvt_lattice", "pcvt_sites",
+                                                         "pcvt_site_weights", "pcvt_metric"};
+        if (std::find(kLists.begin(), kLists.end(), name) != kLists.end()) {
             add(1, Binary::kUint32, {name + ".length"});
             add((size - 4) / 8, Binary::kFloat64, {name});
         } else {
@@ -111,6 +113,10 @@ std::vector<Mutant> om_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_om() {
     static constexpr std::array kHarmless{
+        Harmless{"pcvt_site_weights", "", kNotShown, "delaunay"},
+        Harmless{"pcvt_site_weights", "", kNotShown, "grains"},
+        Harmless{"pcvt_metric", "", kNotShown, "delaunay"},
+        Harmless{"pcvt_metric", "", kNotShown, "grains"},
         Harmless{"position.x", "", kMoved, "voronoi short-edges"},
         Harmless{"position.y", "", kMoved, "voronoi short-edges"},
         Harmless{"pcvt_face_site", "", kMoved, "grains"},

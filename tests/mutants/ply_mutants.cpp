@@ -86,6 +86,16 @@ std::vector<Mutant> ply_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_ply() {
     static constexpr std::array kHarmless{
+        Harmless{"vertex.x", "digit", kStretched, "voronoi power float32"},
+        Harmless{"vertex.y", "digit", kStretched, "voronoi power float32"},
+        Harmless{"vertex.x", "digit", kStretched, "voronoi power box float32"},
+        Harmless{"vertex.y", "digit", kStretched, "voronoi power box float32"},
+        Harmless{"vertex.x", "digit", kStretched, "voronoi power 2x1 float32"},
+        Harmless{"vertex.y", "digit", kStretched, "voronoi power 2x1 float32"},
+        Harmless{"site.weight", "", kNotShown, "delaunay"},
+        Harmless{"site.weight", "", kNotShown, "grains"},
+        Harmless{"metric*", "", kNotShown, "delaunay"},
+        Harmless{"metric*", "", kNotShown, "grains"},
         Harmless{"vertex.x", "", kMoved, "voronoi short-edges"},
         Harmless{"vertex.y", "", kMoved, "voronoi short-edges"},
         Harmless{"face.site", "", kMoved, "grains"},

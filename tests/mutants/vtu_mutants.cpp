@@ -50,6 +50,10 @@ std::vector<Mutant> vtu_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_vtu() {
     static constexpr std::array kHarmless{
+        Harmless{"SiteWeights*", "", kNotShown, "delaunay"},
+        Harmless{"SiteWeights*", "", kNotShown, "grains"},
+        Harmless{"Metric*", "", kNotShown, "delaunay"},
+        Harmless{"Metric*", "", kNotShown, "grains"},
         Harmless{"Periods value", "", kMoved, "grains"},
         Harmless{"Periods value", "", kMoved, "voronoi short-edges"},
         Harmless{"Points value", "", kMoved, "voronoi short-edges"},

@@ -195,7 +195,7 @@ TEST(Obj, FaultsOfTheSeamNameTheirLine) {
     EXPECT_THAT(fault("lattice 1 0 0 1", "lattice 1 0 2 0"), StartsWith("t.obj:2: "));
     EXPECT_THAT(fault("lattice 1 0 0 1", "lattice 1 0 0 inf"), StartsWith("t.obj:2: 'inf'"));
     EXPECT_THAT(fault("# pcvt kind cells", "# pcvt lattice 1 0 0 1"),
-                StartsWith("t.obj:2: the lattice"));
+                StartsWith("t.obj:2: a second line states the lattice; "));
     EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 2 1"), StartsWith("t.obj:3: a pair has 4 numbers"));
     EXPECT_THAT(fault("pair 1 2 1 0", "pair 0 2 1 0"), StartsWith("t.obj:3: vertex 0 does not"));
     EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 5 1 0"), HasSubstr("a pair names vertex 5, which"));

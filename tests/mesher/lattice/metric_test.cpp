@@ -42,6 +42,28 @@ TEST(Metric, CellsAreLongAlongTheDirection) {
     EXPECT_EQ(Metric(0.25, -180).to_round(Vec2(1, 1)), Vec2(2, 0.5));
 }
 
+TEST(Metric, ItsNumbersMakeTheSameMetric) {
+    for (const double ratio : {0.01, 1.0 / 3, 1.0, 2.5, 100.0}) {
+        for (const double degrees : {-77.25, 0.0, 30.0, 1.0 / 3, 405.0}) {
+            const Metric metric(ratio, degrees);
+            const Metric again(metric.ratio(), metric.degrees());
+            EXPECT_EQ(again, metric);
+            EXPECT_EQ(again.to_round(Vec2(0.1, 0.7)), metric.to_round(Vec2(0.1, 0.7)));
+            EXPECT_EQ(again.from_round(Vec2(0.1, 0.7)), metric.from_round(Vec2(0.1, 0.7)));
+            double longest = 0;
+            for (int k = 0; k < 360; ++k) {
+                const double angle = k * std::numbers::pi / 180 + degrees * std::numbers::pi / 180;
+                longest = std::max(longest,
+                                   metric.to_round(Vec2(std::cos(angle), std::sin(angle))).norm());
+            }
+            EXPECT_NEAR(metric.largest_stretch(), longest, 1e-12 * longest);
+        }
+    }
+    EXPECT_EQ(Metric(1, 33), Metric());
+    EXPECT_FALSE(Metric(3, 30) == Metric(3, 31));
+    EXPECT_FALSE(Metric(3, 30) == Metric(2, 30));
+}
+
 TEST(Metric, RatioOneChangesNoBit) {
     const Lattice lattice({1, 0.1}, {0.37, 0.81});
     const Points points = uniform_points(lattice, 10, 1);

@@ -2,10 +2,15 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "mesher/areas/area_cvt.hpp"
 #include "mesher/areas/target_areas.hpp"
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/proof/site_labels.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/power_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -81,6 +86,68 @@ TEST(ProvePowerCells, OtherTilesAreInvalidInput) {
     PowerTile twice(Lattice::rectangle(1, 1), 8, 0);
     twice.tile.face_site[3] = twice.tile.face_site[4];
     EXPECT_THROW(twice.proved(1e-6), InvalidInput);
+}
+
+/// The figure of `check --cvt`; -1 if the tile is refused.
+double centroidal_distance(const Tile& tile, double tolerance) {
+    try {
+        const TileProof proof = prove_tile(tile, Precision::kDouble);
+        prove_sites(tile, proof);
+        return prove_voronoi(tile, proof, tolerance);
+    } catch (const NotATile&) {
+        return -1;
+    }
+}
+
+const Lattice kOblique({1, 0}, {0.37, 0.81});
+
+TEST(ProveCentroidalPowerCells, SitesLieAtTheCentroidsOfAConvergedRunAlone) {
+    for (const testing::CellShape& shape : {testing::cell_shapes()[0], testing::cell_shapes()[2]}) {
+        for (const int columns : {1, 2}) {
+            const TileOptions options{.columns = columns};
+            const Tile tile = testing::power_tile(kOblique, 30, 3, shape, options, -1);
+            const double distance = centroidal_distance(tile, 1e-5);
+            EXPECT_GE(distance, 0);
+            EXPECT_LT(distance, 5e-6);
+            const Tile moving = testing::power_tile(kOblique, 30, 3, shape, options, 4);
+            EXPECT_EQ(centroidal_distance(moving, 1e-5), -1);
+            EXPECT_GT(centroidal_distance(moving, 1), 1e-3);
+        }
+    }
+}
+
+TEST(ProveCentroidalPowerCells, TheDistanceIsThatOfTheCentroid) {
+    const Tile tile = testing::power_tile(kOblique, 12, 5, testing::cell_shapes()[0]);
+    double largest = 0;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        Polygon polygon;
+        for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
+        largest = std::max(largest, (polygon_centroid(polygon) - tile.site_points[f]).norm());
+    }
+    const double h = std::sqrt(kOblique.area() / 12);
+    EXPECT_NEAR(centroidal_distance(tile, 10), largest / h, 1e-12);
+}
+
+TEST(ProveCentroidalPowerCells, PiecesOfCellsAreRefused) {
+    const Tile tile = testing::power_tile(kOblique, 12, 5, testing::cell_shapes()[0],
+                                          {.outline = Outline::kBox}, -1);
+    EXPECT_EQ(centroidal_distance(tile, 1), -1);
+}
+
+TEST(ProveRegular, TrianglesAreRegularWithTheirWeightsAndInTheirMetricAlone) {
+    int n_other = 0;
+    for (const testing::CellShape& shape : testing::cell_shapes()) {
+        for (int seed = 0; seed < 6; ++seed) {
+            Tile tile = testing::power_tile(kOblique, 60, seed, shape,
+                                            {.kind = MeshKind::kDelaunay, .columns = 2});
+            EXPECT_LT(centroidal_distance(tile, 1e-12), 1e-12) << shape.name;
+            EXPECT_GE(centroidal_distance(tile, 1e-12), 0) << shape.name;
+            tile.site_weights.clear();
+            tile.metric = {};
+            if (centroidal_distance(tile, 1e-6) < 0) ++n_other;
+        }
+    }
+    EXPECT_EQ(n_other, 18);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "mesher/tile/build_tile.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/power_tiles.hpp"
 #include "tests/support/tile_equality.hpp"
 
 namespace pcvt {
@@ -43,6 +44,21 @@ TEST(OpenMeshTile, OfEveryKindAndOutlineGivesTheArraysBack) {
             SCOPED_TRACE(name + " n = " + std::to_string(n));
             const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 7)));
             for (const Tile& tile : tiles_of(delaunay)) expect_same_arrays(tile);
+        }
+    }
+}
+
+TEST(OpenMeshTile, KeepsWeightsAndMetric) {
+    for (const testing::CellShape& shape : testing::cell_shapes()) {
+        for (const TileOptions& options : testing::tile_kinds()) {
+            const Lattice lattice({1, 0}, {0.37, 0.81});
+            const Tile tile = testing::power_tile(lattice, 9, 1, shape, options);
+            expect_same_arrays(tile);
+            const Tile back = pcvt::tile(openmesh_tile(tile));
+            EXPECT_EQ(back.site_weights, tile.site_weights);
+            EXPECT_EQ(back.metric, tile.metric);
+            EXPECT_EQ(tile.metric.is_round(), shape.metric.is_round());
+            EXPECT_EQ(tile.site_weights.empty(), *shape.law == '\0');
         }
     }
 }

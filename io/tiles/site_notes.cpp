@@ -1,0 +1,256 @@
+#include "io/tiles/site_notes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "io/bytes/text.hpp"
+#include "io/tiles/tile_file.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/tile/site_positions.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The width of the forms of comments, before their meanings.
+constexpr std::size_t kMeaningColumn = 27;
+
+std::vector<double> periods(const Tile& tile) { return {double(tile.columns), double(tile.rows)}; }
+
+void take_periods(std::span<const double> numbers, SiteNotes& notes) {
+    for (const double n : numbers) {
+        if (n >= 1 && n <= kMostPeriods) continue;
+        throw InvalidInput("the number of periods is not from 1 to " +
+                           std::to_string(kMostPeriods));
+    }
+    notes.columns = static_cast<int>(numbers[0]);
+    notes.rows = static_cast<int>(numbers[1]);
+}
+
+std::vector<double> short_edges(const Tile& tile) { return {tile.short_edges}; }
+
+void take_short_edges(std::span<const double> numbers, SiteNotes& notes) {
+    if (!(numbers[0] >= 0 && numbers[0] <= kLongestRemovedEdge)) {
+        throw InvalidInput("the length of short edges is not from 0 to 1");
+    }
+    notes.short_edges = numbers[0];
+}
+
+std::vector<double> metric(const Tile& tile) {
+    return {tile.metric.ratio(), tile.metric.degrees()};
+}
+
+void take_metric(std::span<const double> numbers, SiteNotes& notes) {
+    notes.metric = Metric(numbers[0], numbers[1]);
+}
+
+std::vector<double> positions(const Tile& tile) {
+    std::vector<double> numbers;
+    for (const Vec2& p : site_positions(tile)) numbers.insert(numbers.end(), {p.x(), p.y()});
+    return numbers;
+}
+
+void take_positions(std::span<const double> numbers, SiteNotes& notes) {
+    for (std::size_t k = 0; k < numbers.size(); k += 2) {
+        notes.positions.emplace_back(numbers[k], numbers[k + 1]);
+    }
+}
+
+std::vector<double> weights(const Tile& tile) { return tile.site_weights; }
+
+void take_weights(std::span<const double> numbers, SiteNotes& notes) {
+    notes.weights.insert(notes.weights.end(), numbers.begin(), numbers.end());
+}
+
+const std::array<SiteNote, 5>& rows() {
+    static const std::array<SiteNote, 5> kRows{
+        {{.parts = "columns rows",
+          .n_parts = 2,
+          .comment = "periods",
+          .member = "periods",
+          .array = "Periods",
+          .property = "",
+          .meaning = "a repeated tile has the sites of one period in each",
+          .numbers = periods,
+          .take = take_periods,
+          .usual = {1, 1},
+          .of_integers = true,
+          .always_in_arrays = true},
+         {.parts = "length",
+          .n_parts = 1,
+          .comment = "short_edges",
+          .member = "shortEdges",
+          .array = "ShortEdges",
+          .property = "",
+          .meaning = "edges of cells shorter than this, in units of h, were removed",
+          .numbers = short_edges,
+          .take = take_short_edges,
+          .usual = {0},
+          .always_in_arrays = true},
+         {.parts = "ratio degrees",
+          .n_parts = 2,
+          .comment = "metric",
+          .member = "metric",
+          .array = "Metric",
+          .property = "pcvt_metric",
+          .meaning = "cells are ratio times as long along degrees from x as across",
+          .numbers = metric,
+          .take = take_metric,
+          .usual = {1, 0}},
+         {.parts = "x y",
+          .n_parts = 2,
+          .comment = "site",
+          .member = "sitePositions",
+          .array = "SitePositions",
+          .property = "",
+          .meaning = "where site 0, 1, ... lies: the image at its first face",
+          .numbers = positions,
+          .take = take_positions,
+          .of_each_site = true},
+         {.parts = "weight",
+          .n_parts = 1,
+          .comment = "site",
+          .member = "siteWeights",
+          .array = "SiteWeights",
+          .property = "pcvt_site_weights",
+          .meaning = "power cells: where |p - site|^2 - weight is least",
+          .numbers = weights,
+          .take = take_weights,
+          .of_each_site = true}}};
+    return kRows;
+}
+
+void append_part(std::string& text, double number) {
+    text += ' ';
+    append_number(text, number);
+}
+
+}  // namespace
+
+void SiteNotes::give_to(Tile& tile) && {
+    if (!positions.empty() && columns == 0) columns = this->rows = 1;
+    tile.columns = columns;
+    tile.rows = this->rows;
+    tile.short_edges = short_edges;
+    tile.metric = metric;
+    tile.site_positions = std::move(positions);
+    tile.site_weights = std::move(weights);
+}
+
+std::span<const SiteNote> site_notes() { return rows(); }
+
+const SiteNote* find_site_note(std::string_view comment) {
+    const auto found = std::find_if(rows().begin(), rows().end(), [&](const SiteNote& note) {
+        return !note.of_each_site && note.comment == comment;
+    });
+    return found == rows().end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> site_parts() {
+    std::vector<std::string_view> parts;
+    for (const SiteNote& note : rows()) {
+        if (!note.of_each_site) continue;
+        std::string_view rest = note.parts;
+        for (std::size_t k = 0; k < note.n_parts; ++k) {
+            parts.push_back(rest.substr(0, rest.find(' ')));
+            rest.remove_prefix(std::min(parts.back().size() + 1, rest.size()));
+        }
+    }
+    return parts;
+}
+
+std::vector<StatedNote> stated_notes(const Tile& tile, bool of_arrays) {
+    if (site_positions(tile).empty()) return {};
+    std::vector<StatedNote> stated;
+    for (const SiteNote& note : rows()) {
+        std::vector<double> numbers = note.numbers(tile);
+        const bool counts = of_arrays && note.always_in_arrays;
+        if (counts || numbers != note.usual) stated.push_back({&note, std::move(numbers)});
+    }
+    return stated;
+}
+
+SiteRows site_rows(const std::vector<StatedNote>& notes) {
+    SiteRows rows;
+    std::size_t n_sites = 0;
+    for (const auto& [note, numbers] : notes) {
+        if (!note->of_each_site) continue;
+        n_sites = numbers.size() / note->n_parts;
+        rows.width += note->n_parts;
+    }
+    rows.numbers.reserve(n_sites * rows.width);
+    for (std::size_t s = 0; s < n_sites; ++s) {
+        for (const auto& [note, numbers] : notes) {
+            if (!note->of_each_site) continue;
+            const auto first = numbers.begin() + std::ptrdiff_t(s * note->n_parts);
+            rows.numbers.insert(rows.numbers.end(), first, first + std::ptrdiff_t(note->n_parts));
+        }
+    }
+    return rows;
+}
+
+void append_tile_notes(std::string& text, std::string_view mark,
+                       const std::vector<StatedNote>& notes) {
+    for (const auto& [note, numbers] : notes) {
+        if (note->of_each_site) continue;
+        (text += mark) += note->comment;
+        for (const double number : numbers) append_part(text, number);
+        text += '\n';
+    }
+}
+
+void append_note_comments(std::string& text, std::string_view mark, const Tile& tile) {
+    const std::vector<StatedNote> notes = stated_notes(tile);
+    append_tile_notes(text, mark, notes);
+    const SiteRows sites = site_rows(notes);
+    for (std::size_t s = 0; s < sites.n_sites(); ++s) {
+        (text += mark) += "site";
+        for (const double number : sites[s]) append_part(text, number);
+        text += '\n';
+    }
+}
+
+void append_note_meanings(std::string& text, std::string_view mark) {
+    std::string of_site = "site";
+    for (const SiteNote& note : rows()) {
+        const std::string key = note.of_each_site ? of_site : std::string(note.comment);
+        std::string form = key + " " + std::string(note.parts);
+        if (note.of_each_site) of_site = form;
+        form.resize(std::max(form.size() + 1, kMeaningColumn), ' ');
+        text += std::string(mark) + form + note.meaning + "\n";
+    }
+}
+
+void take_note(const SiteNote& note, std::span<const double> numbers, SiteNotes& notes) {
+    const bool is_whole =
+        note.of_each_site ? numbers.size() % note.n_parts == 0 : numbers.size() == note.n_parts;
+    const bool fits = !note.of_integers || std::all_of(numbers.begin(), numbers.end(),
+                                                       [](double n) { return n == std::floor(n); });
+    if (!is_whole || !fits) {
+        throw InvalidInput("the note " + std::string(note.comment) + " is unclear; write its " +
+                           (note.of_integers ? "integers: " : "numbers: ") +
+                           std::string(note.parts));
+    }
+    note.take(numbers, notes);
+}
+
+void take_site_note(std::span<const double> numbers, SiteNotes& notes) {
+    if (numbers.empty()) throw InvalidInput("a site lacks its numbers; write x and y");
+    for (const SiteNote& note : rows()) {
+        if (!note.of_each_site || numbers.empty()) continue;
+        const std::size_t n = std::min(numbers.size(), note.n_parts);
+        take_note(note, numbers.first(n), notes);
+        numbers = numbers.subspan(n);
+    }
+    if (!numbers.empty()) throw InvalidInput("a site has more numbers than x, y and weight");
+}
+
+bool same_site_notes(const Tile& file, const Tile& tile) {
+    if (file.site_positions.empty()) return true;
+    return std::all_of(rows().begin(), rows().end(), [&](const SiteNote& note) {
+        return note.numbers(file) == note.numbers(tile);
+    });
+}
+
+}  // namespace pcvt

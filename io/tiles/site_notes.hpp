@@ -1,0 +1,116 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesher/tile/tile.hpp"
+
+namespace pcvt {
+
+/// What a file states of the sites of its tile, by which the file alone proves its site ids.
+///
+/// Example usage, of a writer and of a reader:
+///   append_note_comments(text, "# pcvt ", tile);
+///   for (const StatedNote& stated : stated_notes(tile)) write(stated.note->array, stated.numbers);
+///
+///   SiteNotes notes;
+///   take_note(*find_site_note("metric"), std::array{3.0, 30.0}, notes);
+///   std::move(notes).give_to(tile);
+struct SiteNotes {
+    /// As the members of Tile with these names.
+    int columns = 0;
+    int rows = 0;
+    double short_edges = 1;
+    Metric metric = {};
+    /// Tile::site_positions and Tile::site_weights.
+    std::vector<Vec2> positions = {};
+    std::vector<double> weights = {};
+
+    /// Gives all quantities to a tile; positions without numbers of periods cover one.
+    void give_to(Tile& tile) &&;
+};
+
+/// One quantity in all formats: a row of the table of what files state of sites. The next quantity
+/// needs a member of SiteNotes, a row, and a property of OpenMesh (openmesh_properties.hpp).
+struct SiteNote {
+    /// The names of its numbers, of a site or of the tile: "x y". PLY has a property for each.
+    std::string_view parts;
+    std::size_t n_parts;
+    /// The key of its comment; quantities of each site share the comments `site`.
+    std::string_view comment;
+    /// Its member of extras.periodic in glTF: a number, a list, or the accessor of each site.
+    std::string_view member;
+    /// Its array among the field data of VTK.
+    std::string_view array;
+    /// Its property of a mesh of OpenMesh; empty: "pcvt_sites" holds it.
+    std::string_view property;
+    /// The line that explains it to a reader of the file.
+    const char* meaning;
+    /// The numbers of a tile; of each site those of site 0, then site 1, ...
+    std::vector<double> (*numbers)(const Tile& tile);
+    /// Of a valid number of numbers. @throws InvalidInput if one is out of range.
+    void (*take)(std::span<const double> numbers, SiteNotes& notes);
+    /// The numbers of most tiles, which a file does not state.
+    std::vector<double> usual = {};
+    bool of_each_site = false;
+    bool of_integers = false;
+    /// VTK files state the usual numbers, too.
+    bool always_in_arrays = false;
+};
+
+/// The order of the rows is that in files; quantities of each site follow those of the tile.
+std::span<const SiteNote> site_notes();
+
+/// The note of the tile with this key; nullptr if there is none.
+const SiteNote* find_site_note(std::string_view comment);
+
+/// The names of the numbers of a site: "x", "y", "weight".
+std::vector<std::string_view> site_parts();
+
+/// A note with its numbers.
+struct StatedNote {
+    const SiteNote* note;
+    std::vector<double> numbers;
+};
+
+/// Returns the notes that a file of the tile states: none where the tile does not know the
+/// positions of its sites (mesher/tile/site_positions.hpp).
+/// @param of_arrays  whether SiteNote::always_in_arrays counts.
+std::vector<StatedNote> stated_notes(const Tile& tile, bool of_arrays = false);
+
+/// The numbers of all sites, `width` of each: x, y, and perhaps the weight.
+struct SiteRows {
+    std::size_t width = 0;
+    std::vector<double> numbers = {};
+
+    std::size_t n_sites() const { return width == 0 ? 0 : numbers.size() / width; }
+    std::span<const double> operator[](std::size_t site) const {
+        return std::span(numbers).subspan(site * width, width);
+    }
+};
+SiteRows site_rows(const std::vector<StatedNote>& notes);
+
+/// Appends the notes of the tile as lines of text: `MARKmetric 3 30`.
+void append_tile_notes(std::string& text, std::string_view mark,
+                       const std::vector<StatedNote>& notes);
+
+/// Appends all notes as lines of text: `MARKmetric 3 30`, and one `MARKsite x y weight` a site.
+void append_note_comments(std::string& text, std::string_view mark, const Tile& tile);
+
+/// Appends one line a note that explains its comment to a reader of the file.
+void append_note_meanings(std::string& text, std::string_view mark);
+
+/// Takes the numbers of a note, those of more sites after those before.
+/// @throws InvalidInput with a complaint if these are too few, too many or out of range.
+void take_note(const SiteNote& note, std::span<const double> numbers, SiteNotes& notes);
+
+/// Takes the numbers of a comment `site`: those of one site, of one note after the other.
+/// @throws InvalidInput as take_note().
+void take_site_note(std::span<const double> numbers, SiteNotes& notes);
+
+/// Whether both tiles have the same notes; true of a file without positions of sites.
+bool same_site_notes(const Tile& file, const Tile& tile);
+
+}  // namespace pcvt

@@ -1,0 +1,62 @@
+#include "mesher/areas/cell_areas.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesher/base/error.hpp"
+#include "mesher/delaunay/moving_delaunay.hpp"
+#include "mesher/delaunay/periodic_delaunay.hpp"
+#include "mesher/power/power_cells.hpp"
+#include "mesher/power/power_flips.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Turns a triangulation of the sites into the regular one, certified.
+PeriodicDelaunay made_regular(Sites sites, TorusTriangulation triangulation,
+                              const Eigen::VectorXd& weights) {
+    const Lattice& reduced = sites.reduction().reduced;
+    const double unit = gram_unit(reduced);
+    const Eigen::VectorXd gram_weights = weights / (unit * unit);
+    PowerFlips flips(triangulation, sites.coordinates(), gram_of(reduced), gram_weights);
+    if (const auto hidden = flips.run()) {
+        throw InvalidInput("site " + std::to_string(*hidden) +
+                           " has no cell: its weight is too small");
+    }
+    return {std::move(sites), std::move(triangulation), weights};
+}
+
+}  // namespace
+
+CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights) {
+    // Triangulate.
+    MovingDelaunay built(sites);
+    const ReducedFrame frame = built.frame();
+    const double unit = built.unit();
+    auto [own_sites, triangulation] = built.release();
+    const PeriodicDelaunay delaunay =
+        made_regular(std::move(own_sites), std::move(triangulation), weights);
+    // Measure the cells.
+    const Eigen::VectorXd unit_weights = weights / (unit * unit);
+    const WeightedTriangulation regular{.triangulation = delaunay.triangulation(),
+                                        .coordinates = delaunay.sites().coordinates(),
+                                        .frame = frame,
+                                        .weights = unit_weights};
+    Workers workers(1);
+    std::vector<double> heights;
+    CellAreas cells;
+    measure_masses(regular, workers, heights, cells.area);
+    cells.area *= unit * unit;
+    CellGraph graph;
+    assemble_cell_graph(regular, heights, workers, graph);
+    cells.sensitivity.setZero(sites.n_sites());
+    for (int s = 0; s < graph.n_rows(); ++s) {
+        for (int k = graph.row_begin[s]; k < graph.row_begin[s + 1]; ++k) {
+            cells.sensitivity[s] += graph.conductance[k];
+        }
+    }
+    return cells;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "mesher/lattice/sites.hpp"
+
+namespace pcvt {
+
+/// The areas of power cells, and how much rounding of their sites and weights changes them.
+struct CellAreas {
+    /// length^2
+    Eigen::VectorXd area;
+    /// The sum of l / 2 d over the edges of each cell, with l the length of an edge and d the
+    /// distance of its two sites: an area changes by at most twice this when the power distances
+    /// change by 1. Edges between images of one site do not move.
+    Eigen::VectorXd sensitivity;
+};
+
+/// Builds the regular triangulation of sites with weights from nothing and measures their cells:
+/// the proof of areas, independent of the run that computed the weights.
+///
+/// Example usage:
+///
+///     const CellAreas cells = power_cell_areas(Sites(lattice, points), weights);
+///     const double error = (cells.area - wanted).cwiseQuotient(wanted).cwiseAbs().maxCoeff();
+///
+/// Laws, tested by number:
+///   (1) The areas are those of the cells that the half-planes of all images cut out.
+///   (2) They are the areas that compute_area_cvt() was asked for.
+///
+/// @param weights  n, length^2.
+/// @throws InvalidInput naming a site without a cell.
+CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights);
+
+}  // namespace pcvt

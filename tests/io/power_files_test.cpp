@@ -1,0 +1,239 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/file_proof.hpp"
+#include "mesher/base/error.hpp"
+#include "tests/support/damaged_text.hpp"
+#include "tests/support/lattices.hpp"
+#include "tests/support/power_tiles.hpp"
+
+// Power cells and elongated cells in the files of every format that is read back.
+namespace pcvt {
+namespace {
+
+using testing::CellShape;
+using ::testing::HasSubstr;
+
+constexpr int kSites = 24;
+const Lattice kOblique({1, 0}, {0.37, 0.81});
+
+bool holds(const TileFormat& format, const Tile& tile, Outline outline) {
+    if (!format.needs_tile() || !format.is_readable()) return false;
+    if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) return false;
+    return !format.is_folder || outline == Outline::kWhole || tile.kind != MeshKind::kVoronoi;
+}
+
+std::vector<FileOptions> forms(const TileFormat& format) {
+    std::vector<FileOptions> forms{{}};
+    if (format.takes_gltf_nodes) forms.push_back({.gltf_nodes = GltfNodes::kOne});
+    if (format.takes_single_precision) forms.push_back({.single_precision = true});
+    return forms;
+}
+
+/// The complaint of `pcvt check`; empty if it accepts the files.
+std::string refusal(const TileFormat& format, const std::vector<EncodedFile>& files) {
+    try {
+        prove_file(format, files, decode_tile(format, files, std::nullopt));
+        return "";
+    } catch (const InvalidInput& fault) {
+        return fault.what();
+    }
+}
+
+/// Whether the format takes the numbers of the tile: fields of 20 characters do not take all.
+bool has_room(const TileFormat& format, const Tile& tile) {
+    const double size = tile.lattice.a().norm();
+    return format.extension != ".inp" || (size > 0.1 && size < 1e5);
+}
+
+/// Expects that a file states the weights and the metric of its tile.
+void expect_same_notes(const TileFile& file, const Tile& tile) {
+    EXPECT_EQ(file.tile.metric, tile.metric);
+    ASSERT_EQ(file.tile.site_weights.size(), tile.site_weights.size());
+    if (file.precision == Precision::kDouble) {
+        EXPECT_EQ(file.tile.site_weights, tile.site_weights);
+    }
+    for (std::size_t s = 0; s < tile.site_weights.size(); ++s) {
+        EXPECT_EQ(static_cast<float>(file.tile.site_weights[s]),
+                  static_cast<float>(tile.site_weights[s]));
+    }
+}
+
+void expect_round_trips(const Tile& tile, Outline outline) {
+    for (const TileFormat& format : tile_formats()) {
+        if (!holds(format, tile, outline) || !has_room(format, tile)) continue;
+        const std::string path = "t" + std::string(format.extension);
+        SCOPED_TRACE(path);
+        for (const FileOptions& options : forms(format)) {
+            const std::vector<EncodedFile> files = encode_tile(format, tile, path, options);
+            const TileFile file = decode_tile(format, files, std::nullopt);
+            expect_same_notes(file, tile);
+            EXPECT_EQ(refusal(format, files), "");
+            EXPECT_NO_THROW(prove_tile_files(format, files, tile, Vec2::Zero()));
+        }
+    }
+}
+
+TEST(PowerFiles, EveryFormatOfEveryMeshIsProvedBySitesWeightsAndMetricSlow) {
+    int seed = 0;
+    for (const CellShape& shape : testing::cell_shapes()) {
+        for (const auto& [name, lattice] : testing::lattices()) {
+            SCOPED_TRACE(std::string(shape.name) + " on " + name);
+            const std::vector<TileOptions> kinds = testing::tile_kinds();
+            const TileOptions& options = kinds[++seed % kinds.size()];
+            expect_round_trips(testing::power_tile(lattice, kSites, seed, shape, options),
+                               options.outline);
+        }
+        for (const TileOptions& options : testing::tile_kinds()) {
+            SCOPED_TRACE(shape.name);
+            expect_round_trips(testing::power_tile(kOblique, kSites, ++seed, shape, options, 3),
+                               options.outline);
+        }
+    }
+}
+
+TEST(PowerFiles, FewSitesTouchTheirOwnImagesSlow) {
+    for (const CellShape& shape : testing::cell_shapes()) {
+        for (int n = 1; n <= 8; ++n) {
+            for (const MeshKind kind :
+                 {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
+                SCOPED_TRACE(std::string(shape.name) + ' ' + std::to_string(n));
+                expect_round_trips(testing::power_tile(kOblique, n, n, shape, {.kind = kind}),
+                                   Outline::kWhole);
+            }
+        }
+    }
+}
+
+/// The formats that hold cells.
+std::vector<const TileFormat*> cell_formats() {
+    std::vector<const TileFormat*> formats;
+    for (const TileFormat& format : tile_formats()) {
+        const bool reads = format.needs_tile() && format.is_readable();
+        if (reads && format.holds_polygons) formats.push_back(&format);
+    }
+    return formats;
+}
+
+/// The complaint of `pcvt check` about the files of `written`.
+std::string refusal(const TileFormat& format, const Tile& written) {
+    const std::string path = "t" + std::string(format.extension);
+    const std::vector<EncodedFile> files = encode_tile(format, written, path);
+    return refusal(format, files);
+}
+
+TEST(PowerFiles, ExchangedWeightsAreRefusedInEveryFormat) {
+    const Tile tile = testing::power_tile(kOblique, kSites, 1, testing::cell_shapes()[0]);
+    for (const TileFormat* format : cell_formats()) {
+        EXPECT_EQ(refusal(*format, tile), "");
+        for (int s = 0; s + 1 < kSites; ++s) {
+            Tile changed = tile;
+            std::swap(changed.site_weights[s], changed.site_weights[s + 1]);
+            EXPECT_THAT(refusal(*format, changed), HasSubstr("law of the sites"))
+                << format->extension << ' ' << s;
+        }
+    }
+}
+
+TEST(PowerFiles, AWeightThatIsOffByAMillionthIsRefused) {
+    const double squared = kOblique.area() / kSites;
+    int n_large = 0;
+    for (const CellShape& shape :
+         {CellShape{"power", "lognormal:0.7"}, testing::cell_shapes()[2]}) {
+        const Tile tile = testing::power_tile(kOblique, kSites, 2, shape);
+        for (int s = 0; s < kSites; ++s) {
+            // Of the weight itself, too, unless it is small compared with h^2.
+            const double weight = tile.site_weights[s];
+            const bool is_large = std::abs(weight) > squared / 2;
+            const double scale = is_large ? weight : squared;
+            n_large += is_large ? 1 : 0;
+            for (const double step : {1e-6 * scale, -1e-6 * scale, 1e-6 * squared}) {
+                Tile changed = tile;
+                changed.site_weights[s] += step;
+                EXPECT_THAT(refusal(*find_tile_format("t.obj"), changed),
+                            HasSubstr("law of the sites"))
+                    << s;
+            }
+        }
+    }
+    EXPECT_GT(n_large, 0);
+}
+
+TEST(PowerFiles, CellsWithoutTheirWeightsAreRefused) {
+    Tile tile = testing::power_tile(kOblique, kSites, 3, testing::cell_shapes()[0]);
+    tile.site_weights.clear();
+    for (const TileFormat* format : cell_formats()) {
+        EXPECT_THAT(refusal(*format, tile), HasSubstr("law of the sites")) << format->extension;
+    }
+}
+
+TEST(PowerFiles, AnotherMetricIsRefused) {
+    for (const CellShape& shape : {testing::cell_shapes()[1], testing::cell_shapes()[2]}) {
+        const Tile tile = testing::power_tile(kOblique, kSites, 4, shape);
+        const double ratio = tile.metric.ratio();
+        const double degrees = tile.metric.degrees();
+        for (const Metric& metric :
+             {Metric(), Metric(ratio, degrees + 1e-3), Metric(ratio, degrees - 90),
+              Metric(ratio * 1.00001, degrees), Metric(1 / ratio, degrees)}) {
+            Tile changed = tile;
+            changed.metric = metric;
+            for (const char* path : {"t.obj", "t.ply", "t.om", "t.vtu", "t.foam"}) {
+                EXPECT_THAT(refusal(*find_tile_format(path), changed),
+                            HasSubstr("law of the sites"))
+                    << path << ' ' << metric.ratio() << ' ' << metric.degrees();
+            }
+        }
+        Tile turned = tile;
+        turned.metric = Metric(ratio, degrees + 180);
+        EXPECT_EQ(refusal(*find_tile_format("t.obj"), turned), "");
+    }
+}
+
+/// The complaint about a text file with `piece` replaced.
+std::string fault_with(const Tile& tile, const std::string& path, const std::string& name,
+                       const std::string& piece, const std::string& other) {
+    const TileFormat& format = *find_tile_format(path);
+    std::vector<EncodedFile> files = encode_tile(format, tile, path);
+    for (EncodedFile& file : files) {
+        if (file.path.ends_with(name)) file.bytes = testing::exchanged(file.bytes, piece, other);
+    }
+    return refusal(format, files);
+}
+
+TEST(PowerFiles, NotesThatAreMalformedAreRefusedInOneLine) {
+    const Tile tile = testing::power_tile(kOblique, 5, 5, testing::cell_shapes()[2]);
+    const auto fault = [&](const std::string& piece, const std::string& other) {
+        return fault_with(tile, "t.obj", ".obj", piece, other);
+    };
+    EXPECT_EQ(fault("", ""), "");
+    EXPECT_THAT(fault("# pcvt metric 0.4 -77.25", "# pcvt metric 0.4"),
+                HasSubstr("the note metric is unclear; write its numbers: ratio degrees"));
+    EXPECT_THAT(fault("# pcvt metric 0.4 -77.25", "# pcvt metric 400 -77.25"),
+                HasSubstr("the aspect ratio must lie between 0.01 and 100"));
+    EXPECT_THAT(
+        fault("# pcvt metric 0.4 -77.25\n", "# pcvt metric 0.4 -77.25\n# pcvt metric 0.4 -77.25\n"),
+        HasSubstr("a second line states the metric; keep one"));
+    const std::string text = encode_tile(*find_tile_format("t.obj"), tile, "t.obj")[0].bytes;
+    const std::size_t begin = text.find("\n# pcvt site ") + 1;
+    const std::string row = text.substr(begin, text.find('\n', begin) - begin);
+    EXPECT_THAT(fault(row, row.substr(0, row.rfind(' '))),
+                HasSubstr("there are 4 weights for 5 sites; give one each or none"));
+    EXPECT_THAT(fault(row, row + " 7"), HasSubstr("more numbers than x, y and weight"));
+    EXPECT_THAT(fault(row, row.substr(0, row.rfind(' ')) + " x"), HasSubstr("'x'"));
+}
+
+TEST(PowerFiles, ACaseOfOpenFoamStatesItsSites) {
+    const Tile tile = testing::power_tile(kOblique, 9, 5, testing::cell_shapes()[0]);
+    const auto fault = [&](const std::string& piece, const std::string& other) {
+        return fault_with(tile, "t.foam", "polyMesh/boundary", piece, other);
+    };
+    EXPECT_EQ(fault("", ""), "");
+    EXPECT_THAT(fault("// pcvt sites 0 1", "// pcvt sites 1 0"), HasSubstr("law of the sites"));
+    EXPECT_THAT(fault("// pcvt sites 0 1", "// pcvt sites 0"), HasSubstr("8 sites for 9 faces"));
+    EXPECT_THAT(fault("// pcvt sites", "// pcvt places"), HasSubstr("does not know 'places'"));
+}
+
+}  // namespace
+}  // namespace pcvt
