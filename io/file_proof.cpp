@@ -75,12 +75,13 @@ bool has_ambiguous_cells(const Tile& tile) {
 
 /// Compares the files with those that the writer gives for their tile, unless they are these.
 void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& files, Tile tile,
-                  const TileProof& proof) {
+                  const CellMaterials& materials, const TileProof& proof) {
+    const FileOptions options{.materials = materials.empty() ? nullptr : &materials};
     tile.vertex_pairs = proof.vertex_pairs;
     tile.edge_pairs = proof.edge_pairs;
     tile.grain_site_points = nearest_site_images(tile);
     if (format.holds_sites) require_sites(files.front().path, tile);
-    for (const EncodedFile& expected : encode_tile(format, tile, path_of(format, files))) {
+    for (const EncodedFile& expected : encode_tile(format, tile, path_of(format, files), options)) {
         const auto found = std::find_if(files.begin(), files.end(), [&](const EncodedFile& file) {
             return file.path == expected.path;
         });
@@ -91,6 +92,14 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
         // A note of the writer in a file that it writes without one belongs to no tile.
         compare_fields(*fields, wanted.value_or(FileFields{.name = expected.path, .parts = {}}));
     }
+}
+
+/// The part of the materials that a format states.
+CellMaterials held_materials(const TileFormat& format, CellMaterials materials) {
+    if (!format.takes_phases) materials.phase_names.clear();
+    if (!format.takes_phases) materials.site_phase.clear();
+    if (!format.takes_orientations) materials.site_orientation.clear();
+    return materials;
 }
 
 [[noreturn]] void refuse_single_precision(const std::string& path, const Vec2& origin) {
@@ -121,17 +130,20 @@ TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& f
     TileProof proof = prove_tile_file(file);
     const bool exact = file.states_lattice && file.precision == Precision::kDouble;
     const bool comparable = exact && format.fields != nullptr && !has_ambiguous_cells(file.tile);
-    if (comparable) prove_fields(format, files, file.tile, proof);
+    if (comparable) prove_fields(format, files, file.tile, file.materials, proof);
     return proof;
 }
 
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                      const Tile& original, const Vec2& origin) {
+                      const Tile& original, const Vec2& origin, const CellMaterials& materials) {
     const std::string& path = files.front().path;
     Precision precision = Precision::kDouble;
     try {
         const TileFile file = decode_tile(format, files, std::nullopt);
         precision = file.precision;
+        if (file.materials != held_materials(format, materials)) {
+            throw BadFile(path + ": the phases and orientations are others");
+        }
         if (!is_the_same(file, original)) prove_file(format, files, file);
     } catch (const NotATile& error) {
         if (precision == Precision::kSingle && !fits_single_precision(original)) {

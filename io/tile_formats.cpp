@@ -98,6 +98,11 @@ std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
     return encode_svg(tile, options, path);
 }
 
+std::vector<EncodedFile> write_msh(const Tile& tile, const FileOptions& options,
+                                   const std::string& path) {
+    return encode_msh(tile, path, options.materials);
+}
+
 constexpr std::array<TileFormat, 16> kFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
@@ -129,11 +134,12 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .read = decode_om},
     {.extension = ".msh",
      .description = "Gmsh MSH 4.1 with $Periodic, triangles only",
-     .write = encode_msh,
+     .write = write_msh,
      .read = decode_msh,
      .fields = msh_fields,
      .holds_polygons = false,
-     .highest_order = 2},
+     .highest_order = 2,
+     .takes_phases = true},
     {.extension = ".inp",
      .description = "Abaqus and CalculiX with *EQUATION, triangles only",
      .write = encode_inp,
@@ -141,7 +147,10 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .fields = inp_fields,
      .holds_polygons = false,
      .highest_order = 2,
-     .takes_element = true},
+     .takes_element = true,
+     .takes_job = true,
+     .takes_phases = true,
+     .takes_orientations = true},
     {.extension = ".vtu",
      .description = "VTK unstructured grid, ASCII, with double coordinates",
      .write = encode_vtu,

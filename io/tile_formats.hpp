@@ -93,8 +93,11 @@ struct TileFormat {
     bool takes_pixels = false;
     bool takes_cut_width = false;
     bool takes_element = false;
+    bool takes_job = false;
     bool takes_colouring = false;
     bool takes_background = false;
+    bool takes_phases = false;
+    bool takes_orientations = false;
 
     bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {

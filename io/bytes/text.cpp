@@ -122,6 +122,16 @@ bool LineScanner::next() {
     return true;
 }
 
+std::vector<std::string_view> LineScanner::words_before_comment() const {
+    std::vector<std::string_view> words;
+    for (const std::string_view word : words_) {
+        const std::size_t comment = word.find('#');
+        if (comment != 0) words.push_back(word.substr(0, comment));
+        if (comment != std::string_view::npos) break;
+    }
+    return words;
+}
+
 double LineScanner::number(std::string_view word) const {
     try {
         return parse_number(word);

@@ -53,6 +53,8 @@ class LineScanner {
     int line() const { return line_; }
     /// The words of the current line, which blanks and tabs separate.
     const std::vector<std::string_view>& words() const { return words_; }
+    /// The words of the current line before the first #.
+    std::vector<std::string_view> words_before_comment() const;
 
     /// parse_number() and parse_integer() with file and line before the message.
     /// @throws BadFile `name:line: problem; remedy`.

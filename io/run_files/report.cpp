@@ -85,6 +85,17 @@ std::string word(const Report::Aspect& aspect) {
     return "{\"ratio\": " + word(aspect.ratio) + ", \"degrees\": " + word(aspect.degrees) + "}";
 }
 
+std::string word(const Report::Phase& phase) {
+    return "{\"name\": " + word(phase.name) + ", \"wanted\": " + word(phase.wanted) +
+           ", \"reached\": " + word(phase.reached) + ", \"cells\": " + word(phase.cells) + "}";
+}
+
+std::string word(const std::vector<Report::Phase>& phases) {
+    std::string text;
+    for (const Report::Phase& phase : phases) text += (text.empty() ? "[" : ", ") + word(phase);
+    return text + "]";
+}
+
 }  // namespace
 
 std::string encode_report(const Report& report) {
@@ -134,6 +145,7 @@ std::string encode_report(const Report& report) {
     }
     if (report.areas) entries.emplace_back("areas", word(*report.areas));
     if (report.aspect) entries.emplace_back("aspect", word(*report.aspect));
+    if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
     // One key per line.
     std::string text;
     for (const auto& [key, value] : entries) {

@@ -87,6 +87,14 @@ struct Report {
         double degrees;
     };
 
+    /// A phase of the cells, and its shares of the area.
+    struct Phase {
+        std::string name;
+        double wanted;
+        double reached;
+        int cells;
+    };
+
     std::string version;
     int sites;
     Lattice lattice;
@@ -125,6 +133,8 @@ struct Report {
     std::optional<Density> density = {};
     std::optional<Areas> areas = {};
     std::optional<Aspect> aspect = {};
+    /// Runs without phases leave this key out.
+    std::vector<Phase> phases = {};
 };
 
 /// Encodes the report as JSON: one key per line, numbers as the shortest decimals that read back,

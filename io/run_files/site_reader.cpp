@@ -24,7 +24,7 @@ bool for_each_site(const std::string& name, std::string_view text, const Visit& 
     refuse_binary(name, text, "give a text with \"x y\" a line");
     LineScanner scanner(name, text);
     while (scanner.next()) {
-        const std::vector<std::string_view> words = words_before_comment(scanner);
+        const std::vector<std::string_view> words = scanner.words_before_comment();
         if (words.empty()) continue;
         if (!visit(parse_site(scanner, words), scanner.line())) return false;
     }

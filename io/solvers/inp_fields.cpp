@@ -11,6 +11,9 @@ namespace {
 /// The beginnings of the names of the sets that pcvt writes.
 constexpr std::array<std::string_view, 8> kSets{
     "CELL_", "SEAM_", "FIXED", "EALL", "NALL", "GRAIN_BOUNDARY", "TRIPLE_POINTS", "CONTROL_"};
+/// The beginnings of the cards that follow from the materials of a file, where it states them.
+constexpr std::array<std::string_view, 3> kMaterialCards{"*ELSET,ELSET=PHASE_", "*ORIENTATION,",
+                                                         "*SOLIDSECTION,"};
 
 /// Returns a card in upper case and without blanks, as the solver reads it.
 std::string card_name(const std::vector<std::string_view>& words) {
@@ -29,6 +32,17 @@ bool is_set(const std::string& card) {
 }
 
 bool is_nodes(const std::string& card) { return card.starts_with("*NODE,") || card == "*NODE"; }
+
+bool follows_from_materials(const std::string& card) {
+    return std::any_of(kMaterialCards.begin(), kMaterialCards.end(),
+                       [&](std::string_view name) { return card.starts_with(name); });
+}
+
+/// Whether a line is a comment of pcvt about materials.
+bool states_materials(const std::vector<std::string_view>& words) {
+    return words.size() > 2 && words[0] == "**" && words[1] == "pcvt" &&
+           (words[2] == "phases" || words[2] == "angles");
+}
 
 /// Whether the tile determines the data of a card.
 bool follows_from_tile(const std::string& card) {
@@ -67,11 +81,15 @@ std::optional<FileFields> inp_fields(const std::string& name, std::string_view t
     // The positions of nodes are proved as those of the tile; those of CONTROL_1 and CONTROL_2 are
     // not among them.
     bool numbers_alone = false;
+    bool has_materials = false;
     while (scanner.next()) {
+        has_materials = has_materials || states_materials(scanner.words());
         if (scanner.words().empty() || scanner.words().front().starts_with("**")) continue;
         if (scanner.words().front().front() == '*') {
             const std::string card = card_name(scanner.words());
-            words = follows_from_tile(card) ? &fields.parts[card] : nullptr;
+            const bool follows =
+                follows_from_tile(card) || (has_materials && follows_from_materials(card));
+            words = follows ? &fields.parts[card] : nullptr;
             numbers_alone = is_nodes(card) && card.find("CONTROL_") == std::string::npos;
         } else if (words != nullptr) {
             const std::size_t before = words->size();

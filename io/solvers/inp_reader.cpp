@@ -7,6 +7,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/tiles/file_tile_builder.hpp"
+#include "io/tiles/material_words.hpp"
 
 namespace pcvt {
 namespace {
@@ -107,6 +108,7 @@ class InpParser {
         if (words.size() < 3 || words[0] != "**" || words[1] != "pcvt") return;
         const Words values(words.begin() + 3, words.end());
         if (file_.take_comment(scanner_, words[2], values)) return;
+        if (take_material(scanner_, words[2], values, file_.materials)) return;
         scanner_.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
     }
 

@@ -11,7 +11,9 @@
 #include "io/elements/solver_nodes.hpp"
 #include "io/elements/triangle_cells.hpp"
 #include "io/elements/triangle_elements.hpp"
+#include "io/solvers/inp_sections.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/material_words.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
@@ -22,10 +24,19 @@ namespace {
 constexpr std::size_t kIdsALine = 8;
 constexpr std::size_t kSitesALine = 16;
 
-constexpr const char* kExplanation =
+/// The explanation begins with one of these.
+constexpr const char* kMeshAlone =
     "** The mesh of a periodic tile, written by pcvt: *INCLUDE it in a job that adds a material,\n"
-    "** a *SOLID SECTION for EALL or each CELL_s, and steps. FIXED 1,2 holds the tile. The mean\n"
-    "** strain is the displacement of the control nodes: CONTROL_1 has e_xx, e_xy in 1, 2, and\n"
+    "** a *SOLID SECTION for EALL or each CELL_s, and steps.";
+constexpr const char* kWithSections =
+    "** The mesh of a periodic tile with a section for each cell, written by pcvt: *INCLUDE it in\n"
+    "** a job that adds the materials of these sections, and steps.";
+constexpr const char* kWithJob =
+    "** A job of linear elasticity on a periodic tile, written by pcvt, that CalculiX runs as it\n"
+    "** is; its materials and steps stand at the end.";
+constexpr const char* kExplanation =
+    " FIXED 1,2 holds the tile. The mean\n** strain is the displacement of the control nodes: "
+    "CONTROL_1 has e_xx, e_xy in 1, 2, and\n"
     "** CONTROL_2 has e_yy in 2. Lines that begin with \"** pcvt\" hold what no card does.\n";
 
 /// Returns the largest absolute value of a coordinate or of a component of a translation.
@@ -42,9 +53,9 @@ double largest_number(const Tile& tile) {
 /// Builds the text of one file, card by card.
 class InpText {
    public:
-    InpText(const Tile& tile, PlaneElement element, std::string path)
+    InpText(const Tile& tile, const FileOptions& options, std::string path)
         : tile_(tile),
-          element_(element),
+          options_(options),
           cells_(tile),
           nodes_(solver_nodes(tile)),
           path_(std::move(path)),
@@ -57,10 +68,15 @@ class InpText {
         append_cells();
         append_node_sets();
         append_equations();
+        if (options_.materials != nullptr) text_ += inp_sections(*options_.materials, cell_sets_);
+        if (options_.job == SolverJob::kElastic) text_ += inp_elastic_job(materials());
         return std::move(text_);
     }
 
    private:
+    CellMaterials materials() const {
+        return options_.materials != nullptr ? *options_.materials : CellMaterials{};
+    }
     int control(int k) const { return nodes_.n_nodes() + k; }
 
     void append_real(double value) {
@@ -74,7 +90,10 @@ class InpText {
     void append_comments() {
         const Vec2& a = tile_.lattice.a();
         const Vec2& b = tile_.lattice.b();
-        text_ = kExplanation;
+        text_ = options_.job != SolverJob::kNone ? kWithJob
+                : options_.materials != nullptr  ? kWithSections
+                                                 : kMeshAlone;
+        text_ += kExplanation;
         text_ += "** pcvt kind " + file_word(tile_.kind) + "\n** pcvt lattice";
         for (const double number : {a.x(), a.y(), b.x(), b.y()}) {
             text_ += ' ';
@@ -87,6 +106,7 @@ class InpText {
             append_number(text_, tile_.vertex_site[k]);
         }
         if (!tile_.vertex_site.empty()) text_ += '\n';
+        append_materials(text_, "** pcvt ", materials());
     }
 
     void append_node(int number, const Vec2& p) {
@@ -109,7 +129,7 @@ class InpText {
 
     void append_elements() {
         text_ += std::string("*ELEMENT,TYPE=") + find_row(kPlaneElements, [this](const auto& row) {
-                                                     return row.element == element_;
+                                                     return row.element == options_.element;
                                                  })->word;
         text_ += tile_.order == 2 ? "6,ELSET=EALL\n" : "3,ELSET=EALL\n";
         for (int f = 0; f < tile_.n_faces(); ++f) {
@@ -134,6 +154,7 @@ class InpText {
         for (int f = 0; f < tile_.n_faces(); ++f) elements[cells_.site(f)].push_back(f + 1);
         add_cells_without_triangles(elements);
         for (const auto& [cell, ids] : elements) {
+            cell_sets_.push_back(cell);
             text_ += "*ELSET,ELSET=CELL_" + std::to_string(cell) + "\n";
             append_ids(ids);
         }
@@ -205,11 +226,13 @@ class InpText {
     }
 
     const Tile& tile_;
-    PlaneElement element_;
+    const FileOptions& options_;
     TriangleCells cells_;
     SolverNodes nodes_;
     std::string path_;
     FixedWidthNumbers numbers_;
+    /// The sites whose cells have a set.
+    std::vector<SiteId> cell_sets_;
     std::string text_;
 };
 
@@ -219,7 +242,7 @@ std::vector<EncodedFile> encode_inp(const Tile& tile, const FileOptions& options
                                     const std::string& path) {
     require_triangles(tile.kind, path);
     require_finite(tile);
-    return only_file(path, InpText(tile, options.element, path).write());
+    return only_file(path, InpText(tile, options, path).write());
 }
 
 }  // namespace pcvt

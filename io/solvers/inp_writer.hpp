@@ -9,7 +9,9 @@
 
 namespace pcvt {
 
-/// Encodes the mesh part of an Abaqus or CalculiX input, which a job includes: triangles
+/// Encodes the mesh part of an Abaqus or CalculiX input, which a job includes, with
+/// options.materials also the sections of the cells (inp_sections()), and with options.job a job
+/// that runs as it is (inp_elastic_job()). The mesh consists of triangles
 /// CPE3, or CPS3 for plane stress (CPE6, CPS6 for order 2). Node v + 1 is vertex v, element f + 1
 /// is face f.
 ///
@@ -27,9 +29,9 @@ namespace pcvt {
 ///   u_x(node) = u_x(r) + T_x e_xx + T_y e_xy        u_y(node) = u_y(r) + T_x e_xy + T_y e_yy
 ///
 /// Lines that begin with "** pcvt" hold the kind, the lattice, the sites of nodes and,
-/// where the tile knows them, the positions of the sites. Solvers read
-/// 20 characters of a number; longer coordinates are rounded, by at most half an ulp of the largest
-/// coordinate.
+/// where the tile knows them, the positions of the sites; and the materials (material_words.hpp).
+/// Solvers read 20 characters of a number; longer coordinates are rounded, by at most half an ulp
+/// of the largest coordinate.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_inp(tile, {}, "tile.inp")) {

@@ -7,6 +7,7 @@
 #include "io/bytes/text.hpp"
 #include "io/solvers/msh_groups.hpp"
 #include "io/tiles/file_tile_builder.hpp"
+#include "io/tiles/material_words.hpp"
 
 namespace pcvt {
 namespace {
@@ -127,6 +128,7 @@ class MshParser {
             is_ours_ = true;
             const Words values(words.begin() + 2, words.end());
             if (file_.take_comment(rows_.scanner(), words[1], values)) continue;
+            if (take_material(rows_.scanner(), words[1], values, file_.materials)) continue;
             rows_.throw_bad_file("pcvt does not know " + in_quotes(words[1]) + "; remove the line");
         }
     }

@@ -7,9 +7,10 @@
 #include "io/bytes/text.hpp"
 #include "io/elements/solver_nodes.hpp"
 #include "io/elements/triangle_elements.hpp"
-#include "io/solvers/msh_entities.hpp"
 #include "io/solvers/msh_groups.hpp"
+#include "io/solvers/msh_model.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/material_words.hpp"
 #include "io/tiles/site_notes.hpp"
 
 namespace pcvt {
@@ -36,53 +37,22 @@ void append_line(std::string& text, std::initializer_list<Number> numbers) {
     text.back() = '\n';
 }
 
-/// The entities of a tile with their tags: point and curve k have the tag k + 1, the surface of a
-/// cell has the tag site + 1. Tags of physical groups are distinct over the dimensions, because
-/// GetDP has one list of groups for curves and surfaces: site + 1 again, then the curves.
-struct Model {
-    MshEntities entities;
-    /// Of each vertex; 0 where there is no point.
-    std::vector<int> point_tag;
-    /// The physical group of all curves with one offset.
-    std::map<Offset, int> seam_groups;
-    int boundary_group;
-    bool has_boundary;
-
-    int n_curves() const { return static_cast<int>(entities.curves.size()); }
-    int group(const MshCurve& curve) const {
-        return curve.is_seam() ? seam_groups.at(curve.offset) : boundary_group;
-    }
-};
-
-Model make_model(const Tile& tile, const SolverNodes& nodes) {
-    Model model{msh_entities(tile, nodes), std::vector<int>(tile.points.size(), 0), {}, 0, false};
-    for (std::size_t k = 0; k < model.entities.points.size(); ++k) {
-        model.point_tag[model.entities.points[k]] = static_cast<int>(k) + 1;
-    }
-    for (const MshCurve& curve : model.entities.curves) {
-        if (curve.is_seam()) model.seam_groups[curve.offset] = 0;
-    }
-    model.has_boundary = !model.entities.curves.back().is_seam();
-    int tag = model.entities.surfaces.back().site + 1;
-    for (auto& [offset, group] : model.seam_groups) group = ++tag;
-    model.boundary_group = tag + 1;
-    return model;
-}
-
 void append_name(std::string& text, int dimension, int group, const std::string& name) {
     append_words(text, {dimension, group});
     text += '"' + name + "\"\n";
 }
 
-void append_head(std::string& text, const Tile& tile, const Model& model) {
+void append_head(std::string& text, const Tile& tile, const MshModel& model) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
     text += "pcvt kind " + file_word(tile.kind) + "\npcvt lattice ";
     append_line(text, {a.x(), a.y(), b.x(), b.y()});
     append_note_comments(text, "pcvt ", tile);
+    append_materials(text, "pcvt ", model.materials);
     text += "$EndComments\n$PhysicalNames\n";
-    const std::size_t n = model.seam_groups.size() + model.entities.surfaces.size();
+    const std::size_t n =
+        model.seam_groups.size() + model.entities.surfaces.size() + model.phases.size();
     append_line(text, {static_cast<int>(n) + (model.has_boundary ? 1 : 0)});
     for (const auto& [offset, group] : model.seam_groups) {
         append_name(text, kCurves, group, seam_name(offset));
@@ -90,6 +60,10 @@ void append_head(std::string& text, const Tile& tile, const Model& model) {
     if (model.has_boundary) append_name(text, kCurves, model.boundary_group, kGrainBoundary);
     for (const MshSurface& cell : model.entities.surfaces) {
         append_name(text, kSurfaces, cell.site + 1, kCellGroup + std::to_string(cell.site));
+    }
+    for (const int phase : model.phases) {
+        append_name(text, kSurfaces, model.phase_group + phase,
+                    kPhaseGroup + model.materials.phase_names[phase]);
     }
     text += "$EndPhysicalNames\n";
 }
@@ -112,7 +86,7 @@ void append_bounds(std::string& text, const Bounds& bounds) {
     append_words(text, {bounds.high.x(), bounds.high.y(), 0.0});
 }
 
-void append_points(std::string& text, const Tile& tile, const Model& model) {
+void append_points(std::string& text, const Tile& tile, const MshModel& model) {
     // Points without a physical group.
     for (std::size_t k = 0; k < model.entities.points.size(); ++k) {
         const Vec2& p = tile.points[model.entities.points[k]];
@@ -122,7 +96,7 @@ void append_points(std::string& text, const Tile& tile, const Model& model) {
     }
 }
 
-void append_curves(std::string& text, const Tile& tile, const Model& model) {
+void append_curves(std::string& text, const Tile& tile, const MshModel& model) {
     // Curves with their physical group and their two ends.
     for (int k = 0; k < model.n_curves(); ++k) {
         const MshCurve& curve = model.entities.curves[k];
@@ -135,7 +109,7 @@ void append_curves(std::string& text, const Tile& tile, const Model& model) {
     }
 }
 
-void append_surfaces(std::string& text, const Tile& tile, const Model& model) {
+void append_surfaces(std::string& text, const Tile& tile, const MshModel& model) {
     // Surfaces with the curves that have them on their left, and on their right.
     for (const MshSurface& cell : model.entities.surfaces) {
         Bounds bounds(tile.points[tile.faces[cell.triangles.front()].front()]);
@@ -145,14 +119,17 @@ void append_surfaces(std::string& text, const Tile& tile, const Model& model) {
         append_words(text, {cell.site + 1});
         append_bounds(text, bounds);
         const std::size_t n = cell.left_of.size() + cell.right_of.size();
-        append_words(text, {1, cell.site + 1, static_cast<int>(n)});
+        const std::vector<int> groups = model.groups(cell);
+        append_words(text, {static_cast<int>(groups.size())});
+        for (const int group : groups) append_words(text, {group});
+        append_words(text, {static_cast<int>(n)});
         for (const int k : cell.left_of) append_words(text, {k + 1});
         for (const int k : cell.right_of) append_words(text, {-(k + 1)});
         text.back() = '\n';
     }
 }
 
-void append_entities(std::string& text, const Tile& tile, const Model& model) {
+void append_entities(std::string& text, const Tile& tile, const MshModel& model) {
     // Numbers of points, curves, surfaces and volumes.
     text += "$Entities\n";
     append_line(text, {static_cast<int>(model.entities.points.size()), model.n_curves(),
@@ -181,7 +158,7 @@ std::vector<int> inner_nodes(const MshCurve& curve) {
     return inner;
 }
 
-void append_nodes(std::string& text, const SolverNodes& nodes, const Model& model) {
+void append_nodes(std::string& text, const SolverNodes& nodes, const MshModel& model) {
     const MshEntities& entities = model.entities;
     std::size_t n_blocks = entities.points.size();
     for (const MshCurve& curve : entities.curves) n_blocks += inner_nodes(curve).empty() ? 0 : 1;
@@ -200,7 +177,7 @@ void append_nodes(std::string& text, const SolverNodes& nodes, const Model& mode
     text += "$EndNodes\n";
 }
 
-int n_lines(const Model& model) {
+int n_lines(const MshModel& model) {
     int n = 0;
     for (const MshCurve& curve : model.entities.curves)
         n += static_cast<int>(curve.vertices.size()) - 1;
@@ -208,7 +185,7 @@ int n_lines(const Model& model) {
 }
 
 void append_elements(std::string& text, const Tile& tile, const SolverNodes& nodes,
-                     const Model& model) {
+                     const MshModel& model) {
     // Lines come first in the file; their numbers follow the numbers of the triangles.
     const int n_elements = tile.n_faces() + n_lines(model);
     const int n_blocks = model.n_curves() + static_cast<int>(model.entities.surfaces.size());
@@ -250,7 +227,7 @@ void append_link(std::string& text, const Tile& tile, int dimension, int slave, 
     append_line(text, {static_cast<int>(n_nodes)});
 }
 
-void append_curve_link(std::string& text, const Tile& tile, const Model& model, int k) {
+void append_curve_link(std::string& text, const Tile& tile, const MshModel& model, int k) {
     const MshCurve& slave = model.entities.curves[k];
     const MshCurve& master = model.entities.curves[slave.partner];
     const auto append_pairs = [&](const std::vector<int>& slaves, const std::vector<int>& masters) {
@@ -264,7 +241,7 @@ void append_curve_link(std::string& text, const Tile& tile, const Model& model, 
     append_pairs(slave.middles, master.middles);
 }
 
-void append_periodic(std::string& text, const Tile& tile, const Model& model) {
+void append_periodic(std::string& text, const Tile& tile, const MshModel& model) {
     std::map<int, VertexPair> point_links;
     for (const VertexPair& pair : tile.vertex_pairs) {
         if (model.point_tag[pair.w] > 0) point_links.emplace(model.point_tag[pair.w], pair);
@@ -298,11 +275,12 @@ void append_data(std::string& text, const char* section, const std::vector<int>&
 
 }  // namespace
 
-std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path,
+                                    const CellMaterials* materials) {
     require_triangles(tile.kind, path);
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);
-    const Model model = make_model(tile, nodes);
+    const MshModel model = msh_model(tile, nodes, materials);
     std::string text;
     append_head(text, tile, model);
     append_entities(text, tile, model);

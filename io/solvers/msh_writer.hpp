@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
+#include "mesher/materials/cell_materials.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -15,18 +16,22 @@ namespace pcvt {
 /// Entities: as msh_entities() finds them. The block of an entity lists the nodes that lie on it.
 /// Physical groups: `cell_s` with the number s + 1, the surface of site s; then `seam_I_J`, the
 /// curves that I a + J b takes to their partners, by rising offset; then `grain_boundary`, the
-/// curves between cells. $Periodic lists each curve and point that is not a master, with
+/// curves between cells; then `phase_NAME`, the surfaces of the cells with that phase, which are in
+/// two groups. $Periodic lists each curve and point that is not a master, with
 /// slave = master + translation. $ElementData "cell_id" holds element_cells() for triangles and -1
 /// for lines; $NodeData "cell_id" holds the site of each vertex of Delaunay triangles. $Comments
-/// hold the kind, the lattice, and the positions of the sites where the tile knows them.
+/// hold the kind, the lattice, the phases, and the positions of the sites where the tile knows
+/// them.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_msh(tile, "tile.msh")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
+/// @param materials  of the cells; null: no phases. Orientations are not written.
 /// @throws InvalidInput   if the tile has polygons.
 /// @throws InternalError  if a coordinate is not finite.
-std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path);
+std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path,
+                                    const CellMaterials* materials = nullptr);
 
 }  // namespace pcvt

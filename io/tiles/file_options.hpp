@@ -6,6 +6,7 @@
 
 #include "io/colours/colouring.hpp"
 #include "io/tiles/plane_element.hpp"
+#include "io/tiles/solver_job.hpp"
 #include "mesher/materials/cell_materials.hpp"
 
 namespace pcvt {
@@ -45,6 +46,8 @@ struct FileOptions {
     double cut_width = 0;
     /// Inputs of solvers that name the types of their elements.
     PlaneElement element = PlaneElement::kStrain;
+    /// Inputs of solvers that can hold more than the mesh.
+    SolverJob job = SolverJob::kNone;
 };
 
 }  // namespace pcvt

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "io/tiles/material_words.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
@@ -174,8 +175,14 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
               .vertex_pairs = std::move(file.vertex_pairs),
               .edge_pairs = std::move(file.edge_pairs),
               .order = file.order};
+    CellMaterials materials = std::move(file.materials);
+    const std::string name = file.name;
     give_sites(std::move(file), tile);
-    return {std::move(tile), precision, has_vertex_pairs, has_edge_pairs, states_lattice};
+    const std::vector<SiteId>& sites = tile.sites();
+    const int n_sites = sites.empty() ? 0 : 1 + *std::max_element(sites.begin(), sites.end());
+    require_materials(name, materials, n_sites);
+    return {std::move(tile), precision,      has_vertex_pairs,
+            has_edge_pairs,  states_lattice, std::move(materials)};
 }
 
 }  // namespace pcvt

@@ -45,6 +45,7 @@ struct FileTileBuilder {
     std::vector<EdgePair> edge_pairs = {};
     /// As Tile::order; the nodes in the middle of edges are not among the points.
     int order = 1;
+    CellMaterials materials = {};
     NumberedItems numbered = {};
 
     void add_face(const std::vector<int>& vertices, int line);

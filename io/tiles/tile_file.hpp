@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/bytes/bad_file.hpp"
+#include "mesher/materials/cell_materials.hpp"
 #include "mesher/proof/validate.hpp"
 #include "mesher/tile/tile.hpp"
 
@@ -26,6 +27,8 @@ struct TileFile {
     bool has_edge_pairs;
     /// The file states its lattice, as pcvt writes it; then all of its fields follow from the tile.
     bool states_lattice = false;
+    /// Of the sites of one period; empty where the file states none.
+    CellMaterials materials = {};
 };
 
 }  // namespace pcvt

@@ -9,7 +9,7 @@
 #include "io/run_files/area_reader.hpp"
 #include "mesher/areas/target_areas.hpp"
 #include "plugin/cli/help_command.hpp"
-#include "plugin/cli/option_values.hpp"
+#include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_density.hpp"
 
 namespace pcvt::cli {

@@ -13,7 +13,7 @@
 #include "mesher/base/error.hpp"
 #include "plugin/cli/manual/manual_page.hpp"
 #include "plugin/cli/manual/shell_completion.hpp"
-#include "plugin/cli/option_values.hpp"
+#include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt::cli {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "plugin/cli/help_command.hpp"
-#include "plugin/cli/option_values.hpp"
+#include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_start.hpp"
@@ -283,6 +283,7 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
 void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_site_options(app, options);
     add_solver_options(app, options);
+    add_material_options(app, options.materials);
     add_output_options(app, options);
     app.footer(kExamples);
 }
@@ -296,6 +297,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_meshes(app, options, job);
     read_grains(app, options, job);
     read_numbers(app, options, job);
+    job.materials = material_choices(app, options.materials, job.inputs);
     job.file_options = file_options(app, options.files);
     job.outputs = options.outputs;
     if (app.count("--cells") > 0) {

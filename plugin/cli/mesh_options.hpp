@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "plugin/cli/cell_options.hpp"
-#include "plugin/cli/file_choices.hpp"
+#include "plugin/cli/options/file_choices.hpp"
+#include "plugin/cli/options/material_options.hpp"
 #include "plugin/job/job.hpp"
 
 namespace CLI {
@@ -36,6 +37,7 @@ struct MeshOptions {
     std::string repeat;
     std::string origin;
     std::vector<std::string> outputs;
+    MaterialOptions materials;
     FileChoices files;
     std::string report;
     std::string table;

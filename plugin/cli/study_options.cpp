@@ -9,7 +9,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/sites.hpp"
-#include "plugin/cli/option_values.hpp"
+#include "plugin/cli/options/option_values.hpp"
 
 namespace pcvt::cli {
 namespace {

@@ -130,6 +130,16 @@ std::string area_lines(const Job& job, const AreaSummary& areas) {
                               figure(areas.circularity_std) + ", of a regular hexagon 0.952");
 }
 
+std::string phase_lines(const RunSummary& summary) {
+    std::string text;
+    for (const PhaseFigures& phase : summary.phases) {
+        text += line("phase", phase.name + " " + figure(phase.reached) + " of the area in " +
+                                  std::to_string(phase.n_cells) + " cells; wanted " +
+                                  figure(phase.wanted));
+    }
+    return text;
+}
+
 std::string minimum_text(const RunSummary& summary) {
     return summary.minimum ? minimum_name(*summary.minimum) : "not known: not converged";
 }
@@ -166,6 +176,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
         text += line("aspect", figure(job.aspect->ratio) + " along " + figure(job.aspect->degrees) +
                                    " degrees");
     }
+    text += phase_lines(summary);
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += line("recovered", words);
     for (const std::string& file : summary.files) text += line("file", file);

@@ -6,6 +6,7 @@
 #include "io/outputs/recovery.hpp"
 #include "io/outputs/writable_paths.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/mesh/cell_table.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
@@ -63,6 +64,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
     summary.density = cells.density;
     if (cells.areas) summary.areas = area_summary(cells);
+    summary.phases = computation.phases;
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
     return summary;
@@ -111,6 +113,12 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
 }
 
+void add_materials(const Job& job, Computation& computation) {
+    const CellTable cells = cell_table(plane_mesh(computation.cells, MeshKind::kVoronoi));
+    computation.materials = choose_materials(job.materials, cells, job.seed);
+    computation.phases = phase_figures(job.materials, computation.materials, cells);
+}
+
 Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
     const Metric metric = metric_of(job);
     const std::optional<Job> round =
@@ -131,7 +139,13 @@ Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
         if (start.figures.pattern) map_back(metric, start.figures.pattern->lattice);
     }
     std::vector<double> densities = site_densities(job, cells);
-    return {std::move(cells), std::move(start.figures), std::move(densities), watch.seconds()};
+    Computation computation{.cells = std::move(cells),
+                            .start = std::move(start.figures),
+                            .site_densities = std::move(densities)};
+    if (!job.materials.empty()) add_materials(job, computation);
+    watch.stop(&JobSeconds::build);
+    computation.seconds = watch.seconds();
+    return computation;
 }
 
 /// Makes the tiles and the files of a computed job. The commit of the files cannot be cancelled.

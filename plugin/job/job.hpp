@@ -12,6 +12,7 @@
 #include "mesher/areas/target_areas.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
+#include "mesher/materials/material_choices.hpp"
 #include "mesher/search/lattice_stability.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "plugin/job/job_progress.hpp"
@@ -108,7 +109,11 @@ struct Job {
     /// `origin`.
     bool finds_origin = false;
 
-    /// The forms of files, for the formats that have several; without densities.
+    /// Phases are spread and orientations drawn by `seed`; given orientations are those of the
+    /// sites in their order.
+    MaterialChoices materials;
+
+    /// The forms of files, for the formats that have several; without densities and materials.
     FileOptions file_options;
     /// Files to write. The extension selects the format; `.txt` files hold the sites.
     std::vector<std::string> outputs;
@@ -149,8 +154,11 @@ struct Computation {
     StartFigures start;
     /// rho at each site; empty without a density.
     std::vector<double> site_densities;
+    /// Empty without materials.
+    CellMaterials materials = {};
+    std::vector<PhaseFigures> phases = {};
     /// Of the computation alone.
-    JobSeconds seconds;
+    JobSeconds seconds = {};
 };
 
 /// The summary of a run, besides its files.
@@ -173,6 +181,8 @@ struct RunSummary {
     std::optional<DensityFigures> density;
     /// Of jobs with areas.
     std::optional<AreaSummary> areas;
+    /// Of jobs with phases, one entry each.
+    std::vector<PhaseFigures> phases;
     /// One entry for each mesh of the job.
     std::vector<TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.

@@ -126,27 +126,33 @@ void check_aspect(const Job& job) {
 constexpr double kLeastCutWidth = 1e-3;
 constexpr double kLargestCutWidth = 1e6;
 
-/// A choice of FileOptions, as messages name it, and the formats that take it.
+/// A choice that files hold, as messages name it, and the formats that take it.
 struct FileChoice {
     const char* name;
     bool TileFormat::*taken;
-    bool (*is_made)(const FileOptions& options);
+    bool (*is_made)(const Job& job);
 };
 constexpr FileChoice kFileChoices[] = {
     {"glTF nodes", &TileFormat::takes_gltf_nodes,
-     [](const FileOptions& options) { return options.gltf_nodes != GltfNodes::kBySize; }},
+     [](const Job& job) { return job.file_options.gltf_nodes != GltfNodes::kBySize; }},
     {"32-bit coordinates", &TileFormat::takes_single_precision,
-     [](const FileOptions& options) { return options.single_precision; }},
+     [](const Job& job) { return job.file_options.single_precision; }},
     {"a number of pixels", &TileFormat::takes_pixels,
-     [](const FileOptions& options) { return options.pixels != 0; }},
+     [](const Job& job) { return job.file_options.pixels != 0; }},
     {"a width to cut", &TileFormat::takes_cut_width,
-     [](const FileOptions& options) { return options.cut_width != 0; }},
+     [](const Job& job) { return job.file_options.cut_width != 0; }},
     {"a type of elements", &TileFormat::takes_element,
-     [](const FileOptions& options) { return options.element != PlaneElement::kStrain; }},
+     [](const Job& job) { return job.file_options.element != PlaneElement::kStrain; }},
+    {"a job of a solver", &TileFormat::takes_job,
+     [](const Job& job) { return job.file_options.job != SolverJob::kNone; }},
     {"a colouring", &TileFormat::takes_colouring,
-     [](const FileOptions& options) { return options.colouring.has_value(); }},
+     [](const Job& job) { return job.file_options.colouring.has_value(); }},
     {"a background", &TileFormat::takes_background,
-     [](const FileOptions& options) { return options.background.has_value(); }},
+     [](const Job& job) { return job.file_options.background.has_value(); }},
+    {"phases", &TileFormat::takes_phases,
+     [](const Job& job) { return !job.materials.phases.empty(); }},
+    {"orientations", &TileFormat::takes_orientations,
+     [](const Job& job) { return job.materials.has_orientations(); }},
 };
 
 std::string extensions_that_take(const FileChoice& choice) {
@@ -191,7 +197,7 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
             return file.format->*choice.taken &&
                    (!is_cut || choice.taken == &TileFormat::takes_cut_width);
         });
-        if (taken || files.empty() || !choice.is_made(job.file_options)) continue;
+        if (taken || files.empty() || !choice.is_made(job)) continue;
         throw InvalidInput(std::string("no output takes ") + choice.name + "; add one of " +
                            extensions_that_take(choice) + ", or leave the option out");
     }
@@ -235,6 +241,7 @@ void check_job(const Job& job) {
     }
     if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
     check_stability(job, n);
+    require_orientations(job.materials, static_cast<int>(n));
     check_meshes(job);
     if (n * job.columns * job.rows > kMostSites) {
         throw LimitExceeded("more than " + std::to_string(kMostSites) +

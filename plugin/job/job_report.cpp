@@ -72,6 +72,14 @@ std::optional<Report::Aspect> report_aspect(const Job& job) {
     return Report::Aspect{.ratio = job.aspect->ratio, .degrees = job.aspect->degrees};
 }
 
+std::vector<Report::Phase> report_phases(const RunSummary& summary) {
+    std::vector<Report::Phase> phases;
+    for (const PhaseFigures& phase : summary.phases) {
+        phases.push_back({phase.name, phase.wanted, phase.reached, phase.n_cells});
+    }
+    return phases;
+}
+
 }  // namespace
 
 std::string encode_job_report(const Job& job, const RunSummary& summary) {
@@ -106,6 +114,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .density = report_density(job, summary),
         .areas = report_areas(job, summary),
         .aspect = report_aspect(job),
+        .phases = report_phases(summary),
     });
 }
 

@@ -24,6 +24,7 @@ class FileEncoder {
     std::vector<EncodedFile> operator()(TileFormWriter* write) const {
         FileOptions options = job_.file_options;
         options.site_densities = result_.site_densities;
+        if (!result_.materials.empty()) options.materials = &result_.materials;
         return write(tile(), options, path());
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
@@ -44,6 +45,7 @@ class FileEncoder {
     }
 
     Points sites() const { return wrapped_sites(result_.cells, job_.origin); }
+    const CellMaterials& materials() const { return result_.materials; }
     const Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
    private:
@@ -121,7 +123,7 @@ void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& ori
     } else if (file.format->reads_sites()) {
         prove_site_files(*file.format, encoded, encoder.sites());
     } else if (file.format->is_readable()) {
-        prove_tile_files(*file.format, encoded, encoder.tile(), origin);
+        prove_tile_files(*file.format, encoded, encoder.tile(), origin, encoder.materials());
     }
     progress.add(kProving);
 }

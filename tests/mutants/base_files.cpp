@@ -3,6 +3,7 @@
 #include "io/file_proof.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
+#include "mesher/materials/orientations.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "tests/support/power_tiles.hpp"
 
@@ -35,12 +36,22 @@ std::vector<Shape> power_shapes() {
             {"grains power", {.kind = MeshKind::kGrains, .grain_per_edge = 1}}};
 }
 
+const CellMaterials& materials() {
+    static const CellMaterials all{.phase_names = {"a", "b"},
+                                   .site_phase = {0, 1, 1, 0, 1, 1, 0},
+                                   .site_orientation = random_orientations(kSites, 1)};
+    return all;
+}
+
 /// The forms in which a format writes one tile.
-std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format) {
+std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format, MeshKind kind) {
     std::vector<std::pair<const char*, FileOptions>> forms{{"", {}}};
     if (format.takes_gltf_nodes) forms.push_back({" one-node", {.gltf_nodes = GltfNodes::kOne}});
     if (format.takes_single_precision) forms.push_back({" float32", {.single_precision = true}});
     if (format.takes_colouring) forms.push_back({" by-size", {.colouring = Colouring::kSize}});
+    if ((format.takes_phases || format.takes_orientations) && faces_have_sites(kind)) {
+        forms.push_back({" materials", {.materials = &materials()}});
+    }
     return forms;
 }
 
@@ -59,7 +70,7 @@ void add_tiles(const TileFormat& format, Tile tile, const Shape& shape,
                std::vector<BaseFile>& bases) {
     if (!holds(format, tile, shape.options.outline)) return;
     const std::string path = "tile" + std::string(format.extension);
-    for (const auto& [form, options] : forms(format)) {
+    for (const auto& [form, options] : forms(format, tile.kind)) {
         bases.push_back(
             {std::string(shape.name) + form, tile.kind, encode_tile(format, tile, path, options)});
     }

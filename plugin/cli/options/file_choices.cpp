@@ -1,10 +1,10 @@
-#include "plugin/cli/file_choices.hpp"
+#include "plugin/cli/options/file_choices.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "plugin/cli/option_values.hpp"
+#include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_checks.hpp"
 
 namespace pcvt::cli {
@@ -45,6 +45,11 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
     app.add_option("--element", choices.element,
                    "of .inp: elements for plane strain (CPE) or plane stress (CPS) [CPE]")
         ->type_name(listed_words(kPlaneElements, "|", "|"));
+    app.add_option("--job", choices.job,
+                   "of .inp: materials and steps besides the mesh, so that CalculiX runs\n"
+                   "the file as it is; elastic: the homogenised stiffness; edit the\n"
+                   "constants of each *MATERIAL [the mesh alone, to *INCLUDE in a job]")
+        ->type_name(listed_words(kSolverJobs, "|", "|"));
 }
 
 FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
@@ -65,6 +70,9 @@ FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
     if (app.count("--cut") > 0) options.cut_width = positive_number("--cut", choices.cut);
     if (app.count("--element") > 0) {
         options.element = chosen_row("--element", choices.element, kPlaneElements).element;
+    }
+    if (app.count("--job") > 0) {
+        options.job = chosen_row("--job", choices.job, kSolverJobs).job;
     }
     return options;
 }

@@ -1,4 +1,4 @@
-#include "plugin/cli/option_values.hpp"
+#include "plugin/cli/options/option_values.hpp"
 
 #include <algorithm>
 #include <limits>

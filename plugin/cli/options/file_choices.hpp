@@ -19,6 +19,7 @@ struct FileChoices {
     std::string pixels;
     std::string cut;
     std::string element;
+    std::string job;
 };
 
 /// Adds the options to `app`; parsing fills `choices`.

@@ -1,0 +1,104 @@
+#include "io/solvers/inp_sections.hpp"
+
+#include <array>
+
+#include "io/bytes/text.hpp"
+#include "io/elements/fixed_width_numbers.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/materials/orientations.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr std::size_t kSetsALine = 8;
+
+/// The set of all cells of each phase that has one.
+void append_phase_sets(std::string& text, const CellMaterials& materials,
+                       std::span<const SiteId> cells) {
+    std::vector<std::vector<SiteId>> members(materials.phase_names.size());
+    for (const SiteId s : cells) members[materials.site_phase[s]].push_back(s);
+    for (std::size_t p = 0; p < members.size(); ++p) {
+        if (members[p].empty()) continue;
+        text += "*ELSET,ELSET=PHASE_" + materials.phase_names[p] + "\n";
+        for (std::size_t k = 0; k < members[p].size(); ++k) {
+            text += "CELL_" + std::to_string(members[p][k]);
+            text += (k + 1) % kSetsALine == 0 || k + 1 == members[p].size() ? '\n' : ',';
+        }
+    }
+}
+
+void append_orientation(std::string& text, SiteId site, const BungeAngles& angles) {
+    const FixedWidthNumbers numbers(1);
+    const Eigen::Matrix3d g = bunge_matrix(angles);
+    text += "*ORIENTATION,NAME=ORI_" + std::to_string(site) + "\n";
+    for (int k = 0; k < 6; ++k) {
+        if (k > 0) text += ',';
+        if (!numbers.append(text, g(k / 3, k % 3))) {
+            throw InternalError("a cosine has no 20 characters");
+        }
+    }
+    text += '\n';
+}
+
+constexpr const char* kIsotropic =
+    "** Materials: edit the constants. The default is steel in MPa, isotropic: E, nu.\n";
+constexpr const char* kCubic =
+    "** Materials: edit the constants. The default is iron in MPa, cubic along the axes of each\n"
+    "** crystal: C11, C12, C11, C12, C12, C11, C44, C44 and, on a line of its own, C44.\n";
+
+/// The components of the mean strain in one step.
+struct LoadCase {
+    const char* name;
+    const char* xx;
+    const char* yy;
+    const char* xy;
+};
+constexpr std::array kLoadCases{LoadCase{"e_xx = 1", "1.", "0.", "0."},
+                                LoadCase{"e_yy = 1", "0.", "1.", "0."},
+                                LoadCase{"e_xy = 1/2", "0.", "0.", "0.5"}};
+
+void append_material(std::string& text, const std::string& name, bool is_cubic) {
+    text += "*MATERIAL,NAME=" + name + "\n";
+    text += is_cubic ? "*ELASTIC,TYPE=ORTHO\n"
+                       "231400.,134700.,231400.,134700.,134700.,231400.,116400.,116400.\n"
+                       "116400.\n"
+                     : "*ELASTIC\n210000.,0.3\n";
+}
+
+void append_step(std::string& text, const LoadCase& load) {
+    text += std::string("** The mean strain ") + load.name + ", all other components 0.\n";
+    text += std::string("*STEP\n*STATIC\n*BOUNDARY\nFIXED,1,2\nCONTROL_1,1,1,") + load.xx;
+    text += std::string("\nCONTROL_1,2,2,") + load.xy + "\nCONTROL_2,2,2," + load.yy + "\n";
+    text += "*EL PRINT,ELSET=EALL,GLOBAL=YES\nS,E,EVOL\n*NODE FILE,OUTPUT=2D\nU\n*EL FILE\nS,E\n*END STEP\n";
+}
+
+}  // namespace
+
+std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells) {
+    std::string text;
+    if (!materials.site_phase.empty()) append_phase_sets(text, materials, cells);
+    for (const SiteId s : cells) {
+        const bool turned = !materials.site_orientation.empty();
+        if (turned) append_orientation(text, s, materials.site_orientation[s]);
+        text += "*SOLID SECTION,ELSET=CELL_" + std::to_string(s) + ",MATERIAL=" +
+                (materials.site_phase.empty() ? kOneMaterial
+                                              : materials.phase_names[materials.site_phase[s]]);
+        if (turned) text += ",ORIENTATION=ORI_" + std::to_string(s);
+        text += "\n1.\n";
+    }
+    return text;
+}
+
+std::string inp_elastic_job(const CellMaterials& materials) {
+    const bool is_cubic = !materials.site_orientation.empty();
+    std::string text = is_cubic ? kCubic : kIsotropic;
+    if (materials.phase_names.empty()) append_material(text, kOneMaterial, is_cubic);
+    for (const std::string& name : materials.phase_names) append_material(text, name, is_cubic);
+    if (materials.empty()) {
+        text += std::string("*SOLID SECTION,ELSET=EALL,MATERIAL=") + kOneMaterial + "\n1.\n";
+    }
+    for (const LoadCase& load : kLoadCases) append_step(text, load);
+    return text;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "mesher/lattice/sites.hpp"
+#include "mesher/materials/cell_materials.hpp"
+
+namespace pcvt {
+
+/// The name of the material of cells without phases.
+inline constexpr const char* kOneMaterial = "GRAINS";
+
+/// Returns the sections of the cells:
+///
+///   *ELSET,ELSET=PHASE_name         the sets CELL_s of the cells of one phase
+///   *ORIENTATION,NAME=ORI_s         rows 1 and 2 of the Bunge matrix of site s
+///   *SOLID SECTION,ELSET=CELL_s,MATERIAL=name,ORIENTATION=ORI_s
+///
+/// The name of a material is that of the phase, or kOneMaterial. What the materials lack is left
+/// out: sets without phases, orientations without angles.
+///
+/// Example usage:
+///     text += inp_sections(materials, cells);
+///
+/// @param cells  the sites that have a set CELL_s, rising.
+std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells);
+
+/// Returns the materials and the steps with which the mesh of a tile becomes a job that CalculiX
+/// runs as it is. Behind a line that asks for the user's constants, one *MATERIAL a phase
+/// has the default ones, in MPa:
+///
+///   without orientations  steel, isotropic: E = 210000, nu = 0.3
+///   with orientations     iron, cubic: C11 = 231400, C12 = 134700, C44 = 116400, along the axes of
+///                         each crystal
+///
+/// Three linear steps prescribe a unit mean strain each, at the control nodes: e_xx = 1, e_yy = 1
+/// and e_xy = 1/2, which is the shear gamma_xy = 1. The mean stress of a step, that is the sum of S
+/// x volume over the sum of the volumes, is a column of the homogenised stiffness. The results are
+/// S, E and the volumes of the elements as text (.dat), and U, S and E for pictures (.frd).
+///
+/// Example usage:
+///     text += inp_elastic_job(materials);
+///
+/// @param materials  without phases and orientations: a section of all elements is added.
+std::string inp_elastic_job(const CellMaterials& materials);
+
+}  // namespace pcvt

@@ -1,0 +1,94 @@
+#include "io/tiles/material_words.hpp"
+
+#include "mesher/base/error.hpp"
+#include "mesher/materials/phase_fractions.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr std::size_t kSitesALine = 16;
+
+void take_names(const LineScanner& scanner, std::span<const std::string_view> words,
+                CellMaterials& materials) {
+    if (words.empty() || !materials.phase_names.empty()) {
+        scanner.throw_bad_file("the phases are unclear; name them once");
+    }
+    for (const std::string_view word : words) materials.phase_names.emplace_back(word);
+    try {
+        require_phase_names(materials.phase_names);
+    } catch (const InvalidInput& fault) {
+        scanner.throw_bad_file(fault.what());
+    }
+}
+
+void take_site_phases(const LineScanner& scanner, std::span<const std::string_view> words,
+                      CellMaterials& materials) {
+    const int n_phases = static_cast<int>(materials.phase_names.size());
+    for (const std::string_view word : words) {
+        const int phase = scanner.integer(word);
+        if (phase < 0 || phase >= n_phases) {
+            scanner.throw_bad_file("there is no phase " + in_quotes(word) +
+                                   "; name the phases first, and correct the number");
+        }
+        materials.site_phase.push_back(phase);
+    }
+}
+
+void require_count(const std::string& name, std::size_t found, int n_sites, const char* what) {
+    if (found == 0 || found == static_cast<std::size_t>(n_sites)) return;
+    throw BadFile(name + ": there are " + what + " of " + std::to_string(found) + " sites for " +
+                  std::to_string(n_sites) + " sites; give one each or none");
+}
+
+}  // namespace
+
+void append_materials(std::string& text, std::string_view mark, const CellMaterials& materials) {
+    const auto begin = [&](const char* key) { text.append(mark).append(key); };
+    if (!materials.phase_names.empty()) {
+        begin("phases");
+        for (const std::string& phase : materials.phase_names) text += ' ' + phase;
+        text += '\n';
+    }
+    for (std::size_t s = 0; s < materials.site_phase.size(); ++s) {
+        if (s % kSitesALine == 0) begin("site_phases");
+        text += ' ';
+        append_number(text, materials.site_phase[s]);
+        if ((s + 1) % kSitesALine == 0 || s + 1 == materials.site_phase.size()) text += '\n';
+    }
+    for (const BungeAngles& angles : materials.site_orientation) {
+        begin("angles");
+        for (const double angle : {angles.phi1, angles.Phi, angles.phi2}) {
+            text += ' ';
+            append_number(text, angle);
+        }
+        text += '\n';
+    }
+}
+
+bool take_material(const LineScanner& scanner, std::string_view key,
+                   std::span<const std::string_view> words, CellMaterials& materials) {
+    if (key == "phases") {
+        take_names(scanner, words, materials);
+    } else if (key == "site_phases") {
+        take_site_phases(scanner, words, materials);
+    } else if (key == "angles") {
+        if (words.size() != 3) {
+            scanner.throw_bad_file("an orientation has 3 angles; write phi1, Phi and phi2");
+        }
+        materials.site_orientation.push_back(
+            {scanner.number(words[0]), scanner.number(words[1]), scanner.number(words[2])});
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void require_materials(const std::string& name, const CellMaterials& materials, int n_sites) {
+    if (!materials.phase_names.empty() && materials.site_phase.empty()) {
+        throw BadFile(name + ": there are phases, but no site has one; give both or none");
+    }
+    require_count(name, materials.site_phase.size(), n_sites, "phases");
+    require_count(name, materials.site_orientation.size(), n_sites, "orientations");
+}
+
+}  // namespace pcvt

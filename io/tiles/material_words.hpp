@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/bytes/text.hpp"
+#include "mesher/materials/cell_materials.hpp"
+
+namespace pcvt {
+
+/// Appends the lines in which files of pcvt state materials, each behind `mark`:
+///
+///   phases NAME NAME ...        the names, once
+///   site_phases K K ...         the indices of the phases of the next sites, counted from 0
+///   angles phi1 Phi phi2        of the next site, degrees
+///
+/// Example usage:
+///     append_materials(text, "** pcvt ", materials);
+///     if (take_material(scanner, words[2], values, file.materials)) return;
+void append_materials(std::string& text, std::string_view mark, const CellMaterials& materials);
+
+/// Reads the words after a key; returns whether the key is one of those above.
+/// @throws BadFile if they are malformed.
+bool take_material(const LineScanner& scanner, std::string_view key,
+                   std::span<const std::string_view> words, CellMaterials& materials);
+
+/// Requires one phase, and one orientation, for each of the sites, where there are any.
+/// @param name  of the file, for the message of BadFile.
+void require_materials(const std::string& name, const CellMaterials& materials, int n_sites);
+
+}  // namespace pcvt

@@ -1,0 +1,45 @@
+#include "plugin/cli/options/material_options.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "io/bytes/text.hpp"
+#include "io/run_files/orientation_reader.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt::cli {
+
+void add_material_options(CLI::App& app, MaterialOptions& options) {
+    app.option_defaults()->group("Materials");
+    app.add_option("--phases", options.phases,
+                   "each cell gets a phase; the fractions of the area sum to 1, and the\n"
+                   "cells of a phase are spread evenly, drawn from --seed")
+        ->type_name("NAME:FRACTION,...");
+    app.add_option("--orientations", options.orientations,
+                   "each cell gets an orientation: Bunge's angles phi1, Phi, phi2 in\n"
+                   "degrees; random: without a texture, drawn from --seed; else three\n"
+                   "angles a line, one line a site, # comments")
+        ->type_name("random|FILE");
+}
+
+MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
+                                 std::vector<std::string>& inputs) {
+    MaterialChoices choices;
+    if (app.count("--phases") > 0) {
+        try {
+            choices.phases = parse_phases(options.phases);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("--phases " + in_quotes(options.phases) + ": " + error.what());
+        }
+    }
+    if (app.count("--orientations") == 0) return choices;
+    choices.draws_orientations = options.orientations == "random";
+    if (!choices.draws_orientations) {
+        choices.orientations = read_orientations(options.orientations);
+        inputs.push_back(options.orientations);
+    }
+    return choices;
+}
+
+}  // namespace pcvt::cli

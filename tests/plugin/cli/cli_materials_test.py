@@ -1,0 +1,106 @@
+"""pcvt mesh: phases and orientations of cells, and jobs of solvers."""
+
+import json
+import re
+
+from support.cli import CliTest, main
+
+GRAINS = ("mesh", "--sites", 60, "--mesh", "grains", "--tolerance", "1e-3")
+
+
+class Phases(CliTest):
+    def test_the_summary_and_the_report_give_the_fractions(self):
+        out = self.succeed("mesh", "--sites", 500, "--phases", "ferrite:0.3,martensite:0.7",
+                           "--tolerance", "1e-3", "--report", "r.json")
+        lines = re.findall(r"^phase +(\w+) (\S+) of the area in (\d+) cells; wanted (\S+)$", out, re.M)
+        self.assertEqual([line[0] for line in lines], ["ferrite", "martensite"])
+        phases = json.loads(self.path("r.json").read_text())["phases"]
+        self.assertEqual([p["name"] for p in phases], ["ferrite", "martensite"])
+        self.assertEqual(sum(p["cells"] for p in phases), 500)
+        self.assertAlmostEqual(sum(p["reached"] for p in phases), 1, 14)
+        for phase, wanted, line in zip(phases, (0.3, 0.7), lines):
+            self.assertEqual(phase["wanted"], wanted)
+            # Half of a cell of the mean area.
+            self.assertLess(abs(phase["reached"] - wanted), 0.5 / 500)
+            self.assertEqual(phase["cells"], int(line[2]))
+
+    def test_the_seed_alone_decides(self):
+        def files(seed, threads):
+            self.succeed(*GRAINS, "--seed", seed, "--threads", threads, "--phases", "a:0.5,b:0.5",
+                         "--orientations", "random", "-o", "t.inp", "-o", "t.msh", "--force")
+            return self.contents()
+
+        self.assertEqual(files(1, 1), files(1, 3))
+        self.assertNotEqual(files(1, 1), files(2, 1))
+
+    def test_files_state_the_phases_and_are_proved(self):
+        self.succeed(*GRAINS, "--phases", "a:0.5,b:0.5", "-o", "t.inp", "-o", "t.msh")
+        self.succeed("check", "t.inp", "t.msh")
+        text = self.path("t.inp").read_text()
+        phase = dict(re.findall(r"ELSET=(CELL_\d+),MATERIAL=(\w)", text))
+        self.assertEqual(len(phase), 60)
+        self.assertEqual(sorted(phase.values()).count("a"), 30)
+        groups = re.findall(r'^2 \d+ "phase_(\w)"$', self.path("t.msh").read_text(), re.M)
+        self.assertEqual(groups, ["a", "b"])
+
+    def test_wrong_phases_are_one_line(self):
+        for text, words in (("a", "'a' is no phase; write NAME:FRACTION"),
+                            ("a:0.4,b:0.5", "sum to 0.9; make the sum 1"),
+                            ("a:0.5,A:0.5", "given twice"), ("", "write NAME:FRACTION"),
+                            ("a b:1", "letters, digits, _ or -"), ("a\nb:1", "letters")):
+            self.refuse(2, "^pcvt: --phases .*" + re.escape(words), *GRAINS, "--phases", text)
+
+    def test_formats_without_phases_are_refused(self):
+        self.refuse(2, r"no output takes phases; add one of \.msh or \.inp", "mesh", "--sites", 9,
+                    "--phases", "a:1", "-o", "t.obj")
+        self.refuse(2, r"no output takes orientations; add one of \.inp", *GRAINS,
+                    "--orientations", "random", "-o", "t.msh")
+        self.refuse(2, "Delaunay triangles are no cells, .*; take the mesh grains", "mesh", "--sites",
+                    9, "--mesh", "delaunay", "--phases", "a:1", "-o", "t.inp")
+
+
+class Orientations(CliTest):
+    def test_a_file_gives_one_orientation_a_site(self):
+        self.write("sites.txt", "0.1 0.2\n0.7 0.8\n0.3 0.6\n")
+        self.write("angles.txt", "# phi1 Phi phi2\n45 0 0\n\n0 90 0 # second\r\n10.5 20.25 -30\n")
+        self.succeed("mesh", "--input", "sites.txt", "--max-iterations", 0, "--mesh", "grains",
+                     "--orientations", "angles.txt", "-o", "t.inp")
+        text = self.path("t.inp").read_text()
+        self.assertEqual(re.findall(r"pcvt angles (.*)", text),
+                         ["45 0 0", "0 90 0", "10.5 20.25 -30"])
+        row = re.search(r"NAME=ORI_1\n(.*)", text)[1]
+        self.assertEqual(row, "1,0,0,0,0,1")
+        self.succeed("check", "t.inp")
+
+    def test_wrong_files_are_named_with_their_lines(self):
+        for text, words in ((b"1 2 3\n4 5\n", r"a\.txt:2: an orientation has 3 angles, .* has 2; "),
+                            (b"1 2 x\n", r"a\.txt:1: 'x' is not a number; "),
+                            (b"1 2 400\n", r"a\.txt:1: '400' is no angle from -360 to 360 degrees; "),
+                            (b"# none\n", r"a\.txt: holds no orientation; "),
+                            (b"\0", r"a\.txt:1: holds a NUL byte"),
+                            (b"1 2 3\n", "there are 1 orientations for 60 sites; give one for each")):
+            self.write("a.txt", text)
+            self.refuse(2, words, *GRAINS, "--orientations", "a.txt", "-o", "t.inp")
+        self.refuse(2, r"none\.txt: cannot read", *GRAINS, "--orientations", "none.txt")
+
+    def test_the_file_is_no_output(self):
+        self.write("t.txt", "1 2 3\n" * 60)
+        self.refuse(2, r"t\.txt", *GRAINS, "--orientations", "t.txt", "-o", "t.txt", "--force")
+
+
+class Jobs(CliTest):
+    def test_a_job_holds_materials_and_steps(self):
+        self.succeed(*GRAINS, "--job", "elastic", "--phases", "a:0.5,b:0.5", "-o", "t.inp")
+        text = self.path("t.inp").read_text()
+        self.assertEqual(re.findall(r"\*MATERIAL,NAME=(\w+)", text), ["a", "b"])
+        self.assertEqual(text.count("*STEP"), 3)
+        self.succeed("check", "t.inp")
+
+    def test_a_job_needs_an_input_of_a_solver(self):
+        self.refuse(2, r"no output takes a job of a solver; add one of \.inp", *GRAINS, "--job",
+                    "elastic", "-o", "t.msh")
+        self.refuse(2, "--job plastic: unknown; did you mean elastic", *GRAINS, "--job", "plastic", "-o", "t.inp")
+
+
+if __name__ == "__main__":
+    main()
