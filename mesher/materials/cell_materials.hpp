@@ -25,6 +25,8 @@ struct CellMaterials {
     /// The orientation of the cell of each site; may be empty.
     std::vector<BungeAngles> site_orientation = {};
 
+    friend bool operator==(const CellMaterials&, const CellMaterials&) = default;
+
     bool empty() const { return site_phase.empty() && site_orientation.empty(); }
 };
 
