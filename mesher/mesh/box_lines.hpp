@@ -51,6 +51,8 @@ class BoxLines {
     /// Returns the vertex at the corner of the box and adds it if there is none yet.
     int corner_vertex() { return corner_ < 0 ? add_vertex({0, 0}) : corner_; }
 
+    bool is_corner(int v) const { return v == corner_; }
+
     double coordinate(const BoxNode& node, int axis) const {
         return whole(node.offset, axis) + vertices_[node.vertex][axis];
     }

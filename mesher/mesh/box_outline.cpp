@@ -4,8 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/box_lines.hpp"
 #include "mesher/mesh/valence.hpp"
@@ -50,21 +54,47 @@ class BoxCutter {
         return true;
     }
 
-    BoxCut cut() {
+    /// @returns nothing if vertices and edges that moved onto the cut leave a piece without area,
+    ///          or lie there in another order than on the boundary of their cell.
+    std::optional<BoxCut> cut() {
         cut_edges();
         const std::vector<int> sides = cell_sides(cells_);
         BoxCut box{{.lattice = lattice_, .kind = MeshKind::kVoronoi}, 0};
         for (int f = 0; f < cells_.n_faces(); ++f) {
             checkpoint_each(f);
             for (const BoxPolygon& piece : pieces_of(f)) {
+                if (!is_polygon(piece)) return std::nullopt;
                 add_piece(f, piece, box.pieces);
                 box.pieces.whole_sides.push_back(sides[f]);
             }
         }
         for (int v = 0; v < lines_.n_vertices(); ++v) box.pieces.vertices.push_back(position(v));
-        link_faces(box.pieces);
+        try {
+            link_faces(box.pieces);
+        } catch (const InternalError&) {
+            return std::nullopt;
+        }
         box.shortest_edge = shortest_edge(box.pieces);
         return box;
+    }
+
+    /// Whether cut() has left at most one vertex or one edge of the cells at the corner of the box.
+    bool passes_corner_once() const { return n_at_corner_ <= 1; }
+
+    /// Whether no two vertices on a line have moved to one point.
+    bool has_distinct_vertices() const {
+        std::vector<Vec2> on_lines;
+        for (int v = 0; v < lines_.n_vertices(); ++v) {
+            if (lines_.on_any_line(v)) on_lines.push_back(lines_.vertex(v));
+        }
+        const auto before = [](const Vec2& p, const Vec2& q) {
+            return std::tie(p.x(), p.y()) < std::tie(q.x(), q.y());
+        };
+        std::sort(on_lines.begin(), on_lines.end(), before);
+        return std::adjacent_find(on_lines.begin(), on_lines.end(),
+                                  [&](const Vec2& p, const Vec2& q) {
+                                      return lattice_.to_plane(q - p).norm() < least_snap(cells_);
+                                  }) == on_lines.end();
     }
 
    private:
@@ -181,6 +211,9 @@ class BoxCutter {
             const int o = cells_.opposite[c];
             if (o < c) continue;
             on_edge_[c] = cut_edge(c);
+            n_at_corner_ +=
+                std::any_of(on_edge_[c].begin(), on_edge_[c].end(),
+                            [&](const BoxNode& node) { return lines_.is_corner(node.vertex); });
             const Offset frame = cells_.frame_across(c);
             for (auto node = on_edge_[c].rbegin(); node != on_edge_[c].rend(); ++node) {
                 on_edge_[o].push_back({node->vertex, node->offset - frame});
@@ -195,6 +228,17 @@ class BoxCutter {
             polygon.insert(polygon.end(), on_edge_[c].begin(), on_edge_[c].end());
         }
         return lines_.split(polygon);
+    }
+
+    /// Whether the piece has three nodes or more, each once.
+    static bool is_polygon(const BoxPolygon& piece) {
+        const auto before = [](const BoxNode& p, const BoxNode& q) {
+            return std::tie(p.vertex, p.offset) < std::tie(q.vertex, q.offset);
+        };
+        BoxPolygon sorted = piece;
+        std::sort(sorted.begin(), sorted.end(), before);
+        return sorted.size() >= 3 &&
+               std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
     }
 
     /// Moves the piece into the box and appends it.
@@ -232,6 +276,7 @@ class BoxCutter {
     BoxLines lines_;
     /// For each vertex of the cells, the offset of the box that contained it.
     std::vector<Offset> moved_;
+    /// The vertices of the cells that lie at the corner of the box, and the edges through it.
     int n_at_corner_ = 0;
     /// For each corner, the nodes on the edge that it leaves.
     std::vector<BoxPolygon> on_edge_;
@@ -257,10 +302,13 @@ BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap)
     for (; snap > least; snap /= kLessSnap) {
         BoxCutter cutter(cells, origin, snap);
         if (!cutter.keeps_cells()) continue;
-        BoxCut box = cutter.cut();
-        if (are_polygons(box.pieces)) return box;
+        std::optional<BoxCut> box = cutter.cut();
+        if (!box || !cutter.passes_corner_once() || !cutter.has_distinct_vertices()) continue;
+        if (are_polygons(box->pieces)) return std::move(*box);
     }
-    return BoxCutter(cells, origin, least).cut();
+    std::optional<BoxCut> box = BoxCutter(cells, origin, least).cut();
+    if (!box) throw InternalError("the cells could not be cut along the box");
+    return std::move(*box);
 }
 
 }  // namespace pcvt

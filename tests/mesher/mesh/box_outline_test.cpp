@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -174,6 +175,20 @@ TEST(BoxOutline, IsProvedForRandomSmallInputs) {
 }
 
 // Law 2.
+TEST(BoxOutline, SnapsAreReducedWhereTheyWouldCollapseAPiece) {
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> uniform(0, 1);
+        const Lattice lattice = Lattice::rectangle(std::pow(8, uniform(random)), 1);
+        const int n = 1 + static_cast<int>(seed % 8);
+        const Sites sites(lattice, uniform_points(lattice, n, seed));
+        const double h = sites.spacing();
+        const PeriodicMesh cells =
+            without_short_edges(cell_mesh(PeriodicDelaunay(sites)), 0.02 * h);
+        ASSERT_NO_THROW(expect_box(cut_along_box(cells, {0, 0}, 0.06 * h).pieces, {0, 0})) << seed;
+    }
+}
+
 TEST(BoxOutline, OppositeSidesHaveTheSameVertices) {
     const Lattice lattice({1, 0}, {0.3, 0.9});
     const PeriodicMesh cells =
