@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mesher/delaunay/power_predicates.hpp"
+#include "mesher/delaunay/power_distance.hpp"
 
 namespace pcvt {
 namespace {
@@ -152,6 +152,14 @@ int exact_in_power_circle(const Gram& gram, const WeightedImage& p, const Weight
     ++predicate_counts.exact;
     return sign(
         in_circle_value(gram, vector<Exact>(s, p), vector<Exact>(s, q), vector<Exact>(s, r)));
+}
+
+int exact_compare_power_distances(const Gram& gram, const Image& at, const WeightedImage& p,
+                                  const WeightedImage& q) {
+    ++predicate_counts.exact;
+    const WeightedImage from = weightless(at);
+    const Exact to_p = height(gram, vector<Exact>(from, p));
+    return sign(Exact(to_p - height(gram, vector<Exact>(from, q))));
 }
 
 }  // namespace detail

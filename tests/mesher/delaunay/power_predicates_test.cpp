@@ -4,6 +4,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "mesher/delaunay/power_distance.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
@@ -72,6 +73,28 @@ TEST(PowerPredicates, InPowerCircleEqualsItsRationalReference) {
                 << name;
         }
     }
+}
+
+TEST(PowerPredicates, ComparedPowerDistancesEqualTheirRationalReference) {
+    std::mt19937_64 random(4);
+    int n_ties = 0;
+    for (const auto& [name, lattice] : lattices()) {
+        const Gram gram = gram_of(reduce(lattice).reduced);
+        for (int k = 0; k < 2000; ++k) {
+            const WeightedImage at{random_image(random), 0};
+            const WeightedImage p = random_weighted(random);
+            // Often the mirror image of p, which is as far.
+            WeightedImage q = random_weighted(random);
+            if (k % 4 == 0)
+                q = {{2 * at.at.u - p.at.u, 2 * at.at.v - p.at.v, 0,
+                      at.at.offset + at.at.offset - p.at.offset},
+                     p.weight};
+            const Rational difference = lifted(gram, p, at).height - lifted(gram, q, at).height;
+            ASSERT_EQ(compare_power_distances(gram, at.at, p, q), difference.sign()) << name;
+            n_ties += difference.sign() == 0;
+        }
+    }
+    EXPECT_GT(n_ties, 1000);
 }
 
 TEST(PowerPredicates, EqualWeightsGiveTheAnswersOfDelaunay) {

@@ -1,0 +1,96 @@
+#include "mesher/voxels/voxel_proof.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mesher/areas/area_cvt.hpp"
+#include "mesher/areas/target_areas.hpp"
+#include "mesher/proof/validate.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Example {
+    VoxelImage image;
+    VoxelCells cells;
+};
+
+Example example(const Metric& metric, VoxelCounts counts) {
+    const Lattice lattice = Lattice::rectangle(2, 1);
+    const Lattice round = metric.to_round(lattice);
+    const Eigen::VectorXd areas =
+        scaled_areas(draw_areas(parse_area_law("lognormal:0.5"), 40, 1), 40, lattice.area());
+    const auto result = compute_area_cvt(round, uniform_points(round, 40, 2), {.areas = areas});
+    VoxelCells cells{.lattice = lattice,
+                     .sites = Points(2, 40),
+                     .weights = result.delaunay.weights(),
+                     .metric = metric};
+    for (SiteId s = 0; s < 40; ++s) {
+        cells.sites.col(s) = metric.from_round(result.delaunay.sites().position(s));
+    }
+    return {voxel_image(result.delaunay, metric, voxel_grid(lattice, {5, 0.25}, counts), 1), cells};
+}
+
+std::string refusal(const Example& example) {
+    try {
+        prove_voxels(example.image, example.cells);
+    } catch (const NotATile& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+TEST(VoxelProof, HoldsForImages) {
+    for (const double ratio : {1.0, 3.0}) {
+        const Example good = example(Metric(ratio, 20), {200, 100});
+        const VoxelProof proof = prove_voxels(good.image, good.cells);
+        EXPECT_EQ(proof.n_cells, 40);
+        EXPECT_TRUE(proof.unseen.empty());
+        EXPECT_LT(proof.largest_excess, 1e-12);
+    }
+}
+
+TEST(VoxelProof, NamesTheVoxelThatIsNotOfItsCell) {
+    Example bad = example(Metric(3, 20), {200, 100});
+    const SiteId here = bad.image.site[1234];
+    bad.image.site[1234] = (here + 20) % 40;
+    EXPECT_EQ(refusal(bad), "voxel 34,6 names cell " + std::to_string((here + 20) % 40) +
+                                ", but its centre lies in cell " + std::to_string(here));
+}
+
+TEST(VoxelProof, RefusesIdsThatNoCellHas) {
+    for (const int id : {-1, 40}) {
+        Example bad = example({}, {20, 10});
+        bad.image.site.back() = id;
+        EXPECT_THAT(refusal(bad), HasSubstr("voxel 19,9 names cell " + std::to_string(id)));
+    }
+}
+
+TEST(VoxelProof, NeedsTheWeightsTheMetricAndThePeriods) {
+    const Example good = example(Metric(3, 20), {200, 100});
+    Example bad = good;
+    bad.cells.weights.setZero();
+    EXPECT_NE(refusal(bad), "");
+    bad = good;
+    bad.cells.metric = Metric(3, -20);
+    EXPECT_NE(refusal(bad), "");
+    bad = good;
+    bad.image.grid.corner.x() += 0.1;
+    EXPECT_NE(refusal(bad), "");
+    bad = good;
+    bad.image.grid.size.x() = 1;
+    EXPECT_THAT(refusal(bad), HasSubstr("periods"));
+}
+
+TEST(VoxelProof, NamesTheCellsThatAreSmallerThanAVoxel) {
+    const Example coarse = example({}, {4, 4});
+    const VoxelProof proof = prove_voxels(coarse.image, coarse.cells);
+    EXPECT_GE(proof.unseen.size(), 24U);
+    for (const SiteId s : proof.unseen)
+        EXPECT_THAT(coarse.image.site, ::testing::Not(::testing::Contains(s)));
+}
+
+}  // namespace
+}  // namespace pcvt
