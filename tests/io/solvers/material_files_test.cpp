@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "io/bytes/text.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/file_proof.hpp"
 #include "io/solvers/inp_reader.hpp"
