@@ -171,10 +171,31 @@ void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& 
     }
 }
 
+void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+                       const CellMaterials& materials) {
+    try {
+        const VoxelFile file = std::get<VoxelReader*>(format.read)(files);
+        const VoxelProof proof = prove_voxel_file(files, file);
+        compare_damask_material(files[1].path, file.materials.value(), proof.n_cells, materials);
+    } catch (const InvalidInput& error) {
+        throw InternalError(files.front().path + " breaks a law of voxels: " + error.what());
+    }
+}
+
 void prove_site_files(const TileFormat& format, const std::vector<EncodedFile>& files,
                       const Points& sites) {
     if (std::get<SiteReader*>(format.read)(files, sites)) return;
     throw InternalError(files.front().path + ": other sites are read back than were written");
+}
+
+void prove_cell_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+                      const CellRows& rows) {
+    try {
+        if (std::get<CellReader*>(format.read)(files, rows)) return;
+    } catch (const BadFile& error) {
+        throw InternalError(std::string("a file is not read back: ") + error.what());
+    }
+    throw InternalError(files.front().path + ": other cells are read back than were written");
 }
 
 }  // namespace pcvt

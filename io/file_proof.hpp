@@ -60,10 +60,22 @@ MpasGridProof prove_grid(const std::vector<EncodedFile>& files, const MpasGrid& 
 /// @throws InternalError  a law is violated: a fault of pcvt.
 void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& files);
 
+/// Proves the voxels that `format` reads in `files`, and that the materials are these.
+/// @pre format.reads_voxels().
+/// @throws InternalError  a law is violated: a fault of pcvt.
+void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+                       const CellMaterials& materials);
+
 /// Proves that `format` reads exactly `sites` in `files`.
 /// @pre format.reads_sites().
 /// @throws InternalError  another site is read: a fault of pcvt.
 void prove_site_files(const TileFormat& format, const std::vector<EncodedFile>& files,
                       const Points& sites);
+
+/// Proves that `format` reads exactly `rows` in `files`.
+/// @pre format.reads_cells().
+/// @throws InternalError  another row is read: a fault of pcvt.
+void prove_cell_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+                      const CellRows& rows);
 
 }  // namespace pcvt

@@ -23,7 +23,7 @@
 #include "io/page/html_writer.hpp"
 #include "io/pictures/png_writer.hpp"
 #include "io/pictures/svg_writer.hpp"
-#include "io/run_files/cell_writer.hpp"
+#include "io/run_files/cell_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
 #include "io/solvers/inp_fields.hpp"
@@ -35,6 +35,7 @@
 #include "io/solvers/vtu_fields.hpp"
 #include "io/solvers/vtu_reader.hpp"
 #include "io/solvers/vtu_writer.hpp"
+#include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -66,6 +67,8 @@ void require_image_size(const FormatRequest& request) {
     image_height(request.lattice, pixels == 0 ? kDefaultPixels : pixels);
 }
 
+void require_voxel_grid(const FormatRequest& request) { requested_voxels(request); }
+
 std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {
     MpasGrid grid = mpas_grid(torus.cells, torus.origin);
     if (!torus.site_densities.empty()) fill_mesh_density(torus.site_densities, grid);
@@ -87,9 +90,12 @@ bool reads_back_sites(const std::vector<EncodedFile>& files, const Points& sites
     return reads_back(files.front().path, files.front().bytes, sites);
 }
 
-std::vector<EncodedFile> write_cells(const Points& sites, const CellTable& cells,
-                                     const std::string& path) {
-    return only_file(path, encode_cells(sites, cells));
+std::vector<EncodedFile> write_cells(const CellRows& rows, const std::string& path) {
+    return only_file(path, encode_cells(rows));
+}
+
+bool reads_back_cells(const std::vector<EncodedFile>& files, const CellRows& rows) {
+    return reads_back(files.front().path, files.front().bytes, rows);
 }
 
 std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
@@ -103,31 +109,35 @@ std::vector<EncodedFile> write_msh(const Tile& tile, const FileOptions& options,
     return encode_msh(tile, path, options.materials);
 }
 
-constexpr std::array<TileFormat, 16> kFormats{{
+constexpr std::array<TileFormat, 17> kFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
      .write = encode_obj,
      .read = decode_obj,
      .paths = obj_paths,
-     .takes_colouring = true},
+     .takes_colouring = true,
+     .takes_phases = true},
     {.extension = ".ply",
      .description = "PLY, ASCII with double coordinates, or float with --float32",
      .write = encode_ply,
      .read = decode_ply,
      .takes_single_precision = true,
-     .takes_colouring = true},
+     .takes_colouring = true,
+     .takes_phases = true},
     {.extension = ".glb",
      .description = "glTF 2.0, one binary file",
      .write = encode_glb,
      .read = decode_gltf,
      .takes_gltf_nodes = true,
-     .takes_colouring = true},
+     .takes_colouring = true,
+     .takes_phases = true},
     {.extension = ".gltf",
      .description = "glTF 2.0, one text file",
      .write = encode_gltf,
      .read = decode_gltf,
      .takes_gltf_nodes = true,
-     .takes_colouring = true},
+     .takes_colouring = true,
+     .takes_phases = true},
     {.extension = ".om",
      .description = "OpenMesh, with the identification as properties",
      .write = encode_om,
@@ -162,13 +172,15 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .write = write_svg,
      .takes_cut_width = true,
      .takes_colouring = true,
-     .takes_background = true},
+     .takes_background = true,
+     .takes_phases = true},
     {.extension = ".png",
      .description = "an image of one period that repeats without a seam",
      .write = encode_tile_png,
      .check = require_image_size,
      .takes_pixels = true,
-     .takes_colouring = true},
+     .takes_colouring = true,
+     .takes_phases = true},
     {.extension = ".dxf",
      .description = "DXF R12 with each edge once, for cutters",
      .write = encode_dxf,
@@ -176,7 +188,8 @@ constexpr std::array<TileFormat, 16> kFormats{{
     {.extension = ".html",
      .description = "a page that shows the tile in any browser",
      .write = encode_html,
-     .takes_colouring = true},
+     .takes_colouring = true,
+     .takes_phases = true},
     {.extension = ".foam",
      .description = "OpenFOAM, a case folder that icoFoam runs",
      .write = encode_foam,
@@ -193,9 +206,22 @@ constexpr std::array<TileFormat, 16> kFormats{{
      .read = read_mpas,
      .paths = mpas_paths,
      .check = require_mpas_torus},
+    {.extension = ".vti",
+     .description =
+         "cells as voxels of a rectangle for DAMASK, VTK image data, with .material.yaml beside it",
+     .write = encode_vti,
+     .read = decode_vti,
+     .paths = vti_paths,
+     .check = require_voxel_grid,
+     .takes_voxels = true,
+     .takes_phases = true,
+     .takes_orientations = true},
     {.extension = ".csv",
      .description = "a table of the cells, one row a site",
-     .write = write_cells},
+     .write = write_cells,
+     .read = reads_back_cells,
+     .takes_phases = true,
+     .takes_orientations = true},
     {.extension = ".txt",
      .description = "the sites, in the order of the input",
      .write = write_sites,
@@ -203,6 +229,15 @@ constexpr std::array<TileFormat, 16> kFormats{{
 }};
 
 }  // namespace
+
+VoxelCounts requested_voxels(const FormatRequest& request) {
+    const VoxelCounts counts =
+        request.files.voxels == VoxelCounts{}
+            ? default_voxels(request.lattice, request.n_sites * request.n_periods)
+            : request.files.voxels;
+    voxel_grid(request.lattice, {0, 0}, counts);
+    return counts;
+}
 
 std::vector<std::string> single_path(const std::string& path) { return {path}; }
 

@@ -7,12 +7,13 @@
 #include <variant>
 #include <vector>
 
+#include "io/run_files/cell_writer.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_fields.hpp"
 #include "io/tiles/file_options.hpp"
 #include "io/tiles/tile_file.hpp"
+#include "io/voxels/vti_reader.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
-#include "mesher/mesh/cell_table.hpp"
 #include "mesher/mesh/outline.hpp"
 
 namespace pcvt {
@@ -33,26 +34,41 @@ using TileFormWriter = std::vector<EncodedFile>(const Tile& tile, const FileOpti
 using TorusWriter = std::vector<EncodedFile>(const Torus& torus, const std::string& path);
 using SiteWriter = std::vector<EncodedFile>(const Points& sites, const std::string& path);
 /// Writes measures of the cells at the sites.
-using CellWriter = std::vector<EncodedFile>(const Points& sites, const CellTable& cells,
-                                            const std::string& path);
+using CellWriter = std::vector<EncodedFile>(const CellRows& rows, const std::string& path);
+
+/// Writes the cells as voxels, with the phases and orientations of the cells.
+using VoxelWriter = std::vector<EncodedFile>(const VoxelImage& image, const VoxelCells& cells,
+                                             const CellMaterials& materials,
+                                             const std::string& path);
 
 using TileReader = TileFile(const std::vector<EncodedFile>& files,
                             const std::optional<Lattice>& lattice);
 /// The fields of a file that follow from its tile; nothing for a file whose fields are a user's.
 using FieldReader = std::optional<FileFields>(const std::string& path, std::string_view text);
 using GridReader = MpasGrid(const std::vector<EncodedFile>& files);
+using VoxelReader = VoxelFile(const std::vector<EncodedFile>& files);
 /// Whether `files` read back as exactly these sites.
 using SiteReader = bool(const std::vector<EncodedFile>& files, const Points& sites);
+/// Whether `files` read back as exactly these rows.
+using CellReader = bool(const std::vector<EncodedFile>& files, const CellRows& rows);
 
 /// The content of a file, known before anything is computed.
 struct FormatRequest {
     /// The lattice of the tile or torus, repetitions included.
-    const Lattice& lattice;
+    Lattice lattice;
     MeshKind kind;
     Outline outline;
     double short_edges;
+    /// Of one period.
+    double n_sites = 1;
+    /// The numbers of periods in `lattice`.
+    double n_periods = 1;
     FileOptions files = {};
 };
+
+/// The voxels of a request, or the default.
+/// @throws InvalidInput, LimitExceeded as voxel_grid() does.
+VoxelCounts requested_voxels(const FormatRequest& request);
 
 /// The list of `path` alone.
 std::vector<std::string> single_path(const std::string& path);
@@ -68,12 +84,14 @@ struct TileFormat {
     /// With the dot: ".obj".
     std::string_view extension;
     std::string_view description;
-    /// Encodes the content of the format, which is a tile, the torus, the sites or the cells: one
-    /// entry per path.
-    std::variant<TileWriter*, TileFormWriter*, TorusWriter*, SiteWriter*, CellWriter*> write;
+    /// Encodes the content of the format, which is a tile, the torus, the sites, the cells or their
+    /// voxels: one entry per path.
+    std::variant<TileWriter*, TileFormWriter*, TorusWriter*, SiteWriter*, CellWriter*, VoxelWriter*>
+        write;
     /// Reads `files` (the file itself first, companions where there are any) back; a lattice
     /// replaces one that the file lacks. Empty if pcvt does not read the format.
-    std::variant<std::monostate, TileReader*, GridReader*, SiteReader*> read = {};
+    std::variant<std::monostate, TileReader*, GridReader*, SiteReader*, CellReader*, VoxelReader*>
+        read = {};
     /// Returns the labels, groups and other fields of a file, which are compared with those that
     /// `write` gives for the tile in the file; nullptr if the tile is all that the format holds.
     FieldReader* fields = nullptr;
@@ -91,6 +109,7 @@ struct TileFormat {
     bool takes_gltf_nodes = false;
     bool takes_single_precision = false;
     bool takes_pixels = false;
+    bool takes_voxels = false;
     bool takes_cut_width = false;
     bool takes_element = false;
     bool takes_job = false;
@@ -104,9 +123,13 @@ struct TileFormat {
         return std::holds_alternative<TileWriter*>(write) ||
                std::holds_alternative<TileFormWriter*>(write);
     }
-    /// Whether `pcvt check` proves the file: it holds a tile or a grid.
-    bool is_readable() const { return reads_grid() || std::holds_alternative<TileReader*>(read); }
+    /// Whether `pcvt check` proves the file: it holds a tile, a grid or voxels.
+    bool is_readable() const {
+        return reads_grid() || reads_voxels() || std::holds_alternative<TileReader*>(read);
+    }
     bool reads_sites() const { return std::holds_alternative<SiteReader*>(read); }
+    bool reads_cells() const { return std::holds_alternative<CellReader*>(read); }
+    bool reads_voxels() const { return std::holds_alternative<VoxelReader*>(read); }
     bool reads_grid() const { return std::holds_alternative<GridReader*>(read); }
 };
 
@@ -119,7 +142,7 @@ std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
                                      const std::string& path, const FileOptions& options = {});
 
 /// The tile in the files of a format.
-/// @pre format.is_readable() and not format.reads_grid().
+/// @pre format.is_readable(), and neither format.reads_grid() nor format.reads_voxels().
 TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& files,
                      const std::optional<Lattice>& lattice);
 

@@ -100,7 +100,7 @@ enum { PCVT_CPE = 0, PCVT_CPS = 1 };
 
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */
 enum { PCVT_COLOUR_DEFAULT = 0, PCVT_COLOUR_SIDES = 1, PCVT_COLOUR_SIZE = 2 };
-enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4 };
+enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4, PCVT_COLOUR_PHASE = 5 };
 
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
@@ -295,6 +295,7 @@ typedef struct pcvt_write_options {
     double cut_width;       /**< .svg and .dxf with lines to cut alone, of a tile with this width in
                                millimetres [0: a picture as .svg, .dxf in the unit of the periods] */
     const char* background; /**< of .svg, "#rrggbb" or "none" [NULL: none] */
+    int32_t voxels[2];      /**< of .vti, along x and y [0, 0: about 16 along h] */
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */

@@ -107,6 +107,9 @@ FORMATS = {
                                           "2: mesh --sites 8 --order 2 -o t.vtu"],
     "format-svg": [step if step.startswith("mesh") else f"2: {step}"
                    for step in graphics_job(".svg")],
+    "format-vti": ["mesh --sites 100 --period 2,1 -o t.vti --report r.json", "check t.vti",
+                   "mesh --sites 12 --voxels 20,30 --repeat 2x1 -o u.vti", "2: check t.vti --cvt",
+                   "2: mesh --sites 100 --lattice 1,0,0.37,0.81 -o t2.vti"],
     "format-nc": ["mesh --sites 100 --period 2,1 -o t.nc --report r.json", "check t.nc",
                   "2: check t.nc --cvt",
                   "mesh --sites 150 --density '1 + u * (1 - u)' -o graded.nc",

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "mesher/tile/site_classes.hpp"
@@ -124,9 +125,13 @@ std::string sides_label(const Tile& tile, int n, int count) {
     return tile.whole_sides.empty() ? label + ": " + std::to_string(count) : label;
 }
 
+bool has_phases(const SiteQuantities& quantities) {
+    return quantities.materials != nullptr && !quantities.materials->site_phase.empty();
+}
+
 }  // namespace
 
-TileColours colours_by_sides(const Tile& tile, std::span<const double>) {
+TileColours colours_by_sides(const Tile& tile, const SiteQuantities&) {
     TileColours colours;
     const std::vector<int> sides = numbers_of_sides(tile);
     std::map<int, int> class_of;
@@ -140,7 +145,7 @@ TileColours colours_by_sides(const Tile& tile, std::span<const double>) {
     return colours;
 }
 
-TileColours colours_by_size(const Tile& tile, std::span<const double>) {
+TileColours colours_by_size(const Tile& tile, const SiteQuantities&) {
     std::map<SiteId, double> octaves = site_areas(tile);
     const double mean = tile.lattice.area() / static_cast<double>(octaves.size());
     for (auto& [site, octave] : octaves) {
@@ -151,7 +156,7 @@ TileColours colours_by_size(const Tile& tile, std::span<const double>) {
     return colours;
 }
 
-TileColours colours_by_cells(const Tile& tile, std::span<const double>) {
+TileColours colours_by_cells(const Tile& tile, const SiteQuantities&) {
     TileColours colours{.class_of = site_classes(tile), .classes = {}, .explanation = {}};
     for (int k = 0; k < kCellColours; ++k) {
         colours.classes.push_back({cell_colour(k), "cell_colour_" + std::to_string(k), ""});
@@ -159,7 +164,8 @@ TileColours colours_by_cells(const Tile& tile, std::span<const double>) {
     return colours;
 }
 
-TileColours colours_by_density(const Tile& tile, std::span<const double> densities) {
+TileColours colours_by_density(const Tile& tile, const SiteQuantities& quantities) {
+    const std::span<const double> densities = quantities.densities;
     std::map<SiteId, double> octaves;
     for (const SiteId site : owners(tile)) {
         octaves[site] = std::log2(densities[static_cast<std::size_t>(site) % densities.size()]);
@@ -169,13 +175,37 @@ TileColours colours_by_density(const Tile& tile, std::span<const double> densiti
     return colours;
 }
 
-TileColours tile_colours(const Tile& tile, Colouring colouring, std::span<const double> densities) {
-    return colouring_row(colouring).colours(tile, densities);
+TileColours colours_by_phase(const Tile& tile, const SiteQuantities& quantities) {
+    const CellMaterials& materials = *quantities.materials;
+    const std::vector<int>& phases = materials.site_phase;
+    TileColours colours{.class_of = {}, .classes = {}, .explanation = " by phase"};
+    for (const SiteId site : owners(tile)) {
+        colours.class_of.push_back(phases[static_cast<std::size_t>(site) % phases.size()]);
+    }
+    // The cells of one period.
+    for (int k = 0; k < static_cast<int>(materials.phase_names.size()); ++k) {
+        const std::string& name = materials.phase_names[k];
+        colours.classes.push_back(
+            {.colour = cell_colour(k % kCellColours),
+             .name = "phase_" + name,
+             .label = name + ": " + std::to_string(std::count(phases.begin(), phases.end(), k))});
+    }
+    return colours;
 }
 
-Colouring default_picture_colouring(const Tile& tile, std::span<const double> densities) {
+TileColours tile_colours(const Tile& tile, Colouring colouring, const SiteQuantities& quantities) {
+    const ColouringRow& row = colouring_row(colouring);
+    if ((row.needs_density && quantities.densities.empty()) ||
+        (row.needs_phases && !has_phases(quantities))) {
+        throw InternalError(std::string("there is no ") + row.word + " to show in colours");
+    }
+    return row.colours(tile, quantities);
+}
+
+Colouring default_picture_colouring(const Tile& tile, const SiteQuantities& quantities) {
+    if (has_phases(quantities)) return Colouring::kPhase;
     if (mesh_kind_row(tile.kind).grain_size) return Colouring::kCells;
-    return densities.empty() ? Colouring::kSides : Colouring::kSize;
+    return quantities.densities.empty() ? Colouring::kSides : Colouring::kSize;
 }
 
 }  // namespace pcvt

@@ -8,12 +8,13 @@
 
 #include "io/colours/palette.hpp"
 #include "mesher/base/choices.hpp"
+#include "mesher/materials/cell_materials.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
 /// The quantity that the colours of a tile show.
-enum class Colouring { kSides, kSize, kCells, kDensity };
+enum class Colouring { kSides, kSize, kCells, kDensity, kPhase };
 
 /// One colour of a tile.
 struct ColourClass {
@@ -34,8 +35,16 @@ struct TileColours {
     std::string explanation;
 };
 
-/// Computes the colours of a tile. `densities` holds those at sites 0 to n - 1 of one period.
-using TileColourer = TileColours(const Tile& tile, std::span<const double> densities);
+/// Quantities of sites 0 to n - 1 of one period that colours may show.
+struct SiteQuantities {
+    /// Empty where the density is uniform.
+    std::span<const double> densities = {};
+    /// Null: none.
+    const CellMaterials* materials = nullptr;
+};
+
+/// Computes the colours of a tile.
+using TileColourer = TileColours(const Tile& tile, const SiteQuantities& quantities);
 
 /// By the number of sides of each cell, or by the valence of each site.
 TileColourer colours_by_sides;
@@ -47,6 +56,8 @@ TileColourer colours_by_size;
 TileColourer colours_by_cells;
 /// By the density at each site, in classes as by size.
 TileColourer colours_by_density;
+/// By the phase of each cell; from kCellColours phases on, colours repeat.
+TileColourer colours_by_phase;
 
 /// One row of the table of colourings.
 struct ColouringRow {
@@ -55,6 +66,7 @@ struct ColouringRow {
     /// PCVT_COLOUR_SIDES, ... of pcvt.h.
     int abi_value;
     bool needs_density;
+    bool needs_phases;
     /// Whether colours are classes of values. Such cells have dark edges and no dots.
     bool shows_values;
     TileColourer* colours;
@@ -65,26 +77,37 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .word = "sides",
                                                      .abi_value = 1,
                                                      .needs_density = false,
+                                                     .needs_phases = false,
                                                      .shows_values = false,
                                                      .colours = colours_by_sides},
                                         ColouringRow{.colouring = Colouring::kSize,
                                                      .word = "size",
                                                      .abi_value = 2,
                                                      .needs_density = false,
+                                                     .needs_phases = false,
                                                      .shows_values = true,
                                                      .colours = colours_by_size},
                                         ColouringRow{.colouring = Colouring::kCells,
                                                      .word = "cells",
                                                      .abi_value = 3,
                                                      .needs_density = false,
+                                                     .needs_phases = false,
                                                      .shows_values = false,
                                                      .colours = colours_by_cells},
                                         ColouringRow{.colouring = Colouring::kDensity,
                                                      .word = "density",
                                                      .abi_value = 4,
                                                      .needs_density = true,
+                                                     .needs_phases = false,
                                                      .shows_values = true,
-                                                     .colours = colours_by_density}};
+                                                     .colours = colours_by_density},
+                                        ColouringRow{.colouring = Colouring::kPhase,
+                                                     .word = "phase",
+                                                     .abi_value = 5,
+                                                     .needs_density = false,
+                                                     .needs_phases = true,
+                                                     .shows_values = false,
+                                                     .colours = colours_by_phase}};
 
 constexpr const ColouringRow& colouring_row(Colouring colouring) {
     return kColourings[static_cast<std::size_t>(colouring)];
@@ -96,11 +119,11 @@ constexpr const ColouringRow& colouring_row(Colouring colouring) {
 ///     const TileColours colours = tile_colours(tile, Colouring::kSides, {});
 ///     const Colour first = colours.classes[colours.class_of[0]].colour;
 ///
-/// @param densities  at sites 0 to n - 1 of one period; empty where the density is uniform.
-TileColours tile_colours(const Tile& tile, Colouring colouring, std::span<const double> densities);
+/// @throws InternalError if the colouring shows a quantity that is not there.
+TileColours tile_colours(const Tile& tile, Colouring colouring, const SiteQuantities& quantities);
 
-/// Returns what pictures show where the user leaves the choice: grains one by one; the sizes of
-/// cells where there is a density; else the numbers of sides.
-Colouring default_picture_colouring(const Tile& tile, std::span<const double> densities);
+/// Returns what pictures show where the user leaves the choice: the phases, if there are some;
+/// grains one by one; the sizes of cells where there is a density; else the numbers of sides.
+Colouring default_picture_colouring(const Tile& tile, const SiteQuantities& quantities);
 
 }  // namespace pcvt

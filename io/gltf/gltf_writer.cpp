@@ -229,7 +229,7 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
         throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }
     const TileColours colours =
-        tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.site_densities);
+        tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.quantities());
     const Surface surface = make_surface(tile, colours, options.gltf_nodes, path);
     // Reserve up to five attributes per vertex, the outlines, and the positions of the sites.
     ModelBuilder builder(surface.points.size() *

@@ -45,7 +45,7 @@ void append_words(std::string& text, std::initializer_list<Number> numbers) {
 TileColours material_colours(const Tile& tile, const FileOptions& options) {
     if (faces_have_sites(tile.kind)) {
         const Colouring colouring = options.colouring.value_or(Colouring::kSides);
-        return tile_colours(tile, colouring, options.site_densities);
+        return tile_colours(tile, colouring, options.quantities());
     }
     TileColours grey;
     grey.classes.push_back({kTriangleColour, "triangle", ""});

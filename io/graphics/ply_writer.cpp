@@ -173,7 +173,7 @@ std::vector<EncodedFile> encode_ply(const Tile& tile, const FileOptions& options
                                     const std::string& path) {
     require_finite(tile);
     TileColours colours =
-        tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.site_densities);
+        tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.quantities());
     const bool single = options.single_precision;
     const std::vector<StatedNote> notes = stated_notes(tile);
     if (!single) return only_file(path, ply_text(tile, colours, notes, single));

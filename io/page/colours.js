@@ -76,6 +76,8 @@ class Colouring {
             this.bySides(tile, theme, classes);
         else if (mode === 'cells')
             this.byCells(tile, classes);
+        else if (mode === 'phase')
+            this.byPhase(tile, classes);
         else
             this.byValue(tile, mode, classes);
         this.start = new Int32Array(this.colours.length + 1);
@@ -112,6 +114,17 @@ class Colouring {
         this.title = `Neighbouring ${tile.kind} differ`;
         this.colours = CELLS;
         classes.set(tile.colourClasses);
+    }
+
+    /** One class for each phase; colours repeat where there are more phases than colours. */
+    byPhase(tile, classes) {
+        this.title = 'Phases';
+        this.colours = tile.phases.map((_, k) => CELLS[k % CELLS.length]);
+        const counts = tile.phases.map(() => 0);
+        for (const k of tile.sitePhases) ++counts[k];
+        this.entries =
+            tile.phases.map((name, k) => ({colour: this.colours[k], label: name, count: counts[k]}));
+        for (let f = 0; f < tile.nFaces; ++f) classes[f] = tile.phaseOf(f);
     }
 
     /** Classes of equal steps on a logarithmic scale, or a linear one where a value is not > 0. */

@@ -36,6 +36,7 @@ class Controls {
         element('summary').textContent = `${parts[tile.kind]} · a = ${vector(tile.a)}, ` +
             `b = ${vector(tile.b)} · ${count(tile.offset.size / 2, 'pair')} of edges on the seam`;
         viewerLabel(tile, parts[tile.kind]);
+        element('with-phases').hidden = tile.hasTriangles || tile.phases.length === 0;
         element('with-density').hidden = tile.densities.length === 0;
         element('with-dual').hidden = !tile.hasDual;
         element('with-sites').hidden = tile.kind === 'grains';
@@ -68,6 +69,7 @@ class Controls {
         const modes = ['sides', 'size'];
         if (!this.tile.hasTriangles) modes.push('cells');
         if (this.tile.densities.length > 0) modes.push('density');
+        if (!this.tile.hasTriangles && this.tile.phases.length > 0) modes.push('phase');
         viewer.mode = choiceOf(options.get('colour'), modes, viewer.mode);
         for (const radio of document.querySelectorAll('[name=mode]')) {
             radio.checked = radio.value === viewer.mode;

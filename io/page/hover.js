@@ -43,6 +43,8 @@ function describe(tile, place) {
     const mean = tile.area / tile.nCells;
     rows.push(['Area', area], ['Area / mean', shortNumber(tile.cellArea[cell] / mean)]);
     if (tile.densities.length > 0) rows.push(['Density', shortNumber(tile.densityOf(cell))]);
+    if (!tile.hasTriangles && tile.phases.length > 0)
+        rows.push(['Phase', tile.phases[tile.phaseOf(face)]]);
     if (tile.kind === 'grains')
         rows.push(['Triangle', `${face}, ${shortNumber(tile.faceArea(face))}`]);
     const corners = boundaryCorners(tile, cell);

@@ -54,6 +54,20 @@ void append_key(std::string& text, const char* key) {
     text += "\": ";
 }
 
+/// Appends the names of the phases, and the phase of each site of one period.
+void append_phases(std::string& text, const CellMaterials* materials) {
+    const CellMaterials none;
+    const CellMaterials& shown = materials == nullptr ? none : *materials;
+    append_key(text, "phases");
+    text += '[';
+    for (const std::string& name : shown.phase_names) {
+        text += (text.back() == '[' ? "" : ", ") + json_string(name);
+    }
+    text += ']';
+    append_key(text, "site_phases");
+    append_list(text, shown.site_phase);
+}
+
 std::string page_data(const Tile& tile, const FileOptions& options, const std::string& name) {
     const bool owned = faces_have_sites(tile.kind);
     std::string text = "{\"format\": \"pcvt page\", \"version\": ";
@@ -61,7 +75,7 @@ std::string page_data(const Tile& tile, const FileOptions& options, const std::s
     append_key(text, "name");
     text += json_string(name);
     const Colouring colouring =
-        options.colouring.value_or(default_picture_colouring(tile, options.site_densities));
+        options.colouring.value_or(default_picture_colouring(tile, options.quantities()));
     append_key(text, "colouring");
     text += json_string(colouring_row(colouring).word);
     append_key(text, "kind");
@@ -80,6 +94,7 @@ std::string page_data(const Tile& tile, const FileOptions& options, const std::s
     append_points(text, tile.site_points);
     append_key(text, "densities");
     append_list(text, options.site_densities);
+    append_phases(text, options.materials);
     append_key(text, "classes");
     append_list(text, owned ? site_classes(tile) : std::vector<int>());
     append_key(text, "vertex_pairs");

@@ -16,6 +16,8 @@ class Tile {
         this.points = Float64Array.from(data.points);
         this.sitePoints = data.site_points.length > 0 ? Float64Array.from(data.site_points) : null;
         this.densities = data.densities;
+        this.phases = data.phases;
+        this.sitePhases = data.site_phases;
         this.colourClasses = data.classes;
         this.hasTriangles = this.kind === 'triangles';
         this.storeFaces(data.faces);
@@ -237,6 +239,11 @@ class Tile {
     middle(f) {
         const [x0, y0, x1, y1] = this.faceBox(f);
         return [(x0 + x1) / 2, (y0 + y1) / 2];
+    }
+
+    /** Returns the phase of the site of a face of cells or grains, as an index. */
+    phaseOf(face) {
+        return this.sitePhases[this.sites[face] % this.sitePhases.length];
     }
 
     /** Returns the density of a cell, or the mean at the corners of a Delaunay triangle. */

@@ -195,8 +195,8 @@ RgbImage draw_period(const Tile& tile, const FileOptions& options, int width) {
     require_finite(tile);
     const MeshKindRow& kind = mesh_kind_row(tile.kind);
     const Colouring colouring =
-        options.colouring.value_or(default_picture_colouring(tile, options.site_densities));
-    const TileColours colours = tile_colours(tile, colouring, options.site_densities);
+        options.colouring.value_or(default_picture_colouring(tile, options.quantities()));
+    const TileColours colours = tile_colours(tile, colouring, options.quantities());
     const bool graded = colouring_row(colouring).shows_values;
     PeriodPainter painter(tile, width, image_height(tile.lattice, width));
     if (!kind.faces_have_sites) {

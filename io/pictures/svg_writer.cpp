@@ -262,8 +262,8 @@ std::string encode(const Tile& tile, const FileOptions& options) {
     const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_sites(tile));
     // The legend explains the colours and determines the size of the canvas.
     const Colouring colouring =
-        options.colouring.value_or(default_picture_colouring(tile, options.site_densities));
-    const TileColours colours = tile_colours(tile, colouring, options.site_densities);
+        options.colouring.value_or(default_picture_colouring(tile, options.quantities()));
+    const TileColours colours = tile_colours(tile, colouring, options.quantities());
     const Drawing drawing{tile, colours, frame, spacing};
     const Legend legend = make_legend(tile, domain, colours);
     const PlacedLegend placed = place_legend(legend, frame);

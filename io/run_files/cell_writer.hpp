@@ -3,18 +3,32 @@
 #include <string>
 
 #include "mesher/lattice/lattice.hpp"
+#include "mesher/materials/cell_materials.hpp"
 #include "mesher/mesh/cell_table.hpp"
 
 namespace pcvt {
+
+/// The rows of a table of cells, one a site.
+struct CellRows {
+    /// 2 x n, length units.
+    Points sites;
+    CellTable cells;
+    /// length^2, one a site; empty without weights.
+    Eigen::VectorXd weights = {};
+    CellMaterials materials = {};
+};
 
 /// Encodes the cells as a .csv file: comments that begin with #, a header, one row a site. Fields
 /// that do not apply to the cells are empty. The neighbours of a cell are separated by blanks.
 ///
 /// Example usage:
-///     output.stage("cells.csv", encode_cells(sites, cell_table(cells)));
+///     output.stage("cells.csv", encode_cells({sites, cell_table(cells)}));
 ///
-/// @param sites  2 x n, one column a cell.
 /// @throws InternalError if a number is not finite.
-std::string encode_cells(const Points& sites, const CellTable& cells);
+std::string encode_cells(const CellRows& rows);
+
+/// The names of the columns, with commas between them.
+inline constexpr const char* kCellHeader =
+    "site,x,y,weight,area,diameter,sides,circularity,phase,tag,phi1,Phi,phi2,neighbours";
 
 }  // namespace pcvt

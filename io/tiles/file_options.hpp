@@ -8,6 +8,7 @@
 #include "io/tiles/plane_element.hpp"
 #include "io/tiles/solver_job.hpp"
 #include "mesher/materials/cell_materials.hpp"
+#include "mesher/voxels/voxel_grid.hpp"
 
 namespace pcvt {
 
@@ -32,6 +33,7 @@ struct FileOptions {
     std::span<const double> site_densities = {};
     /// Phases and orientations of the cells, which must outlive the options; null: none.
     const CellMaterials* materials = nullptr;
+    SiteQuantities quantities() const { return {site_densities, materials}; }
     /// The quantity that colours show; `nullopt`: each format has its own default.
     std::optional<Colouring> colouring = {};
     /// Of pictures; `nullopt`: the page behind the picture shows through.
@@ -41,6 +43,8 @@ struct FileOptions {
     bool single_precision = false;
     /// Images: the number of pixels of a row; 0: kDefaultPixels.
     int pixels = 0;
+    /// Voxel images: the number of voxels along x and y; 0 x 0: default_voxels().
+    VoxelCounts voxels = {};
     /// SVG and DXF for cutters: the width of the tile in millimetres; 0: a coloured picture as SVG,
     /// and DXF in the unit of the period vectors.
     double cut_width = 0;

@@ -40,6 +40,7 @@ static_assert(colouring_row(Colouring::kSides).abi_value == PCVT_COLOUR_SIDES);
 static_assert(colouring_row(Colouring::kSize).abi_value == PCVT_COLOUR_SIZE);
 static_assert(colouring_row(Colouring::kCells).abi_value == PCVT_COLOUR_CELLS);
 static_assert(colouring_row(Colouring::kDensity).abi_value == PCVT_COLOUR_DENSITY);
+static_assert(colouring_row(Colouring::kPhase).abi_value == PCVT_COLOUR_PHASE);
 static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
 static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
 static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
@@ -192,6 +193,11 @@ FileOptions file_options(const pcvt_write_options& options) {
     result.single_precision = options.single_precision != 0;
     if (options.pixels < 0) throw InvalidInput("pixels is negative; take 0 or more");
     result.pixels = options.pixels;
+    if ((options.voxels[0] != 0 || options.voxels[1] != 0) &&
+        (options.voxels[0] < kLeastVoxels || options.voxels[1] < kLeastVoxels)) {
+        throw InvalidInput("voxels are fewer than 2 along an axis; take 2 or more, or 0 for both");
+    }
+    result.voxels = {options.voxels[0], options.voxels[1]};
     require_finite("cut_width", &options.cut_width, 1);
     if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
     result.cut_width = options.cut_width;

@@ -187,6 +187,40 @@ std::string prove_grid(GridReader* read, const TileFormat& format, const std::st
            figure(proof.areas) + ", TRiSK identity within " + figure(proof.trisk) + "\n";
 }
 
+/// The cells that are smaller than a voxel, at most some of them.
+std::string unseen_text(const std::vector<SiteId>& unseen) {
+    if (unseen.empty()) return "every cell has voxels";
+    constexpr std::size_t kMostNamed = 8;
+    std::string text = std::to_string(unseen.size()) + " cells contain the centre of no voxel (";
+    for (std::size_t k = 0; k < std::min(unseen.size(), kMostNamed); ++k) {
+        text += (k == 0 ? "" : " ") + std::to_string(unseen[k]);
+    }
+    return text + (unseen.size() > kMostNamed ? " ...)" : ")");
+}
+
+/// The proof of a voxel image as a line.
+std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const std::string& path,
+                              const Question& question) {
+    if (question.cvt_tolerance) {
+        throw BadFile(path + ": --cvt is not for voxels; check a tile of the same run");
+    }
+    const std::vector<EncodedFile> files = read_files(format, path);
+    const VoxelFile file = read(files);
+    const VoxelGrid& grid = file.image.grid;
+    if (question.lattice) {
+        compare_lattice(Lattice::rectangle(grid.size.x(), grid.size.y()), *question.lattice);
+    }
+    const VoxelProof proof = prove_voxel_file(files, file);
+    return path + ": a voxel image: " + std::to_string(grid.counts.x) + " x " +
+           std::to_string(grid.counts.y) + " voxels of " + std::to_string(proof.n_cells) +
+           " cells, period " + figure(grid.size.x()) + " x " + figure(grid.size.y()) +
+           (file.cells ? ", each voxel in the cell of its site within " +
+                             figure(proof.largest_excess) + " h"
+                       : ", no sites stored") +
+           (file.materials ? ", one material a cell" : ", no materials beside it") + ", " +
+           unseen_text(proof.unseen) + "\n";
+}
+
 /// The proof of a tile as a line.
 std::string prove_one_tile(const TileFormat& format, const std::string& path,
                            const Question& question) {
@@ -215,7 +249,17 @@ std::string prove(const std::string& path, const Question& question) {
     if (const auto* read = std::get_if<GridReader*>(&format.read)) {
         return prove_grid(*read, format, path, question);
     }
+    if (const auto* read = std::get_if<VoxelReader*>(&format.read)) {
+        return prove_voxel_image(*read, format, path, question);
+    }
     return prove_one_tile(format, path, question);
+}
+
+/// The thing that a file should hold.
+const char* content_of(const std::string& path) {
+    const TileFormat* format = find_tile_format(path);
+    if (format->reads_voxels()) return "a voxel image";
+    return format->reads_grid() ? "an MPAS mesh" : "a periodic tile";
 }
 
 /// @returns false where the file is refuted.
@@ -224,9 +268,7 @@ bool check(const std::string& path, const Question& question) {
         print(prove(path, question));
         return true;
     } catch (const NotATile& error) {
-        std::fprintf(stderr, "%s: not %s: %s\n", path.c_str(),
-                     find_tile_format(path)->reads_grid() ? "an MPAS mesh" : "a periodic tile",
-                     error.what());
+        std::fprintf(stderr, "%s: not %s: %s\n", path.c_str(), content_of(path), error.what());
     } catch (const InvalidInput&) {
         std::fprintf(stderr, "%s\n", describe_failure(std::current_exception()).line.data());
     }

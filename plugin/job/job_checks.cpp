@@ -139,6 +139,8 @@ constexpr FileChoice kFileChoices[] = {
      [](const Job& job) { return job.file_options.single_precision; }},
     {"a number of pixels", &TileFormat::takes_pixels,
      [](const Job& job) { return job.file_options.pixels != 0; }},
+    {"a number of voxels", &TileFormat::takes_voxels,
+     [](const Job& job) { return job.file_options.voxels != VoxelCounts{}; }},
     {"a width to cut", &TileFormat::takes_cut_width,
      [](const Job& job) { return job.file_options.cut_width != 0; }},
     {"a type of elements", &TileFormat::takes_element,
@@ -185,6 +187,9 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
     const std::optional<Colouring>& colouring = job.file_options.colouring;
     if (colouring && colouring_row(*colouring).needs_density && !job.density) {
         throw InvalidInput("there is no density to show in colours; give one, or colour by size");
+    }
+    if (colouring && colouring_row(*colouring).needs_phases && job.materials.phases.empty()) {
+        throw InvalidInput("there are no phases to show in colours; give some, or colour by size");
     }
     const double cut_width = job.file_options.cut_width;
     if (cut_width != 0 && !(cut_width >= kLeastCutWidth && cut_width <= kLargestCutWidth)) {

@@ -43,11 +43,7 @@ void check_format(const Job& job, const TileFormat& format, MeshKind kind,
     }
     if (format.check != nullptr) {
         try {
-            format.check({.lattice = job.lattice.repeated(job.columns, job.rows),
-                          .kind = kind,
-                          .outline = job.outline,
-                          .short_edges = job.short_edges,
-                          .files = job.file_options});
+            format.check(format_request(job, kind));
         } catch (const InvalidInput& error) {
             throw InvalidInput("-o " + path + ": " + error.what());
         }
@@ -91,6 +87,16 @@ std::string extensions(const std::string& separator, const Keep& keep) {
 }
 
 }  // namespace
+
+FormatRequest format_request(const Job& job, MeshKind kind) {
+    return {.lattice = job.lattice.repeated(job.columns, job.rows),
+            .kind = kind,
+            .outline = job.outline,
+            .short_edges = job.short_edges,
+            .n_sites = job.points.cols() > 0 ? double(job.points.cols()) : job.n_sites,
+            .n_periods = double(job.columns) * job.rows,
+            .files = job.file_options};
+}
 
 std::string output_extensions() {
     return extensions(" ", [](const TileFormat&) { return true; });

@@ -19,6 +19,9 @@ struct JobFile {
     std::string folder = {};
 };
 
+/// The content that a job has for a file, besides the density.
+FormatRequest format_request(const Job& job, MeshKind kind);
+
 /// The files of a job in the order of its outputs, without the report.
 ///
 ///   for (const JobFile& file : plan_files(job)) std::puts(file.paths.front().c_str());

@@ -36,7 +36,7 @@ struct FormatMemory {
     double triangle;
     double grain;
 };
-constexpr std::array<FormatMemory, 16> kFormats{{
+constexpr std::array<FormatMemory, 17> kFormats{{
     {".obj", 900, 280, 250},
     {".ply", 900, 300, 250},
     {".glb", 985, 280, 240},
@@ -51,6 +51,7 @@ constexpr std::array<FormatMemory, 16> kFormats{{
     {".html", 1190, 320, 305},
     {".foam", 1900, 880, 775},
     {".nc", 5000, 0, 0},
+    {".vti", 400, 0, 0},
     {".csv", 815, 0, 0},
     {".txt", 0, 0, 0},
 }};
@@ -63,6 +64,8 @@ constexpr FormatMemory kHeld{"", 160, 60, 60};
 constexpr double kBesideAnother = 0.5;
 /// A pixel of a picture that one colours.
 constexpr double kPixel = 3;
+/// A voxel of an image of cells.
+constexpr double kVoxel = 20;
 /// The number of pixels of a side where the job gives none.
 constexpr double kDefaultPixels = 500;
 /// The part of these bytes that depends on the sites and not on their copies in a repeated tile.
@@ -99,6 +102,11 @@ double mesh_bytes(const Job& job, MeshKind kind, const FormatMemory& bytes) {
     return a_site * n_sites(job) * (kOfSites + (1 - kOfSites) * copies);
 }
 
+double n_voxels(const Job& job) {
+    const VoxelCounts counts = requested_voxels(format_request(job, MeshKind::kVoronoi));
+    return double(counts.x) * counts.y;
+}
+
 /// A run that writes this file alone.
 double file_bytes(const Job& job, const JobFile& file) {
     const auto row = std::find_if(kFormats.begin(), kFormats.end(), [&](const FormatMemory& f) {
@@ -108,7 +116,9 @@ double file_bytes(const Job& job, const JobFile& file) {
     const MeshKind kind =
         file.mesh < 0 ? MeshKind::kVoronoi : job.meshes[static_cast<std::size_t>(file.mesh)];
     const double side = job.file_options.pixels != 0 ? job.file_options.pixels : kDefaultPixels;
-    return mesh_bytes(job, kind, *row) + (file.format->takes_pixels ? kPixel * side * side : 0);
+    const double pixels = file.format->takes_pixels ? kPixel * side * side : 0;
+    return mesh_bytes(job, kind, *row) + pixels +
+           (file.format->takes_voxels ? kVoxel * n_voxels(job) : 0);
 }
 
 /// The sites, from their start to the end of their optimisation.

@@ -41,11 +41,30 @@ class FileEncoder {
     std::vector<EncodedFile> operator()(SiteWriter* write) const { return write(sites(), path()); }
 
     std::vector<EncodedFile> operator()(CellWriter* write) const {
-        return write(sites(), cell_table(plane_mesh(result_.cells, MeshKind::kVoronoi)), path());
+        return write(cell_rows(), path());
     }
 
-    Points sites() const { return wrapped_sites(result_.cells, job_.origin); }
+    std::vector<EncodedFile> operator()(VoxelWriter* write) const {
+        const VoxelCounts counts = requested_voxels(format_request(job_, MeshKind::kVoronoi));
+        const VoxelGrid grid =
+            voxel_grid(job_.lattice.repeated(job_.columns, job_.rows), job_.origin, counts);
+        const VoxelCells cells{
+            .lattice = job_.lattice,
+            .sites = sites(),
+            .weights = result_.cells.delaunay.weights(),
+            .metric = result_.cells.elongation ? result_.cells.elongation->metric : Metric()};
+        return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.n_threads), cells,
+                     materials(), path());
+    }
+
+    CellRows cell_rows() const {
+        return {.sites = sites(),
+                .cells = cell_table(plane_mesh(result_.cells, MeshKind::kVoronoi)),
+                .weights = result_.cells.delaunay.weights(),
+                .materials = materials()};
+    }
     const CellMaterials& materials() const { return result_.materials; }
+    Points sites() const { return wrapped_sites(result_.cells, job_.origin); }
     const Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
    private:
@@ -122,6 +141,10 @@ void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& ori
         prove_grid_files(*file.format, encoded);
     } else if (file.format->reads_sites()) {
         prove_site_files(*file.format, encoded, encoder.sites());
+    } else if (file.format->reads_cells()) {
+        prove_cell_files(*file.format, encoded, encoder.cell_rows());
+    } else if (file.format->reads_voxels()) {
+        prove_voxel_files(*file.format, encoded, encoder.materials());
     } else if (file.format->is_readable()) {
         prove_tile_files(*file.format, encoded, encoder.tile(), origin, encoder.materials());
     }

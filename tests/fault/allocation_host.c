@@ -29,7 +29,7 @@ static const struct {
                {"a.gltf", PCVT_GRAINS},  {"a.om", PCVT_DELAUNAY}, {"a.msh", PCVT_GRAINS},
                {"a.inp", PCVT_DELAUNAY}, {"a.vtu", PCVT_VORONOI}, {"a.svg", PCVT_VORONOI},
                {"a.png", PCVT_VORONOI},  {"a.dxf", PCVT_VORONOI}, {"a.html", PCVT_DELAUNAY},
-               {"a.foam", PCVT_VORONOI}, {"a.csv", PCVT_VORONOI}, {"a.txt", PCVT_VORONOI}};
+               {"a.foam", PCVT_VORONOI}, {"a.vti", PCVT_VORONOI}, {"a.csv", PCVT_VORONOI}, {"a.txt", PCVT_VORONOI}};
 enum { N_OUTPUTS = sizeof outputs / sizeof outputs[0] };
 
 typedef unsigned long long hash_number;
@@ -110,6 +110,7 @@ static pcvt_status use_result(const pcvt_result* result, hash_number* hash) {
         options.kind = outputs[k].kind;
         options.replace = 1;
         options.pixels = strcmp(outputs[k].path, "a.png") == 0 ? 64 : 0;
+        options.voxels[0] = options.voxels[1] = 16;
         options.progress = keep_running;
         if ((status = pcvt_write(result, outputs[k].path, &options)) < 0) return status;
     }

@@ -23,7 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "release"
 TIMEOUT = 60
 ERRORS = (errno.EIO, errno.ENOSPC, errno.EACCES)
-FORMATS = "obj ply glb gltf om svg png vtu dxf html csv txt msh inp"
+FORMATS = "obj ply glb gltf om svg png vtu dxf html csv txt msh inp vti"
 
 
 def outputs(stem, extensions):
@@ -31,7 +31,7 @@ def outputs(stem, extensions):
 
 
 def mesh(seed, *rest):
-    pixels = ["--pixels", "16"] if "a.png" in rest else []
+    pixels = ["--pixels", "16", "--voxels", "8,8"] if "a.png" in rest else []
     return ["mesh", "--sites", "12", "--seed", str(seed), "--threads", "1", "--max-iterations", "5", "--quiet",
             *pixels, *rest]
 
@@ -39,7 +39,7 @@ def mesh(seed, *rest):
 EVERY = ["--mesh", "delaunay", *outputs("a", FORMATS), "-o", "new/b.obj", "--report", "r.json"]
 FOAM = ["--mesh", "grains", "-o", "c.foam", "-o", "a.obj"]
 STUDY = ["study", "fig11", "--sites", "6", "--threads", "1", "--quiet", "-o", "t/", "--force"]
-CHECKED = "a.obj a.ply a.glb a.gltf a.om a.msh a.inp a.vtu"
+CHECKED = "a.obj a.ply a.glb a.gltf a.om a.msh a.inp a.vtu a.vti"
 # Jobs: the run that makes the old files (None: none), and the run in which calls fail. HOST is the C client.
 HOST = "system_call_host"
 JOBS = {

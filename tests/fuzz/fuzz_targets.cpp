@@ -11,6 +11,7 @@
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
 #include "io/tile_formats.hpp"
+#include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
 #include "mesher/mesh/voronoi.hpp"
@@ -115,6 +116,29 @@ std::vector<std::string> grid_seeds() {
     return {write(torus, "t.nc").front().bytes};
 }
 
+void read_voxels(const std::string& bytes) {
+    const std::vector<EncodedFile> files = {{"t.vti", bytes}};
+    prove_voxel_file(files, decode_vti(files));
+}
+
+std::vector<std::string> voxel_seeds() {
+    const Lattice lattice = Lattice::rectangle(2, 1);
+    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 5, 1)));
+    VoxelCells cells{.lattice = lattice, .sites = Points(2, 5)};
+    for (SiteId s = 0; s < 5; ++s) cells.sites.col(s) = delaunay.sites().position(s);
+    const VoxelImage image = voxel_image(delaunay, {}, voxel_grid(lattice, {0, 0}, {6, 4}), 1);
+    return {encode_vti(image, cells, {}, "t.vti").front().bytes};
+}
+
+void read_materials(const std::string& bytes) { decode_damask_material("t.material.yaml", bytes); }
+
+std::vector<std::string> material_seeds() {
+    return {encode_damask_material(2, {}),
+            encode_damask_material(2, {.phase_names = {"a", "b"},
+                                       .site_phase = {1, 0},
+                                       .site_orientation = {{10, 20, 30}, {40, 50, 60}}})};
+}
+
 void read_seam(const std::string& bytes) { decode_seam("t.seam.json", bytes); }
 
 std::vector<std::string> seam_seeds() {
@@ -201,6 +225,7 @@ std::vector<std::string> png_seeds() {
 FuzzTarget format_target(const TileFormat& format) {
     const std::string_view name = format.extension.substr(1);
     if (format.reads_grid()) return {name, read_grid, grid_seeds};
+    if (format.reads_voxels()) return {name, read_voxels, voxel_seeds};
     return {name, [&](const std::string& bytes) { read_tile(format, bytes); },
             [&] { return tile_seeds(format); }};
 }
@@ -211,6 +236,7 @@ std::vector<FuzzTarget> make_targets() {
         if (format.is_readable()) targets.push_back(format_target(format));
     }
     targets.push_back({"seam", read_seam, seam_seeds});
+    targets.push_back({"material", read_materials, material_seeds});
     targets.push_back({"txt", read_site_text, site_seeds});
     targets.push_back({"csv", read_csv, csv_seeds});
     targets.push_back({"png", read_png, png_seeds});

@@ -17,7 +17,8 @@ constexpr int kMostPixelsOfARow = 1 << 16;
 void add_file_choices(CLI::App& app, FileChoices& choices) {
     app.add_option("--colour", choices.colour,
                    "the quantity that colours show; cells: neighbours differ [sides; in\n"
-                   "pictures of grains cells, and of other cells with --density size]")
+                   "pictures with --phases phase, of grains cells, and of other cells with\n"
+                   "--density size]")
         ->type_name(listed_words(kColourings, "|", "|"));
     app.add_option("--background", choices.background,
                    "of .svg; none: the page shows through, and text follows light and\n"
@@ -37,6 +38,9 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                    "too [" +
                        std::to_string(kDefaultPixels) + "]")
         ->type_name("N");
+    app.add_option("--voxels", choices.voxels,
+                   "of .vti: voxels along x and y [about 16 along h = sqrt(area / n)]")
+        ->type_name("NX,NY");
     app.add_option("--cut", choices.cut,
                    "of .svg and .dxf: only lines to cut, each edge once and without\n"
                    "colours, in a tile MM millimetres wide\n[.svg: a picture; .dxf: the unit of "
@@ -67,6 +71,7 @@ FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
     if (app.count("--pixels") > 0) {
         options.pixels = whole_number("--pixels", choices.pixels, 1, kMostPixelsOfARow);
     }
+    if (app.count("--voxels") > 0) options.voxels = voxel_counts("--voxels", choices.voxels);
     if (app.count("--cut") > 0) options.cut_width = positive_number("--cut", choices.cut);
     if (app.count("--element") > 0) {
         options.element = chosen_row("--element", choices.element, kPlaneElements).element;

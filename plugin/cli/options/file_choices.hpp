@@ -17,6 +17,7 @@ struct FileChoices {
     std::string glb_nodes;
     bool float32 = false;
     std::string pixels;
+    std::string voxels;
     std::string cut;
     std::string element;
     std::string job;

@@ -1,6 +1,7 @@
 #include "plugin/cli/options/option_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -132,6 +133,17 @@ Repetition repetition(const std::string& option, const std::string& text) {
         throw LimitExceeded(option + " " + text + ": too large for pcvt; repeat less often");
     }
     return {static_cast<int>(columns), static_cast<int>(rows)};
+}
+
+VoxelCounts voxel_counts(const std::string& option, const std::string& text) {
+    const std::vector<double> counts = numbers(option, text, 2, "NX,NY, such as 256,256");
+    for (const double count : counts) {
+        if (count == std::floor(count) && count >= kLeastVoxels && count <= kMostVoxelsOfARow) {
+            continue;
+        }
+        throw_bad_value(option, text, "not two whole numbers from 2 to 1048576; correct them");
+    }
+    return {static_cast<int>(counts[0]), static_cast<int>(counts[1])};
 }
 
 }  // namespace pcvt::cli

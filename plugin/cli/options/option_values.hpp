@@ -8,6 +8,7 @@
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/lattice.hpp"
+#include "mesher/voxels/voxel_grid.hpp"
 
 namespace pcvt::cli {
 
@@ -55,6 +56,9 @@ struct Repetition {
     int columns;
     int rows;
 };
+
+/// "NX,NY", whole numbers, at least kLeastVoxels.
+VoxelCounts voxel_counts(const std::string& option, const std::string& text);
 
 /// "IxJ", whole numbers, at least 1.
 Repetition repetition(const std::string& option, const std::string& text);

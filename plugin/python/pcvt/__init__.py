@@ -40,7 +40,7 @@ __all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Prog
            "OutputError"]
 
 _STARTS = ("default", "random", "coarse", "lattice", "best")
-_COLOURS = ("default", "sides", "size", "cells", "density")
+_COLOURS = ("default", "sides", "size", "cells", "density", "phase")
 _GLTF_NODES = ("default", "cells", "one")
 _SOLVERS = ("default", "lbfgs", "lloyd", "newton")
 _ELEMENTS = ("CPE", "CPS")
@@ -250,7 +250,7 @@ class Result:
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
               gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE",
-              progress=None, colour="default", background="none"):
+              progress=None, colour="default", background="none", voxels=(0, 0)):
         """Writes a tile, the sites (.txt) or a table of the cells (.csv), by the extension.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
@@ -266,6 +266,7 @@ class Result:
         progress    called with a Progress ten times a second; a true return value cancels
         colour      what colours show: sides, size, cells (neighbours differ) or density
         background  of .svg: none or #rrggbb
+        voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h
         """
         options = _library.WriteOptions(
             struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
@@ -276,6 +277,8 @@ class Result:
             single_precision=bool(float32), cut_width=cut_width,
             report=None if report is None else _text("report", report))
         _set_integers(options, pixels=pixels)
+        columns, rows = voxels
+        options.voxels[:] = operator.index(columns), operator.index(rows)
         file = None if path is None else _text("path", path)
         with Callbacks(None, progress) as callbacks:
             options.progress = _library.ProgressCallback(callbacks.show_progress)

@@ -108,7 +108,8 @@ class WriteOptions(ctypes.Structure):
                 ("outline", c_int32), ("replace", c_int32), ("colour", c_int32),
                 ("progress", ProgressCallback), ("progress_data", c_void_p),
                 ("gltf_nodes", c_int32), ("single_precision", c_int32), ("pixels", c_int32),
-                ("element", c_int32), ("cut_width", c_double), ("background", c_char_p)]
+                ("element", c_int32), ("cut_width", c_double), ("background", c_char_p),
+                ("voxels", c_int32 * 2)]
 
 
 _FUNCTIONS = {

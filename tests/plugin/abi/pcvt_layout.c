@@ -45,6 +45,7 @@ static void print_numbers(void) {
     NUMBER(PCVT_COLOUR_SIZE);
     NUMBER(PCVT_COLOUR_CELLS);
     NUMBER(PCVT_COLOUR_DENSITY);
+    NUMBER(PCVT_COLOUR_PHASE);
     NUMBER(PCVT_STOP_CONVERGED);
     NUMBER(PCVT_STOP_ITERATION_LIMIT);
     NUMBER(PCVT_STOP_STALLED);
@@ -201,6 +202,7 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, element);
     FIELD(pcvt_write_options, cut_width);
     FIELD(pcvt_write_options, background);
+    FIELD(pcvt_write_options, voxels);
 }
 
 int main(void) {

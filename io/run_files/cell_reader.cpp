@@ -1,0 +1,137 @@
+#include "io/run_files/cell_reader.hpp"
+
+#include <array>
+
+#include "io/bytes/text.hpp"
+#include "mesher/base/checkpoint.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr std::size_t kColumns = 14;
+
+using Fields = std::array<std::string_view, kColumns>;
+
+/// Walks over the rows below the header.
+class RowScanner {
+   public:
+    RowScanner(const std::string& name, std::string_view text) : name_(name), rest_(text) {
+        if (!next_line() || line_text_ != kCellHeader) {
+            refuse("the header is not that of a table of cells; write the file again with pcvt");
+        }
+    }
+
+    bool next() {
+        if (!next_line()) return false;
+        std::string_view rest = line_text_;
+        for (std::size_t k = 0; k < kColumns; ++k) {
+            const std::size_t comma = rest.find(',');
+            if ((comma == std::string_view::npos) != (k + 1 == kColumns)) {
+                refuse("the row has not 14 fields; write the file again with pcvt");
+            }
+            fields_[k] = rest.substr(0, comma);
+            rest.remove_prefix(k + 1 == kColumns ? rest.size() : comma + 1);
+        }
+        return true;
+    }
+
+    const Fields& fields() const { return fields_; }
+
+    [[noreturn]] void refuse(const std::string& complaint) const {
+        throw BadFile(name_ + ":" + std::to_string(line_) + ": " + complaint);
+    }
+
+   private:
+    /// Advances to the next line that is no comment.
+    bool next_line() {
+        while (!rest_.empty()) {
+            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+            line_text_ = rest_.substr(0, end);
+            rest_.remove_prefix(std::min(end + 1, rest_.size()));
+            ++line_;
+            if (!line_text_.starts_with('#')) return true;
+        }
+        return false;
+    }
+
+    std::string name_;
+    std::string_view rest_;
+    std::string_view line_text_;
+    Fields fields_ = {};
+    int line_ = 0;
+};
+
+/// Compares the fields of one row from left to right.
+class RowComparison {
+   public:
+    explicit RowComparison(const RowScanner& scanner) : scanner_(scanner) {}
+
+    void number(double wanted) {
+        const std::string_view field = scanner_.fields()[column_++];
+        try {
+            same_ = same_ && !field.empty() && parse_number(field) == wanted;
+        } catch (const InvalidInput& fault) {
+            scanner_.refuse(fault.what());
+        }
+    }
+    void text(std::string_view wanted) { same_ = same_ && scanner_.fields()[column_++] == wanted; }
+    /// Numbers with a blank between them.
+    void list(const int* begin, const int* end) {
+        std::string_view field = scanner_.fields()[column_++];
+        for (const int* wanted = begin; wanted != end; ++wanted) {
+            const std::size_t length = std::min(field.find(' '), field.size());
+            same_ = same_ && field.substr(0, length) == std::to_string(*wanted);
+            field.remove_prefix(std::min(length + 1, field.size()));
+        }
+        same_ = same_ && field.empty();
+    }
+    bool is_same() const { return same_ && column_ == kColumns; }
+
+   private:
+    const RowScanner& scanner_;
+    std::size_t column_ = 0;
+    bool same_ = true;
+};
+
+bool is_row_of(const RowScanner& scanner, const CellRows& rows, SiteId s) {
+    const CellTable& cells = rows.cells;
+    const CellMaterials& materials = rows.materials;
+    RowComparison row(scanner);
+    row.number(s);
+    row.number(rows.sites(0, s));
+    row.number(rows.sites(1, s));
+    if (rows.weights.size() > 0) {
+        row.number(rows.weights[s]);
+    } else {
+        row.text("");
+    }
+    row.number(cells.area[s]);
+    row.number(cells.equivalent_diameter(s));
+    row.number(cells.n_sides(s));
+    row.number(cells.circularity(s));
+    const bool has_phase = !materials.site_phase.empty();
+    row.text(has_phase ? materials.phase_names[materials.site_phase[s]] : std::string());
+    row.text("");
+    if (materials.site_orientation.empty()) {
+        for (int k = 0; k < 3; ++k) row.text("");
+    } else {
+        const BungeAngles& angles = materials.site_orientation[s];
+        for (const double angle : {angles.phi1, angles.Phi, angles.phi2}) row.number(angle);
+    }
+    row.list(cells.neighbours.data() + cells.neighbour_begin[s],
+             cells.neighbours.data() + cells.neighbour_begin[s + 1]);
+    return row.is_same();
+}
+
+}  // namespace
+
+bool reads_back(const std::string& name, std::string_view text, const CellRows& rows) {
+    RowScanner scanner(name, text);
+    for (SiteId s = 0; s < rows.cells.n_cells(); ++s) {
+        checkpoint_each(s);
+        if (!scanner.next() || !is_row_of(scanner, rows, s)) return false;
+    }
+    return !scanner.next();
+}
+
+}  // namespace pcvt

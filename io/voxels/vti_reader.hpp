@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "io/tiles/encoded_file.hpp"
+#include "io/voxels/damask_material.hpp"
+#include "mesher/voxels/voxel_proof.hpp"
+
+namespace pcvt {
+
+/// A voxel image as read from a file, before any of it is believed.
+struct VoxelFile {
+    VoxelImage image;
+    /// Where the file states the sites of the cells.
+    std::optional<VoxelCells> cells = {};
+    /// One a cell, where the materials lie beside the image.
+    std::optional<std::vector<DamaskEntry>> materials = {};
+};
+
+/// Reads a voxel image in the form that DAMASK 3 reads: VTK image data, little-endian, of one
+/// layer, with the array `material` of the cells as Int32 or Int64 in inline base64, compressed by
+/// zlib or not. Beside it, a second file of `files` holds the materials.
+///
+/// Example usage:
+///     const VoxelFile file = decode_vti({{"tile.vti", read_whole_file("tile.vti")}});
+///     if (file.cells) prove_voxels(file.image, *file.cells);
+///
+/// @throws BadFile  naming the line and the remedy.
+VoxelFile decode_vti(const std::vector<EncodedFile>& files);
+
+/// Proves all that a file states.
+/// @throws NotATile  as prove_voxels() and require_voxel_ids() do.
+/// @throws BadFile   the materials are not those of cells of the image.
+VoxelProof prove_voxel_file(const std::vector<EncodedFile>& files, const VoxelFile& file);
+
+}  // namespace pcvt

@@ -1,0 +1,129 @@
+#include "io/voxels/vti_writer.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+
+#include "io/bytes/base64.hpp"
+#include "io/bytes/text.hpp"
+#include "io/voxels/damask_material.hpp"
+#include "io/voxels/zlib_blocks.hpp"
+#include "mesher/base/checkpoint.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Bytes of a block before its compression, some milliseconds of work.
+constexpr std::size_t kBlockSize = std::size_t{1} << 18;
+
+void append_little_endian(std::string& bytes, std::uint64_t value, int n_bytes) {
+    for (int k = 0; k < n_bytes; ++k) bytes += static_cast<char>(value >> 8 * k & 0xff);
+}
+
+void append_in_base64(std::string& text, const std::string& bytes) {
+    append_base64(text, std::vector<unsigned char>(bytes.begin(), bytes.end()));
+}
+
+/// Appends 32-bit integers as VTK's compressed arrays: the number of blocks, their size, the size
+/// of the last one if it is smaller, the sizes of all after compression; then the blocks.
+void append_compressed(std::string& text, const std::vector<SiteId>& values) {
+    constexpr std::size_t kValuesOfABlock = kBlockSize / sizeof(std::int32_t);
+    std::string header;
+    const std::size_t n_blocks = (values.size() + kValuesOfABlock - 1) / kValuesOfABlock;
+    append_little_endian(header, n_blocks, 8);
+    append_little_endian(header, kBlockSize, 8);
+    append_little_endian(header, values.size() * sizeof(std::int32_t) % kBlockSize, 8);
+    std::string packed;
+    for (std::size_t begin = 0; begin < values.size(); begin += kValuesOfABlock) {
+        checkpoint();
+        std::string block;
+        const std::size_t end = std::min(begin + kValuesOfABlock, values.size());
+        for (std::size_t k = begin; k < end; ++k) {
+            append_little_endian(block, static_cast<std::uint32_t>(values[k]), 4);
+        }
+        block = zlib_compressed(block);
+        append_little_endian(header, block.size(), 8);
+        packed += block;
+    }
+    append_in_base64(text, header);
+    append_in_base64(text, packed);
+}
+
+/// Appends `number` and a separator.
+void append_with(std::string& text, double number, char separator) {
+    append_number(text, number);
+    text += separator;
+}
+
+/// Appends an array of the whole image with `width` numbers a tuple.
+void append_array(std::string& text, const char* name, int width,
+                  const std::vector<double>& numbers) {
+    text += std::string("<DataArray type=\"Float64\" Name=\"") + name + "\" NumberOfTuples=\"" +
+            std::to_string(numbers.size() / static_cast<std::size_t>(width)) +
+            "\" NumberOfComponents=\"" + std::to_string(width) + "\" format=\"ascii\">\n";
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        checkpoint_each(static_cast<long>(k));
+        append_with(text, numbers[k], (k + 1) % static_cast<std::size_t>(width) == 0 ? '\n' : ' ');
+    }
+    text += "</DataArray>\n";
+}
+
+void append_field_data(std::string& text, const VoxelCells& cells) {
+    const Vec2& a = cells.lattice.a();
+    const Vec2& b = cells.lattice.b();
+    text += "<FieldData>\n";
+    append_array(text, "PeriodicLattice", 2, {a.x(), a.y(), b.x(), b.y()});
+    append_array(text, "SitePositions", 2,
+                 {cells.sites.data(), cells.sites.data() + cells.sites.size()});
+    if (cells.weights.size() > 0) {
+        append_array(text, "SiteWeights", 1,
+                     {cells.weights.data(), cells.weights.data() + cells.weights.size()});
+    }
+    if (!cells.metric.is_round()) {
+        append_array(text, "Metric", 2, {cells.metric.ratio(), cells.metric.degrees()});
+    }
+    text += "</FieldData>\n";
+}
+
+std::string encode_image(const VoxelImage& image, const VoxelCells& cells) {
+    const VoxelGrid& grid = image.grid;
+    const Vec2 spacing = grid.spacing();
+    const std::string extent = "Extent=\"0 " + std::to_string(grid.counts.x) + " 0 " +
+                               std::to_string(grid.counts.y) + " 0 1\"";
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<!-- The cells of a periodic tile as voxels, written by pcvt "
+        "-->\n"
+        "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<ImageData Whole" +
+        extent + " Origin=\"";
+    append_with(text, grid.corner.x(), ' ');
+    append_with(text, grid.corner.y(), ' ');
+    text += "0\" Spacing=\"";
+    append_with(text, spacing.x(), ' ');
+    append_with(text, spacing.y(), ' ');
+    // The layer is as thick as a voxel is wide.
+    append_with(text, spacing.x(), '"');
+    text += " Direction=\"1 0 0 0 1 0 0 0 1\">\n";
+    append_field_data(text, cells);
+    text += "<Piece " + extent +
+            ">\n<CellData>\n<DataArray type=\"Int32\" Name=\"material\" format=\"binary\">\n";
+    append_compressed(text, image.site);
+    text += "\n</DataArray>\n</CellData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> vti_paths(const std::string& path) {
+    return {path, std::filesystem::path(path).replace_extension(".material.yaml").string()};
+}
+
+std::vector<EncodedFile> encode_vti(const VoxelImage& image, const VoxelCells& cells,
+                                    const CellMaterials& materials, const std::string& path) {
+    const std::vector<std::string> paths = vti_paths(path);
+    std::vector<EncodedFile> files = only_file(paths[0], encode_image(image, cells));
+    files.push_back({paths[1], encode_damask_material(cells.n_cells(), materials)});
+    return files;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,151 @@
+"""pcvt mesh -o tile.vti: voxels for solvers that use Fourier transforms. DAMASK's conditions are tested on
+the bytes, read by a parser that goes line by line as DAMASK 3 does (src/grid/VTI.f90)."""
+
+import base64
+import math
+import re
+import struct
+import zlib
+
+from support.cli import CliTest, main
+
+
+def attribute(line, key):
+    found = re.findall(rf' {key}="([^"]*)"', line)
+    return found[-1] if found else ""
+
+
+def read_vti(text):
+    """Returns counts, size, origin and the list of materials, as DAMASK 3 reads them."""
+    lines = iter(text.split("\n"))
+    head = next(line for line in lines if "<VTKFile" in line)
+    assert attribute(head, "type") == "ImageData" and attribute(head, "byte_order") == "LittleEndian"
+    assert attribute(head, "compressor") in ("", "vtkZLibDataCompressor")
+    integer = "Q" if attribute(head, "header_type") == "UInt64" else "I"
+    width = struct.calcsize(integer)
+    image = next(line for line in lines if "<ImageData" in line)
+    assert attribute(image, "Direction") == "1 0 0 0 1 0 0 0 1"
+    extent = [int(word) for word in attribute(image, "WholeExtent").split()]
+    assert extent[::2] == [0, 0, 0]
+    counts = extent[1::2]
+    assert counts[0] > 1 and counts[2] == 1
+    spacing = [float(word) for word in attribute(image, "Spacing").split()]
+    origin = [float(word) for word in attribute(image, "Origin").split()]
+    next(line for line in lines if "<CellData>" in line)
+    array = next(line for line in lines if "<DataArray" in line and attribute(line, "Name") == "material")
+    assert attribute(array, "format") == "binary" and attribute(array, "type") == "Int32"
+    data = next(lines).strip()
+
+    def digits(n_bytes):
+        return 4 * math.ceil(n_bytes / 3)
+
+    def header(n):
+        return struct.unpack(f"<{n}{integer}", base64.b64decode(data[:digits(n * width)])[:n * width])
+
+    n_blocks = header(1)[0]
+    _, size, last, *packed_sizes = header(3 + n_blocks)
+    packed = base64.b64decode(data[digits((3 + n_blocks) * width):])
+    blocks = []
+    for packed_size in packed_sizes:
+        blocks.append(zlib.decompress(packed[:packed_size]))
+        packed = packed[packed_size:]
+    assert not packed and all(len(block) == size for block in blocks[:-1])
+    assert len(blocks[-1]) == (last or size)
+    content = b"".join(blocks)
+    materials = struct.unpack(f"<{len(content) // 4}i", content)
+    assert len(materials) == counts[0] * counts[1]
+    return counts, [s * n for s, n in zip(spacing, counts)], origin, materials
+
+
+class Voxels(CliTest):
+    def image(self, name="t.vti"):
+        return read_vti(self.path(name).read_text())
+
+    def sites(self, name="s.txt"):
+        return [tuple(map(float, line.split())) for line in self.path(name).read_text().splitlines()
+                if not line.startswith("#")]
+
+    def test_every_voxel_is_that_of_its_nearest_site(self):
+        for n, period, origin in ((1, (1, 1), (0, 0)), (2, (3, 1), (0, 0)), (40, (2, 1), (0.3, -5))):
+            self.succeed("mesh", "--sites", n, "--period", "%g,%g" % period, "--origin=%g,%g" % origin,
+                         "--max-iterations", 3, "--voxels", "30,20", "-o", "t.vti", "-o", "s.txt", "--force")
+            counts, size, corner, materials = self.image()
+            self.assertEqual(counts, [30, 20, 1])
+            self.assertEqual(corner[:2], list(origin))
+            for found, wanted in zip(size, period):
+                self.assertAlmostEqual(found, wanted, 14)
+            sites = self.sites()
+            self.assertEqual(len(sites), n)
+
+            def distance(p, s):
+                return sum(min(abs(a - b) % w, w - abs(a - b) % w) ** 2 for a, b, w in zip(p, s, period))
+
+            for index, material in enumerate(materials):
+                p = [corner[k] + ((index % 30, index // 30)[k] + 0.5) * size[k] / counts[k] for k in (0, 1)]
+                least = min(distance(p, s) for s in sites)
+                self.assertLess(distance(p, sites[material]) - least, 1e-14)
+
+    def test_the_default_has_sixteen_voxels_along_a_cell(self):
+        self.succeed("mesh", "--sites", 50, "--period", "2,1", "--max-iterations", 2, "-o", "t.vti")
+        self.assertEqual(self.image()[0], [160, 80, 1])
+        line = self.succeed("check", "t.vti")
+        self.assertRegex(line, r"^t\.vti: a voxel image: 160 x 80 voxels of 50 cells, period 2 x 1, each voxel "
+                               r"in the cell of its site within \S+ h, one material a cell, every cell has voxels$")
+
+    def test_a_repeated_tile_repeats_the_image(self):
+        run = ("mesh", "--sites", 20, "--max-iterations", 3)
+        self.succeed(*run, "--voxels", "16,16", "-o", "one.vti")
+        self.succeed(*run, "--voxels", "32,48", "--repeat", "2x3", "-o", "six.vti")
+        one, six = self.image("one.vti")[3], self.image("six.vti")[3]
+        self.assertEqual(six, tuple(one[16 * (l % 16) + k % 16] for l in range(48) for k in range(32)))
+        self.succeed("check", "one.vti", "six.vti")
+
+    def test_materials_lie_beside_the_image(self):
+        self.succeed("mesh", "--sites", 12, "--voxels", "8,8", "-o", "t.vti", "-o", "t.obj")
+        self.assertIn("t.material.yaml", self.contents())
+        lines = self.path("t.material.yaml").read_text().splitlines()
+        self.assertEqual([line for line in lines if re.match(r"\w", line)],
+                         ["homogenization:", "phase:", "material:"])
+        self.assertEqual(lines.count("      - phase: default"), 12)
+        self.assertEqual(lines.count("        v: 1.0"), 12)
+        self.assertEqual(lines.count("        O: [1.0, 0.0, 0.0, 0.0]"), 12)
+        self.refuse(3, "t.vti: cannot write: it exists", "mesh", "--sites", 12, "-o", "t.vti")
+        self.path("t.vti").unlink()
+        self.refuse(3, "t.material.yaml", "mesh", "--sites", 12, "-o", "t.vti")
+
+    def test_every_number_of_threads_gives_the_same_bytes(self):
+        for threads in (1, 4):
+            self.succeed("mesh", "--sites", 300, "--threads", threads, "-o", f"t{threads}.vti", "--quiet")
+        files = self.contents()
+        self.assertEqual(files["t1.vti"], files["t4.vti"])
+        self.assertEqual(files["t1.material.yaml"], files["t4.material.yaml"])
+
+    def test_check_names_cells_smaller_than_a_voxel(self):
+        self.succeed("mesh", "--sites", 100, "--max-iterations", 0, "--voxels", "4,4", "-o", "t.vti")
+        self.assertRegex(self.succeed("check", "t.vti"), r"8\d cells contain the centre of no voxel \(\d.* \.\.\.\)$")
+
+    def test_check_refutes_and_refuses(self):
+        self.succeed("mesh", "--sites", 12, "--voxels", "8,8", "-o", "t.vti")
+        text = self.path("t.vti").read_text()
+        self.write("moved.vti", text.replace('Origin="0 0', 'Origin="0.3 0'))
+        self.refuse(2, r"^moved\.vti: not a voxel image: voxel \d+,\d+ names cell \d+, but its centre lies in",
+                    "check", "moved.vti")
+        self.refuse(2, "not the one that was given", "check", "t.vti", "--period", "2,1")
+        self.refuse(2, "--cvt is not for voxels", "check", "t.vti", "--cvt")
+        self.succeed("check", "t.vti", "--period", "1,1")
+
+    def test_mistakes_are_refused_before_the_run(self):
+        run = ("mesh", "--sites", 12, "-o", "t.vti")
+        self.refuse(2, "-o t.vti: voxels need periods along x and y; use a rectangular", *run, "--lattice",
+                    "1,0,0.5,0.9")
+        for voxels, words in (("8", "NX,NY"), ("8,1", "whole numbers from 2"), ("8.5,8", "whole numbers"),
+                              ("a,b", "number"), ("1048577,8", "2 to 1048576")):
+            self.refuse(2, f"--voxels {voxels}: .*{words}", *run, "--voxels", voxels)
+        self.refuse(4, "at most 2\\^28", *run, "--voxels", "100000,100000")
+        self.refuse(2, r"no output takes a number of voxels; add one of \.vti", "mesh", "--sites", 12, "-o",
+                    "t.obj", "--voxels", "8,8")
+        self.assertEqual(self.contents(), {})
+
+
+if __name__ == "__main__":
+    main()
