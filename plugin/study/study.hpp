@@ -75,7 +75,7 @@ struct StudyRecipe {
     StudyResult (*conclude)(const Study& study, const StudyTable& runs);
 };
 
-/// table1, fig7, ... fig11.
+/// table1, fig7, ... fig11, sizes.
 const std::vector<StudyRecipe>& study_recipes();
 
 /// @throws InvalidInput naming the known recipes.

@@ -12,6 +12,7 @@ StudyRecipe fig8_recipe();
 StudyRecipe fig9_recipe();
 StudyRecipe fig10_recipe();
 StudyRecipe fig11_recipe();
+StudyRecipe sizes_recipe();
 
 /// The paper's domain.
 Lattice unit_square();
