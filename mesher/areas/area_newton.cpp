@@ -30,8 +30,8 @@ constexpr double kShortestStep = 0x1p-30;
 /// relative error, and a full step that does not halve it ends the iteration.
 constexpr double kRounding = 1e-9;
 constexpr int kMostSteps = 200;
-/// The roundings of weights that add up in one area.
-constexpr double kWeightRoundings = 16;
+/// The roundings of weights, and of the heights that follow from them, that add up in one area.
+constexpr double kWeightRoundings = 64;
 
 double largest_error(const Eigen::VectorXd& mass, const Eigen::VectorXd& areas) {
     return ((mass - areas).array().abs() / areas.array()).maxCoeff();
