@@ -1,9 +1,8 @@
 #include "io/file_proof.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "io/bytes/output_error.hpp"
 #include "io/mpas/mpas_graph.hpp"
@@ -17,9 +16,6 @@
 
 namespace pcvt {
 namespace {
-
-/// Corners of grains may be moved by this much, in units of h.
-constexpr double kMovedCorner = 0.05;
 
 std::vector<EdgePair> sorted(std::vector<EdgePair> pairs) {
     std::sort(pairs.begin(), pairs.end());
@@ -47,39 +43,27 @@ std::string path_of(const TileFormat& format, const std::vector<EncodedFile>& fi
     return path.substr(0, path.size() - format.paths("").front().size());
 }
 
-/// Whether the nearest image of its site may not be the cell of a triangle of grains: where short
-/// edges were removed, and where a triangle lies about halfway between two images of its site.
-bool has_ambiguous_cells(const Tile& tile) {
-    if (tile.kind != MeshKind::kGrains || tile.face_site.empty()) return false;
-    if (tile.short_edges > 0) return true;
-    const Tile round = round_tile(tile);
-    const int columns = std::max(tile.columns, 1);
-    const int rows = std::max(tile.rows, 1);
-    const Lattice lattice(round.lattice.a() / columns, round.lattice.b() / rows);
-    const int n_sites = 1 + *std::max_element(tile.face_site.begin(), tile.face_site.end());
-    const double moved = kMovedCorner * std::sqrt(lattice.area() / std::max(n_sites, 1));
-    const Lattice reduced = reduce(lattice).reduced;
-    const std::array translations{reduced.a(), reduced.b(), Vec2(reduced.a() + reduced.b()),
-                                  Vec2(reduced.a() - reduced.b())};
-    const std::vector<Vec2> sites = nearest_site_images(round);
-    for (std::size_t f = 0; f < sites.size(); ++f) {
-        const Vec2 from_site = face_middle(round, static_cast<int>(f)) - sites[f];
-        for (const Vec2& t : translations) {
-            // The distance from the bisector of the site and its image at t, or at -t.
-            const double within = t.norm() / 2 - std::abs(from_site.dot(t)) / t.norm();
-            if (!(within > moved)) return true;
-        }
-    }
-    return false;
+/// A tile whose laws, stored pairs and site ids are proved, and the cells of its faces.
+struct ProvedLabels {
+    TileProof proof;
+    FaceImages cells;
+};
+
+ProvedLabels prove_labels(const TileFile& file) {
+    TileProof proof = prove_tile(file.tile, file.precision);
+    if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
+    if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
+    FaceImages cells = prove_sites(file.tile, proof);
+    return {std::move(proof), std::move(cells)};
 }
 
 /// Compares the files with those that the writer gives for their tile, unless they are these.
 void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& files, Tile tile,
-                  const CellMaterials& materials, const TileProof& proof) {
+                  const CellMaterials& materials, const ProvedLabels& proved) {
     const FileOptions options{.materials = materials.empty() ? nullptr : &materials};
-    tile.vertex_pairs = proof.vertex_pairs;
-    tile.edge_pairs = proof.edge_pairs;
-    tile.grain_site_points = nearest_site_images(tile);
+    tile.vertex_pairs = proved.proof.vertex_pairs;
+    tile.edge_pairs = proved.proof.edge_pairs;
+    tile.grain_site_points = grain_site_points(tile, proved.cells.of_face);
     if (format.holds_sites) require_sites(files.front().path, tile);
     for (const EncodedFile& expected : encode_tile(format, tile, path_of(format, files), options)) {
         const auto found = std::find_if(files.begin(), files.end(), [&](const EncodedFile& file) {
@@ -117,21 +101,16 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
     }
 }
 
-TileProof prove_tile_file(const TileFile& file) {
-    TileProof proof = prove_tile(file.tile, file.precision);
-    if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
-    if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
-    prove_sites(file.tile, proof);
-    return proof;
-}
+TileProof prove_tile_file(const TileFile& file) { return prove_labels(file).proof; }
 
 TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
                      const TileFile& file) {
-    TileProof proof = prove_tile_file(file);
+    const ProvedLabels proved = prove_labels(file);
     const bool exact = file.states_lattice && file.precision == Precision::kDouble;
-    const bool comparable = exact && format.fields != nullptr && !has_ambiguous_cells(file.tile);
-    if (comparable) prove_fields(format, files, file.tile, file.materials, proof);
-    return proof;
+    if (exact && format.fields != nullptr && proved.cells.are_clear) {
+        prove_fields(format, files, file.tile, file.materials, proved);
+    }
+    return proved.proof;
 }
 
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,

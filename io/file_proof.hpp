@@ -24,9 +24,9 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
 TileProof prove_tile_file(const TileFile& file);
 
 /// Proves all that `files` state: the tile that was read from them, and, where they state its
-/// lattice as pcvt writes it, each further field that follows from the tile. In grains without
-/// short edges, and in those of which a triangle lies about halfway between two images of its site,
-/// these fields do not follow.
+/// lattice as pcvt writes it, each further field that follows from the tile. These fields follow
+/// unless a cell touches another image of itself so that the cells of some faces are not clear
+/// (FaceImages::are_clear).
 ///
 /// Example usage:
 ///   const TileFile file = decode_tile(format, files, std::nullopt);

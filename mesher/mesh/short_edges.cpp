@@ -27,9 +27,11 @@ class Shrinking {
         : mesh_(mesh),
           joined_(mesh.n_vertices()),
           position_(mesh.vertices),
-          corners_at_(mesh.vertices.size()),
-          weight_(mesh.vertices.size(), 1) {
+          corners_at_(mesh.vertices.size()) {
         for (int c = 0; c < mesh.n_corners(); ++c) corners_at_[mesh.corner_vertex[c]].push_back(c);
+        for (const std::vector<int>& corners : corners_at_) {
+            weight_.push_back(static_cast<int>(corners.size()) - 2);
+        }
     }
 
     MeshCorner corner(int c) {
@@ -144,7 +146,8 @@ class Shrinking {
     /// The position of each root.
     std::vector<Vec2> position_;
     std::vector<std::vector<int>> corners_at_;
-    /// The number of vertices joined to each root.
+    /// The number of Delaunay triangles whose circumcentres were joined to each root: two less than
+    /// that of its cells.
     std::vector<int> weight_;
 };
 

@@ -18,6 +18,8 @@ namespace pcvt {
 ///       V - E + F = 0, and the areas sum to that of the domain.
 ///   (2) No remaining edge shorter than `shortest` may be removed.
 ///   (3) A vertex moves only if it lies on a removed edge.
+///   (4) A vertex of k cells lies at the mean of the circumcentres of the k - 2 Delaunay triangles
+///       that join their sites.
 ///
 /// @param cells     whole cells (`kVoronoi`).
 /// @param shortest  length units; 0 leaves the mesh as it is.

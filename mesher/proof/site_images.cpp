@@ -51,4 +51,18 @@ Offset SiteImages::search(SiteId site, const Vec2& p) const {
     return reduction_.to_original(best);
 }
 
+SiteImages::Side SiteImages::side_of(SiteId site, const Vec2& p) const {
+    Side side{nearest(site, p), std::numeric_limits<double>::infinity()};
+    const Vec2 way = p - position(site, side.offset);
+    for (int i = -1; i <= 1; ++i) {
+        for (int j = -1; j <= 1; ++j) {
+            if (i == 0 && j == 0) continue;
+            const Vec2 between = reduction_.reduced.translation({i, j});
+            const double length = between.norm();
+            side.depth = std::min(side.depth, length / 2 - way.dot(between) / length);
+        }
+    }
+    return side;
+}
+
 }  // namespace pcvt

@@ -34,6 +34,16 @@ class SiteImages {
         const Vec2 way = p - position(site, offset);
         return lift_.empty() ? way.norm() : std::sqrt(way.squaredNorm() + lift_[site]);
     }
+    /// The weight of a site, up to a constant that is the same for all of them, length^2.
+    double weight(SiteId site) const { return lift_.empty() ? 0 : -lift_[site]; }
+    /// An image, and how far a point lies on its side of the nearest bisector with another one.
+    struct Side {
+        Offset offset;
+        double depth;
+    };
+    /// Returns the image on whose side p lies.
+    /// @throws NotATile as nearest().
+    Side side_of(SiteId site, const Vec2& p) const;
     /// Returns the offset of the image that is nearest to p.
     /// @throws NotATile if the site lies too many periods away.
     Offset nearest(SiteId site, const Vec2& p) const {

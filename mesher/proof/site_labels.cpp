@@ -27,6 +27,11 @@ constexpr double kRoundings = 8;
 /// The roundings of positions that are mapped to the round space of a metric and back.
 constexpr double kMappings = 2;
 
+/// In grains, edges shorter than this are removed from cells, and corners nearer to the box than
+/// this are moved onto it, in units of h.
+constexpr double kRemovedFromGrains = 0.02;
+constexpr double kSnappedGrains = 0.03;
+
 /// Law (1). @returns the number of sites.
 int require_all_ids(const Tile& tile) {
     const std::vector<SiteId>& sites = tile.sites();
@@ -221,17 +226,10 @@ void require_faces(const Tile& tile, int n_sites) {
     }
 }
 
-/// Proves a tile in its round space, where rounding is larger.
-void prove_round_sites(const Tile& tile, TileProof proof) {
-    proof.tolerance *= kMappings * tile.metric.largest_stretch();
-    prove_sites(round_tile(tile), proof);
-}
-
-}  // namespace
-
-void prove_sites(const Tile& tile, const TileProof& proof) {
-    if (!tile.metric.is_round()) return prove_round_sites(tile, proof);
-    if (tile.sites().empty()) return;
+/// Proves a tile in its round space.
+/// @param stretch  by which lengths of the file may have grown in the tile.
+FaceImages prove_round_sites(const Tile& tile, const TileProof& proof, double stretch) {
+    if (tile.sites().empty()) return {};
     const int n_sites = require_all_ids(tile);
     const bool owned = faces_have_sites(tile.kind);
     if (!owned) require_orbits(tile, proof, n_sites);
@@ -242,18 +240,34 @@ void prove_sites(const Tile& tile, const TileProof& proof) {
     std::vector<Vec2> positions = site_positions(tile);
     if (positions.empty()) {
         if (owned) require_faces(tile, n_sites);
-        return;
+        return {};
     }
     const SiteImages images(tile, std::move(positions));
-    // Where corners were moved, no bound for their distances is proved, nor which image is nearest.
-    const bool is_moved = tile.kind == MeshKind::kGrains || (owned && tile.short_edges > 0);
-    if (is_moved) {
+    const bool is_grains = tile.kind == MeshKind::kGrains;
+    if (is_grains || (owned && tile.short_edges > 0)) {
         require_faces(tile, n_sites);
-    } else if (owned) {
+        const double h = stretch * std::sqrt(images.cell_area());
+        const double removed =
+            is_grains ? std::max(kRemovedFromGrains, tile.short_edges) : tile.short_edges;
+        return prove_moved_cells(tile, proof, images,
+                                 {removed * h, (is_grains ? kSnappedGrains : 0) * h});
+    }
+    if (owned) {
         Equidistance(tile, proof, images, images_of_faces(tile, images)).require();
     } else {
         require_sites_at_vertices(tile, images, kRoundings * proof.tolerance);
     }
+    return {};
+}
+
+}  // namespace
+
+FaceImages prove_sites(const Tile& tile, const TileProof& proof) {
+    if (tile.metric.is_round()) return prove_round_sites(tile, proof, 1);
+    const double stretch = tile.metric.largest_stretch();
+    TileProof round = proof;
+    round.tolerance *= kMappings * stretch;
+    return prove_round_sites(round_tile(tile), round, stretch);
 }
 
 }  // namespace pcvt

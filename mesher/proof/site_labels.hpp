@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesher/proof/moved_cells.hpp"
 #include "mesher/proof/validate.hpp"
 
 namespace pcvt {
@@ -25,15 +26,24 @@ namespace pcvt {
 ///       modulo the lattice has a face. Delaunay triangles: each vertex is an image of its site.
 ///   (6) Cells: a vertex is equally far from the sites of all its faces.
 ///
-/// Laws (4) to (6) hold, and are proved, unless corners of cells were moved: in grains, and where
-/// edges of the length Tile::short_edges were removed.
+/// Where edges of cells were removed (Tile::short_edges, and always in grains), and with them (5)
+/// and (6), these laws hold instead (moved_cells.hpp):
+///   (7) A vertex at which k > 2 cells meet lies at the mean of the circumcentres of the k - 2
+///       Delaunay triangles of their sites (dual_mean.hpp). In grains with a box outline, a vertex
+///       on a side of the box may have been moved onto it along a period vector, by less than 0.03
+///       h from the side, and at a corner of the box freely by 0.03 h.
+///   (8) Where two cells meet, the edge between them is straight, but for the corners of the box.
+///   (9) The faces of a site form no more parts than the tile has periods.
+/// They need no bound for the distance by which corners were moved. What Tile::short_edges states
+/// plays a part only where a cell touches another image of itself.
 ///
 /// With weights (Tile::site_weights), "equally far" means an equal power distance |p - x|^2 - w;
 /// distances are those of Tile::metric.
 ///
-/// By (4) to (6), two ids that are exchanged are found, and a site that moves. Distances are
+/// By (4) to (9), two ids that are exchanged are found, and a site that moves. Distances are
 /// compared within 1e-7 h + 8 proof.tolerance, h = sqrt(area / number of cells). Cost: O(n).
+/// @returns where corners were moved, the cell of each face; else nothing, which is clear.
 /// @throws NotATile naming the site and the face or the vertex.
-void prove_sites(const Tile& tile, const TileProof& proof);
+FaceImages prove_sites(const Tile& tile, const TileProof& proof);
 
 }  // namespace pcvt

@@ -1,8 +1,6 @@
 #include "mesher/tile/site_positions.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace pcvt {
 namespace {
@@ -41,36 +39,15 @@ Vec2 face_middle(const Tile& tile, int f) {
     return sum / tile.face_size(f);
 }
 
-std::vector<Vec2> nearest_site_images(const Tile& tile) {
-    if (tile.kind != MeshKind::kGrains || tile.site_positions.empty()) return {};
-    // The cell lies in the Voronoi cell of its site among the images of that site, in the metric.
-    const Lattice& lattice = tile.lattice;
-    const Metric& metric = tile.metric;
-    const Lattice of_sites(lattice.a() / tile.columns, lattice.b() / tile.rows);
-    const Reduction reduction = reduce(metric.to_round(of_sites));
-    std::vector<Vec2> images;
-    images.reserve(tile.face_site.size());
+std::vector<Vec2> grain_site_points(const Tile& tile, const std::vector<Offset>& images) {
+    if (tile.kind != MeshKind::kGrains || tile.site_positions.empty() || images.empty()) return {};
+    const Lattice of_sites(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows);
+    std::vector<Vec2> points;
+    points.reserve(images.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
-        const Vec2 middle = face_middle(tile, f);
-        const Vec2& site = tile.site_positions[tile.face_site[f]];
-        const Vec2 u = reduction.reduced.to_lattice(metric.to_round(Vec2(middle - site)));
-        const Offset about{static_cast<int>(std::lround(u.x())),
-                           static_cast<int>(std::lround(u.y()))};
-        double least = std::numeric_limits<double>::infinity();
-        Vec2 best = site;
-        for (int i = -1; i <= 1; ++i) {
-            for (int j = -1; j <= 1; ++j) {
-                const Offset offset = reduction.to_original(about + Offset{i, j});
-                const Vec2 image = site + of_sites.translation(offset);
-                const double distance = metric.to_round(Vec2(image - middle)).squaredNorm();
-                if (!(distance < least)) continue;
-                least = distance;
-                best = image;
-            }
-        }
-        images.push_back(best);
+        points.push_back(tile.site_positions[tile.face_site[f]] + of_sites.translation(images[f]));
     }
-    return images;
+    return points;
 }
 
 }  // namespace pcvt

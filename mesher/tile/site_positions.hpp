@@ -19,10 +19,9 @@ std::vector<Vec2> site_positions(const Tile& tile);
 Vec2 face_middle(const Tile& tile, int f);
 
 /// Returns the position of the site of the cell that each face of a tile of grains belongs to, as
-/// Tile::grain_site_points: the image of its site that is nearest to the face, in the
-/// metric of the tile. Returns an empty
-/// list for other tiles and where the tile states no positions.
-/// @pre prove_sites() accepts the tile.
-std::vector<Vec2> nearest_site_images(const Tile& tile);
+/// Tile::grain_site_points. Returns an empty list for other tiles and where the tile states no
+/// positions.
+/// @param images  for each face the image of its site, in the basis of the lattice of the sites.
+std::vector<Vec2> grain_site_points(const Tile& tile, const std::vector<Offset>& images);
 
 }  // namespace pcvt

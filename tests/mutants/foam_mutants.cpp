@@ -54,7 +54,6 @@ std::vector<Mutant> foam_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_foam() {
     static constexpr std::array kHarmless{
-        Harmless{"pcvt site*", "", kMoved, "grains"},
         Harmless{"pcvt weight", "", kNotShown, "delaunay"},
         Harmless{"pcvt weight", "", kNotShown, "grains"},
         Harmless{"pcvt metric*", "", kNotShown, "delaunay"},

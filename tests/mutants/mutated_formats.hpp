@@ -19,9 +19,9 @@ struct Harmless {
     std::string_view base = {};
 };
 
-/// The reason for sites of grains, and of cells whose short edges were removed.
-inline constexpr std::string_view kMoved =
-    "laws (4) to (6) of sites do not hold where corners were moved";
+/// The reason for small changes in files of single precision.
+inline constexpr std::string_view kSingle =
+    "less than the roundings of single precision, which narrow cells magnify";
 
 /// The reason for weights and metrics of triangles.
 inline constexpr std::string_view kNotShown =

@@ -125,6 +125,21 @@ TEST(ShortEdges, MoveOnlyTheirOwnEnds) {
     EXPECT_GT(n_still, 300);
 }
 
+// Law 4: the vertex of four cocircular sites, (0.5, 0.5), counts for two of three triangles; the
+// third one has its circumcentre at (0.5, 0.55).
+TEST(ShortEdges, AVertexOfFourCellsCountsTwice) {
+    Points points(2, 5);
+    points << 0.3, 0.7, 0.3, 0.7, 0.5, 0.3, 0.3, 0.7, 0.7, 0.8;
+    const PeriodicMesh cells = cell_mesh(PeriodicDelaunay(Sites(Lattice::rectangle(1, 1), points)));
+    const PeriodicMesh joined = without_short_edges(cells, 0.06);
+    ASSERT_EQ(joined.n_vertices(), cells.n_vertices() - 1);
+    double nearest = 1;
+    for (const Vec2& p : joined.vertices) {
+        nearest = std::min(nearest, (p - Vec2(0.5, 0.5 + 0.05 / 3)).norm());
+    }
+    EXPECT_LT(nearest, 1e-12);
+}
+
 TEST(ShortEdges, LengthZeroLeavesTheMeshUnchanged) {
     const PeriodicMesh cells = random_cells(Lattice::rectangle(1, 1), 40, 7);
     const PeriodicMesh same = without_short_edges(cells, 0);

@@ -28,15 +28,6 @@ std::vector<TileOptions> all_options() {
     return all;
 }
 
-/// The options without moved corners, whose cells and triangles show where the sites are.
-std::vector<TileOptions> options_without_moved_corners() {
-    std::vector<TileOptions> all = all_options();
-    std::erase_if(all, [](const TileOptions& options) {
-        return options.short_edges > 0 || options.kind == MeshKind::kGrains;
-    });
-    return all;
-}
-
 Tile tile_of(const Lattice& lattice, int n, const TileOptions& options) {
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
     return build_tile(delaunay, options).tile;
@@ -80,7 +71,7 @@ TEST(SiteLabels, AFileWithPositionsProvesTheSame) {
 }
 
 TEST(SiteLabels, NoIdMayDiffer) {
-    for (const TileOptions& options : options_without_moved_corners()) {
+    for (const TileOptions& options : all_options()) {
         const Tile tile = tile_of(kOblique, 12, options);
         const auto n_ids = static_cast<int>(tile.sites().size());
         for (int k = 0; k < n_ids; k += 1 + n_ids / 60) {
@@ -108,7 +99,7 @@ TEST(SiteLabels, EveryIdIsThere) {
 }
 
 TEST(SiteLabels, TwoExchangedSitesAreFound) {
-    for (const TileOptions& options : options_without_moved_corners()) {
+    for (const TileOptions& options : all_options()) {
         Tile tile = tile_of(kOblique, 12, options);
         tile.site_positions = site_positions(tile);
         for (SiteId& site : sites_of(tile)) site = site == 4 ? 7 : site == 7 ? 4 : site;
@@ -117,7 +108,7 @@ TEST(SiteLabels, TwoExchangedSitesAreFound) {
 }
 
 TEST(SiteLabels, NoSiteMayMove) {
-    for (const TileOptions& options : options_without_moved_corners()) {
+    for (const TileOptions& options : all_options()) {
         const Tile tile = tile_of(kOblique, 12, options);
         for (std::size_t s = 0; s < 12; ++s) {
             for (const Vec2& step : {Vec2(0.1, 0), Vec2(0, -0.1), kOblique.b(), Vec2(7, 0)}) {
@@ -133,7 +124,7 @@ TEST(SiteLabels, NoSiteMayMove) {
 }
 
 TEST(SiteLabels, ASmallStepOfASiteIsFoundByItsCorners) {
-    for (const TileOptions& options : options_without_moved_corners()) {
+    for (const TileOptions& options : all_options()) {
         const Tile tile = tile_of(kOblique, 12, options);
         Tile changed = tile;
         changed.site_positions = site_positions(tile);
