@@ -26,6 +26,8 @@ constexpr double kOffBisector = 1e-7;
 constexpr double kRoundings = 8;
 /// The roundings of positions that are mapped to the round space of a metric and back.
 constexpr double kMappings = 2;
+/// The ulps of each period vector's share.
+constexpr double kUlps = 2;
 
 /// In grains, edges shorter than this are removed from cells, and corners nearer to the box than
 /// this are moved onto it, in units of h.
@@ -226,6 +228,17 @@ void require_faces(const Tile& tile, int n_sites) {
     }
 }
 
+/// The roundings of the period vectors in a translation of the tile: where the vectors are not
+/// reduced, the multiples that make up a short translation are long.
+double translation_rounding(const Lattice& lattice) {
+    double multiple = 1;
+    for (const int entry : reduce(lattice).m) {
+        multiple = std::max(multiple, std::abs(double(entry)));
+    }
+    return kUlps * std::numeric_limits<double>::epsilon() * multiple *
+           (lattice.a().norm() + lattice.b().norm());
+}
+
 /// Proves a tile in its round space.
 /// @param stretch  by which lengths of the file may have grown in the tile.
 FaceImages prove_round_sites(const Tile& tile, const TileProof& proof, double stretch) {
@@ -266,7 +279,7 @@ FaceImages prove_sites(const Tile& tile, const TileProof& proof) {
     if (tile.metric.is_round()) return prove_round_sites(tile, proof, 1);
     const double stretch = tile.metric.largest_stretch();
     TileProof round = proof;
-    round.tolerance *= kMappings * stretch;
+    round.tolerance = kMappings * stretch * (proof.tolerance + translation_rounding(tile.lattice));
     return prove_round_sites(round_tile(tile), round, stretch);
 }
 
