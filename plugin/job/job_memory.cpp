@@ -24,6 +24,9 @@ constexpr double kThread = 1e6;
 constexpr double kTriangulating = 185;
 constexpr double kOptimising = 205;
 constexpr double kWithDensity = 60;
+/// Of prescribed areas, at fixed and at moving sites.
+constexpr double kFittingAreas = 780;
+constexpr double kMovingWithAreas = 980;
 /// Sites of a file, with their lines.
 constexpr double kFromFile = 65;
 
@@ -60,6 +63,8 @@ constexpr std::array<FormatMemory, 17> kFormats{{
 constexpr FormatMemory kBuilt{"", 600, 0, 230};
 /// A tile that is held while others are built and written.
 constexpr FormatMemory kHeld{"", 160, 60, 60};
+/// A tile that is mapped to the round space of its aspect for its proof.
+constexpr FormatMemory kMapped{"", 160, 60, 100};
 /// The part of its own run that a file adds while another one is written.
 constexpr double kBesideAnother = 0.5;
 /// A pixel of a picture that one colours.
@@ -123,7 +128,9 @@ double file_bytes(const Job& job, const JobFile& file) {
 
 /// The sites, from their start to the end of their optimisation.
 double site_bytes(const Job& job) {
-    const double moving = job.max_iterations == 0 ? kTriangulating : kOptimising;
+    const bool is_fixed = job.max_iterations == 0;
+    const double moving = job.areas ? (is_fixed ? kFittingAreas : kMovingWithAreas)
+                                    : (is_fixed ? kTriangulating : kOptimising);
     return n_sites(job) * (moving + (job.density ? kWithDensity : 0));
 }
 
@@ -145,6 +152,11 @@ double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
         for (std::size_t k = 1; k < job.meshes.size(); ++k) {
             meshes += mesh_bytes(job, job.meshes[k], kHeld);
         }
+    }
+    if (job.aspect) {
+        // The cells are counted in the plane in any case.
+        meshes = std::max(meshes + mesh_bytes(job, job.meshes.front(), kMapped),
+                          mesh_bytes(job, MeshKind::kVoronoi, kBuilt));
     }
     const double from_file = job.points.cols() > 0 ? kFromFile * n_sites(job) : 0;
     return kCommand + kThread * job.n_threads + from_file + std::max(site_bytes(job), meshes);
