@@ -64,7 +64,7 @@ constexpr FormatMemory kBuilt{"", 600, 0, 230};
 /// A tile that is held while others are built and written.
 constexpr FormatMemory kHeld{"", 160, 60, 60};
 /// A tile that is mapped to the round space of its aspect for its proof.
-constexpr FormatMemory kMapped{"", 160, 60, 100};
+constexpr FormatMemory kMapped{"", 160, 60, 170};
 /// The part of its own run that a file adds while another one is written.
 constexpr double kBesideAnother = 0.5;
 /// A pixel of a picture that one colours.
