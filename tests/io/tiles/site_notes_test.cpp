@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "io/bytes/text.hpp"
@@ -53,7 +54,7 @@ TEST(SiteNotes, CommentsGiveTheNumbersBackBitForBit) {
             Tile back{.lattice = kOblique, .kind = tile.kind};
             std::move(builder.notes).give_to(back);
             EXPECT_TRUE(same_site_notes(back, tile)) << text;
-            back.site_positions[3].x() += 1e-16;
+            back.site_positions[3].x() = std::nextafter(back.site_positions[3].x(), 10);
             EXPECT_FALSE(same_site_notes(back, tile));
         }
     }

@@ -254,9 +254,9 @@ static void unknown_forms_of_files_are_refused(void) {
     CHECK(pcvt_write(result, "t.inp", &forms) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "element 2") != NULL);
     forms.element = PCVT_CPE;
-    forms.colour = 5;
+    forms.colour = 6;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "colour 5") != NULL);
+    CHECK(strstr(pcvt_last_error(), "colour 6") != NULL);
     forms.colour = PCVT_COLOUR_DENSITY;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
     forms.colour = PCVT_COLOUR_DEFAULT;
