@@ -114,7 +114,7 @@ class FaceImageSearch {
             if (touches[site(f)]) continue;
             found_.image[f] = parts_[part_[f].orbit].image + part_[f].offset;
         }
-        require_each_image(touches);
+        require_each_image();
     }
 
     /// The side of the corner of a face, or of its middle, that is farthest from all bisectors.
@@ -148,14 +148,14 @@ class FaceImageSearch {
         part.lead = -part.lead;
     }
 
-    void require_each_image(const std::vector<bool>& touches) const {
+    void require_each_image() const {
         const auto n_copies = static_cast<std::size_t>(images_.copies());
-        std::vector<bool> found(touches.size() * n_copies, false);
+        std::vector<bool> found(static_cast<std::size_t>(images_.n_sites()) * n_copies, false);
         for (int f = 0; f < faces_.n_faces(); ++f) {
             found[std::size_t(site(f)) * n_copies + images_.copy_of(found_.image[f])] = true;
         }
         for (std::size_t k = 0; k < found.size(); ++k) {
-            if (found[k] || touches[k / n_copies]) continue;
+            if (found[k]) continue;
             throw_violation(kSiteLaw, "site " + to_string(k / n_copies) +
                                           " has no cell in one of the periods of the tile");
         }
