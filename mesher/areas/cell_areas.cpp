@@ -1,9 +1,12 @@
 #include "mesher/areas/cell_areas.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "mesher/areas/area_cvt.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/delaunay/periodic_delaunay.hpp"
@@ -12,6 +15,9 @@
 
 namespace pcvt {
 namespace {
+
+/// Areas of a file may be off by this many tolerances of a run.
+constexpr double kAreaTolerances = 10;
 
 /// Turns a triangulation of the sites into the regular one, certified.
 PeriodicDelaunay made_regular(Sites sites, TorusTriangulation triangulation,
@@ -57,6 +63,27 @@ CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights) {
         }
     }
     return cells;
+}
+
+AreaComparison compare_areas(const StatedCells& cells, const Eigen::VectorXd& wanted) {
+    const Sites sites(cells.metric.to_round(cells.lattice), cells.metric.to_round(cells.points));
+    const CellAreas found = power_cell_areas(sites, cells.weights);
+    // By how much rounding changes the power distances of the corners of a cell: a corner lies
+    // within `reach` of its sites.
+    const double reach =
+        sites.spacing() + std::sqrt(cells.weights.maxCoeff() - cells.weights.minCoeff());
+    const double of_position = cells.metric.largest_stretch() * cells.rounding;
+    const double of_weight = cells.weight_rounding * cells.weights.cwiseAbs().maxCoeff();
+    const double rounding = 2 * (2 * reach * of_position + of_weight);
+    const double least = kAreaTolerances * area_tolerance(sites.n_sites());
+    AreaComparison worst{.site = -1, .area = 0, .error = 0, .tolerance = least};
+    for (int s = 0; s < sites.n_sites(); ++s) {
+        const double error = std::abs(found.area[s] - wanted[s]) / wanted[s];
+        const double tolerance = std::max(least, found.sensitivity[s] * rounding / wanted[s]);
+        if (worst.site >= 0 && error * worst.tolerance <= worst.error * tolerance) continue;
+        worst = {.site = s, .area = found.area[s], .error = error, .tolerance = tolerance};
+    }
+    return worst;
 }
 
 }  // namespace pcvt

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "mesher/lattice/metric.hpp"
 #include "mesher/lattice/sites.hpp"
 
 namespace pcvt {
@@ -14,6 +15,31 @@ struct CellAreas {
     /// distance of its two sites: an area changes by at most twice this when the power distances
     /// change by 1. Edges between images of one site do not move.
     Eigen::VectorXd sensitivity;
+};
+
+/// Power cells as a file states them.
+struct StatedCells {
+    Lattice lattice;
+    /// Of elongated cells.
+    Metric metric;
+    /// 2 x n, length units.
+    Points points;
+    /// n, length^2.
+    Eigen::VectorXd weights;
+    /// Of a position, length units, and of a weight, as a share of the largest one.
+    double rounding;
+    double weight_rounding;
+};
+
+/// Where the areas of cells differ most from the wished ones, compared with what is tolerated.
+struct AreaComparison {
+    SiteId site;
+    /// length^2
+    double area;
+    /// |area - wish| / wish
+    double error;
+    /// 10 area_tolerance(n), or more where the rounding of the file changes the area by more.
+    double tolerance;
 };
 
 /// Builds the regular triangulation of sites with weights from nothing and measures their cells:
@@ -31,5 +57,10 @@ struct CellAreas {
 /// @param weights  n, length^2.
 /// @throws InvalidInput naming a site without a cell.
 CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights);
+
+/// Compares the areas of power_cell_areas() with wished ones.
+/// @param wanted  n, positive, length^2.
+/// @throws InvalidInput as power_cell_areas() and Sites do.
+AreaComparison compare_areas(const StatedCells& cells, const Eigen::VectorXd& wanted);
 
 }  // namespace pcvt

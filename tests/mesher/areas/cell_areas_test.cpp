@@ -51,6 +51,38 @@ TEST(CellAreas, AWeightChangesAnAreaByItsSensitivity) {
     }
 }
 
+TEST(CellAreas, TheWorstCellIsNamedAndRoundingIsTolerated) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    const Metric metric(3, 30);
+    const Eigen::VectorXd wanted = wanted_areas(lattice, 30, 1);
+    const Points points = uniform_points(lattice, 30, 1);
+    const AreaCvtResult run =
+        compute_area_cvt(metric.to_round(lattice), metric.to_round(points), {.areas = wanted});
+    StatedCells cells{.lattice = lattice,
+                      .metric = metric,
+                      .points = points,
+                      .weights = run.delaunay.weights(),
+                      .rounding = 1e-15,
+                      .weight_rounding = 1e-16};
+    EXPECT_LE(compare_areas(cells, wanted).error, 1e-9);
+    Eigen::VectorXd others = wanted;
+    others[7] *= 1 + 1e-8;
+    const AreaComparison found = compare_areas(cells, others);
+    EXPECT_EQ(found.site, 7);
+    EXPECT_NEAR(found.error, 1e-8, 1e-9);
+    EXPECT_EQ(found.tolerance, 1e-9);
+    // The numbers of a file of 32 bits.
+    cells.points = points.cast<float>().cast<double>();
+    cells.weights = cells.weights.cast<float>().cast<double>().eval();
+    const AreaComparison refused = compare_areas(cells, wanted);
+    EXPECT_GT(refused.error, refused.tolerance);
+    cells.rounding = 4 * 0x1p-23;
+    cells.weight_rounding = 0x1p-23;
+    const AreaComparison rounded = compare_areas(cells, wanted);
+    EXPECT_LE(rounded.error, rounded.tolerance);
+    EXPECT_LT(rounded.tolerance, 1e-2);
+}
+
 TEST(CellAreas, ASiteWithoutACellIsNamed) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     const Sites sites(lattice, uniform_points(lattice, 10, 1));
