@@ -7,13 +7,17 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <optional>
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
 #include "io/file_proof.hpp"
 #include "io/outputs/recovery.hpp"
+#include "io/run_files/area_reader.hpp"
 #include "io/tile_formats.hpp"
+#include "mesher/areas/cell_areas.hpp"
+#include "mesher/areas/target_areas.hpp"
 #include "mesher/density/density_centroid.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/cell_options.hpp"
@@ -35,6 +39,7 @@ struct Question {
     std::optional<Lattice> lattice;
     /// In units of h; nothing: the Voronoi property is not asked for.
     std::optional<double> cvt_tolerance;
+    std::optional<AreaFile> areas = {};
     /// As typed; empty: rho = 1.
     std::string density = {};
     std::string density_range = {};
@@ -65,6 +70,17 @@ void read_density(const CLI::App& app, const CheckOptions& options, Question& qu
     question.density_range = options.density_range;
 }
 
+/// The file of areas is read once for all files.
+void read_areas_option(const CLI::App& app, const CheckOptions& options, Question& question) {
+    if (app.count("--areas") == 0) return;
+    if (names_area_law(options.areas)) {
+        throw InvalidInput(
+            "--areas of check takes a file with one area a site; a law draws other "
+            "areas for each seed");
+    }
+    question.areas = read_areas(options.areas);
+}
+
 Question make_question(const CLI::App& app, const CheckOptions& options) {
     Question question{options.files, std::nullopt, std::nullopt};
     const bool period = app.count("--period") > 0;
@@ -77,6 +93,7 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     read_cvt(app, options, question);
     for (std::string& path : question.files) path = without_slash(path);
     read_density(app, options, question);
+    read_areas_option(app, options, question);
     if (question.files.empty()) throw InvalidInput("no file to check; give one or more");
     return question;
 }
@@ -144,6 +161,46 @@ std::string prove_cvt(const TileFile& file, const TileProof& proof, const Questi
            figure(tolerance) + " h)";
 }
 
+/// @pre the tile has sites with weights.
+StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
+    const Tile& tile = file.tile;
+    const auto n = static_cast<int>(tile.site_positions.size());
+    StatedCells cells{
+        .lattice = Lattice(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows),
+        .metric = tile.metric,
+        .points = Points(2, n),
+        .weights = Eigen::Map<const Eigen::VectorXd>(tile.site_weights.data(), n),
+        .rounding = proof.tolerance,
+        .weight_rounding = file.precision == Precision::kDouble
+                               ? std::numeric_limits<double>::epsilon()
+                               : double(std::numeric_limits<float>::epsilon())};
+    for (int s = 0; s < n; ++s) cells.points.col(s) = tile.site_positions[s];
+    return cells;
+}
+
+/// Compares the areas of the cells, built from nothing, with the wished ones.
+std::string prove_areas(const std::string& path, const TileFile& file, const TileProof& proof,
+                        const AreaFile& wanted) {
+    if (file.tile.site_weights.empty()) {
+        throw BadFile(path +
+                      ": states no weights of its sites, so it has no power cells; check it "
+                      "without --areas");
+    }
+    const StatedCells cells = stated_cells(file, proof);
+    const auto n = static_cast<int>(cells.points.cols());
+    require_areas(wanted, n);
+    const Eigen::VectorXd areas = scaled_areas(wanted.areas, n, cells.lattice.area());
+    const AreaComparison found = compare_areas(cells, areas);
+    const std::string text =
+        figure(found.error) + " of " + wanted.name + " (tolerance " + figure(found.tolerance) + ")";
+    if (found.error <= found.tolerance) {
+        return ", areas of " + std::to_string(n) + " cells within " + text;
+    }
+    throw NotATile("law of the areas: the cell of site " + std::to_string(found.site) +
+                   " has the area " + figure(found.area) + ", not " + figure(areas[found.site]) +
+                   ": off by " + text);
+}
+
 std::string pairs_text(const TileFile& file) {
     if (file.has_edge_pairs) return ", stored pairs agree";
     return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
@@ -173,6 +230,9 @@ std::string prove_grid(GridReader* read, const TileFormat& format, const std::st
                        const Question& question) {
     if (question.cvt_tolerance) {
         throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
+    }
+    if (question.areas) {
+        throw BadFile(path + ": --areas is not for MPAS files, which have no power cells");
     }
     const std::vector<EncodedFile> files = read_files(format, path);
     const MpasGrid grid = read(files);
@@ -236,6 +296,7 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
                        "), " + std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
                        sites_text(file.tile);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
+    if (question.areas) line += prove_areas(path, file, proof, *question.areas);
     return line + "\n";
 }
 
@@ -291,6 +352,10 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
                        figure(kCvtTolerance) + "]")
         ->option_text("[TOL]")
         ->expected(0, 1);
+    app.add_option("--areas", options.areas,
+                   "prove as well that power cells have the areas of a file as\n"
+                   "`pcvt mesh --areas` takes it, built again from sites and weights")
+        ->type_name("FILE");
     app.add_option("--density", options.density,
                    "of the centroids of --cvt, as for `pcvt mesh`, in the file's lattice")
         ->type_name("EXPR|FILE.png");
@@ -306,6 +371,7 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
         "Examples:\n"
         "  pcvt check tile.obj tile.glb\n"
         "  pcvt check tile.obj --cvt 1e-4\n"
+        "  pcvt check grains.obj --areas grains.txt\n"
         "  pcvt check --period 2,1 from-elsewhere.obj\n");
 }
 

@@ -17,6 +17,7 @@ struct CheckOptions {
     std::string period;
     std::string lattice;
     std::string cvt;
+    std::string areas;
     std::string density;
     std::string density_range;
 };

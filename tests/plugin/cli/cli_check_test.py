@@ -43,6 +43,64 @@ class Check(CliTest):
             for line in self.succeed("check", *names).splitlines():
                 self.assertRegex(line, r"genus 1 after gluing, area 0\.81.*pairs agree")
 
+    def wished_areas(self, n):
+        areas = [1 + (7 * k) % 11 / 5 for k in range(n)]
+        self.write("areas.txt", "".join(f"{a}\n" for a in areas))
+        return areas
+
+    def test_power_cells_are_proved_with_their_areas(self):
+        areas = self.wished_areas(40)
+        outputs = [word for e in (*READABLE, "foam") for word in ("-o", f"t.{e}")]
+        self.mesh("--sites", 40, *OBLIQUE, "--areas", "areas.txt", "--max-iterations", 3, *outputs)
+        names = [f"t.{e}" for e in (*READABLE, "foam")]
+        for line in self.succeed("check", *names, "--areas", "areas.txt").splitlines():
+            self.assertRegex(line, r", 40 sites agree, power cells, areas of 40 cells within "
+                                   r"\S+ of areas\.txt \(tolerance \S+\)$")
+        self.write("other.txt", "".join(f"{a}\n" for a in reversed(areas)))
+        self.refuse(2, r"^t\.obj: not a periodic tile: law of the areas: the cell of site \d+ has",
+                    "check", "t.obj", "--areas", "other.txt")
+        self.write("few.txt", "1\n2\n")
+        self.refuse(2, r"^few\.txt.*40", "check", "t.obj", "--areas", "few.txt")
+
+    def test_diameters_are_areas_too_and_each_mesh_carries_the_weights(self):
+        self.write("sizes.txt", "diameter\n" + "".join(f"{1 + k / 20}\n" for k in range(20)))
+        outputs = [word for e in ("obj", "vtu") for word in ("-o", f"t.{e}")]
+        for kind in ("delaunay", "grains"):
+            self.mesh("--sites", 20, "--areas", "sizes.txt", "--aspect", "2,30", "--repeat", "2x1",
+                      "--mesh", kind, "--force", *outputs, "-o", "t.msh", "-o", "t.inp")
+            names = [f"t.{e}" for e in ("obj", "vtu", "msh", "inp")]
+            for line in self.succeed("check", *names, "--areas", "sizes.txt").splitlines():
+                self.assertRegex(line, r", 20 sites agree, power cells, elongated 2:1 at 30 degrees "
+                                       r"as stated, areas of 20 cells within")
+
+    def test_areas_need_a_file_and_weights(self):
+        self.wished_areas(8)
+        self.mesh("--sites", 8, "-o", "t.obj")
+        self.refuse(2, r"^t\.obj: states no weights of its sites", "check", "t.obj", "--areas",
+                    "areas.txt")
+        self.refuse(2, r"--areas of check takes a file", "check", "t.obj", "--areas", "equal")
+
+    def test_centroidal_power_cells_are_proved(self):
+        self.wished_areas(30)
+        self.mesh("--sites", 30, *OBLIQUE, "--areas", "areas.txt", "--aspect", "3,30", "-o", "t.obj")
+        line = self.succeed("check", "t.obj", "--cvt")
+        self.assertRegex(line, r"power cells, elongated 3:1 at 30 degrees, centroidal power cells "
+                               r"within \S+ h")
+        self.mesh("--sites", 30, *OBLIQUE, "--areas", "areas.txt", "--max-iterations", 2, "-o",
+                  "u.obj", "-o", "d.obj", "--mesh", "voronoi")
+        self.refuse(2, r"^u\.obj: .*lies off the centroid of its cell", "check", "u.obj", "--cvt")
+        self.mesh("--sites", 30, *OBLIQUE, "--areas", "areas.txt", "--max-iterations", 2, "-o",
+                  "d.obj", "--mesh", "delaunay", "--force")
+        self.assertRegex(self.succeed("check", "d.obj", "--cvt"), r", regular within \S+ h")
+
+    def test_elongated_cells_are_proved_in_their_metric(self):
+        self.mesh("--sites", 30, "--aspect", "3,30", "-o", "t.obj", "-o", "t.glb", "-o", "t.om")
+        for line in self.succeed("check", "t.obj", "t.glb", "t.om", "--cvt").splitlines():
+            self.assertRegex(line, r", 30 sites agree, elongated 3:1 at 30 degrees, centroidal "
+                                   r"Voronoi within")
+        self.write("u.obj", self.path("t.obj").read_text().replace("metric 3 30", "metric 3 31"))
+        self.refuse(2, r"^u\.obj: .*law of the sites", "check", "u.obj")
+
     def test_a_moved_node_and_a_wrong_tie_are_refused(self):
         self.mesh("--sites", 30, "--mesh", "delaunay", "-o", "t.msh", "-o", "t.inp", "-o", "t.vtu")
         for name, pattern, other in (("t.msh", r"^(-?0\.\d+) (-?0\.\d+) 0$", r"0.5 \2 0"),
