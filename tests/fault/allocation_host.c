@@ -110,7 +110,7 @@ static pcvt_status use_result(const pcvt_result* result, hash_number* hash) {
         options.kind = outputs[k].kind;
         options.replace = 1;
         options.pixels = strcmp(outputs[k].path, "a.png") == 0 ? 64 : 0;
-        options.voxels[0] = options.voxels[1] = 16;
+        if (strcmp(outputs[k].path, "a.vti") == 0) options.voxels[0] = options.voxels[1] = 16;
         options.progress = keep_running;
         if ((status = pcvt_write(result, outputs[k].path, &options)) < 0) return status;
     }

@@ -28,7 +28,8 @@ class FoamNamer {
 
    private:
     static LineNames names_of_comment(const std::vector<std::string_view>& words) {
-        if (words.size() < 3 || words[1] != "pcvt") return {};
+        // The line "pcvt check compares ..." is for people.
+        if (words.size() < 3 || words[1] != "pcvt" || words[2] == "check") return {};
         const std::string name = "pcvt " + std::string(words[2]);
         LineNames names{.row = name + " row", .words = {"", "pcvt", "pcvt"}};
         names.words.resize(words.size(), name);
