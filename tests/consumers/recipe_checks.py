@@ -46,6 +46,10 @@ def check_first_mesh(folder, text):
     require(re.search(r"^tile\.obj: .*periodic tile", text, re.M), "check does not accept tile.obj")
 
 
+def check_polycrystal(folder, _):
+    require_files(folder, "grains.svg", "grains.csv", "grains.json", "job.inp", "job.msh")
+
+
 def check_graded(folder, text):
     require(text.count("converged") == 2, "a run did not converge")
     require_files(folder, "ridge.svg", "moon.svg")
@@ -65,6 +69,14 @@ def check_calculix(folder, text):
     stresses = [float(row[2]) for row in rows if len(row) == 8]
     mean = sum(stresses) / len(stresses)
     require(20 / 11 * stress < mean < 5.5 * stress, f"S_xx of two materials is {mean}")
+
+
+def check_stresses(folder, _):
+    require_files(folder, "stress.svg", "phases.frd")
+    require("von Mises stress" in (folder / "stress.svg").read_text(), "no scale")
+    # Between the bounds of Reuss and Voigt.
+    mean = float((folder / "mean.txt").read_text().split()[-1])
+    require(1 / 0.73 < mean < 3.7, f"the mean conductivity is {mean}")
 
 
 def count_boundary(folder):
@@ -200,11 +212,13 @@ def check_python(folder, text):
 ROWS = {
     ("pcvt", "Install"): Row(reason="samples/demo and tests/run are run by themselves"),
     ("pcvt", "A first mesh in a minute"): Row(check_first_mesh),
+    ("pcvt", "A polycrystal in one command"): Row(check_polycrystal),
     ("pcvt", "Citation"): Row(reason="an entry of a bibliography"),
     ("Samples", ""): Row(),  # typed before each recipe
     ("Samples", "Graded meshes"): Row(check_graded),
     ("Samples", "Materials"): Row(check_grains),
     ("Samples", "CalculiX and Abaqus"): Row(check_calculix, programs=("ccx",)),
+    ("Samples", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx", "gmsh", "getdp")),
     ("Samples", "Gmsh"): Row(check_gmsh, modules=("gmsh",)),
     ("Samples", "GetDP"): Row(check_getdp, programs=("gmsh", "getdp")),
     ("Samples", "Two materials in GetDP, FreeFEM and dolfinx"): Row(
