@@ -80,8 +80,7 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
 
 /// The part of the materials that a format states.
 CellMaterials held_materials(const TileFormat& format, CellMaterials materials) {
-    if (!format.takes_phases) materials.phase_names.clear();
-    if (!format.takes_phases) materials.site_phase.clear();
+    if (!format.states_materials) return {};
     if (!format.takes_orientations) materials.site_orientation.clear();
     return materials;
 }

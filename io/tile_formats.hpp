@@ -117,6 +117,9 @@ struct TileFormat {
     bool takes_background = false;
     bool takes_phases = false;
     bool takes_orientations = false;
+    /// The file of a tile states the phases, and the orientations that the format takes, of its
+    /// cells; the reader reads them.
+    bool states_materials = false;
 
     bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {

@@ -48,8 +48,8 @@ void check_format(const Job& job, const TileFormat& format, MeshKind kind,
             throw InvalidInput("-o " + path + ": " + error.what());
         }
     }
-    const bool holds_materials = format.takes_phases || format.takes_orientations;
-    if (holds_materials && !job.materials.empty() && !mesh_kind_row(kind).faces_have_sites) {
+    if (format.states_materials && !job.materials.empty() &&
+        !mesh_kind_row(kind).faces_have_sites) {
         throw InvalidInput("-o " + path +
                            ": Delaunay triangles are no cells, which phases and orientations "
                            "belong to; take the mesh grains");

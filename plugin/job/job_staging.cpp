@@ -24,7 +24,7 @@ class FileEncoder {
     std::vector<EncodedFile> operator()(TileFormWriter* write) const {
         FileOptions options = job_.file_options;
         options.site_densities = result_.site_densities;
-        if (!result_.materials.empty()) options.materials = &result_.materials;
+        if (!tile_materials().empty()) options.materials = &tile_materials();
         return write(tile(), options, path());
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
@@ -64,6 +64,12 @@ class FileEncoder {
                 .materials = materials()};
     }
     const CellMaterials& materials() const { return result_.materials; }
+    /// What a file of a tile states; empty for Delaunay triangles where files state the materials of cells.
+    const CellMaterials& tile_materials() const {
+        static const CellMaterials none;
+        const bool are_cells = faces_have_sites(tile().kind) || !file_.format->states_materials;
+        return are_cells ? materials() : none;
+    }
     Points sites() const { return wrapped_sites(result_.cells, job_.origin); }
     const Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
@@ -146,7 +152,7 @@ void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& ori
     } else if (file.format->reads_voxels()) {
         prove_voxel_files(*file.format, encoded, encoder.materials());
     } else if (file.format->is_readable()) {
-        prove_tile_files(*file.format, encoded, encoder.tile(), origin, encoder.materials());
+        prove_tile_files(*file.format, encoded, encoder.tile(), origin, encoder.tile_materials());
     }
     progress.add(kProving);
 }

@@ -43,6 +43,11 @@ class Phases(CliTest):
         groups = re.findall(r'^2 \d+ "phase_(\w)"$', self.path("t.msh").read_text(), re.M)
         self.assertEqual(groups, ["a", "b"])
 
+    def test_files_that_show_phases_do_not_state_them(self):
+        self.succeed("mesh", "--sites", 9, "--mesh", "voronoi", "--mesh", "delaunay", "--phases", "a:1",
+                     "-o", "t.obj", "-o", "t.glb", "-o", "t.vtu", "-o", "t.svg")
+        self.succeed("check", "t-voronoi.obj", "t-delaunay.obj", "t-voronoi.glb")
+
     def test_wrong_phases_are_one_line(self):
         for text, words in (("a", "'a' is no phase; write NAME:FRACTION"),
                             ("a:0.4,b:0.5", "sum to 0.9; make the sum 1"),
@@ -51,8 +56,8 @@ class Phases(CliTest):
             self.refuse(2, "^pcvt: --phases .*" + re.escape(words), *GRAINS, "--phases", text)
 
     def test_formats_without_phases_are_refused(self):
-        self.refuse(2, r"no output takes phases; add one of \.msh or \.inp", "mesh", "--sites", 9,
-                    "--phases", "a:1", "-o", "t.obj")
+        self.refuse(2, r"no output takes phases; add one of .*\.msh or \.inp", "mesh", "--sites", 9,
+                    "--phases", "a:1", "-o", "t.om")
         self.refuse(2, r"no output takes orientations; add one of \.inp", *GRAINS,
                     "--orientations", "random", "-o", "t.msh")
         self.refuse(2, "Delaunay triangles are no cells, .*; take the mesh grains", "mesh", "--sites",
@@ -75,7 +80,7 @@ class Orientations(CliTest):
     def test_wrong_files_are_named_with_their_lines(self):
         for text, words in ((b"1 2 3\n4 5\n", r"a\.txt:2: an orientation has 3 angles, .* has 2; "),
                             (b"1 2 x\n", r"a\.txt:1: 'x' is not a number; "),
-                            (b"1 2 400\n", r"a\.txt:1: '400' is no angle from -360 to 360 degrees; "),
+                            (b"1 2 400\n", r"a\.txt:1: an angle of an orientation is not from -360 to 360 degrees; "),
                             (b"# none\n", r"a\.txt: holds no orientation; "),
                             (b"\0", r"a\.txt:1: holds a NUL byte"),
                             (b"1 2 3\n", "there are 1 orientations for 60 sites; give one for each")):
