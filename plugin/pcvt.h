@@ -98,6 +98,9 @@ enum { PCVT_NODES_DEFAULT = 0, PCVT_NODES_CELLS = 1, PCVT_NODES_ONE = 2 };
 /** The elements of .inp files: plane strain, plane stress. */
 enum { PCVT_CPE = 0, PCVT_CPS = 1 };
 
+/** What .inp files hold besides the mesh: nothing, or materials and steps that CalculiX runs. */
+enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
+
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */
 enum { PCVT_COLOUR_DEFAULT = 0, PCVT_COLOUR_SIDES = 1, PCVT_COLOUR_SIZE = 2 };
 enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4, PCVT_COLOUR_PHASE = 5 };
@@ -191,6 +194,13 @@ typedef struct pcvt_options {
     double aspect;        /**< cells so many times as long along aspect_degrees as across, 0.01 to
                              100 [1] */
     double aspect_degrees; /**< from x [0] */
+    const char* phases; /**< "NAME:FRACTION,NAME:FRACTION,...": each cell gets a phase; fractions of
+                           the area, sum 1, spread evenly, drawn from `seed` [NULL] */
+    const double* orientations;  /**< n_orientations triples phi1, Phi, phi2, Bunge's angles in
+                                    degrees,  one a site [NULL] */
+    int32_t n_orientations;      /**< n_sites, or 0 where `orientations` is NULL [0] */
+    int32_t random_orientations; /**< 1: orientations without a texture, drawn from `seed`; excludes
+                                    `orientations` [0] */
 } pcvt_options;
 
 /** The optimised sites. */
@@ -202,6 +212,11 @@ typedef struct pcvt_sites {
     const double* weights; /**< n_sites numbers, length^2; NULL without areas. The cell of site i is
                               where |p - x_i|^2 - weights[i] is least; with an aspect, lengths are
                               those of its metric */
+    const int32_t* phases; /**< n_sites indices into phase_names; NULL without phases */
+    const char* const* phase_names; /**< n_phases names; NULL without phases */
+    const double* orientations;     /**< n_sites triples phi1, Phi, phi2 in degrees, or NULL */
+    int32_t n_phases;
+    int32_t reserved2;
 } pcvt_sites;
 
 /** The cells or the triangles on the torus: one face and one vertex for all of its images.
@@ -296,6 +311,8 @@ typedef struct pcvt_write_options {
                                millimetres [0: a picture as .svg, .dxf in the unit of the periods] */
     const char* background; /**< of .svg, "#rrggbb" or "none" [NULL: none] */
     int32_t voxels[2];      /**< of .vti, along x and y [0, 0: about 16 along h] */
+    int32_t job;            /**< of .inp: PCVT_JOB_... [PCVT_JOB_NONE] */
+    int32_t reserved;
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */

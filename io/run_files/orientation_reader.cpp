@@ -6,12 +6,14 @@
 namespace pcvt {
 namespace {
 
-constexpr double kFullTurn = 360;
-
-double parse_angle(const LineScanner& scanner, std::string_view word) {
-    const double angle = scanner.number(word);
-    if (angle >= -kFullTurn && angle <= kFullTurn) return angle;
-    scanner.throw_bad_file(in_quotes(word) + " is no angle from -360 to 360 degrees; correct it");
+BungeAngles parse_angles(const LineScanner& scanner, const std::vector<std::string_view>& words) {
+    const BungeAngles angles{scanner.number(words[0]), scanner.number(words[1]),
+                             scanner.number(words[2])};
+    try {
+        return checked_angles(angles);
+    } catch (const InvalidInput& fault) {
+        scanner.throw_bad_file(fault.what());
+    }
 }
 
 }  // namespace
@@ -27,8 +29,7 @@ std::vector<BungeAngles> parse_orientations(const std::string& name, std::string
             scanner.throw_bad_file("an orientation has 3 angles, this line has " +
                                    std::to_string(words.size()) + "; write \"phi1 Phi phi2\"");
         }
-        orientations.push_back({parse_angle(scanner, words[0]), parse_angle(scanner, words[1]),
-                                parse_angle(scanner, words[2])});
+        orientations.push_back(parse_angles(scanner, words));
     }
     if (orientations.empty()) {
         throw BadFile(name + ": holds no orientation; give one \"phi1 Phi phi2\" a line");

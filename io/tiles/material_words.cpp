@@ -34,6 +34,20 @@ void take_site_phases(const LineScanner& scanner, std::span<const std::string_vi
     }
 }
 
+void take_angles(const LineScanner& scanner, std::span<const std::string_view> words,
+                 CellMaterials& materials) {
+    if (words.size() != 3) {
+        scanner.throw_bad_file("an orientation has 3 angles; write phi1, Phi and phi2");
+    }
+    const BungeAngles angles{scanner.number(words[0]), scanner.number(words[1]),
+                             scanner.number(words[2])};
+    try {
+        materials.site_orientation.push_back(checked_angles(angles));
+    } catch (const InvalidInput& fault) {
+        scanner.throw_bad_file(fault.what());
+    }
+}
+
 void require_count(const std::string& name, std::size_t found, int n_sites, const char* what) {
     if (found == 0 || found == static_cast<std::size_t>(n_sites)) return;
     throw BadFile(name + ": there are " + what + " of " + std::to_string(found) + " sites for " +
@@ -72,11 +86,7 @@ bool take_material(const LineScanner& scanner, std::string_view key,
     } else if (key == "site_phases") {
         take_site_phases(scanner, words, materials);
     } else if (key == "angles") {
-        if (words.size() != 3) {
-            scanner.throw_bad_file("an orientation has 3 angles; write phi1, Phi and phi2");
-        }
-        materials.site_orientation.push_back(
-            {scanner.number(words[0]), scanner.number(words[1]), scanner.number(words[2])});
+        take_angles(scanner, words, materials);
     } else {
         return false;
     }

@@ -16,6 +16,9 @@ struct BungeAngles {
     friend bool operator==(const BungeAngles&, const BungeAngles&) = default;
 };
 
+/// @throws InvalidInput unless each angle lies from -360 to 360 degrees.
+BungeAngles checked_angles(const BungeAngles& angles);
+
 /// What the cells of a polycrystal consist of.
 struct CellMaterials {
     /// In the order in which the user named them; empty: the cells have no phases.

@@ -36,6 +36,7 @@ static_assert(mesh_kind_row(MeshKind::kDelaunay).abi_value == PCVT_DELAUNAY);
 static_assert(mesh_kind_row(MeshKind::kGrains).abi_value == PCVT_GRAINS);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPE)->element == PlaneElement::kStrain);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPS)->element == PlaneElement::kStress);
+static_assert(find_abi_value(kSolverJobs, PCVT_JOB_ELASTIC)->job == SolverJob::kElastic);
 static_assert(colouring_row(Colouring::kSides).abi_value == PCVT_COLOUR_SIDES);
 static_assert(colouring_row(Colouring::kSize).abi_value == PCVT_COLOUR_SIZE);
 static_assert(colouring_row(Colouring::kCells).abi_value == PCVT_COLOUR_CELLS);
@@ -121,6 +122,32 @@ std::optional<Aspect> aspect(const pcvt_options& options) {
     return Aspect{.ratio = options.aspect, .degrees = options.aspect_degrees};
 }
 
+MaterialChoices materials(const pcvt_options& options) {
+    MaterialChoices choices;
+    if (options.phases != nullptr) choices.phases = parse_phases(options.phases);
+    if (options.random_orientations != 0 && options.random_orientations != 1) {
+        throw InvalidInput("random_orientations is neither 0 nor 1");
+    }
+    choices.draws_orientations = options.random_orientations == 1;
+    if (options.orientations == nullptr) {
+        if (options.n_orientations == 0) return choices;
+        throw InvalidInput(
+            "n_orientations is not 0, but orientations is a null pointer; give both");
+    }
+    if (choices.draws_orientations) {
+        throw InvalidInput(
+            "orientations and random_orientations exclude each other; leave one out");
+    }
+    if (options.n_orientations != options.n_sites) {
+        throw InvalidInput("n_orientations is not n_sites; give one orientation for each site");
+    }
+    for (std::int32_t s = 0; s < options.n_sites; ++s) {
+        const double* const angles = options.orientations + 3 * std::ptrdiff_t{s};
+        choices.orientations.push_back(checked_angles({angles[0], angles[1], angles[2]}));
+    }
+    return choices;
+}
+
 Points given_sites(const pcvt_options& options) {
     if (options.sites == nullptr) return Points(2, 0);
     const Eigen::Map<const Points> sites(options.sites, 2, options.n_sites);
@@ -202,6 +229,9 @@ FileOptions file_options(const pcvt_write_options& options) {
     if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
     result.cut_width = options.cut_width;
     result.element = chosen_row("element", options.element, kPlaneElements).element;
+    if (options.job != PCVT_JOB_NONE) {
+        result.job = chosen_row("job", options.job, kSolverJobs).job;
+    }
     return result;
 }
 
@@ -236,6 +266,7 @@ Job make_job(const pcvt_options& options) {
     job.finds_origin = options.find_origin == 1;
     job.areas = wished_areas(options);
     job.aspect = aspect(options);
+    job.materials = materials(options);
     return job;
 }
 

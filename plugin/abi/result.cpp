@@ -91,7 +91,11 @@ std::int32_t minimum_number(const std::optional<Minimum>& minimum) {
 Result::Result(Job job, Computation computed)
     : job_(std::move(job)),
       computed_(std::move(computed)),
-      sites_(wrapped_sites(computed_.cells, job_.origin)) {}
+      sites_(wrapped_sites(computed_.cells, job_.origin)) {
+    for (const std::string& name : computed_.materials.phase_names) {
+        phase_names_.push_back(name.c_str());
+    }
+}
 
 const PeriodicMesh& Result::periodic(MeshKind kind) const {
     if (kind == MeshKind::kGrains) {
@@ -131,6 +135,15 @@ pcvt_sites Result::sites() const {
     view.n_sites = static_cast<std::int32_t>(sites_.cols());
     const Eigen::VectorXd& weights = computed_.cells.delaunay.weights();
     view.weights = weights.size() == 0 ? nullptr : weights.data();
+    const CellMaterials& materials = computed_.materials;
+    if (!materials.site_phase.empty()) view.phases = numbers(materials.site_phase);
+    if (!phase_names_.empty()) view.phase_names = phase_names_.data();
+    view.n_phases = static_cast<std::int32_t>(phase_names_.size());
+    // Three doubles each, without padding.
+    static_assert(sizeof(BungeAngles) == 3 * sizeof(double));
+    if (!materials.site_orientation.empty()) {
+        view.orientations = &materials.site_orientation.front().phi1;
+    }
     return view;
 }
 
@@ -214,6 +227,8 @@ bool Result::write(const WriteRequest& request, const JobCallback& callback) con
     job.file_options = request.files;
     job.report = request.report;
     job.force = request.replace;
+    // The cells have their materials, also where this file does not state them.
+    job.materials = {};
     const std::vector<JobFile> files = plan_files(job);
     const bool has_tile = !files.empty() && files.front().format->needs_tile();
     const TileSource tiles = [&](JobMonitor& monitor) -> std::span<const BuiltTile> {

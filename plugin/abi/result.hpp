@@ -80,6 +80,7 @@ class Result {
     Job job_;
     Computation computed_;
     Points sites_;
+    std::vector<const char*> phase_names_;
     /// By the number of the kind, and of the outline.
     std::array<Lazy<PeriodicMesh>, kMeshKinds.size()> meshes_;
     std::array<std::array<Lazy<TileArrays>, 2>, kMeshKinds.size()> tiles_;

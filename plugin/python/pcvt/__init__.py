@@ -44,6 +44,7 @@ _COLOURS = ("default", "sides", "size", "cells", "density", "phase")
 _GLTF_NODES = ("default", "cells", "one")
 _SOLVERS = ("default", "lbfgs", "lloyd", "newton")
 _ELEMENTS = ("CPE", "CPS")
+_JOBS = ("none", "elastic")
 
 
 def version():
@@ -119,6 +120,25 @@ def _set_areas(options, areas):
     return array
 
 
+def _set_materials(options, phases, orientations):
+    """Returns the array that must stay alive as long as the options are used, or None."""
+    if phases is not None:
+        if not isinstance(phases, str):
+            phases = ",".join(f"{name}:{float(fraction)!r}" for name, fraction in phases.items())
+        options.phases = _text("phases", phases)
+    if orientations is None:
+        return None
+    if isinstance(orientations, str):
+        if orientations != "random":
+            raise ArgumentError(f"orientations {orientations!r} is unknown; give random or angles")
+        options.random_orientations = 1
+        return None
+    array = _doubles("orientations", orientations, len(orientations), 3)
+    _set_integers(options, n_orientations=len(array))
+    options.orientations = array.ctypes.data
+    return array
+
+
 def _set_functions(options, density, callbacks):
     options.progress = _library.ProgressCallback(callbacks.show_progress)
     if callable(density):
@@ -130,7 +150,8 @@ def _set_functions(options, density, callbacks):
 def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
-         budget=0, progress=None, areas=None, aspect=1.0):
+         budget=0, progress=None, areas=None, aspect=1.0, phases=None,
+         orientations=None):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -160,6 +181,10 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     diameters. See Result.weights
     aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
                     100
+    phases          each cell gets a phase: {name: fraction of the area}, or "NAME:FRACTION,...", with the
+                    sum 1; spread evenly, drawn from `seed`. See Result.phases
+    orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
+                    degrees; or "random", drawn from `seed`. See Result.orientations
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -170,6 +195,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     checked(library.pcvt_options_init(byref(options), sizeof(options), _library.ABI_VERSION))
     # Alive while the library reads them.
     _points, _areas = _set_sites(options, sites), _set_areas(options, areas)
+    _angles = _set_materials(options, phases, orientations)
     columns, rows = repeat
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
@@ -200,6 +226,10 @@ class Result:
     sites       (n, 2), wrapped into the domain at `origin`
     weights     (n,), length^2, or None without areas: the cell of site i is where
                 |p - sites[i]|^2 - weights[i] is least; with an aspect, in its metric
+    phases      (n,), the index of each cell's phase in phase_names, or None without phases
+    phase_names in the order in which they were given
+    orientations
+                (n, 3), phi1, Phi, phi2 in degrees, or None without orientations
     statistics  a Statistics
     cells       (n,), measures of the cells, an array with the fields site, x, y, area, diameter,
                 sides, circularity, neighbours
@@ -211,6 +241,9 @@ class Result:
         self.lattice = np.array(view.lattice).reshape(2, 2)
         self.sites = handle.array(view.points, np.float64, view.n_sites, 2)
         self.weights = handle.array(view.weights, np.float64, view.n_sites)
+        self.phases = handle.array(view.phases, np.int32, view.n_sites)
+        self.phase_names = tuple(view.phase_names[k].decode() for k in range(view.n_phases))
+        self.orientations = handle.array(view.orientations, np.float64, view.n_sites, 3)
 
     @property
     def statistics(self):
@@ -249,7 +282,7 @@ class Result:
         return Tile(self._handle, self._handle.view(library.pcvt_get_tile, _library.Tile, *numbers))
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
-              gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE",
+              gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE", job="none",
               progress=None, colour="default", background="none", voxels=(0, 0)):
         """Writes a tile, the sites (.txt) or a table of the cells (.csv), by the extension.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
@@ -263,6 +296,7 @@ class Result:
         pixels      width of .png; 0: 1024
         cut_width   of .svg and .dxf: lines to cut alone, of a tile with this width in millimetres
         element     of .inp: CPE (plane strain) or CPS (plane stress)
+        job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
         progress    called with a Progress ten times a second; a true return value cancels
         colour      what colours show: sides, size, cells (neighbours differ) or density
         background  of .svg: none or #rrggbb
@@ -272,7 +306,7 @@ class Result:
             struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
             outline=_choice("outline", outline, OUTLINES), replace=bool(replace),
             gltf_nodes=_choice("gltf_nodes", gltf_nodes, _GLTF_NODES),
-            element=_choice("element", element, _ELEMENTS),
+            element=_choice("element", element, _ELEMENTS), job=_choice("job", job, _JOBS),
             colour=_choice("colour", colour, _COLOURS), background=_text("background", background),
             single_precision=bool(float32), cut_width=cut_width,
             report=None if report is None else _text("report", report))

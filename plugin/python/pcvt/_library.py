@@ -69,12 +69,15 @@ class Options(ctypes.Structure):
                 ("progress_data", c_void_p), ("grain_per_edge", c_int32),
                 ("find_origin", c_int32), ("areas", c_void_p), ("n_areas", c_int32),
                 ("reserved", c_int32), ("area_law", c_char_p), ("aspect", c_double),
-                ("aspect_degrees", c_double)]
+                ("aspect_degrees", c_double), ("phases", c_char_p), ("orientations", c_void_p),
+                ("n_orientations", c_int32), ("random_orientations", c_int32)]
 
 
 class Sites(ctypes.Structure):
     _fields_ = [("lattice", c_double * 4), ("points", c_void_p), ("n_sites", c_int32),
-                ("reserved", c_int32), ("weights", c_void_p)]
+                ("reserved", c_int32), ("weights", c_void_p), ("phases", c_void_p),
+                ("phase_names", ctypes.POINTER(c_char_p)), ("orientations", c_void_p), ("n_phases", c_int32),
+                ("reserved2", c_int32)]
 
 
 class Mesh(ctypes.Structure):
@@ -109,7 +112,7 @@ class WriteOptions(ctypes.Structure):
                 ("progress", ProgressCallback), ("progress_data", c_void_p),
                 ("gltf_nodes", c_int32), ("single_precision", c_int32), ("pixels", c_int32),
                 ("element", c_int32), ("cut_width", c_double), ("background", c_char_p),
-                ("voxels", c_int32 * 2)]
+                ("voxels", c_int32 * 2), ("job", c_int32), ("reserved", c_int32)]
 
 
 _FUNCTIONS = {

@@ -40,6 +40,8 @@ static void print_numbers(void) {
     NUMBER(PCVT_NODES_ONE);
     NUMBER(PCVT_CPE);
     NUMBER(PCVT_CPS);
+    NUMBER(PCVT_JOB_NONE);
+    NUMBER(PCVT_JOB_ELASTIC);
     NUMBER(PCVT_COLOUR_DEFAULT);
     NUMBER(PCVT_COLOUR_SIDES);
     NUMBER(PCVT_COLOUR_SIZE);
@@ -107,6 +109,10 @@ static void print_options(void) {
     FIELD(pcvt_options, area_law);
     FIELD(pcvt_options, aspect);
     FIELD(pcvt_options, aspect_degrees);
+    FIELD(pcvt_options, phases);
+    FIELD(pcvt_options, orientations);
+    FIELD(pcvt_options, n_orientations);
+    FIELD(pcvt_options, random_orientations);
 }
 
 static void print_sites(void) {
@@ -116,6 +122,11 @@ static void print_sites(void) {
     FIELD(pcvt_sites, n_sites);
     FIELD(pcvt_sites, reserved);
     FIELD(pcvt_sites, weights);
+    FIELD(pcvt_sites, phases);
+    FIELD(pcvt_sites, phase_names);
+    FIELD(pcvt_sites, orientations);
+    FIELD(pcvt_sites, n_phases);
+    FIELD(pcvt_sites, reserved2);
 }
 
 static void print_mesh(void) {
@@ -203,6 +214,8 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, cut_width);
     FIELD(pcvt_write_options, background);
     FIELD(pcvt_write_options, voxels);
+    FIELD(pcvt_write_options, job);
+    FIELD(pcvt_write_options, reserved);
 }
 
 int main(void) {

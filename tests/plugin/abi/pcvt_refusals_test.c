@@ -158,6 +158,19 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(aspect, 0, "aspect");
     FIELD_REFUSED(aspect, (double)NAN, "aspect");
     FIELD_REFUSED(aspect_degrees, (double)INFINITY, "aspect_degrees");
+    FIELD_REFUSED(phases, "", "NAME:FRACTION");
+    FIELD_REFUSED(phases, "a:0.5", "make the sum 1");
+    FIELD_REFUSED(n_orientations, 3, "n_orientations");
+    FIELD_REFUSED(random_orientations, 2, "random_orientations");
+    const double angles[9] = {0, 0, 0, 0, 0, 400, 0, 0, 0};
+    options.orientations = angles;
+    options.n_orientations = 2;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_orientations");
+    options.n_orientations = 3;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "-360 to 360");
+    options.random_orientations = 1;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "exclude each other");
+    options = options_for(3);
 #undef FIELD_REFUSED
 }
 

@@ -57,6 +57,31 @@ static void the_floating_point_environment_of_the_host_is_kept_and_does_not_matt
     pcvt_free(second);
 }
 
+static void cells_have_phases_and_orientations(void) {
+    const double angles[12] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+    pcvt_options options = options_for(4);
+    pcvt_result* result = NULL;
+    pcvt_sites sites;
+    int32_t s, first = 0;
+    options.phases = "soft:0.25,hard:0.75";
+    options.orientations = angles;
+    options.n_orientations = 4;
+    CHECK(pcvt_generate(&options, &result) == PCVT_OK);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    CHECK(sites.n_phases == 2);
+    CHECK(strcmp(sites.phase_names[0], "soft") == 0 && strcmp(sites.phase_names[1], "hard") == 0);
+    for (s = 0; s < 4; ++s) first += sites.phases[s] == 0;
+    CHECK(first == 1);
+    for (s = 0; s < 12; ++s) CHECK(sites.orientations[s] == angles[s]);
+    pcvt_free(result);
+    options = options_for(4);
+    CHECK(pcvt_generate(&options, &result) == PCVT_OK);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    CHECK(sites.phases == NULL && sites.phase_names == NULL && sites.orientations == NULL);
+    CHECK(sites.n_phases == 0);
+    pcvt_free(result);
+}
+
 static void cells_of_given_areas_have_weights(void) {
     const double areas[4] = {1, 2, 3, 4};
     pcvt_options options = options_for(4);
@@ -147,6 +172,7 @@ int main(void) {
     the_iteration_limit_gives_a_result_that_is_not_converged();
     the_floating_point_environment_of_the_host_is_kept_and_does_not_matter();
     cells_of_given_areas_have_weights();
+    cells_have_phases_and_orientations();
     an_invalid_density_is_a_domain_error();
     a_density_grades_the_cells();
     return end_of_claims();

@@ -1,0 +1,53 @@
+"""Phases and orientations in Python."""
+
+import unittest
+
+from support.cli import CliTest, main
+from support.python_package import pcvt
+
+import numpy as np
+
+
+class Materials(CliTest):
+    def test_phases_have_their_fractions(self):
+        result = pcvt.mesh(200, phases={"soft": 0.3, "hard": 0.7}, tolerance=1e-3)
+        self.assertEqual(result.phase_names, ("soft", "hard"))
+        areas = result.cells["area"]
+        self.assertLess(abs(areas[result.phases == 0].sum() - 0.3), areas.min() / 2 * (1 + 1e-9))
+        self.assertIsNone(result.orientations)
+        same = pcvt.mesh(200, phases="soft:0.3,hard:0.7", tolerance=1e-3)
+        np.testing.assert_array_equal(same.phases, result.phases)
+
+    def test_orientations_are_given_or_drawn(self):
+        angles = np.arange(60.0).reshape(20, 3)
+        result = pcvt.mesh(20, orientations=angles)
+        np.testing.assert_array_equal(result.orientations, angles)
+        self.assertIsNone(result.phases)
+        self.assertEqual(result.phase_names, ())
+        drawn = pcvt.mesh(20, orientations="random", seed=3).orientations
+        np.testing.assert_array_equal(drawn, pcvt.mesh(20, orientations="random", seed=3).orientations)
+        self.assertEqual(drawn.shape, (20, 3))
+
+    def test_files_are_those_of_the_command(self):
+        options = ("--phases", "a:0.5,b:0.5", "--orientations", "random", "--job", "elastic")
+        self.succeed("mesh", "--sites", 12, "--mesh", "grains", *options, "-o", "command.inp")
+        result = pcvt.mesh(12, phases={"a": 0.5, "b": 0.5}, orientations="random")
+        result.write(self.path("python.inp"), "grains", job="elastic")
+        files = self.contents()
+        self.assertEqual(files["python.inp"], files["command.inp"])
+        # Files of other formats and kinds do not state the materials.
+        result.write(self.path("t.obj"))
+        result.write(self.path("delaunay.inp"), "delaunay")
+        self.assertNotIn(b"SOLID SECTION", self.contents()["delaunay.inp"])
+
+    def test_wrong_materials_are_refused(self):
+        for options, words in (({"phases": {"a": 0.5}}, "make the sum 1"), ({"phases": "a"}, "NAME:FRACTION"),
+                               ({"phases": {"a b": 1}}, "letters"), ({"orientations": "rolled"}, "random"),
+                               ({"orientations": [[1, 2, 3]]}, "n_orientations"),
+                               ({"orientations": [[1, 2, 400]] * 5}, "-360 to 360")):
+            with self.assertRaisesRegex(pcvt.ArgumentError, words):
+                pcvt.mesh(5, **options)
+
+
+if __name__ == "__main__":
+    main()
