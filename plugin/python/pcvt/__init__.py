@@ -298,7 +298,7 @@ class Result:
         element     of .inp: CPE (plane strain) or CPS (plane stress)
         job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
         progress    called with a Progress ten times a second; a true return value cancels
-        colour      what colours show: sides, size, cells (neighbours differ) or density
+        colour      what colours show: sides, size, cells (neighbours differ), density or phase
         background  of .svg: none or #rrggbb
         voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h
         """

@@ -57,6 +57,25 @@ class Cells(CliTest):
             self.assertEqual([row[name] for name in ("weight", "phase", "tag", "phi1", "Phi", "phi2")],
                              [""] * 6)
 
+    def test_weights_phases_and_orientations_fill_their_fields(self):
+        run = ("mesh", "--sites", 80, "--cells", "cells.csv", "--force")
+        for areas in ((), ("--areas", "lognormal:0.42", "--max-iterations", 2)):
+            self.succeed(*run, *areas, "--phases", "a:0.4,b:0.6", "--orientations", "random", "--report",
+                         "run.json")
+            rows = self.table()
+            self.assertEqual({row["tag"] for row in rows}, {""})
+            self.assertEqual({row["weight"] == "" for row in rows}, {not areas})
+            for phase in json.loads(self.path("run.json").read_text())["phases"]:
+                own = [row for row in rows if row["phase"] == phase["name"]]
+                self.assertEqual(len(own), phase["cells"])
+                self.assertAlmostEqual(sum(float(row["area"]) for row in own), phase["reached"], 12)
+            for row in rows:
+                self.assertLess(float(row["phi1"]), 360)
+                self.assertLess(float(row["Phi"]), 180)
+                self.assertLess(float(row["phi2"]), 360)
+        self.succeed(*run, "--orientations", "random")
+        self.assertEqual({row["phase"] for row in self.table()}, {""})
+
     def test_a_table_is_refused_before_the_run(self):
         self.refuse(2, r"--cells t\.txt: not a \.csv file; name it FILE\.csv", "mesh", "--sites", 9,
                     "--cells", "t.txt")

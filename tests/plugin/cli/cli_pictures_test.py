@@ -36,6 +36,22 @@ class Colours(CliTest):
                    if m["name"].startswith("cell")}
         self.assertEqual(len(in_gltf), len(in_picture))
 
+    def test_phases_have_colours_materials_and_a_legend(self):
+        run = ("mesh", "--sites", 40, "--phases", "alpha:0.4,beta:0.6", "--quiet", "--force")
+        self.succeed(*run, "--colour", "phase", "--glb-nodes", "one", "-o", "t.svg", "-o", "t.obj", "-o", "t.glb", "-o", "t.ply",
+                     "-o", "t.png", "-o", "t.html", "--cells", "c.csv")
+        table = self.picture("c.csv")
+        for name in ("alpha", "beta"):
+            self.assertIn(f">{name}: {table.count(f',{name},')}<", self.picture("t.svg"))
+        self.assertEqual(re.findall(r"newmtl (\S+)", self.picture("t.mtl")), ["phase_alpha", "phase_beta"])
+        for name in (b"phase_alpha", b"phase_beta"):
+            self.assertIn(name, self.path("t.glb").read_bytes())
+        self.assertIn('"phases": ["alpha", "beta"]', self.picture("t.html"))
+        # Pictures show phases by default.
+        self.succeed(*run, "-o", "u.svg")
+        self.assertEqual(self.picture("u.svg"), self.picture("t.svg"))
+        self.refuse(2, "there are no phases to show", "mesh", "--sites", 9, "--colour", "phase", "-o", "v.svg")
+
     def test_every_grain_has_one_colour(self):
         self.succeed("mesh", "--sites", 12, "--mesh", "grains", "--colour", "cells", "--quiet",
                      "-o", "t.ply")

@@ -2,6 +2,7 @@
 the bytes, read by a parser that goes line by line as DAMASK 3 does (src/grid/VTI.f90)."""
 
 import base64
+import csv
 import math
 import re
 import struct
@@ -112,6 +113,61 @@ class Voxels(CliTest):
         self.refuse(3, "t.vti: cannot write: it exists", "mesh", "--sites", 12, "-o", "t.vti")
         self.path("t.vti").unlink()
         self.refuse(3, "t.material.yaml", "mesh", "--sites", 12, "-o", "t.vti")
+
+    def cells(self, name="c.csv"):
+        lines = self.path(name).read_text().splitlines()
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+    def test_power_distance_and_metric_decide(self):
+        for aspect in ((), ("--aspect", "4,30")):
+            self.succeed("mesh", "--sites", 40, "--areas", "lognormal:0.42", "--max-iterations", 3, *aspect,
+                         "--voxels", "40,40", "-o", "t.vti", "--cells", "c.csv", "--force")
+            ratio, angle = (4, math.radians(30)) if aspect else (1, 0)
+            cells = [[float(cell[name]) for name in ("x", "y", "weight")] for cell in self.cells()]
+            materials = self.image()[3]
+
+            def distance(p, cell):
+                """The least over 5 x 5 images."""
+                least = math.inf
+                for i in range(-2, 3):
+                    for j in range(-2, 3):
+                        x, y = cell[0] + i - p[0], cell[1] + j - p[1]
+                        along = math.cos(angle) * x + math.sin(angle) * y
+                        across = math.cos(angle) * y - math.sin(angle) * x
+                        least = min(least, along ** 2 / ratio + across ** 2 * ratio - cell[2])
+                return least
+
+            for index in range(0, 1600, 7):
+                p = [(index % 40 + 0.5) / 40, (index // 40 + 0.5) / 40]
+                distances = [distance(p, cell) for cell in cells]
+                self.assertLess(distances[materials[index]] - min(distances), 1e-12)
+            self.assertIn("each voxel in the cell of its site", self.succeed("check", "t.vti"))
+        text = self.path("t.vti").read_text()
+        for name in ("Metric", "SiteWeights"):
+            self.write("u.vti", text.replace(f'Name="{name}"', 'Name="Other"'))
+            self.refuse(2, "its centre lies in", "check", "u.vti")
+
+    def test_phases_and_orientations_are_those_of_the_cells(self):
+        self.succeed("mesh", "--sites", 30, "--phases", "ferrite:0.3,martensite:0.7", "--orientations",
+                     "random", "--voxels", "8,8", "-o", "t.vti", "--cells", "c.csv")
+        text = self.path("t.material.yaml").read_text()
+        phases = re.findall(r"- phase: (\S+)", text)
+        quaternions = [[float(word) for word in found.split(",")] for found in re.findall(r"O: \[(.*)\]", text)]
+        cells = self.cells()
+        self.assertEqual(phases, [cell["phase"] for cell in cells])
+        self.assertEqual(set(phases), {"ferrite", "martensite"})
+        self.assertEqual(len(quaternions), 30)
+        for cell, (w, x, y, z) in zip(cells, quaternions):
+            phi1, phi, phi2 = (math.radians(float(cell[name])) for name in ("phi1", "Phi", "phi2"))
+            # The crystal's third axis in the sample, by the quaternion and by Bunge's matrix.
+            self.assertAlmostEqual(2 * (x * z + w * y), math.sin(phi1) * math.sin(phi), 12)
+            self.assertAlmostEqual(2 * (y * z - w * x), -math.cos(phi1) * math.sin(phi), 12)
+            self.assertAlmostEqual(1 - 2 * (x * x + y * y), math.cos(phi), 12)
+            # And the sample's third axis in the crystal.
+            self.assertAlmostEqual(2 * (x * z - w * y), math.sin(phi2) * math.sin(phi), 12)
+            self.assertAlmostEqual(2 * (y * z + w * x), math.cos(phi2) * math.sin(phi), 12)
+            self.assertAlmostEqual(w * w + x * x + y * y + z * z, 1, 14)
+        self.succeed("check", "t.vti")
 
     def test_every_number_of_threads_gives_the_same_bytes(self):
         for threads in (1, 4):

@@ -1,0 +1,54 @@
+#include "io/colours/colouring.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mesher/base/error.hpp"
+#include "tests/support/grid_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::grid_tile;
+
+CellMaterials phases_of(int n_phases, int n_sites) {
+    CellMaterials materials;
+    for (int k = 0; k < n_phases; ++k) materials.phase_names.push_back("p" + std::to_string(k));
+    for (int s = 0; s < n_sites; ++s) materials.site_phase.push_back(s * s % n_phases);
+    return materials;
+}
+
+TEST(Colouring, ByPhaseEachCellHasTheClassOfItsPhase) {
+    const Tile tile = grid_tile(Lattice::rectangle(1, 1), 4, 4);
+    const CellMaterials materials = phases_of(3, 16);
+    const TileColours colours = tile_colours(tile, Colouring::kPhase, {.materials = &materials});
+    ASSERT_EQ(colours.classes.size(), 3U);
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        EXPECT_EQ(colours.class_of[f], materials.site_phase[tile.face_site[f]]);
+    }
+    // Squares modulo 3: six zeros, ten ones, no two.
+    EXPECT_EQ(colours.classes[0].label, "p0: 6");
+    EXPECT_EQ(colours.classes[1].label, "p1: 10");
+    EXPECT_EQ(colours.classes[2].label, "p2: 0");
+    EXPECT_EQ(colours.classes[1].name, "phase_p1");
+    EXPECT_NE(hex(colours.classes[0].colour), hex(colours.classes[1].colour));
+}
+
+TEST(Colouring, AQuantityThatIsMissingIsAFaultOfTheCaller) {
+    const Tile tile = grid_tile(Lattice::rectangle(1, 1), 4, 4);
+    EXPECT_THROW(tile_colours(tile, Colouring::kPhase, {}), InternalError);
+    EXPECT_THROW(tile_colours(tile, Colouring::kDensity, {}), InternalError);
+    const CellMaterials only_orientations{.site_orientation = {{1, 2, 3}}};
+    EXPECT_THROW(tile_colours(tile, Colouring::kPhase, {.materials = &only_orientations}),
+                 InternalError);
+}
+
+TEST(Colouring, PicturesShowPhasesWhereThereAreSome) {
+    const Tile tile = grid_tile(Lattice::rectangle(1, 1), 4, 4);
+    const CellMaterials materials = phases_of(2, 16);
+    EXPECT_EQ(default_picture_colouring(tile, {.materials = &materials}), Colouring::kPhase);
+    EXPECT_EQ(default_picture_colouring(tile, {}), Colouring::kSides);
+}
+
+}  // namespace
+}  // namespace pcvt

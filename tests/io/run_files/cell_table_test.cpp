@@ -1,0 +1,66 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/bytes/bad_file.hpp"
+#include "io/run_files/cell_reader.hpp"
+#include "mesher/mesh/voronoi.hpp"
+
+namespace pcvt {
+namespace {
+
+CellRows example(bool weighted, bool with_materials) {
+    const Sites sites(Lattice({1, 0}, {0.3, 0.9}),
+                      uniform_points(Lattice({1, 0}, {0.3, 0.9}), 9, 1));
+    CellRows rows{.sites = sites.coordinates(),
+                  .cells = cell_table(cell_mesh(PeriodicDelaunay(sites)))};
+    if (weighted) rows.weights = Eigen::VectorXd::LinSpaced(9, -0.3, 0.4);
+    if (!with_materials) return rows;
+    rows.materials.phase_names = {"a", "b-2"};
+    for (int k = 0; k < 9; ++k) {
+        rows.materials.site_phase.push_back(k % 2);
+        rows.materials.site_orientation.push_back({40.0 * k, 20.0 * k, 0.1 * k});
+    }
+    return rows;
+}
+
+TEST(CellRows, AreReadBack) {
+    for (const bool weighted : {false, true}) {
+        for (const bool with_materials : {false, true}) {
+            const CellRows rows = example(weighted, with_materials);
+            EXPECT_TRUE(reads_back("c.csv", encode_cells(rows), rows));
+            EXPECT_FALSE(
+                reads_back("c.csv", encode_cells(rows), example(!weighted, with_materials)));
+            EXPECT_FALSE(
+                reads_back("c.csv", encode_cells(rows), example(weighted, !with_materials)));
+        }
+    }
+}
+
+TEST(CellRows, EveryChangedCharacterIsFound) {
+    const CellRows rows = example(true, true);
+    const std::string text = encode_cells(rows);
+    for (std::size_t at = text.find("\n0,") + 1; at < text.size(); ++at) {
+        std::string damaged = text;
+        damaged[at] = damaged[at] == '7' ? '8' : '7';
+        bool found = true;
+        try {
+            found = !reads_back("c.csv", damaged, rows);
+        } catch (const BadFile&) {
+        }
+        EXPECT_TRUE(found) << at << ": " << text.substr(at, 20);
+    }
+}
+
+TEST(CellRows, MissingAndFurtherRowsAreFound) {
+    const CellRows rows = example(false, false);
+    const std::string text = encode_cells(rows);
+    EXPECT_FALSE(reads_back("c.csv", text.substr(0, text.rfind('\n', text.size() - 2) + 1), rows));
+    EXPECT_FALSE(
+        reads_back("c.csv", text + text.substr(text.rfind('\n', text.size() - 2) + 1), rows));
+    EXPECT_TRUE(reads_back("c.csv", text + "# a comment\n", rows));
+    EXPECT_THROW(reads_back("c.csv", text + "9,1\n", rows), BadFile);
+    EXPECT_THROW(reads_back("c.csv", "site,x,y\n", rows), BadFile);
+}
+
+}  // namespace
+}  // namespace pcvt
