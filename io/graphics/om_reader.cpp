@@ -1,15 +1,10 @@
 #include "io/graphics/om_reader.hpp"
 
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <limits>
 #include <map>
-#include <string_view>
 #include <utility>
 
+#include "io/graphics/om_bytes.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
 
@@ -27,15 +22,15 @@ constexpr unsigned kTopologyOfFaces = 0x00e8;
 /// Set in the header of a chunk with a name, which holds a property.
 constexpr unsigned kIsNamed = 0x0002;
 
-class OmParser {
+class OmParser : OmBytes {
    public:
-    OmParser(const std::string& name, std::string_view bytes) : name_(name), rest_(bytes) {}
+    OmParser(const std::string& name, std::string_view bytes) : OmBytes(name, bytes) {}
 
     TileFile parse() {
         read_header();
         while (read_chunk()) {
         }
-        if (!rest_.empty()) throw_bad_file("has data after its end");
+        if (!is_at_end()) throw_bad_file("has data after its end");
         Tile tile{.lattice = lattice(), .kind = kind_, .points = std::move(points_)};
         read_faces(tile);
         read_orbits(tile);
@@ -45,44 +40,6 @@ class OmParser {
     }
 
    private:
-    [[noreturn]] void throw_bad_file(const std::string& complaint) const {
-        throw BadFile(name_ + ": " + complaint + "; write the file again with pcvt");
-    }
-
-    std::string_view take(std::size_t n_bytes) {
-        if (n_bytes > rest_.size()) throw_bad_file("is cut short");
-        const std::string_view taken = rest_.substr(0, n_bytes);
-        rest_.remove_prefix(n_bytes);
-        return taken;
-    }
-
-    /// Reads a signed little-endian integer of bytes.size() bytes.
-    static std::int64_t integer_of(std::string_view bytes) {
-        std::uint64_t value = 0;
-        for (std::size_t k = 0; k < bytes.size(); ++k) {
-            value |= std::uint64_t{static_cast<unsigned char>(bytes[k])} << (8 * k);
-        }
-        const auto unused = static_cast<int>(64 - 8 * bytes.size());
-        return static_cast<std::int64_t>(value << unused) >> unused;
-    }
-
-    static double double_of(std::string_view bytes) {
-        return std::bit_cast<double>(integer_of(bytes.substr(0, 8)));
-    }
-
-    std::size_t read_size(std::size_t width) {
-        return static_cast<std::size_t>(integer_of(take(width)) &
-                                        ((std::int64_t{1} << 8 * width) - 1));
-    }
-
-    /// Reads a number of elements. Each element takes at least one byte of the file, so a larger
-    /// count is refused before any memory is allocated for it.
-    std::size_t read_count() {
-        const std::size_t count = read_size(4);
-        if (count > rest_.size()) throw_bad_file("is cut short");
-        return count;
-    }
-
     void read_header() {
         const std::string_view magic = take(4);
         const bool known = magic.substr(0, 2) == "OM" && (magic[2] == 'P' || magic[2] == 'T');
@@ -183,7 +140,7 @@ class OmParser {
         try {
             return {Vec2(n[0], n[1]), Vec2(n[2], n[3])};
         } catch (const InvalidInput& fault) {
-            throw BadFile(name_ + ": " + fault.what());
+            throw_other_fault(fault);
         }
     }
 
@@ -342,8 +299,6 @@ class OmParser {
         }
     }
 
-    const std::string& name_;
-    std::string_view rest_;
     MeshKind kind_ = MeshKind::kVoronoi;
     std::size_t n_vertices_ = 0;
     std::size_t n_faces_ = 0;

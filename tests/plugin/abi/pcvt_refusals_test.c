@@ -124,6 +124,8 @@ static void every_field_is_checked(void) {
         REFUSED(&changed, PCVT_ERROR_ARGUMENT, words); \
     } while (0)
     const double bad_lengths[] = {-1, (double)NAN, (double)INFINITY};
+    const double angles[9] = {0, 0, 0, 0, 0, 400, 0, 0, 0};
+    pcvt_options options = options_for(3);
     size_t k;
     for (k = 0; k < 3; ++k) {
         FIELD_REFUSED(grain_size, bad_lengths[k], "grain_size");
@@ -162,7 +164,6 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(phases, "a:0.5", "make the sum 1");
     FIELD_REFUSED(n_orientations, 3, "n_orientations");
     FIELD_REFUSED(random_orientations, 2, "random_orientations");
-    const double angles[9] = {0, 0, 0, 0, 0, 400, 0, 0, 0};
     options.orientations = angles;
     options.n_orientations = 2;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_orientations");

@@ -38,7 +38,7 @@ class Materials(CliTest):
         # Files of other formats and kinds do not state the materials.
         result.write(self.path("t.obj"))
         result.write(self.path("delaunay.inp"), "delaunay")
-        self.assertNotIn(b"SOLID SECTION", self.contents()["delaunay.inp"])
+        self.assertNotIn(b"\n*SOLID SECTION", self.contents()["delaunay.inp"])
 
     def test_wrong_materials_are_refused(self):
         for options, words in (({"phases": {"a": 0.5}}, "make the sum 1"), ({"phases": "a"}, "NAME:FRACTION"),

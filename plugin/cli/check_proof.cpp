@@ -1,0 +1,249 @@
+#include "plugin/cli/check_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "io/bytes/input_file.hpp"
+#include "io/bytes/text.hpp"
+#include "io/file_proof.hpp"
+#include "io/outputs/recovery.hpp"
+#include "io/tile_formats.hpp"
+#include "mesher/areas/cell_areas.hpp"
+#include "mesher/areas/target_areas.hpp"
+#include "mesher/density/density_centroid.hpp"
+#include "mesher/proof/validate_voronoi.hpp"
+#include "plugin/cli/cell_options.hpp"
+#include "plugin/cli/options/option_values.hpp"
+#include "plugin/job/job_files.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+const TileFormat& readable_format(const std::string& path) {
+    const TileFormat* format = find_tile_format(path);
+    if (format == nullptr || !format->is_readable()) {
+        throw BadFile(path + ": not a format that is read back; give one of " +
+                      readable_extensions());
+    }
+    return *format;
+}
+
+/// The file and those of its companions that stand beside it.
+std::vector<EncodedFile> read_files(const TileFormat& format, const std::string& path) {
+    const std::vector<std::string> paths = format.paths(path);
+    std::vector<EncodedFile> files = {{paths[0], read_whole_file(paths[0])}};
+    for (std::size_t p = 1; p < paths.size(); ++p) {
+        // A companion that cannot be examined exists for all that is known; its reader says why.
+        std::error_code unknown;
+        if (std::filesystem::exists(paths[p], unknown) || unknown) {
+            files.push_back({paths[p], read_whole_file(paths[p])});
+        }
+    }
+    return files;
+}
+
+void compare_lattice(const Lattice& stated, const Lattice& asked) {
+    if (stated.a() == asked.a() && stated.b() == asked.b()) return;
+    throw NotATile("the file states the lattice " + figure(stated.a().x()) + "," +
+                   figure(stated.a().y()) + "," + figure(stated.b().x()) + "," +
+                   figure(stated.b().y()) + ", not the one that was given");
+}
+
+/// What is asked of a file in single precision is never less than its rounding.
+double resolved(const TileFile& file, const TileProof& proof, double tolerance) {
+    if (file.precision == Precision::kDouble) return tolerance;
+    // Three cells meet at a vertex, so there are two vertices a cell; files may hold cells in
+    // parts.
+    const double n = file.tile.kind == MeshKind::kVoronoi ? proof.n_orbits / 2.0 : proof.n_orbits;
+    return std::max(tolerance, 2 * proof.tolerance / std::sqrt(file.tile.lattice.area() / n));
+}
+
+double prove_voronoi(const TileFile& file, const TileProof& proof, const Question& question,
+                     double tolerance) {
+    if (question.density.empty()) return prove_voronoi(file.tile, proof, tolerance);
+    const Lattice& lattice = file.tile.lattice;
+    const Density density = density_option(question.density, question.density_range, lattice);
+    const CellQuadrature quadrature(density);
+    DensityProbe probe(lattice, density.make_function());
+    return prove_voronoi(file.tile, proof, tolerance, [&](const Polygon& polygon) {
+        return density_centroid(lattice, quadrature, polygon, probe);
+    });
+}
+
+std::string prove_cvt(const TileFile& file, const TileProof& proof, const Question& question) {
+    const bool cells = file.tile.kind == MeshKind::kVoronoi;
+    const double tolerance = resolved(file, proof, *question.cvt_tolerance);
+    const double found = prove_voronoi(file, proof, question, tolerance);
+    const bool weighted = !file.tile.site_weights.empty();
+    const char* const property = cells
+                                     ? (weighted ? "centroidal power cells" : "centroidal Voronoi")
+                                     : (weighted ? "regular" : "Delaunay");
+    return std::string(", ") + property + " within " + figure(found) + " h (tolerance " +
+           figure(tolerance) + " h)";
+}
+
+/// @pre the tile has sites with weights.
+StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
+    const Tile& tile = file.tile;
+    const auto n = static_cast<int>(tile.site_positions.size());
+    StatedCells cells{
+        .lattice = Lattice(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows),
+        .metric = tile.metric,
+        .points = Points(2, n),
+        .weights = Eigen::Map<const Eigen::VectorXd>(tile.site_weights.data(), n),
+        .rounding = proof.tolerance,
+        .weight_rounding = file.precision == Precision::kDouble
+                               ? std::numeric_limits<double>::epsilon()
+                               : double(std::numeric_limits<float>::epsilon())};
+    for (int s = 0; s < n; ++s) cells.points.col(s) = tile.site_positions[s];
+    return cells;
+}
+
+/// Compares the areas of the cells, built from nothing, with the wished ones.
+std::string prove_areas(const std::string& path, const TileFile& file, const TileProof& proof,
+                        const AreaFile& wanted) {
+    if (file.tile.site_weights.empty()) {
+        throw BadFile(path +
+                      ": states no weights of its sites, so it has no power cells; check it "
+                      "without --areas");
+    }
+    const StatedCells cells = stated_cells(file, proof);
+    const auto n = static_cast<int>(cells.points.cols());
+    require_areas(wanted, n);
+    const Eigen::VectorXd areas = scaled_areas(wanted.areas, n, cells.lattice.area());
+    const AreaComparison found = compare_areas(cells, areas);
+    const std::string text =
+        figure(found.error) + " of " + wanted.name + " (tolerance " + figure(found.tolerance) + ")";
+    if (found.error <= found.tolerance) {
+        return ", areas of " + std::to_string(n) + " cells within " + text;
+    }
+    throw NotATile("law of the areas: the cell of site " + std::to_string(found.site) +
+                   " has the area " + figure(found.area) + ", not " + figure(areas[found.site]) +
+                   ": off by " + text);
+}
+
+std::string pairs_text(const TileFile& file) {
+    if (file.has_edge_pairs) return ", stored pairs agree";
+    return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
+}
+
+/// The kind of the cells. Where corners were moved, and of triangles, it is stated only.
+std::string shape_text(const Tile& tile) {
+    std::string text;
+    if (!tile.site_weights.empty()) text += ", power cells";
+    if (!tile.metric.is_round()) {
+        text += ", elongated " + figure(tile.metric.ratio()) + ":1 at " +
+                figure(tile.metric.degrees()) + " degrees";
+    }
+    const bool proved = tile.kind == MeshKind::kVoronoi && !(tile.short_edges > 0);
+    return proved || text.empty() ? text : text + " as stated";
+}
+
+/// What was proved of the site ids.
+std::string sites_text(const Tile& tile) {
+    if (tile.sites().empty()) return ", no sites stored";
+    if (tile.site_positions.empty()) return ", site ids complete, no positions of sites stored";
+    return ", " + std::to_string(tile.site_positions.size()) + " sites agree" + shape_text(tile);
+}
+
+/// The proof of an MPAS file as a line.
+std::string prove_grid(GridReader* read, const TileFormat& format, const std::string& path,
+                       const Question& question) {
+    if (question.cvt_tolerance) {
+        throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
+    }
+    if (question.areas) {
+        throw BadFile(path + ": --areas is not for MPAS files, which have no power cells");
+    }
+    const std::vector<EncodedFile> files = read_files(format, path);
+    const MpasGrid grid = read(files);
+    if (question.lattice) {
+        compare_lattice(Lattice::rectangle(grid.x_period, grid.y_period), *question.lattice);
+    }
+    const MpasGridProof proof = prove_grid(files, grid);
+    return path + ": an MPAS mesh: " + std::to_string(grid.n_cells) + " cells, " +
+           std::to_string(grid.n_edges) + " edges, " + std::to_string(grid.n_vertices) +
+           " vertices, period " + figure(grid.x_period) + " x " + figure(grid.y_period) +
+           ", lengths and angles within " + figure(proof.geometry) + " h, areas within " +
+           figure(proof.areas) + ", TRiSK identity within " + figure(proof.trisk) + "\n";
+}
+
+/// The cells that are smaller than a voxel, at most some of them.
+std::string unseen_text(const std::vector<SiteId>& unseen) {
+    if (unseen.empty()) return "every cell has voxels";
+    constexpr std::size_t kMostNamed = 8;
+    std::string text = std::to_string(unseen.size()) + " cells contain the centre of no voxel (";
+    for (std::size_t k = 0; k < std::min(unseen.size(), kMostNamed); ++k) {
+        text += (k == 0 ? "" : " ") + std::to_string(unseen[k]);
+    }
+    return text + (unseen.size() > kMostNamed ? " ...)" : ")");
+}
+
+/// The proof of a voxel image as a line.
+std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const std::string& path,
+                              const Question& question) {
+    if (question.cvt_tolerance) {
+        throw BadFile(path + ": --cvt is not for voxels; check a tile of the same run");
+    }
+    const std::vector<EncodedFile> files = read_files(format, path);
+    const VoxelFile file = read(files);
+    const VoxelGrid& grid = file.image.grid;
+    if (question.lattice) {
+        compare_lattice(Lattice::rectangle(grid.size.x(), grid.size.y()), *question.lattice);
+    }
+    const VoxelProof proof = prove_voxel_file(files, file);
+    return path + ": a voxel image: " + std::to_string(grid.counts.x) + " x " +
+           std::to_string(grid.counts.y) + " voxels of " + std::to_string(proof.n_cells) +
+           " cells, period " + figure(grid.size.x()) + " x " + figure(grid.size.y()) +
+           (file.cells ? ", each voxel in the cell of its site within " +
+                             figure(proof.largest_excess) + " h"
+                       : ", no sites stored") +
+           (file.materials ? ", one material a cell" : ", no materials beside it") + ", " +
+           unseen_text(proof.unseen) + "\n";
+}
+
+/// The proof of a tile as a line.
+std::string prove_one_tile(const TileFormat& format, const std::string& path,
+                           const Question& question) {
+    const std::vector<EncodedFile> files = read_files(format, path);
+    const TileFile file = decode_tile(format, files, question.lattice);
+    if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
+    const TileProof proof = prove_file(format, files, file);
+    std::string line = path + ": a periodic tile: " + std::to_string(proof.n_vertices) +
+                       " vertices, " + std::to_string(proof.n_faces) + " faces, " +
+                       std::to_string(proof.n_boundary_edges) + " boundary edges in " +
+                       std::to_string(proof.edge_pairs.size()) + " pairs, genus 1 after gluing, " +
+                       "area " + figure(proof.area) + " (tolerance " + figure(proof.tolerance) +
+                       "), " + std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
+                       sites_text(file.tile);
+    if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
+    if (question.areas) line += prove_areas(path, file, proof, *question.areas);
+    return line + "\n";
+}
+
+}  // namespace
+
+std::string prove(const std::string& path, const Question& question) {
+    const TileFormat& format = readable_format(path);
+    if (const std::optional<std::string> journal = unfinished_set_of(format.paths(path))) {
+        throw BadFile(path + ": a run ended before it had written all files of its set (" +
+                      *journal + "); run pcvt again in that folder, which finishes the set");
+    }
+    if (const auto* read = std::get_if<GridReader*>(&format.read)) {
+        return prove_grid(*read, format, path, question);
+    }
+    if (const auto* read = std::get_if<VoxelReader*>(&format.read)) {
+        return prove_voxel_image(*read, format, path, question);
+    }
+    return prove_one_tile(format, path, question);
+}
+
+const char* content_of(const std::string& path) {
+    const TileFormat* format = find_tile_format(path);
+    if (format->reads_voxels()) return "a voxel image";
+    return format->reads_grid() ? "an MPAS mesh" : "a periodic tile";
+}
+
+}  // namespace pcvt::cli
