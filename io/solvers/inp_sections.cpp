@@ -69,7 +69,9 @@ void append_step(std::string& text, const LoadCase& load) {
     text += std::string("** The mean strain ") + load.name + ", all other components 0.\n";
     text += std::string("*STEP\n*STATIC\n*BOUNDARY\nFIXED,1,2\nCONTROL_1,1,1,") + load.xx;
     text += std::string("\nCONTROL_1,2,2,") + load.xy + "\nCONTROL_2,2,2," + load.yy + "\n";
-    text += "*EL PRINT,ELSET=EALL,GLOBAL=YES\nS,E,EVOL\n*NODE FILE,OUTPUT=2D\nU\n*EL FILE\nS,E\n*END STEP\n";
+    text +=
+        "*EL PRINT,ELSET=EALL,GLOBAL=YES\nS,E,EVOL\n*NODE FILE,OUTPUT=2D\nU\n*EL FILE\nS,E\n*END "
+        "STEP\n";
 }
 
 }  // namespace

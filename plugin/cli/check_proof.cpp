@@ -15,7 +15,7 @@
 #include "mesher/density/density_centroid.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/cell_options.hpp"
-#include "plugin/cli/options/option_values.hpp"
+#include "plugin/cli/terminal/console.hpp"
 #include "plugin/job/job_files.hpp"
 
 namespace pcvt::cli {

@@ -29,7 +29,8 @@ static const struct {
                {"a.gltf", PCVT_GRAINS},  {"a.om", PCVT_DELAUNAY}, {"a.msh", PCVT_GRAINS},
                {"a.inp", PCVT_DELAUNAY}, {"a.vtu", PCVT_VORONOI}, {"a.svg", PCVT_VORONOI},
                {"a.png", PCVT_VORONOI},  {"a.dxf", PCVT_VORONOI}, {"a.html", PCVT_DELAUNAY},
-               {"a.foam", PCVT_VORONOI}, {"a.vti", PCVT_VORONOI}, {"a.csv", PCVT_VORONOI}, {"a.txt", PCVT_VORONOI}};
+               {"a.foam", PCVT_VORONOI}, {"a.vti", PCVT_VORONOI}, {"a.csv", PCVT_VORONOI},
+               {"a.txt", PCVT_VORONOI}};
 enum { N_OUTPUTS = sizeof outputs / sizeof outputs[0] };
 
 typedef unsigned long long hash_number;

@@ -27,8 +27,9 @@ std::vector<TileFormat> formats_of_tiles() {
 }
 
 TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
-    for (const char* name : {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".png", ".dxf",
-                             ".html", ".msh", ".inp", ".vtu", ".foam", ".nc", ".vti", ".csv", ".txt"}) {
+    for (const char* name :
+         {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".png", ".dxf", ".html", ".msh", ".inp",
+          ".vtu", ".foam", ".nc", ".vti", ".csv", ".txt"}) {
         ASSERT_NE(find_tile_format(std::string("a.b/c") + name), nullptr) << name;
         EXPECT_EQ(find_tile_format(std::string("a.b/c") + name)->extension, name);
     }

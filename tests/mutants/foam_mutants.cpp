@@ -55,6 +55,11 @@ std::vector<Mutant> foam_mutants(const BaseFile& base) {
 
 std::span<const Harmless> harmless_in_foam() {
     static constexpr std::array kHarmless{
+        Harmless{"pcvt", "", kNotShown, "delaunay power"},
+        Harmless{"pcvt", "", "lets corners that were joined lie farther off",
+                 "voronoi short-edges"},
+        Harmless{"pcvt short_edges*", "", "lets corners that were joined lie farther off",
+                 "voronoi short-edges"},
         Harmless{"pcvt weight", "", kNotShown, "delaunay"},
         Harmless{"pcvt weight", "", kNotShown, "grains"},
         Harmless{"pcvt metric*", "", kNotShown, "delaunay"},

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <charconv>
+#include <optional>
+
 #include "io/bytes/bad_file.hpp"
 #include "io/run_files/cell_reader.hpp"
 #include "mesher/mesh/voronoi.hpp"
@@ -23,6 +26,17 @@ CellRows example(bool weighted, bool with_materials) {
     return rows;
 }
 
+/// The number in the field that holds the character; nothing for another field.
+std::optional<double> number_at(const std::string& text, std::size_t at) {
+    if (text[at] == ',' || text[at] == '\n') return {};
+    const std::size_t begin = text.find_last_of(",\n", at) + 1;
+    const std::string field = text.substr(begin, text.find_first_of(",\n", at) - begin);
+    double value = 0;
+    const auto [end, fault] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (fault != std::errc() || end != field.data() + field.size()) return {};
+    return value;
+}
+
 TEST(CellRows, AreReadBack) {
     for (const bool weighted : {false, true}) {
         for (const bool with_materials : {false, true}) {
@@ -42,6 +56,9 @@ TEST(CellRows, EveryChangedCharacterIsFound) {
     for (std::size_t at = text.find("\n0,") + 1; at < text.size(); ++at) {
         std::string damaged = text;
         damaged[at] = damaged[at] == '7' ? '8' : '7';
+        // A digit of 17 may not change the number.
+        const std::optional<double> number = number_at(text, at);
+        if (number && number == number_at(damaged, at)) continue;
         bool found = true;
         try {
             found = !reads_back("c.csv", damaged, rows);
