@@ -97,6 +97,6 @@ int main(int argc, char** argv) {
     printf("%ld pages after a tenth of the cycles, %ld at the end\n", early, late);
     if (is_mapped("libpcvt")) fail("the library stays loaded");
     if (KEEPS_FREED_MEMORY) return 0;
-    /* A leak of 100 bytes per cycle would exceed the limit in 1000 cycles. */
+    /* A leak of 100 bytes per cycle would exceed the limit in 2000 cycles. */
     return (late - early) * sysconf(_SC_PAGESIZE) > 90 * n_cycles ? 1 : 0;
 }
