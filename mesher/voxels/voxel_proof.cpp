@@ -68,7 +68,8 @@ VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells) {
     for (std::size_t k = 0; k < image.site.size(); ++k) {
         checkpoint_each(static_cast<long>(k));
         const auto width = static_cast<std::size_t>(grid.counts.x);
-        const Vec2 step(double(k % width) + 0.5, double(k / width) + 0.5);
+        const std::size_t row = k / width;
+        const Vec2 step(double(k % width) + 0.5, double(row) + 0.5);
         const Vec2 p = cells.metric.to_round(Vec2(grid.corner + step.cwiseProduct(spacing)));
         const NearestImage nearest = tree.nearest(p);
         if (nearest.site == image.site[k]) continue;
