@@ -153,7 +153,8 @@ class NearestSites {
         std::vector<Corner> tied{at};
         SiteId smallest = at.site;
         for (std::size_t k = 0; k < tied.size(); ++k) {
-            for_neighbours(tied[k], [&](const Corner& other) {
+            const Corner from = tied[k];  // A reference would not survive the next push_back().
+            for_neighbours(from, [&](const Corner& other) {
                 if (compare(p, other, at) != 0 || contains(tied, other)) return false;
                 tied.push_back(other);
                 smallest = std::min(smallest, other.site);
