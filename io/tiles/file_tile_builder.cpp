@@ -179,7 +179,8 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
     const std::string name = file.name;
     give_sites(std::move(file), tile);
     const std::vector<SiteId>& sites = tile.sites();
-    const int n_sites = sites.empty() ? 0 : 1 + *std::max_element(sites.begin(), sites.end());
+    const std::int64_t n_sites =
+        sites.empty() ? 0 : 1 + std::int64_t{*std::max_element(sites.begin(), sites.end())};
     require_materials(name, materials, n_sites);
     return {std::move(tile), precision,      has_vertex_pairs,
             has_edge_pairs,  states_lattice, std::move(materials)};

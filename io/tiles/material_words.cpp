@@ -1,5 +1,7 @@
 #include "io/tiles/material_words.hpp"
 
+#include <utility>
+
 #include "mesher/base/error.hpp"
 #include "mesher/materials/phase_fractions.hpp"
 
@@ -48,8 +50,9 @@ void take_angles(const LineScanner& scanner, std::span<const std::string_view> w
     }
 }
 
-void require_count(const std::string& name, std::size_t found, int n_sites, const char* what) {
-    if (found == 0 || found == static_cast<std::size_t>(n_sites)) return;
+void require_count(const std::string& name, std::size_t found, std::int64_t n_sites,
+                   const char* what) {
+    if (found == 0 || std::cmp_equal(found, n_sites)) return;
     throw BadFile(name + ": there are " + what + " of " + std::to_string(found) + " sites for " +
                   std::to_string(n_sites) + " sites; give one each or none");
 }
@@ -93,7 +96,8 @@ bool take_material(const LineScanner& scanner, std::string_view key,
     return true;
 }
 
-void require_materials(const std::string& name, const CellMaterials& materials, int n_sites) {
+void require_materials(const std::string& name, const CellMaterials& materials,
+                       std::int64_t n_sites) {
     if (!materials.phase_names.empty() && materials.site_phase.empty()) {
         throw BadFile(name + ": there are phases, but no site has one; give both or none");
     }

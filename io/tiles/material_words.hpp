@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,7 @@ bool take_material(const LineScanner& scanner, std::string_view key,
 
 /// Requires one phase, and one orientation, for each of the sites, where there are any.
 /// @param name  of the file, for the message of BadFile.
-void require_materials(const std::string& name, const CellMaterials& materials, int n_sites);
+void require_materials(const std::string& name, const CellMaterials& materials,
+                       std::int64_t n_sites);
 
 }  // namespace pcvt
