@@ -168,6 +168,8 @@ class BoxCutter {
         return found;
     }
 
+    static bool comes_first(const Crossing& x, const Crossing& y) { return x.t < y.t; }
+
     /// Returns the nodes where the lines cross the edge that corner c leaves, in the order along
     /// the edge.
     std::vector<BoxNode> cut_edge(int c) {
@@ -175,33 +177,48 @@ class BoxCutter {
         const BoxNode to = corner_node(cells_.next(c));
         const Vec2 p = lines_.coordinates(from);
         const Vec2 q = lines_.coordinates(to);
-        // Add the box corners on the edge.
+        // The edge bends at the box corners near it, and is straight between them. From here on,
+        // the fraction t counts the straight parts.
         std::vector<Crossing> crossings = corners_between(p, q, from, to);
-        const std::size_t n_corners = crossings.size();
+        std::sort(crossings.begin(), crossings.end(), comes_first);
+        std::vector<Vec2> path{p};
+        for (Crossing& corner : crossings) {
+            corner.t = static_cast<double>(path.size());
+            path.push_back(lines_.coordinates(corner.node));
+        }
+        path.push_back(q);
         // Add a new vertex wherever else a line crosses the edge.
         for (const int axis : BoxLines::kAxes) {
             const BoxLines::Range lines = lines_.lines_between(from, to, axis);
             for (int k = lines.first; k <= lines.last; ++k) {
                 // A corner replaces the crossings of both lines through it.
-                const bool at_corner = std::any_of(
-                    crossings.begin(), crossings.begin() + std::ptrdiff_t(n_corners),
-                    [&](const Crossing& x) { return BoxLines::whole(x.node.offset, axis) == k; });
-                if (at_corner) continue;
-                const double t = (k - p[axis]) / (q[axis] - p[axis]);
-                const double other = p[1 - axis] + t * (q[1 - axis] - p[1 - axis]);
-                Vec2 u(0, 0);
-                u[1 - axis] = other - std::floor(other);
-                const int l = static_cast<int>(std::floor(other));
-                const Offset offset = BoxLines::along(axis, k) + BoxLines::along(1 - axis, l);
-                crossings.push_back({t, {lines_.add_vertex(u), offset}});
+                const bool at_corner = std::any_of(path.begin() + 1, path.end() - 1,
+                                                   [&](const Vec2& u) { return u[axis] == k; });
+                if (!at_corner) crossings.push_back(cross_line(path, axis, k));
             }
         }
-        // Sort the nodes along the edge.
-        std::sort(crossings.begin(), crossings.end(),
-                  [](const Crossing& x, const Crossing& y) { return x.t < y.t; });
+        std::sort(crossings.begin(), crossings.end(), comes_first);
         BoxPolygon nodes;
         for (const Crossing& crossing : crossings) nodes.push_back(crossing.node);
         return nodes;
+    }
+
+    /// Adds the vertex where a path crosses line k of a family.
+    /// @pre The ends of the path lie on both sides of the line.
+    Crossing cross_line(const std::vector<Vec2>& path, int axis, int k) {
+        const auto is_before = [&](std::size_t i) { return path[i][axis] < k; };
+        std::size_t part = 0;
+        // The last part is the one where rounding moves an end onto the line.
+        while (part + 2 < path.size() && is_before(part) == is_before(part + 1)) ++part;
+        const Vec2& p = path[part];
+        const Vec2& q = path[part + 1];
+        const double t = (k - p[axis]) / (q[axis] - p[axis]);
+        const double other = p[1 - axis] + t * (q[1 - axis] - p[1 - axis]);
+        Vec2 u(0, 0);
+        u[1 - axis] = other - std::floor(other);
+        const int l = static_cast<int>(std::floor(other));
+        const Offset offset = BoxLines::along(axis, k) + BoxLines::along(1 - axis, l);
+        return {static_cast<double>(part) + t, {lines_.add_vertex(u), offset}};
     }
 
     void cut_edges() {

@@ -33,8 +33,8 @@ inline std::vector<NamedLattice> lattices() {
 inline Lattice random_lattice(std::mt19937_64& random) {
     std::normal_distribution<double> normal;
     for (;;) {
-        const Vec2 a(normal(random), normal(random));
-        const Vec2 c(normal(random), normal(random));
+        const Vec2 a{normal(random), normal(random)};  // Braces give the draws an order.
+        const Vec2 c{normal(random), normal(random)};
         const double stretch = std::exp(normal(random));
         const Vec2 b = stretch * c + std::floor(3 * normal(random)) * a;
         if (std::abs(a.x() * b.y() - a.y() * b.x()) > 0.01 * a.norm() * c.norm()) return {a, b};

@@ -28,7 +28,7 @@ Points shuffled(const LatticePattern& pattern, double noise, std::mt19937_64& ra
         points.col(s).swap(points.col(t));
     }
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        points.col(s) += common + noise * h / std::sqrt(2) * Vec2(uniform(random), uniform(random));
+        points.col(s) += common + noise * h / std::sqrt(2) * Vec2{uniform(random), uniform(random)};
     }
     return points;
 }
