@@ -36,7 +36,7 @@ std::vector<int> histogram_of_diameters(std::vector<double> diameters) {
                         static_cast<double>(diameters.size());
     std::vector<int> counts(kBins);
     for (const double diameter : diameters) {
-        ++counts[std::min(static_cast<int>(diameter / mean / kBinWidth + 0.5), kBins - 1)];
+        ++counts[std::min(std::lround(diameter / mean / kBinWidth), long{kBins - 1})];
     }
     return counts;
 }
