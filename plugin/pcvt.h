@@ -191,13 +191,13 @@ typedef struct pcvt_options {
     const char* area_law; /**< "equal", or "lognormal:S" or "gamma:S", drawn from `seed`, with S the
                              standard deviation over the mean of the equivalent diameters; excludes
                              `areas` [NULL] */
-    double aspect;        /**< cells so many times as long along aspect_degrees as across, 0.01 to
-                             100 [1] */
+    double aspect; /**< the length of the cells along aspect_degrees over their width, 0.01 to
+                      100 [1] */
     double aspect_degrees; /**< from x [0] */
     const char* phases; /**< "NAME:FRACTION,NAME:FRACTION,...": each cell gets a phase; fractions of
                            the area, sum 1, spread evenly, drawn from `seed` [NULL] */
     const double* orientations;  /**< n_orientations triples phi1, Phi, phi2, Bunge's angles in
-                                    degrees,  one a site [NULL] */
+                                    degrees, one a site [NULL] */
     int32_t n_orientations;      /**< n_sites, or 0 where `orientations` is NULL [0] */
     int32_t random_orientations; /**< 1: orientations without a texture, drawn from `seed`; excludes
                                     `orientations` [0] */

@@ -44,7 +44,7 @@ std::uint64_t little_endian(std::string_view bytes) {
     return value;
 }
 
-/// The number of base64 digits of complete groups that hold so many bytes.
+/// The length in base64 of `n_bytes` bytes, padded to complete groups of four digits.
 std::size_t n_digits(std::size_t n_bytes) { return (n_bytes + 2) / 3 * 4; }
 
 /// Reads the tags of one file.

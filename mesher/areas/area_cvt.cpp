@@ -51,11 +51,7 @@ class AreaObjective final : public Objective {
     void reject() override { undo_step(); }
 
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
-        direction.resize(n_variables());
-        for (Eigen::Index s = 0; s < delaunay_.n_sites(); ++s) {
-            direction.segment<2>(2 * s) =
-                (evaluation.gradient.segment<2>(2 * s) / (-2 * cells_.mass[s])).cast<float>();
-        }
+        steps_to_centroids(evaluation.gradient, cells_.mass, direction);
     }
 
     const AreaFigures& figures() const { return figures_; }

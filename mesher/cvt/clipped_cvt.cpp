@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesher/base/error.hpp"
+#include "mesher/energy/residuals.hpp"
 #include "mesher/optimize/lbfgs.hpp"
 
 namespace pcvt {
@@ -229,11 +230,7 @@ class ClippedObjective final : public Objective {
     void accept() override { point_ = trial_; }
 
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
-        direction.resize(n_variables());
-        for (Eigen::Index s = 0; s < point_.cols(); ++s) {
-            direction.segment<2>(2 * s) =
-                (evaluation.gradient.segment<2>(2 * s) / (-2 * energy_.mass[s])).cast<float>();
-        }
+        steps_to_centroids(evaluation.gradient, energy_.mass, direction);
     }
 
    private:

@@ -62,4 +62,12 @@ Residuals residuals(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass
     return {std::sqrt(total.largest) * per_h, std::sqrt(total.sum / double(n)) * per_h};
 }
 
+void steps_to_centroids(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass,
+                        Eigen::VectorXf& steps) {
+    steps.resize(gradient.size());
+    for (Eigen::Index s = 0; s < mass.size(); ++s) {
+        steps.segment<2>(2 * s) = (gradient.segment<2>(2 * s) / (-2 * mass[s])).cast<float>();
+    }
+}
+
 }  // namespace pcvt

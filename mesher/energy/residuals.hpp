@@ -24,4 +24,9 @@ struct Residuals {
 Residuals residuals(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass, double spacing,
                     Workers& workers);
 
+/// Computes the steps g_i - x_i of Lloyd's iteration from the same gradient, in single precision.
+/// @param steps  x, y, x, y, ...; gets its length here.
+void steps_to_centroids(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass,
+                        Eigen::VectorXf& steps);
+
 }  // namespace pcvt

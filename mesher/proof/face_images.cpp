@@ -13,8 +13,6 @@ namespace {
 
 using std::to_string;
 
-const char* const kSiteLaw = "of the sites";
-
 /// Some faces of one site, joined by edges.
 struct Part {
     /// The image of the first face to which more than half of the area belongs, and how much more.

@@ -6,6 +6,9 @@
 
 namespace pcvt {
 
+/// What messages call the laws of prove_sites().
+inline constexpr const char* kSiteLaw = "of the sites";
+
 /// Throws NotATile with the message "law <law>: <what>".
 ///
 /// Example usage:

@@ -16,8 +16,6 @@ namespace {
 
 using std::to_string;
 
-const char* const kSiteLaw = "of the sites";
-
 /// Corners agree with the mean of their Voronoi vertices within this, in units of h.
 constexpr double kOffMean = 1e-7;
 /// ... and within this many tolerances of positions.

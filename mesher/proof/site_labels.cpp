@@ -18,8 +18,6 @@ namespace {
 
 using std::to_string;
 
-const char* const kSiteLaw = "of the sites";
-
 /// The distances of a vertex from the sites of its cells agree within this, in units of h.
 constexpr double kOffBisector = 1e-7;
 /// ... and within this many tolerances of positions.

@@ -10,8 +10,8 @@ namespace pcvt {
 namespace {
 
 constexpr int kSitesOfALeaf = 6;
-/// The nearest image of a point of the domain of a reduced basis to another one is at most so many
-/// periods away.
+/// In the domain of a reduced basis, the image of a point that is nearest to another point lies at
+/// most this number of periods away along each period vector.
 constexpr int kFarthestImage = 2;
 
 }  // namespace
