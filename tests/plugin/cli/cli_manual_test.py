@@ -126,11 +126,13 @@ class Zsh(CliTest):
                b'echo RE""ADY\n')
 
     def shown(self, master, last):
-        """Returns the output of a terminal up to the text `last`, or until there is no more for seconds."""
-        text = ""
+        """Returns the output of a terminal, without its control sequences, up to the text `last`, or until there is
+        no more for 30 seconds."""
+        output, text = b"", ""
         while last not in text and select.select([master], [], [], 30)[0]:
-            text += os.read(master, 4096).decode()
-        return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]|\x00|\x07", "", text)
+            output += os.read(master, 4096)
+            text = re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]|\x00|\x07", "", output.decode(errors="ignore"))
+        return text
 
     def screen(self, line, last):
         """Types a line and a tabulator into an interactive zsh and returns its answer."""
