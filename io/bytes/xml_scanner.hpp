@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/bytes/char_set.hpp"
 
 namespace pcvt {
 
@@ -36,12 +37,16 @@ class XmlScanner {
     std::string_view element() const { return element_; }
     /// The value of an attribute of the element that begins here; `nullopt` if it has none.
     std::optional<std::string_view> attribute(std::string_view key) const;
-    /// The text between the previous tag and the current one, and the line on which it begins.
+    /// The text between the previous tag and the current one.
     std::string_view text() const { return content_; }
-    int text_line() const { return content_line_; }
     /// The line of the current tag.
     int line() const { return line_; }
     const std::string& name() const { return name_; }
+
+    /// Calls `handle(word, line)` for each word of the text of the element that begins here, and
+    /// advances to its end. The text of elements inside of it is skipped.
+    template <class Handle>
+    void for_each_word(const Handle& handle);
 
     /// @throws BadFile `name:line: complaint`.
     [[noreturn]] void throw_bad_file(int line, const std::string& complaint) const;
@@ -64,5 +69,29 @@ class XmlScanner {
     std::vector<std::string_view> open_;
     std::vector<std::pair<std::string_view, std::string_view>> attributes_;
 };
+
+template <class Handle>
+void XmlScanner::for_each_word(const Handle& handle) {
+    static constexpr CharSet kBlanks(" \t\r");
+    static constexpr CharSet kWordEnds(" \t\r\n");
+    int depth = 1;
+    while (depth > 0) {
+        const Event event = next();
+        std::string_view rest = depth == 1 ? content_ : std::string_view();
+        int line = content_line_;
+        for (rest.remove_prefix(kBlanks.skip_in(rest)); !rest.empty();
+             rest.remove_prefix(kBlanks.skip_in(rest))) {
+            if (rest.front() == '\n') {
+                ++line;
+                rest.remove_prefix(1);
+                continue;
+            }
+            const std::string_view word = rest.substr(0, kWordEnds.find_in(rest));
+            handle(word, line);
+            rest.remove_prefix(word.size());
+        }
+        depth += event == Event::kBegin ? 1 : -1;
+    }
+}
 
 }  // namespace pcvt

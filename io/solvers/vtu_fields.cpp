@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "io/bytes/char_set.hpp"
 #include "io/bytes/xml_scanner.hpp"
 #include "io/tiles/site_notes.hpp"
 
@@ -24,23 +23,6 @@ constexpr std::array<std::string_view, 10> kArrays{"FieldData/PeriodicLattice",
                                                    "Cells/offsets",
                                                    "Cells/types"};
 
-void append_values(std::string_view text, int line, std::vector<FileWord>& words) {
-    static constexpr CharSet kBlanks(" \t\r");
-    static constexpr CharSet kWordEnds(" \t\r\n");
-    while (true) {
-        text.remove_prefix(kBlanks.skip_in(text));
-        if (text.empty()) return;
-        if (text.front() == '\n') {
-            ++line;
-            text.remove_prefix(1);
-            continue;
-        }
-        const std::size_t length = kWordEnds.find_in(text);
-        words.push_back({text.substr(0, length), line});
-        text.remove_prefix(length);
-    }
-}
-
 /// The numbers of 32 and 64 bits with a sign, which hold all ids and offsets, count as one type.
 std::string_view type_class(std::string_view type) {
     return type == "Int32" || type == "Int64" ? "integers" : type;
@@ -54,13 +36,9 @@ void append_array(XmlScanner& scanner, bool with_values, std::vector<FileWord>& 
     if (const auto tuples = scanner.attribute("NumberOfTuples")) {
         words.push_back({*tuples, scanner.line()});
     }
-    // VTK may nest elements with ranges in an array; its numbers are its own text alone.
-    int depth = 1;
-    while (depth > 0) {
-        const Event event = scanner.next();
-        if (depth == 1 && with_values) append_values(scanner.text(), scanner.text_line(), words);
-        depth += event == Event::kBegin ? 1 : -1;
-    }
+    scanner.for_each_word([&](std::string_view word, int line) {
+        if (with_values) words.push_back({word, line});
+    });
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "io/bytes/char_set.hpp"
 #include "io/bytes/text.hpp"
 #include "io/bytes/xml_scanner.hpp"
 #include "io/solvers/vtu_fields.hpp"
@@ -130,32 +129,11 @@ class VtuArrays {
         const auto components = scanner_.attribute("NumberOfComponents");
         if (components) array.n_components = integer(*components, scanner_.line());
         // VTK may nest elements with ranges in an array; its numbers are its own text alone.
-        int depth = 1;
-        while (depth > 0) {
-            const Event event = scanner_.next();
-            if (depth == 1) read_values(scanner_.text(), scanner_.text_line(), array);
-            depth += event == Event::kBegin ? 1 : -1;
-        }
+        scanner_.for_each_word(
+            [&](std::string_view word, int line) { add_value(word, line, array); });
         if (!arrays_.emplace(key, std::move(array)).second) {
             scanner_.throw_bad_file(scanner_.line(),
                                     "the array " + key + " is there twice; remove one");
-        }
-    }
-
-    void read_values(std::string_view text, int line, Array& array) const {
-        static constexpr CharSet kBlanks(" \t\r");
-        static constexpr CharSet kWordEnds(" \t\r\n");
-        while (!text.empty()) {
-            text.remove_prefix(kBlanks.skip_in(text));
-            if (text.empty()) return;
-            if (text.front() == '\n') {
-                ++line;
-                text.remove_prefix(1);
-                continue;
-            }
-            const std::size_t length = kWordEnds.find_in(text);
-            add_value(text.substr(0, length), line, array);
-            text.remove_prefix(length);
         }
     }
 
