@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/portable_angles.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,12 +26,8 @@ Metric::Metric(double ratio, double degrees) : is_round_(ratio == 1) {
     if (is_round_) return;
     ratio_ = ratio;
     degrees_ = degrees;
-    // Multiples of 90 degrees are exact.
-    const double right_angles = degrees / 90;
-    const double whole = std::floor(right_angles + 0.5);
-    const double rest = (right_angles - whole) * (std::numbers::pi / 2);
-    Vec2 along(std::cos(rest), std::sin(rest));
-    if (std::fmod(whole, 2) != 0) along = Vec2(-along.y(), along.x());
+    const CosSin angle = cos_sin_of_degrees(degrees);
+    const Vec2 along(angle.cos, angle.sin);
     const double root = std::sqrt(ratio);
     b_ = stretch(along, 1 / root);
     inverse_ = stretch(along, root);

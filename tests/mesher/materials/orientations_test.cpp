@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "mesher/materials/portable_angles.hpp"
+#include "mesher/base/portable_angles.hpp"
 
 namespace pcvt {
 namespace {
