@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <random>
 
@@ -18,6 +20,8 @@ struct Options {
     bool lists_fields = false;
     /// The largest number of accepted mutants that are described.
     std::size_t most_lines = 40;
+    /// Where the base files and accepted mutants that are described are written; empty: nowhere.
+    std::filesystem::path folder;
 };
 
 struct Tally {
@@ -46,6 +50,14 @@ std::vector<Mutant> sampled(std::vector<Mutant> mutants, const Options& options)
     return mutants;
 }
 
+void write_files(const Files& files, const std::filesystem::path& folder) {
+    for (const EncodedFile& file : files) {
+        const std::filesystem::path path = folder / file.path;
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream(path, std::ios::binary) << file.bytes;
+    }
+}
+
 void run_base(const MutatedFormat& row, const TileFormat& format, const BaseFile& base,
               const Options& options, std::map<std::string, Tally>& tallies) {
     if (const std::string fault = refusal(format, base.files); !fault.empty()) {
@@ -65,6 +77,11 @@ void run_base(const MutatedFormat& row, const TileFormat& format, const BaseFile
         if (++tally.accepted <= options.most_lines) {
             std::printf("%s, %s: accepted: %s, %s\n", row.extension.data(), base.name.c_str(),
                         mutant.field.c_str(), mutant.change.c_str());
+            if (options.folder.empty()) continue;
+            write_files(base.files, options.folder / base.name / "base");
+            write_files(mutant.files(), options.folder / base.name /
+                                            (mutant.field + " " + mutant.change + " " +
+                                             std::to_string(tally.accepted)));
         }
     }
 }
@@ -100,6 +117,7 @@ int run(int argc, char** argv) {
     app.add_option("--seed", options.seed, "of the sample");
     app.add_flag("--fields", options.lists_fields, "list each field with its numbers");
     app.add_option("--lines", options.most_lines, "accepted mutants to describe for each field");
+    app.add_option("--write", options.folder, "folder for the accepted mutants and their bases");
     CLI11_PARSE(app, argc, argv);
     std::size_t faults = 0;
     for (const MutatedFormat& row : mutated_formats()) {

@@ -68,7 +68,15 @@ Files replaced(const Files& files, std::size_t file, std::size_t at, std::size_t
 struct Row {
     std::size_t begin;
     std::string text;
+    /// The words of a part of a list, each behind a blank; empty: the row is no such part.
+    std::string part = {};
 };
+
+/// Whether two rows say the same in both orders.
+bool commute(const Row& row, const Row& next) {
+    return row.text == next.text ||
+           (!row.part.empty() && row.part + next.part == next.part + row.part);
+}
 
 void add_row_mutants(const Files& files, std::size_t file, const std::string& name,
                      const std::vector<Row>& rows, std::vector<Mutant>& mutants) {
@@ -81,11 +89,21 @@ void add_row_mutants(const Files& files, std::size_t file, const std::string& na
         };
         change("delete", row.text.size(), "");
         change("duplicate", 0, row.text);
-        const bool adjacent = k + 1 < rows.size() && rows[k + 1].text != row.text &&
+        const bool adjacent = k + 1 < rows.size() && !commute(row, rows[k + 1]) &&
                               rows[k + 1].begin == row.begin + row.text.size();
         if (!adjacent) continue;
         change("swap", row.text.size() + rows[k + 1].text.size(), rows[k + 1].text + row.text);
     }
+}
+
+std::string part_of(const std::vector<std::string_view>& words, const LineNames& names) {
+    std::string part;
+    if (names.n_before_part == 0) return part;
+    for (std::size_t w = names.n_before_part; w < words.size(); ++w) {
+        part += ' ';
+        part += words[w];
+    }
+    return part;
 }
 
 std::string encoded(const std::string& value, Binary type) {
@@ -181,7 +199,9 @@ TextParts text_parts(const Files& files, std::size_t file, const LineNamer& name
         if (content.ends_with('\n')) content.remove_suffix(1);
         const std::vector<std::string_view> words = split(content, separators);
         const LineNames names = namer(words);
-        if (!names.row.empty()) rows[names.row].push_back({begin, std::string(line)});
+        if (!names.row.empty()) {
+            rows[names.row].push_back({begin, std::string(line), part_of(words, names)});
+        }
         for (std::size_t w = 0; w < std::min(words.size(), names.words.size()); ++w) {
             if (names.words[w].empty()) continue;
             const auto at = static_cast<std::size_t>(words[w].data() - text.data());

@@ -43,6 +43,9 @@ std::vector<Mutant> mutants_of(const std::vector<Field>& fields, double digit);
 struct LineNames {
     std::string row = {};
     std::vector<std::string> words = {};
+    /// The words in front of a part of a list that goes on in the next row of this name; 0: the row
+    /// is no such part.
+    std::size_t n_before_part = 0;
 };
 using LineNamer = std::function<LineNames(const std::vector<std::string_view>& words)>;
 
@@ -53,7 +56,8 @@ struct TextParts {
 };
 
 /// Names the words of each line of files[file], which blanks separate and the characters of
-/// `separators` too. Rows of one name are deleted, duplicated, and exchanged with the next one.
+/// `separators` too. Rows of one name are deleted, duplicated, and exchanged with the next one,
+/// unless two parts of a list make up the same list in both orders.
 /// @pre the files outlive the result.
 TextParts text_parts(const Files& files, std::size_t file, const LineNamer& namer,
                      std::string_view separators = "");

@@ -27,6 +27,7 @@ LineNames names_of_obj(const std::vector<std::string_view>& words) {
     if (words.size() < 3 || words[0] != "#" || words[1] != "pcvt") return {};
     const std::string key(words[2]);
     LineNames names = numbered(key + " row", 3, words.size(), key);
+    if (key == "sites") names.n_before_part = 3;
     if (key == "site" && words.size() == 6) names.words.back() = "site.weight";
     return names;
 }
