@@ -51,6 +51,7 @@ Surface cells(const Tile& tile, const TileColours& colours, bool cell_nodes,
     // A face of k corners has k - 2 triangles.
     surface.indices.reserve(
         3 * (tile.faces.corners.size() - 2 * static_cast<std::size_t>(tile.n_faces())));
+    int face_before = -1;
     for (const int f : face_order(tile, colours.class_of, cell_nodes)) {
         // A face begins a group where its key differs from that of the face before.
         const SiteId site = tile.face_site[f];
@@ -66,8 +67,9 @@ Surface cells(const Tile& tile, const TileColours& colours, bool cell_nodes,
             surface.indices.insert(surface.indices.end(), tile.faces[f].begin(),
                                    tile.faces[f].end());
         } else {
-            append_fan(tile, f, surface.points, surface.indices, path);
+            append_fan(tile, f, face_before, surface.points, surface.indices, path);
         }
+        face_before = f;
         surface.group_begin.back() = static_cast<int>(surface.indices.size());
         if (cell_nodes) continue;
         if (surface.cells.empty() || surface.cells.back().site != site) {

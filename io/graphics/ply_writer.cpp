@@ -157,7 +157,7 @@ Tile narrowed(const Tile& tile, std::vector<int>& class_of, const std::string& p
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
         std::vector<int> corners;
-        append_fan(tile, f, points, corners, path);
+        append_fan(tile, f, f - 1, points, corners, path);
         for (std::size_t c = 0; c < corners.size(); c += 3) {
             narrow.faces.add(std::span(corners).subspan(c, 3));
             narrow.face_site.push_back(tile.face_site[f]);

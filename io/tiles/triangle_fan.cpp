@@ -56,10 +56,11 @@ double worst_openness(std::span<const Point32> corners, int apex, double bar) {
 
 }  // namespace
 
-std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners) {
-    int best = 0;
+std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners, int excluded) {
+    int best = excluded == 0 ? 1 : 0;
     double best_openness = -std::numeric_limits<double>::infinity();
     for (int apex = 0; apex < static_cast<int>(corners.size()); ++apex) {
+        if (apex == excluded) continue;
         const double apex_openness = worst_openness(corners, apex, best_openness);
         if (apex_openness > best_openness) {
             best = apex;
@@ -82,18 +83,25 @@ std::vector<Point32> single_precision_points(const Tile& tile, const std::string
     return points;
 }
 
-void append_fan(const Tile& cells, int face, const std::vector<Point32>& points,
+void append_fan(const Tile& cells, int face, int before, const std::vector<Point32>& points,
                 std::vector<int>& corners, const std::string& path) {
     std::vector<Point32> polygon;
     for (const int v : cells.faces[face]) polygon.push_back(points[v]);
-    const std::vector<FanTriangle> fan = triangle_fan(polygon);
+    const auto vertex = [&](int k) { return cells.faces[face][k]; };
+    std::vector<FanTriangle> fan = triangle_fan(polygon);
+    if (before >= 0 && !fan.empty() && cells.face_site[before] == cells.face_site[face]) {
+        const auto last = std::span(corners).last<3>();
+        const FanTriangle& first = fan.front();
+        const bool continues = vertex(first[0]) == last[0] && vertex(first[1]) == last[2];
+        if (continues) fan = triangle_fan(polygon, first[0]);
+    }
     if (fan.empty()) {
         throw InvalidInput(path + ": the cell of site " + std::to_string(cells.face_site[face]) +
                            " has no area in float32; write another format or bring the tile " +
                            "nearer to the origin");
     }
     for (const FanTriangle& triangle : fan) {
-        for (const int corner : triangle) corners.push_back(cells.faces[face][corner]);
+        for (const int corner : triangle) corners.push_back(vertex(corner));
     }
 }
 

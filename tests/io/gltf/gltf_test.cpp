@@ -323,6 +323,23 @@ TEST(Gltf, OutlinesLieAboveTheSurface) {
     EXPECT_EQ(file.json["extensionsUsed"], nlohmann::json({"KHR_materials_unlit"}));
 }
 
+TEST(Gltf, PiecesOfOneCellKeepTheEdgeBetweenThem) {
+    // The square cell of a single site, cut along a diagonal. Fans begin at the first corners.
+    for (const std::vector<int>& corners :
+         {std::vector<int>{0, 1, 2, 0, 2, 3}, {0, 2, 3, 0, 1, 2}, {1, 2, 3, 1, 3, 0}}) {
+        Tile tile{.lattice = Lattice({1, 0}, {0, 1}), .kind = MeshKind::kVoronoi};
+        tile.points = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+        tile.face_site = {0, 0};
+        tile.columns = tile.rows = 1;
+        tile.site_positions = {Vec2(0.5, 0.5)};
+        tile.faces.add(std::span(corners).first(3));
+        tile.faces.add(std::span(corners).last(3));
+        for (const GltfNodes nodes : {GltfNodes::kCells, GltfNodes::kOne}) {
+            EXPECT_EQ(fault_of(glb(tile, nodes)), "");
+        }
+    }
+}
+
 TEST(Gltf, ViewsAreAlignedAndHaveATarget) {
     for (const Tile& tile : tiles_of(kOblique)) {
         const Glb file = split_glb(glb(tile));
