@@ -10,6 +10,8 @@
 #include "mesher/energy/hessian.hpp"
 #include "mesher/energy/long_waves.hpp"
 #include "mesher/energy/residuals.hpp"
+#include "mesher/symmetry/folded_density.hpp"
+#include "mesher/symmetry/symmetric_objective.hpp"
 
 namespace pcvt {
 namespace {
@@ -92,19 +94,26 @@ OptimizerOptions optimizer_options(const MovingDelaunay& delaunay, const CvtOpti
 
 /// Minimises the energy of a density and fills in `figures`.
 RunStatistics minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
-                       const CvtOptions& options, std::optional<DensityFigures>& figures) {
+                       const CvtOptions& options, const OrbitEmbedding* orbits,
+                       std::optional<DensityFigures>& figures) {
     Workers workers(options.n_threads);
-    const DensityCvtResult result = minimize_density_energy(
-        delaunay, workers, lattice, density,
-        {solver_row(options.solver).minimize_density, optimizer_options(delaunay, options)});
+    const DensityCvtResult result =
+        minimize_density_energy(delaunay, workers, lattice, density,
+                                {.minimize = solver_row(options.solver).minimize_density,
+                                 .optimizer = optimizer_options(delaunay, options),
+                                 .orbits = orbits});
     figures = result.figures;
     return result.run;
 }
 
-RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options) {
+RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options,
+                       const OrbitEmbedding* orbits) {
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.n_threads, n_tasks));
-    CvtObjective objective(delaunay, workers);
+    CvtObjective all(delaunay, workers);
+    std::optional<SymmetricObjective> symmetric;
+    if (orbits != nullptr) symmetric.emplace(all, *orbits);
+    Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;
     const double value_unit = std::pow(delaunay.unit(), 4);
     OptimizerOptions optimizer = optimizer_options(delaunay, options);
     if (options.progress) {
@@ -123,17 +132,15 @@ MovingDelaunay triangulate(const Lattice& lattice, Points points, Numbering numb
     return MovingDelaunay(Sites(lattice, points), numbering);
 }
 
-}  // namespace
-
-CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options) {
-    // Build the triangulation.
-    MovingDelaunay delaunay = triangulate(lattice, std::move(points), options.numbering);
+/// @param density, orbits  nullptr: none.
+CvtResult minimized(MovingDelaunay delaunay, const Lattice& lattice, const Density* density,
+                    const OrbitEmbedding* orbits, const CvtOptions& options) {
     require_distinct(delaunay);
     // Minimise the energy.
     std::optional<DensityFigures> figures;
-    const RunStatistics run = options.density
-                                  ? minimize(delaunay, lattice, *options.density, options, figures)
-                                  : minimize(delaunay, options);
+    const RunStatistics run = density
+                                  ? minimize(delaunay, lattice, *density, options, orbits, figures)
+                                  : minimize(delaunay, options, orbits);
     // Convert the result to the caller's order and units.
     const DelaunayCounts counts = delaunay.counts();
     auto [sites, triangulation] = delaunay.release();
@@ -143,6 +150,22 @@ CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& o
             .energy_bound = bound,
             .counts = counts,
             .density = figures};
+}
+
+}  // namespace
+
+CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options) {
+    return minimized(triangulate(lattice, std::move(points), options.numbering), lattice,
+                     options.density ? &*options.density : nullptr, nullptr, options);
+}
+
+CvtResult compute_cvt(const SymmetricSites& start, const CvtOptions& options) {
+    MovingDelaunay delaunay(start.sites);
+    const OrbitEmbedding orbits = tie_orbits(start, delaunay);
+    std::optional<Density> density;
+    if (options.density) density = folded_density(*options.density, start.group);
+    return minimized(std::move(delaunay), start.group.lattice(), density ? &*density : nullptr,
+                     &orbits, options);
 }
 
 double hexagonal_bound(double area, int n_sites) {

@@ -4,6 +4,7 @@
 #include "mesher/cvt/solvers.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/delaunay/periodic_delaunay.hpp"
+#include "mesher/symmetry/symmetric_sites.hpp"
 
 namespace pcvt {
 
@@ -50,6 +51,19 @@ struct CvtResult {
 /// @throws InvalidInput and DuplicateSites as Sites does; DuplicateSites also if two sites are
 ///         nearer to each other than kSameVertex h (sites.hpp).
 CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options);
+
+/// Moves sites to a periodic CVT with the symmetry of their plane group: orbits remain orbits to
+/// the last bit, sites on mirrors stay there, and so do sites at centres of rotation. The result is
+/// a minimum among the symmetric arrangements; of all arrangements it is often a saddle.
+///
+/// Example usage:
+///   const PlaneGroup group(PlaneGroupName::kP4m, Lattice::rectangle(1, 1));
+///   const OrbitPlan plan = distribute(group, special_positions(group), 240);
+///   const CvtResult result = compute_cvt(random_sites(group, plan, 1), {});
+///
+/// @param options  the numbering is that of the sites; a density is folded (folded_density.hpp).
+/// @throws as the function above does.
+CvtResult compute_cvt(const SymmetricSites& start, const CvtOptions& options);
 
 /// Returns 5 area^2 / (18 sqrt(3) n), the energy of n regular hexagons (paper, Table I, for any
 /// area).

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "mesher/density/density_survey.hpp"
 #include "mesher/energy/density_energy.hpp"
@@ -198,7 +199,7 @@ DensityFigures DensityObjective::figures() {
 /// Runs the rounds, sums their counts and reports progress with the sums.
 class Rounds {
    public:
-    Rounds(DensityObjective& objective, Workers& workers, const DensityCvtOptions& options,
+    Rounds(Objective& objective, Workers& workers, const DensityCvtOptions& options,
            double value_unit)
         : objective_(objective), workers_(workers), options_(options), value_unit_(value_unit) {}
 
@@ -229,7 +230,7 @@ class Rounds {
         return options_.optimizer.progress(progress);
     }
 
-    DensityObjective& objective_;
+    Objective& objective_;
     Workers& workers_;
     const DensityCvtOptions& options_;
     double value_unit_;
@@ -265,7 +266,10 @@ DensityCvtResult minimize_density_energy(MovingDelaunay& delaunay, Workers& work
     const Density cut = cut_for(lattice, density, h);
     const auto [cut_u, cut_v] = short_periods(lattice, h);
     DensityObjective objective(delaunay, workers, lattice, cut, unit, !cut_u && !cut_v);
-    Rounds rounds(objective, workers, options, area_unit * delaunay.unit() * delaunay.unit());
+    std::optional<SymmetricObjective> symmetric;
+    if (options.orbits != nullptr) symmetric.emplace(objective, *options.orbits);
+    Objective& minimized = symmetric ? static_cast<Objective&>(*symmetric) : objective;
+    Rounds rounds(minimized, workers, options, area_unit * delaunay.unit() * delaunay.unit());
     const RuleCheck check = run_rounds(objective, rounds, options.optimizer);
     DensityCvtResult result{rounds.total(), objective.figures()};
     result.figures.n_rough_cells = check.n_rough;

@@ -3,6 +3,7 @@
 #include "mesher/cvt/solvers.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/density/density.hpp"
+#include "mesher/symmetry/symmetric_objective.hpp"
 
 namespace pcvt {
 
@@ -34,6 +35,8 @@ struct DensityCvtOptions {
     /// density.
     Minimize minimize = solver_row(Solver::kLbfgs).minimize_density;
     OptimizerOptions optimizer;
+    /// nullptr: none. Of tie_orbits(), for a density with the symmetry of the orbits.
+    const OrbitEmbedding* orbits = nullptr;
 };
 
 struct DensityCvtResult {

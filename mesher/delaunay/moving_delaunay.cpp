@@ -115,10 +115,14 @@ void MovingDelaunay::prefer_huge_pages() {
     prefers_huge_pages_ = true;
 }
 
+void MovingDelaunay::tie_moves(std::vector<MoveTie> ties) {
+    ties_ = std::make_shared<const std::vector<MoveTie>>(std::move(ties));
+}
+
 bool MovingDelaunay::step(const Eigen::VectorXf& direction, double t, Workers& workers) {
     prefer_huge_pages();
     // Move all sites in parallel.
-    const SiteMoves moves(frame_, direction, t);
+    const SiteMoves moves(frame_, direction, t, ties_.get());
     const int n_tasks = (n_sites() + kSitesPerTask - 1) / kSitesPerTask;
     std::atomic<bool> finite = true;
     std::atomic<bool> in_range = true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "mesher/base/workers.hpp"
@@ -75,6 +76,10 @@ class MovingDelaunay {
     /// @param numbering  of original_id() and release(). All other functions number by columns.
     explicit MovingDelaunay(const Sites& sites, Numbering numbering = Numbering::kAsGiven);
 
+    /// Ties the moves of sites to those of representatives in all later steps.
+    /// @param ties  one for each site, numbered as in this object.
+    void tie_moves(std::vector<MoveTie> ties);
+
     int n_sites() const { return static_cast<int>(order_.size()); }
     /// The id of the site in the constructor's argument; `site` itself for kByColumns.
     SiteId original_id(SiteId site) const { return order_[site]; }
@@ -144,6 +149,8 @@ class MovingDelaunay {
     Points coordinates_;
     /// The moves since the triangulation was last restored.
     std::optional<SiteMoves> moves_;
+    /// Shared, because `moves_` refers to them. Null: no site is tied.
+    std::shared_ptr<const std::vector<MoveTie>> ties_;
     TorusTriangulation triangulation_;
     bool prefers_huge_pages_ = false;
     bool settled_ = true;

@@ -63,13 +63,36 @@ SiteMoves SiteMoves::back() const {
     return moves;
 }
 
-Vec2 SiteMoves::of(SiteId site) const {
+/// The change of a site without its tie, less whole periods and not rounded; NaN where it is not
+/// finite.
+Vec2 SiteMoves::change_of(SiteId site) const {
     const float* d = direction_ + 2 * std::size_t(site);
     const auto change = ToLattice(frame_)(t_ * double(d[0]), t_ * double(d[1]));
-    return {rounded_or_zero(without_periods(change.u)), rounded_or_zero(without_periods(change.v))};
+    return {without_periods(change.u), without_periods(change.v)};
+}
+
+Vec2 SiteMoves::of(SiteId site) const {
+    if (ties_ == nullptr) return change_of(site).unaryExpr(&rounded_or_zero);
+    // An integer matrix times multiples of 2^-51 is exact.
+    const auto& [representative, m] = (*ties_)[site];
+    const Vec2 move = change_of(representative).unaryExpr(&rounded_or_zero);
+    return {m[0] * move.x() + m[1] * move.y(), m[2] * move.x() + m[3] * move.y()};
+}
+
+SiteMoves::Outcome SiteMoves::apply_tied(SiteId begin, SiteId end, Points& coordinates) const {
+    Outcome outcome{true, true};
+    for (SiteId s = begin; s < end; ++s) {
+        if (!change_of((*ties_)[s].representative).allFinite()) outcome.finite = false;
+        coordinates.col(s) += of(s);
+        const double least = coordinates.col(s).minCoeff();
+        const double largest = coordinates.col(s).maxCoeff();
+        if (!(least >= -1) || !(largest < 2)) outcome.in_range = false;
+    }
+    return outcome;
 }
 
 SiteMoves::Outcome SiteMoves::apply(SiteId begin, SiteId end, Points& coordinates) const {
+    if (ties_ != nullptr) return apply_tied(begin, end, coordinates);
     const Counts counts = move(direction_ + 2 * std::size_t(begin), t_, ToLattice(frame_),
                                coordinates.data() + 2 * std::size_t(begin), end - begin);
     return {counts.not_finite == 0, counts.outside == 0};

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "mesher/delaunay/site_moves.hpp"
+#include "mesher/density/density.hpp"
+#include "mesher/lattice/sites.hpp"
+#include "mesher/symmetry/special_positions.hpp"
+
+namespace pcvt {
+
+/// The images of one site under a plane group.
+struct SiteOrbit {
+    /// The site whose image each other site of the orbit is.
+    SiteId representative = 0;
+    int n_sites = 0;
+    /// How many directions the representative may move in: 2, 1 along a mirror, 0 at a centre.
+    int freedom = 2;
+    /// Of an orbit on mirrors: the direction in which the representative may move, reduced basis.
+    std::array<int, 2> along{0, 0};
+};
+
+/// The sites of one period that a plane group maps to each other.
+///
+/// Example usage:
+///
+///     const PlaneGroup group(PlaneGroupName::kP4m, Lattice::rectangle(1, 1));
+///     const SymmetricSites start = random_sites(group, plan, 1);
+///     const CvtResult cvt = compute_cvt(start, {});
+///
+/// Law (1): the sites of an orbit are the images of its representative to the last bit; centres
+/// with coordinates in thirds of a period are rounded to multiples of 2^-51.
+struct SymmetricSites {
+    PlaneGroup group;
+    Sites sites;
+    /// Of each site.
+    std::vector<int> orbit;
+    std::vector<SiteOrbit> orbits;
+    /// Of each site, for MovingDelaunay::tie_moves: what keeps the orbits.
+    std::vector<MoveTie> ties;
+};
+
+/// Random sites with a plan of orbits: representatives are distributed evenly over the domain, or
+/// over the mirror. The same seed gives the same sites on every machine.
+/// @param density  `nullopt`: even; else in general positions drawn from its square root.
+/// @throws InvalidInput if the plan has no site, more than kMostSites, or does not fit the group.
+SymmetricSites random_sites(const PlaneGroup& group, const OrbitPlan& plan, std::uint64_t seed,
+                            const std::optional<Density>& density = std::nullopt);
+
+/// The orbits of the given points, one for each; ids count the images of the first point, then
+/// those of the second. A point that is not farther from a centre or a mirror than kSameVertex h is
+/// moved there.
+/// @param representatives  2 x n, length units.
+/// @throws DuplicateSites if two points coincide or are images of each other.
+SymmetricSites orbits_of(const PlaneGroup& group, const Points& representatives);
+
+/// The same sites numbered by columns (Numbering::kByColumns).
+SymmetricSites numbered_by_columns(const SymmetricSites& sites);
+
+}  // namespace pcvt
