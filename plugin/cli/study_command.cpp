@@ -70,7 +70,10 @@ ExitCode run_to_the_end(const StudyRequest& request, const StudyOptions& options
         plan_study_files(options.outputs, recipe.name, request.shard, request.merge);
     std::vector<std::string> paths;
     for (const StudyFile& file : files) paths.push_back(file.path);
-    recover_unfinished(paths);
+    const std::vector<std::string> recovered = recover_unfinished(paths);
+    for (const std::string& words : recovered) {
+        if (!options.quiet) std::fprintf(stderr, "pcvt: %s\n", words.c_str());
+    }
     for (const std::string& path : paths) require_writable(path, options.force);
     if (request.shard.count > 1 && files.empty()) {
         throw InvalidInput("--shard makes a file of runs; give -o FILE.csv");

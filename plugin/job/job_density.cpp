@@ -22,6 +22,22 @@ namespace {
 constexpr const char* kForeignPictures[] = {".jpg",  ".jpeg", ".gif", ".bmp",  ".tif", ".tiff",
                                             ".webp", ".svg",  ".pgm", ".heic", ".pdf"};
 
+/// Whether a source that is no formula names something that cannot be read as a picture.
+bool names_no_file(const std::string& source) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(source, ignored);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
+Density read_formula(const std::string& source) {
+    try {
+        return expression_density(source);
+    } catch (const InvalidInput&) {
+        if (!names_no_file(source)) throw;
+        throw InvalidInput("not a regular file; give a PNG picture, or a formula in x, y, u and v");
+    }
+}
+
 /// Refuses a picture that would be read as a formula.
 void refuse_foreign_picture(const std::string& source) {
     std::string extension = std::filesystem::path(source).extension().string();
@@ -42,7 +58,7 @@ Density source_density(const std::string& source, const std::optional<GreyRange>
     if (!names_picture(source)) {
         if (range) throw InvalidInput("a range of densities is for pictures; leave it out");
         refuse_foreign_picture(source);
-        return with_axis_breaks(lattice, expression_density(source));
+        return with_axis_breaks(lattice, read_formula(source));
     }
     const GreyRange greys = range.value_or(GreyRange{});
     for (const double limit : {greys.black, greys.white}) {

@@ -57,6 +57,7 @@ JOBS = {
 # Jobs that read a file may refuse it; a library that is given no memory or no file may report either.
 CODES = collections.defaultdict(lambda: {0, 3, 4}, {"input": {0, 2, 3, 4}, "check": {0, 2, 4}})
 ANNOUNCED = "the next run"
+RECOVERED = "an earlier run ended while it wrote"
 UNFINISHED = "a run ended before it had written all files of its set"
 
 
@@ -109,19 +110,28 @@ class Job:
         found = contents(folder)
         return "new" if found == self.new else "old" if found == self.old else "mixed"
 
-    def recover(self, folder):
+    def recover(self, folder, before):
         """The next run: it writes a file into each folder. Returns its complaint."""
         folders = [path for path in folder.rglob("*") if path.is_dir() and not is_hidden(path.relative_to(folder))]
-        targets = [path / "zz.txt" for path in (folder, *folders)]
-        words = [word for target in targets for word in ("-o", str(target))]
-        done = self.run(["mesh", "--sites", "3", "--quiet", "--threads", "1", *words], folder)
+        targets = [path / "zz.csv" for path in (folder, *folders)]
+        if self.name == "study":
+            study = ["study", "fig11", "--sites", "4", "--runs", "1", "--threads", "1"]
+            runs = [self.run([*study, "-o", str(target)], folder) for target in targets]
+        else:
+            words = [word for target in targets for word in ("-o", str(target))]
+            runs = [self.run(["mesh", "--sites", "3", "--threads", "1", *words], folder)]
         for target in targets:
-            target.unlink(missing_ok=True)
+            for path in target.parent.glob("zz*"):
+                path.unlink()
         for path in sorted(folders, reverse=True):
             # Taking a set back removes the folder, and the next run makes it again.
             if str(path.relative_to(folder)) not in self.old and not any(path.iterdir()):
                 path.rmdir()
-        return "" if done.returncode == 0 else f"the next run ends with {done.returncode}: {done.stderr.decode()}"
+        for done in runs:
+            if done.returncode != 0:
+                return f"the next run ends with {done.returncode}: {done.stderr.decode()}"
+        words = b"".join(done.stdout + done.stderr for done in runs).decode()
+        return "the next run does not tell what it did" if before == "mixed" and RECOVERED not in words else ""
 
     def check_complaint(self, folder):
         """A file of an unfinished set must be refused for that reason."""
@@ -146,7 +156,7 @@ class Job:
         if not killed and not announced and before != ("new" if code == 0 else "old") and self.old != self.new:
             return f"exit code {code}, but the files are {before}: {line}"
         complaint = self.check_complaint(folder) if before == "mixed" else ""
-        complaint = self.recover(folder) or complaint
+        complaint = self.recover(folder, before) or complaint
         after = self.state(folder)
         left = [name for name in contents(folder, hidden=True) if is_hidden(pathlib.Path(name))]
         if complaint or left or after == "mixed":

@@ -41,6 +41,15 @@ class Inputs(CliTest):
                 self.refuse_at_once(kind, "check", f"{name}.obj")
                 self.refuse_at_once(kind, "study", "fig11", "--merge", f"{name}.csv", "-o", "t.csv")
 
+    def test_a_density_that_names_a_folder_or_a_device_is_no_formula(self):
+        for name in ("/tmp", "folder", "./fifo", "/dev/zero"):
+            with self.subTest(name):
+                self.refuse(2, f"--density '{name}': not a regular file; give a PNG picture, or a formula",
+                            "mesh", "--sites", "9", "--density", name, "-o", "t.obj")
+        # A formula may have the name of a folder.
+        self.path("1").mkdir()
+        self.succeed("mesh", "--sites", "9", "--density", "1", "--max-iterations", "1")
+
     def test_companions_and_files_of_a_case_are_opened_by_the_same_rule(self):
         self.succeed("mesh", "--sites", "9", "--quiet", "--mesh", "delaunay", "-o", "t.obj", "-o", "c.foam")
         self.path("t.seam.json").unlink()
