@@ -154,11 +154,12 @@ Tile narrowed(const Tile& tile, std::vector<int>& class_of, const std::string& p
     narrow.faces = {};
     narrow.face_site.clear();
     const std::vector<int> classes_of_cells = std::exchange(class_of, {});
+    std::vector<int> corners;
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
-        std::vector<int> corners;
+        const std::size_t begin = corners.size();
         append_fan(tile, f, f - 1, points, corners, path);
-        for (std::size_t c = 0; c < corners.size(); c += 3) {
+        for (std::size_t c = begin; c < corners.size(); c += 3) {
             narrow.faces.add(std::span(corners).subspan(c, 3));
             narrow.face_site.push_back(tile.face_site[f]);
             class_of.push_back(classes_of_cells[f]);

@@ -192,6 +192,9 @@ std::span<const Harmless> harmless_in_gltf() {
     static constexpr std::array kHarmless{
         Harmless{"sitePositions.x", "digit", kStretched, "voronoi power"},
         Harmless{"sitePositions.y", "digit", kStretched, "voronoi power"},
+        Harmless{"sitePositions.x", "digit", kStretched, "delaunay power"},
+        Harmless{"sitePositions.y", "digit", kStretched, "delaunay power"},
+        Harmless{"nodes.extras.periodic.metric", "digit", kStretched, "voronoi power"},
         Harmless{"siteWeights", "digit", kStretched, "voronoi power"},
         Harmless{"siteWeights", "", kNotShown, "delaunay"},
         Harmless{"siteWeights", "", kNotShown, "grains"},
