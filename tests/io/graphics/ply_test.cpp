@@ -71,6 +71,22 @@ TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
     }
 }
 
+TEST(Ply, SinglePrecisionHoldsPiecesOfOneCell) {
+    // The square cell of a single site, cut along a diagonal.
+    Tile tile{.lattice = Lattice({1, 0}, {0, 1}), .kind = MeshKind::kVoronoi};
+    tile.points = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+    tile.face_site = {0, 0};
+    tile.faces.add(std::array{0, 1, 2});
+    tile.faces.add(std::array{0, 2, 3});
+    const auto files = encode_ply(tile, {.single_precision = true}, "t.ply");
+    const Tile read = decode_ply(files, std::nullopt).tile;
+    ASSERT_EQ(read.n_faces(), 2);
+    EXPECT_THAT(read.faces[0], ::testing::ElementsAre(0, 1, 2));
+    // A fan from vertex 0 would continue that of the first piece.
+    EXPECT_THAT(read.faces[1], ::testing::ElementsAre(2, 3, 0));
+    EXPECT_EQ(read.face_site, tile.face_site);
+}
+
 TEST(Ply, SinglePrecisionHoldsFloatsAndTriangles) {
     for (const Lattice& lattice : testing::awkward_lattices()) {
         for (const Tile& tile :
