@@ -122,8 +122,8 @@ constexpr const ColouringRow& colouring_row(Colouring colouring) {
 /// @throws InternalError if the colouring shows a quantity that is not there.
 TileColours tile_colours(const Tile& tile, Colouring colouring, const SiteQuantities& quantities);
 
-/// Returns what pictures show where the user leaves the choice: the phases, if there are some;
-/// grains one by one; the sizes of cells where there is a density; else the numbers of sides.
+/// Returns the colouring of pictures where the user leaves the choice: the phases, if there are
+/// some; grains one by one; the sizes of cells where there is a density; else the numbers of sides.
 Colouring default_picture_colouring(const Tile& tile, const SiteQuantities& quantities);
 
 }  // namespace pcvt

@@ -85,7 +85,7 @@ void require_colours(const GltfDocument& document, const Json& primitive, const 
     }
 }
 
-/// Sums of hashes that tell at each vertex which others edges join it with.
+/// For each vertex, sums of hashes of the vertices that edges join it with.
 class EdgeSums {
    public:
     explicit EdgeSums(std::size_t n) : lines_(n), leaving_(n), arriving_(n) {}

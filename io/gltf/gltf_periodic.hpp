@@ -5,8 +5,8 @@
 
 namespace pcvt {
 
-/// Reads what extras.periodic states of the sites (io/tiles/site_notes.hpp) into `tile`; leaves a
-/// tile without such notes as it is.
+/// Reads the notes of the sites (io/tiles/site_notes.hpp) from extras.periodic into `tile`; leaves
+/// the tile as it is if there are none.
 ///
 /// Example usage:
 ///   read_site_notes(document, periodic, tile);

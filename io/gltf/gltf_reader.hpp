@@ -17,8 +17,9 @@ namespace pcvt {
 /// gltf_attributes.hpp).
 ///
 /// Example usage:
-///     const TileFile file = decode_gltf({{"tile.glb", read_whole_file("tile.glb")}},
-///     std::nullopt); const TileProof proof = prove_tile(file.tile, file.precision);
+///     const std::vector<EncodedFile> files = {{"tile.glb", read_whole_file("tile.glb")}};
+///     const TileFile file = decode_gltf(files, std::nullopt);
+///     const TileProof proof = prove_tile(file.tile, file.precision);
 ///
 /// @param lattice  used if the file has no lattice.
 /// @throws BadFile if the file is damaged, transforms its nodes, keeps data in other files, or has

@@ -195,7 +195,7 @@ int add_site_note(const StatedNote& stated, ModelBuilder& builder) {
     return builder.add_vertex_data(pairs, TINYGLTF_TYPE_VEC2);
 }
 
-/// Adds what the file states of the sites. @returns the members of extras.periodic.
+/// Adds the notes of the sites. @returns the members of extras.periodic.
 std::string add_site_notes(const Tile& tile, ModelBuilder& builder) {
     std::string text;
     for (const StatedNote& stated : stated_notes(tile)) {

@@ -30,7 +30,7 @@ struct ObjAppearance {
     std::vector<std::string_view> libraries = {};
 };
 
-/// Proves that the appearance is what encode_obj() gives the tile:
+/// Proves that the tile has the appearance that encode_obj() gives it:
 ///   - texture coordinates are the lattice coordinates of the vertices, one each, within 4 ulps of
 ///     float32;
 ///   - every face has a material, one for all faces of a site; `sides_N` of a whole cell has its

@@ -218,7 +218,7 @@ TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<L
         }
     }
     TileFile file = finish(std::move(builder), lattice, Precision::kDouble);
-    // Other programs write what they like beside the positions and the faces.
+    // The appearance of files of other programs is free.
     if (is_own) require_own_appearance(file.tile, parser.appearance(), obj.path, materials);
     return file;
 }

@@ -36,7 +36,7 @@ class OmBytes {
 
     /// @throws BadFile with the name of the file, the complaint and the remedy.
     [[noreturn]] void throw_bad_file(const std::string& complaint) const;
-    /// @throws BadFile with the name of the file and what the fault says.
+    /// @throws BadFile with the name of the file and the message of the fault.
     [[noreturn]] void throw_other_fault(const InvalidInput& fault) const;
 
    private:

@@ -208,7 +208,7 @@ class OmParser : OmBytes {
 
     bool is_boundary(std::size_t h) const { return halfedges_[3 * h + 2] == -1; }
 
-    /// Proves what OpenMesh takes for granted: the next halfedge begins where a halfedge ends, at
+    /// Proves the invariants of OpenMesh: the next halfedge begins where a halfedge ends, at
     /// the same face; a vertex names a halfedge that leaves it, on the boundary if it lies there.
     void require_connectivity() const {
         if (vertex_halfedge_.size() != n_vertices_) throw_bad_file("lacks its vertices");

@@ -23,7 +23,7 @@ int above_standard(int file) {
 
 int error_of(int result) { return result == 0 ? 0 : errno; }
 
-/// Tells the errors of a file system that lacks a call from all others.
+/// Whether an error says that the file system lacks a call.
 bool is_missing_call(int error) { return error == EINVAL || error == ENOSYS; }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
-/// What a name leads to; symbolic links are not followed.
+/// The status of the file with a name; symbolic links are not followed.
 struct NameStatus {
     bool exists = false;
     bool is_folder = false;
@@ -35,7 +35,7 @@ struct NameStatus {
     }
 };
 
-/// A name that leads nowhere is no error.
+/// Looks a name up. A name that does not exist is no error.
 int look_up(const char* path, NameStatus& status) noexcept;
 
 /// Opens a file whose name must be free. The descriptor is none of the three standard ones, so that

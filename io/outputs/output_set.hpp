@@ -21,7 +21,7 @@ namespace pcvt {
 /// renamed as a whole; in an existing folder, files are replaced one by one and all other files
 /// stay. Several threads may stage files and read them back at the same time.
 ///
-/// A run that is killed leaves what recover_unfinished() completes, takes back or removes. Until
+/// recover_unfinished() completes, takes back or removes the files of a run that was killed. Until
 /// the process ends, the set keeps a lock in every folder that holds temporary files of it, so that
 /// no other run takes it for a dead one.
 ///

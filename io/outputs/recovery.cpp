@@ -72,8 +72,8 @@ void remove_temporaries(const std::string& folder, const std::string& token) {
     }
 }
 
-/// Whether each folder between `folder` and the target is a folder, or is missing: a journal that
-/// was planted leads nowhere through a symbolic link.
+/// Whether each folder between `folder` and the target is a folder, or is missing: so a
+/// journal that somebody planted changes nothing behind a symbolic link.
 bool has_plain_folders(const std::string& folder, const std::string& target) {
     for (std::size_t k = target.find('/'); k != std::string::npos; k = target.find('/', k + 1)) {
         NameStatus status;
@@ -193,7 +193,7 @@ std::string finish_set(RunFile& master, const Journal& journal) {
     return line + "those of before again";
 }
 
-/// What a run file that nobody owns says about its set.
+/// The state of a set, from a run file that no process owns.
 struct Evidence {
     /// The run file with the journal; nothing if the run died before its commit.
     std::optional<RunFile> master;

@@ -50,7 +50,7 @@ bool is_token(std::string_view text) {
            text.find_first_not_of(kLetters) == std::string_view::npos;
 }
 
-/// Tells a file system without locks from a lock that another run holds.
+/// Whether an error says that the file system has no locks, and not that another run holds one.
 bool lacks_locks(int error) {
     return error == ENOSYS || error == ENOTSUP || error == ENOLCK || error == EINVAL;
 }

@@ -8,8 +8,8 @@
 
 namespace pcvt {
 
-/// Reads Bunge's angles phi1, Phi and phi2, in degrees from -360 to 360, one line a site. Accepts
-/// what the files of sites may hold besides: blank lines, comments after a #, CRLF, tabs.
+/// Reads Bunge's angles phi1, Phi and phi2, in degrees from -360 to 360, one line a site. As
+/// files of sites may, the file may hold blank lines, comments after a #, CRLF and tabs.
 ///
 /// Example usage:
 ///     choices.orientations = read_orientations("angles.txt");

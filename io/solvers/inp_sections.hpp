@@ -17,8 +17,8 @@ inline constexpr const char* kOneMaterial = "GRAINS";
 ///   *ORIENTATION,NAME=ORI_s         rows 1 and 2 of the Bunge matrix of site s
 ///   *SOLID SECTION,ELSET=CELL_s,MATERIAL=name,ORIENTATION=ORI_s
 ///
-/// The name of a material is that of the phase, or kOneMaterial. What the materials lack is left
-/// out: sets without phases, orientations without angles.
+/// The name of a material is that of the phase, or kOneMaterial. Materials without
+/// phases have no sets, and materials without angles no orientations.
 ///
 /// Example usage:
 ///     text += inp_sections(materials, cells);

@@ -9,7 +9,8 @@
 
 namespace pcvt {
 
-/// What a file states of the sites of its tile, by which the file alone proves its site ids.
+/// The notes that a file holds on the sites of its tile, by which the file alone proves its site
+/// ids.
 ///
 /// Example usage, of a writer and of a reader:
 ///   append_note_comments(text, "# pcvt ", tile);
@@ -32,7 +33,7 @@ struct SiteNotes {
     void give_to(Tile& tile) &&;
 };
 
-/// One quantity in all formats: a row of the table of what files state of sites. The next quantity
+/// One quantity in all formats: a row of the table of notes on sites. The next quantity
 /// needs a member of SiteNotes, a row, and a property of OpenMesh (openmesh_properties.hpp).
 struct SiteNote {
     /// The names of its numbers, of a site or of the tile: "x y". PLY has a property for each.

@@ -4,7 +4,7 @@
 
 namespace pcvt {
 
-/// What an input of a solver holds besides the mesh: nothing, or materials and steps that run.
+/// The parts of a solver input besides the mesh: none, or materials and steps that run.
 enum class SolverJob { kNone, kElastic };
 
 /// One row of the table of choices (mesher/base/choices.hpp).

@@ -8,9 +8,9 @@
 
 namespace pcvt {
 
-/// |m_i - a_i| <= kAreaTolerance a_i at the end of a run with n sites, unless rounding prevents it.
-/// Two sites at a distance d divide the cells between them with an error of about 1e-17 A l / d,
-/// with A the area of the domain and l the length of their edge.
+/// |m_i - a_i| <= area_tolerance(n) a_i at the end of a run with n sites, unless rounding prevents
+/// it. Two sites at a distance d divide the cells between them with an error of about 1e-17 A l /
+/// d, with A the area of the domain and l the length of their edge.
 inline double area_tolerance(int n_sites) {
     return n_sites <= 20'000 ? 1e-10 : (n_sites <= 200'000 ? 1e-9 : 1e-8);
 }

@@ -16,7 +16,7 @@ struct AreaFigures {
     /// Products with the Laplacian, and triangulations of trial weights.
     int products = 0;
     int trials = 0;
-    /// A bound of the error that the rounding of double weights makes: an area changes with a
+    /// A bound of the relative error by the rounding of double weights: an area changes with a
     /// weight by l / 2 d, the length of an edge over twice the distance of its sites. Computed, and
     /// above the usual tolerance, only where sites are much closer to each other than the cells are
     /// long.
@@ -25,15 +25,14 @@ struct AreaFigures {
     bool converged = false;
 };
 
-/// Called before the first step and after each one; what it throws ends the iteration.
+/// Called before the first step and after each one; an exception ends the iteration.
 using NewtonCallback = std::function<void(const AreaFigures&)>;
 
 /// Finds the weights that give the power cells of fixed sites prescribed areas.
 ///
 /// The weights maximise the concave function (F. Aurenhammer, F. Hoffmann, B. Aronov 1998)
 ///
-///   g(w)  =  sum over i of [ integral over cell i of (|p - x_i|^2 - w_i) ] + sum over i of w_i
-///   a_i,
+///   g(w)  =  sum over i of [ w_i a_i + integral over cell i of (|p - x_i|^2 - w_i) ],
 ///
 /// whose gradient is a - m and whose Hessian is minus the Laplacian of the cells' adjacency
 /// (power_cells.hpp). Newton's method is damped (J. Kitagawa, Q. Merigot, B. Thibert 2019): a step

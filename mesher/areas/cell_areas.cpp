@@ -68,8 +68,8 @@ CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights) {
 AreaComparison compare_areas(const StatedCells& cells, const Eigen::VectorXd& wanted) {
     const Sites sites(cells.metric.to_round(cells.lattice), cells.metric.to_round(cells.points));
     const CellAreas found = power_cell_areas(sites, cells.weights);
-    // By how much rounding changes the power distances of the corners of a cell: a corner lies
-    // within `reach` of its sites.
+    // The change by rounding of the power distances of the corners of a cell: a corner lies within
+    // `reach` of its sites.
     const double reach =
         sites.spacing() + std::sqrt(cells.weights.maxCoeff() - cells.weights.minCoeff());
     const double of_position = cells.metric.largest_stretch() * cells.rounding;

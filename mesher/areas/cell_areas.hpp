@@ -31,7 +31,7 @@ struct StatedCells {
     double weight_rounding;
 };
 
-/// Where the areas of cells differ most from the wished ones, compared with what is tolerated.
+/// The cell whose area differs most from its wish, in units of the tolerance.
 struct AreaComparison {
     SiteId site;
     /// length^2
@@ -42,7 +42,7 @@ struct AreaComparison {
     double tolerance;
 };
 
-/// Builds the regular triangulation of sites with weights from nothing and measures their cells:
+/// Builds the regular triangulation of sites with weights from scratch and measures their cells:
 /// the proof of areas, independent of the run that computed the weights.
 ///
 /// Example usage:
@@ -52,7 +52,7 @@ struct AreaComparison {
 ///
 /// Laws, tested by number:
 ///   (1) The areas are those of the cells that the half-planes of all images cut out.
-///   (2) They are the areas that compute_area_cvt() was asked for.
+///   (2) They are the areas that were prescribed to compute_area_cvt().
 ///
 /// @param weights  n, length^2.
 /// @throws InvalidInput naming a site without a cell.

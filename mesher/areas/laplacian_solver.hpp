@@ -25,9 +25,9 @@ namespace pcvt {
 ///     solver.solve(b, 1e-8, x);
 ///
 /// Laws, tested by number:
-///   (1) |A x - b| <= `accuracy` |b| if b sums to zero, with conductances rounded to single
-///   precision. (2) x sums to zero. (3) At most 40 products give an accuracy of 1e-5, for any n,
-///   where conductances differ by a
+///   (1) |A x - b| <= `accuracy` |b| if b sums to zero; A has conductances in single precision.
+///   (2) x sums to zero.
+///   (3) At most 40 products give an accuracy of 1e-5, for any n, where conductances differ by a
 ///       factor of some thousands.
 class LaplacianSolver {
    public:

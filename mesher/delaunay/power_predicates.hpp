@@ -36,7 +36,7 @@ inline double in_power_circle_filter(const Gram& gram, const WeightedImage& p,
     const Vec2 sp = difference(s.at, p.at);
     const Vec2 sq = difference(s.at, q.at);
     if (!is_exact(rp) || !is_exact(rq) || !is_exact(sp) || !is_exact(sq)) return 0;
-    // The polynomial of in_circle_filter, and what the weights add to the heights.
+    // The polynomial of in_circle_filter, with the weights added to the heights.
     const Angle at_r = angle(gram, rp, rq);
     const Angle at_s = angle(gram, sq, sp);
     const double wp = p.weight - s.weight;

@@ -230,9 +230,10 @@ void LongWaves::collect(const Eigen::VectorXd& r) {
 /// Divides the amplitude of each wave by its stiffness.
 ///
 /// With the amplitudes X and Y of x and y for a wave k, and those of -k, which are their
-/// conjugates, the grid holds Z(k) = X + iY and conj Z(-k) = X - iY. The symmetric matrix (a b; b
-/// c) that acts on (X, Y) therefore returns Z'(k) = (a + c) / 2 Z(k) + ((a - c) / 2 + ib) conj
-/// Z(-k).
+/// conjugates, the grid holds Z(k) = X + iY and conj Z(-k) = X - iY. Therefore the symmetric matrix
+/// with the rows (a, b) and (b, c), which acts on (X, Y), returns
+///
+///   Z'(k) = (a + c) / 2 Z(k) + ((a - c) / 2 + ib) conj Z(-k).
 void LongWaves::solve() {
     // Compute the normalisation.
     const int n_rows = grid_->n_rows();

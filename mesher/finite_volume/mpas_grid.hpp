@@ -32,8 +32,7 @@ namespace pcvt {
 ///       kites:
 ///       sum_e +-d_e v_e = sum_i kite_i / A_i sum_e +-l_e u_e
 ///       (J. Thuburn et al., J. Comput. Phys. 228, 2009, section 3).
-///   (5) mesh_density lies above 0 and is 1 at most, which it reaches; its mean over the area is
-///   the
+///   (5) mesh_density lies above 0, its largest value is 1, and its mean over the area is the
 ///       stated one.
 struct MpasGrid {
     double x_period;

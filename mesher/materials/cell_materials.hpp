@@ -19,7 +19,7 @@ struct BungeAngles {
 /// @throws InvalidInput unless each angle lies from -360 to 360 degrees.
 BungeAngles checked_angles(const BungeAngles& angles);
 
-/// What the cells of a polycrystal consist of.
+/// The materials of the cells of a polycrystal.
 struct CellMaterials {
     /// In the order in which the user named them; empty: the cells have no phases.
     std::vector<std::string> phase_names = {};

@@ -21,7 +21,7 @@ struct MaterialChoices {
     bool empty() const { return phases.empty() && !has_orientations(); }
 };
 
-/// What became of a phase.
+/// The wished and the reached share of a phase.
 struct PhaseFigures {
     std::string name;
     /// Shares of the area.

@@ -38,7 +38,7 @@ std::vector<int> shuffled(int n, Random& random) {
     return order;
 }
 
-/// The phases of all cells, and what follows from them.
+/// The phases of all cells, with the sums that Q and the areas need.
 class Assignment {
    public:
     Assignment(const CellTable& cells, std::span<const double> fractions, Random& random)

@@ -18,7 +18,7 @@ struct PhaseFraction {
 /// The sum of fractions may miss 1 by this much, as three times 0.333 does; then they are scaled.
 inline constexpr double kFractionRounding = 1e-3;
 inline constexpr int kMostPhases = 1000;
-/// The longest name of a material that CalculiX and Abaqus read, less what files put in front.
+/// The longest name of a material that CalculiX and Abaqus read, less the prefixes in files.
 inline constexpr int kLongestPhaseName = 60;
 
 /// Reads `NAME:FRACTION,NAME:FRACTION,...`. Names consist of letters, digits, _ and -, and differ
@@ -28,10 +28,10 @@ inline constexpr int kLongestPhaseName = 60;
 ///
 ///     const std::vector<PhaseFraction> phases = parse_phases("ferrite:0.3,martensite:0.7");
 ///
-/// @throws InvalidInput with the entry and what to write.
+/// @throws InvalidInput with the entry and the remedy.
 std::vector<PhaseFraction> parse_phases(std::string_view text);
 
-/// Requires what parse_phases() says of names.
+/// Requires names that parse_phases() accepts.
 /// @throws InvalidInput naming the first wrong one.
 void require_phase_names(const std::vector<std::string>& names);
 

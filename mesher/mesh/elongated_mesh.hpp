@@ -22,7 +22,7 @@ struct Elongation {
 ///   (1) Topology, offsets and areas are unchanged.
 ///   (2) No other image of a site is nearer to a point of a cell, in the metric.
 ///
-/// @param lattice  the lattice that the metric maps to mesh.lattice; the result has its very bits.
+/// @param lattice  the lattice that the metric maps to mesh.lattice; the result has it.
 PeriodicMesh from_round(PeriodicMesh mesh, const Metric& metric, const Lattice& lattice);
 
 }  // namespace pcvt

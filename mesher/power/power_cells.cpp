@@ -32,7 +32,7 @@ std::array<Vec2, 3> sides(const WeightedTriangulation& regular, int triangle) {
     return {p, q - p, -q};
 }
 
-/// The heights of the three sides, and the part of each corner's cell, computed in `Number`.
+/// Computes, in `Number`, the heights of the three sides and the part of each corner's cell.
 template <class Number>
 void measure_triangle(const std::array<Vec2, 3>& side, const ReducedFrame& frame,
                       const std::array<double, 3>& weight, double* height, double* mass) {
@@ -62,8 +62,9 @@ void measure_triangle(const std::array<Vec2, 3>& side, const ReducedFrame& frame
     for (int k = 0; k < 3; ++k) mass[k] = static_cast<double>(at_begin[k] + at_end[(k + 2) % 3]);
 }
 
-/// In a thin triangle the heights are quotients of small differences: the terms of the weights
-/// nearly cancel, and their rounding errors are divided by the area.
+/// Measures a triangle, in extended precision if it is thin: its heights are quotients of small
+/// differences, because the terms of the weights nearly cancel and their rounding errors are
+/// divided by the area.
 void measure_triangle(const WeightedTriangulation& regular, int triangle, double* height,
                       double* mass) {
     const SiteId* site = regular.triangulation.corner_sites().data() + 3 * std::size_t(triangle);
@@ -85,7 +86,7 @@ std::vector<int> outgoing_halfedges(const TorusTriangulation& t) {
     return outgoing;
 }
 
-/// The side of a cell across which `neighbour` lies.
+/// The side between a cell and the cell of `neighbour`.
 struct CellSide {
     SiteId neighbour;
     /// From the site to the neighbour, and its squared length.

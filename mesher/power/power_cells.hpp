@@ -42,7 +42,8 @@ struct CellGraph {
     int n_rows() const { return static_cast<int>(row_begin.size()) - 1; }
 };
 
-/// Measures the cells of sites with weights w_i, the sets where |p - x_i|^2 - w_i is least.
+/// Computes the height of each halfedge's orthocentre above it, over its length, and the areas of
+/// the cells of sites with weights w_i: the sets where |p - x_i|^2 - w_i is least.
 ///
 ///   symbol | code
 ///   O      | the orthocentre of a triangle: equal power distance to its corners
@@ -76,15 +77,17 @@ struct CellGraph {
 ///   (3) The derivative of the masses by the weights is minus the Laplacian of the graph.
 ///   (4) Every bit is the same for any number of workers.
 ///
-/// Computes the height of each halfedge's orthocentre above it, over its length, and the areas of
-/// the cells.
+/// @param heights  resized to the number of halfedges, dimensionless.
+/// @param mass     resized to n, unit^2.
 void measure_masses(const WeightedTriangulation& regular, Workers& workers,
                     std::vector<double>& heights, Eigen::VectorXd& mass);
 
+/// Computes energy, gradient and areas, cell by cell.
 /// @param heights  of measure_masses.
 void measure_cells(const WeightedTriangulation& regular, const std::vector<double>& heights,
                    Workers& workers, PowerCells& cells);
 
+/// Computes the adjacency of the cells.
 /// @param heights  of measure_masses.
 void assemble_cell_graph(const WeightedTriangulation& regular, const std::vector<double>& heights,
                          Workers& workers, CellGraph& graph);

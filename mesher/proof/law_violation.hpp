@@ -6,7 +6,7 @@
 
 namespace pcvt {
 
-/// What messages call the laws of prove_sites().
+/// The name of the laws of prove_sites() in messages.
 inline constexpr const char* kSiteLaw = "of the sites";
 
 /// Throws NotATile with the message "law <law>: <what>".

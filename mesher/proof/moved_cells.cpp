@@ -146,7 +146,7 @@ class MovedCells {
         return corner;
     }
 
-    /// @returns how the corner breaks a law; empty: it does not.
+    /// @returns the law that the corner breaks, in words; empty: none.
     std::string fault_of(const Corner& corner) const {
         const std::size_t n_cells = corner.cells.size();
         const bool at_box_corner = is_box_ && corner.on_line(0) && corner.on_line(1);

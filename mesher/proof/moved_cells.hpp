@@ -15,7 +15,7 @@ struct FaceImages {
     bool are_clear = true;
 };
 
-/// How far the builder of a tile moves corners, length units.
+/// The largest distances by which the builder of a tile moves corners, length units.
 struct CornerMoves {
     /// Edges shorter than this are removed.
     double removed;

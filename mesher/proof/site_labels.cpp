@@ -128,7 +128,7 @@ std::vector<Offset> images_of_faces(const Tile& tile, const SiteImages& images) 
     return offsets;
 }
 
-/// How the distances of an orbit from the sites of its faces differ.
+/// The differences between the distances of an orbit from the sites of its faces.
 struct Meeting {
     double first_distance = -1;
     float spread = 0;

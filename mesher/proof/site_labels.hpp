@@ -34,15 +34,15 @@ namespace pcvt {
 ///       h from the side, and at a corner of the box freely by 0.03 h.
 ///   (8) Where two cells meet, the edge between them is straight, but for the corners of the box.
 ///   (9) The faces of a site form no more parts than the tile has periods.
-/// They need no bound for the distance by which corners were moved. What Tile::short_edges states
-/// plays a part only where a cell touches another image of itself.
+/// They need no bound for the distance by which corners were moved. Tile::short_edges matters
+/// only where a cell touches another image of itself.
 ///
 /// With weights (Tile::site_weights), "equally far" means an equal power distance |p - x|^2 - w;
 /// distances are those of Tile::metric.
 ///
 /// By (4) to (9), two ids that are exchanged are found, and a site that moves. Distances are
 /// compared within 1e-7 h + 8 proof.tolerance, h = sqrt(area / number of cells). Cost: O(n).
-/// @returns where corners were moved, the cell of each face; else nothing, which is clear.
+/// @returns the cell of each face if corners were moved; else an empty result, which is clear.
 /// @throws NotATile naming the site and the face or the vertex.
 FaceImages prove_sites(const Tile& tile, const TileProof& proof);
 

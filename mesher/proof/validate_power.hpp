@@ -23,8 +23,7 @@ namespace pcvt {
 ///                   with face_site s.
 /// @param weights    n, length^2.
 /// @param tolerance  the largest distance of a corner from the line on which it should lie, in
-/// units
-///                   of h = sqrt(area / n).
+///                   units of h = sqrt(area / n).
 /// @returns the largest such distance found, in units of h.
 /// @throws NotATile naming the face and the amount.
 /// @throws InvalidInput unless the tile has one whole cell for each site.

@@ -85,8 +85,9 @@ struct WeightedPoint {
 };
 
 /// Returns the depth of the point inside the power circle of a counter-clockwise triangle, negative
-/// outside: by how much its power distance from the centre is less than those of the corners, over
-/// the sum of the distances of a and the point. Without weights, the depth in the circumcircle.
+/// outside: the power distance of the corners from the centre less that of the point, over the sum
+/// of the distances of a and the point from the centre. Without weights, the depth in the
+/// circumcircle.
 double depth_in_circle(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
                        const WeightedPoint& point) {
     const Vec2 p = b.p - a.p;

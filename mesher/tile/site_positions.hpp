@@ -6,9 +6,9 @@
 
 namespace pcvt {
 
-/// Returns where each site 0 ... n - 1 of a tile lies, so that a file can prove its site ids: the
-/// image of the site whose cell the first face with this id belongs to, or the first vertex with
-/// this id. Returns an empty list where the tile does not know its sites, their positions, or
+/// Returns the positions of the sites 0 ... n - 1 of a tile, by which a file proves its site ids:
+/// the image of the site to whose cell the first face with this id belongs, or the first vertex
+/// with this id. Returns an empty list where the tile does not know its sites, their positions, or
 /// the numbers of its periods.
 ///
 /// Example usage:

@@ -15,9 +15,8 @@ namespace pcvt {
 ///
 /// Vertices are numbered in the order in which the corners of the faces meet them. The edge pairs
 /// are in the order of the corners whose edges have positive offsets. Laws, tested by number:
-///   (1) The partner of a boundary edge runs the other way: its ends are the translates of the
-///   ends. (2) Positions are representative + translation, so the two sides of the seam agree to
-///   the
+///   (1) The partner of a boundary edge runs the other way: its ends are translates of the ends.
+///   (2) Positions are representative + translation, so the two sides of the seam agree to the
 ///       rounding of one addition.
 ///   (3) V - E + F = 1, and 0 after gluing.
 ///   (4) The face areas sum to lattice.area().

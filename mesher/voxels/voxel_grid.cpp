@@ -10,7 +10,7 @@
 namespace pcvt {
 namespace {
 
-/// The most that a period along an axis may be off it, over its length.
+/// The largest deviation of a period from its axis, over its length.
 constexpr double kRightAngle = 1e-9;
 constexpr double kVoxelsAlongCell = 16;
 

@@ -14,7 +14,7 @@ namespace {
 
 /// Roundings of a coordinate on its way into a file and into a distance.
 constexpr double kUlps = 8;
-/// The most that a lattice coordinate of a period is off an integer.
+/// The largest difference of a lattice coordinate of a period from an integer.
 constexpr double kWholePeriod = 1e-9;
 
 std::string voxel_name(const VoxelGrid& grid, std::size_t index) {

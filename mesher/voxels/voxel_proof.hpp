@@ -17,7 +17,7 @@ struct VoxelCells {
     int n_cells() const { return static_cast<int>(sites.cols()); }
 };
 
-/// What voxels show of their cells.
+/// The result of prove_voxels().
 struct VoxelProof {
     int n_cells;
     /// The cells that contain the centre of no voxel, by rising id.

@@ -11,7 +11,7 @@ class App;
 
 namespace pcvt::cli {
 
-/// What decides the sizes and the shapes of cells, as the user typed it; empty if not given.
+/// The options for the sizes and the shapes of cells, as the user typed them; empty if not given.
 struct CellOptions {
     std::string density;
     std::string density_range;
@@ -22,7 +22,7 @@ struct CellOptions {
 /// Adds the options to `app`; parsing fills `options`.
 void add_cell_options(CLI::App& app, CellOptions& options);
 
-/// Gives the job what the options ask for, without the areas of a file, which it does not read.
+/// Sets the job as the options say. Does not read a file of areas.
 /// @throws InvalidInput, BadFile, BadDensity, LimitExceeded naming the option.
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job);
 

@@ -30,7 +30,7 @@ const TileFormat& readable_format(const std::string& path) {
     return *format;
 }
 
-/// The file and those of its companions that stand beside it.
+/// The file, and those of its companions that are beside it.
 std::vector<EncodedFile> read_files(const TileFormat& format, const std::string& path) {
     const std::vector<std::string> paths = format.paths(path);
     std::vector<EncodedFile> files = {{paths[0], read_whole_file(paths[0])}};
@@ -51,7 +51,7 @@ void compare_lattice(const Lattice& stated, const Lattice& asked) {
                    figure(stated.b().y()) + ", not the one that was given");
 }
 
-/// What is asked of a file in single precision is never less than its rounding.
+/// The tolerance for a file: in single precision, not below the rounding.
 double resolved(const TileFile& file, const TileProof& proof, double tolerance) {
     if (file.precision == Precision::kDouble) return tolerance;
     // Three cells meet at a vertex, so there are two vertices a cell; files may hold cells in
@@ -101,7 +101,7 @@ StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
     return cells;
 }
 
-/// Compares the areas of the cells, built from nothing, with the wished ones.
+/// Compares the areas of the cells, built from scratch, with the wished ones.
 std::string prove_areas(const std::string& path, const TileFile& file, const TileProof& proof,
                         const AreaFile& wanted) {
     if (file.tile.site_weights.empty()) {
@@ -141,7 +141,7 @@ std::string shape_text(const Tile& tile) {
     return proved || text.empty() ? text : text + " as stated";
 }
 
-/// What was proved of the site ids.
+/// The part of the line about the site ids.
 std::string sites_text(const Tile& tile) {
     if (tile.sites().empty()) return ", no sites stored";
     if (tile.site_positions.empty()) return ", site ids complete, no positions of sites stored";

@@ -9,12 +9,12 @@
 
 namespace pcvt::cli {
 
-/// What is asked of every file.
+/// The files to check, and the properties that each must have.
 struct Question {
     std::vector<std::string> files;
-    /// For files that state none; what a file states must be this.
+    /// Of files that state none; a stated one must be equal.
     std::optional<Lattice> lattice;
-    /// In units of h; nothing: the Voronoi property is not asked for.
+    /// In units of h; `nullopt`: the Voronoi property is not checked.
     std::optional<double> cvt_tolerance;
     std::optional<AreaFile> areas = {};
     /// As typed; empty: rho = 1.
@@ -22,13 +22,13 @@ struct Question {
     std::string density_range = {};
 };
 
-/// Proves one file, and returns what was proved as a line.
+/// Proves one file. Returns a line that states the proved properties.
 ///
 /// Example usage:
 ///     print(prove("tile.obj", {.files = {}, .lattice = {}, .cvt_tolerance = 1e-5}));
 ///
 /// @throws NotATile      where the file is refuted.
-/// @throws InvalidInput  where it cannot be read, or does not hold what is asked of it.
+/// @throws InvalidInput  where it cannot be read, or lacks a property.
 std::string prove(const std::string& path, const Question& question);
 
 /// The thing that a file should hold: "a periodic tile".

@@ -70,7 +70,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     return summary;
 }
 
-/// Finishes what earlier runs left. Returns one line for each of their sets.
+/// Completes or removes the unfinished sets of earlier runs. Returns one line for each set.
 std::vector<std::string> require_all_writable(const Job& job, const std::vector<JobFile>& files) {
     std::vector<std::string> paths;
     for (const JobFile& file : files) {

@@ -19,7 +19,7 @@ double estimated_memory(const Job& job, const std::vector<JobFile>& files);
 /// @throws LimitExceeded with both amounts.
 void require_memory(const Job& job, const std::vector<JobFile>& files);
 
-/// An amount of memory in words: "18.3 GB".
+/// An amount of memory in words: "18.3 GB", or "18.3 MB" below 0.1 GB.
 std::string memory_text(double bytes);
 
 }  // namespace pcvt

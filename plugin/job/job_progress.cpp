@@ -48,7 +48,7 @@ JobMonitor::JobMonitor(const JobCallback& callback, const Target& target)
 
 bool JobMonitor::report(const JobProgress& progress) {
     if (!callback_) return true;
-    // The callback is not part of the work: what it calls is not cancelled.
+    // The callback is not part of the work, so that calls in it are not cancelled.
     const ClientScope scope(nullptr);
     const bool wanted = callback_(progress);
     reported_ = coarse_time();

@@ -64,8 +64,8 @@ class FileEncoder {
                 .materials = materials()};
     }
     const CellMaterials& materials() const { return result_.materials; }
-    /// What a file of a tile states; empty for Delaunay triangles where files state the materials
-    /// of cells.
+    /// The materials that a file of a tile states; empty for Delaunay triangles where files state
+    /// the materials of cells.
     const CellMaterials& tile_materials() const {
         static const CellMaterials none;
         const bool are_cells = faces_have_sites(tile().kind) || !file_.format->states_materials;

@@ -42,7 +42,7 @@ void expect_model(const Tile& tile, std::size_t n_nodes) {
     EXPECT_EQ(text.accessors.at(positions).count, tile.points.size());
 }
 
-// Our own text is what another program makes of the structures that it was written from.
+// TinyGLTF reads our text back as the structures that it was written from.
 TEST(TinyGltf, LoadsTheCellsAndTrianglesOfBothContainers) {
     // The root, the cells and the outlines.
     expect_model(testing::grid_tile(kOblique, 4, 3), 4 * 3 + 2);
