@@ -33,7 +33,7 @@ constexpr const char* kWithSections =
     "** a job that adds the materials of these sections, and steps.";
 constexpr const char* kWithJob =
     "** A job of linear elasticity on a periodic tile, written by pcvt, that CalculiX runs as it\n"
-    "** is; its materials and steps stand at the end.";
+    "** is; its materials and steps are at the end.";
 constexpr const char* kExplanation =
     " FIXED 1,2 holds the tile. The mean\n** strain is the displacement of the control nodes: "
     "CONTROL_1 has e_xx, e_xy in 1, 2, and\n"

@@ -45,11 +45,25 @@ constexpr const char* kExamples =
     "  pcvt mesh --sites 30 --repeat 2x3 --strict --report run.json -o tile.om -o sites.txt\n"
     "      a tile of 2 x 3 domains; exit code 5 if the tolerance was not reached\n"
     "  pcvt mesh --sites 2000 --density '1 + 99 * exp(-((v - 0.5) / 0.1)^2)' -o ridge.svg\n"
-    "      a graded mesh, fine along the line v = 0.5\n";
+    "      a graded mesh, fine along the line v = 0.5\n"
+    "  pcvt mesh --sites 1000 --areas lognormal:0.42 --max-iterations 5 --cells grains.csv\n"
+    "      the table of a polycrystal with a law of grain sizes; add -o for meshes and pictures\n"
+    "  pcvt mesh --sites 200 --mesh grains --phases soft:0.7,hard:0.3 --job elastic -o job.inp\n"
+    "      a periodic element of two phases; `ccx job` computes its stiffness\n";
 
 void add(CLI::App& app, const char* name, std::string& value, const std::string& form,
          const std::string& description) {
     app.add_option(name, value, description)->type_name(form);
+}
+
+/// Breaks words into lines of the width of a description.
+std::string wrapped(std::string words) {
+    constexpr std::size_t kWidth = 68;
+    for (std::size_t begin = 0; words.size() - begin > kWidth;) {
+        begin = words.rfind(' ', begin + kWidth);
+        words[begin++] = '\n';
+    }
+    return words;
 }
 
 /// The words of a table as the form of an option: "whole|box".
@@ -140,7 +154,8 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
     app.add_option("-o", options.outputs,
                    "repeatable; none: only the summary; the extension decides:\n" +
-                       output_extensions() + " (the sites, in the order of the input)")
+                       wrapped(output_extensions()) +
+                       "\n(.txt: the sites, in the order of the input)")
         ->type_name("FILE")
         ->option_text("FILE")
         ->allow_extra_args(false);

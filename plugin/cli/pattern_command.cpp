@@ -16,11 +16,12 @@ constexpr const char* kExamples =
     "  pcvt pattern --sites 10\n"
     "      only the summary: basis, energy, and whether the lattice is a minimum\n";
 
-/// Options of `pcvt mesh` that do not apply, because pattern computes the sites and does not move
-/// them.
+/// Options of `pcvt mesh` that do not apply, because pattern computes the sites, does not move them
+/// and gives all cells one area.
 constexpr const char* kForeign[] = {"--seed",      "--input",          "--start",  "--solver",
                                     "--tolerance", "--max-iterations", "--strict", "--budget",
-                                    "--density",   "--density-range",  "--retry",  "--stability"};
+                                    "--density",   "--density-range",  "--areas",  "--retry",
+                                    "--stability"};
 
 }  // namespace
 

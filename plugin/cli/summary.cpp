@@ -101,7 +101,7 @@ std::string energy_text(const RunSummary& summary) {
     }
     if (summary.density) {
         text += ", " + figure(summary.run.energy / summary.density->expected_energy) +
-                " of what many cells of this density tend to";
+                " of the limit for many cells of this density";
     }
     return text;
 }
@@ -125,7 +125,7 @@ std::string area_lines(const Job& job, const AreaSummary& areas) {
     return line("areas", job.areas->name + ", diameters with std / mean " +
                              figure(areas.std_over_mean) + ", off by at most " +
                              figure(areas.newton.largest_relative_error) + " after " +
-                             std::to_string(areas.newton.newton_steps) + " Newton steps") +
+                             counted(areas.newton.newton_steps, "Newton step")) +
            line("shapes", "circularity " + figure(areas.circularity_mean) + " +- " +
                               figure(areas.circularity_std) + ", of a regular hexagon 0.952");
 }
@@ -158,11 +158,11 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     text += line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
     if (summary.seed != job.seed) text += line("seed", seed_text(job, summary));
     text += line("stop", std::string(stop_name(summary.run.stop)) + " after " +
-                             std::to_string(summary.run.iterations) + " iterations, " +
-                             std::to_string(summary.run.evaluations) + " evaluations");
+                             counted(summary.run.iterations, "iteration") + ", " +
+                             counted(summary.run.evaluations, "evaluation"));
     if (summary.run.hessians > 0) {
-        text += line("newton", std::to_string(summary.run.hessians) + " Hessians, " +
-                                   std::to_string(summary.run.cg_products) + " products with them");
+        text += line("newton", counted(summary.run.hessians, "Hessian") + ", " +
+                                   counted(summary.run.cg_products, "product") + " with vectors");
     }
     text += line("energy", energy_text(summary));
     text += line("residual", figure(summary.run.residual));

@@ -83,6 +83,7 @@ constexpr double kOrder2 = 1.85;
 /// An estimate may be too high by this factor: a run is refused only where it cannot fit.
 constexpr double kMostAbovePeak = 1.25;
 
+constexpr double kMegabyte = 1e6;
 constexpr double kGigabyte = 1e9;
 
 double n_sites(const Job& job) {
@@ -173,7 +174,9 @@ void require_memory(const Job& job, const std::vector<JobFile>& files) {
 
 std::string memory_text(double bytes) {
     std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%.3g GB", bytes / kGigabyte);
+    const bool is_small = bytes < 0.1 * kGigabyte;
+    std::snprintf(text.data(), text.size(), is_small ? "%.3g MB" : "%.3g GB",
+                  bytes / (is_small ? kMegabyte : kGigabyte));
     return text.data();
 }
 

@@ -14,6 +14,10 @@ std::string figure(double value) {
     return text;
 }
 
+std::string counted(long n, const std::string& thing) {
+    return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
+}
+
 void print(const std::string& text) {
     errno = 0;
     const bool taken = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();

@@ -49,8 +49,8 @@ class Large(CliTest):
         for name, options in jobs.items():
             with self.subTest(name):
                 summary = self.succeed("mesh", *options, "--threads", 1, "--force")
-                found = re.search(r"^memory +(\S+) GB at the peak, (\S+) GB estimated$", summary, re.M)
-                peak, estimate = map(float, found.groups())
+                found = re.search(r"^memory +(\S+) ([MG])B at the peak, (\S+) ([MG])B estimated$", summary, re.M)
+                peak, estimate = (float(found[k]) * {"M": 1e6, "G": 1e9}[found[k + 1]] for k in (1, 3))
                 self.assertGreaterEqual(estimate, 0.99 * peak)
                 self.assertLessEqual(estimate, 1.5 * peak)
 

@@ -61,7 +61,7 @@ class Pattern(CliTest):
 
     def test_options_of_the_optimiser_are_refused(self):
         for option in ("--seed", "--input", "--solver", "--tolerance", "--max-iterations",
-                       "--start", "--density"):
+                       "--start", "--density", "--areas"):
             self.refuse(2, option + " is not for pattern.*; leave it out", "pattern", "--sites", 3,
                         option, 1)
         self.refuse(2, "no sites; give --sites N$", "pattern")
