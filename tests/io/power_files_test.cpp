@@ -195,10 +195,8 @@ TEST(PowerFiles, AnotherMetricIsRefused) {
 std::string fault_with(const Tile& tile, const std::string& path, const std::string& name,
                        const std::string& piece, const std::string& other) {
     const TileFormat& format = *find_tile_format(path);
-    std::vector<EncodedFile> files = encode_tile(format, tile, path);
-    for (EncodedFile& file : files) {
-        if (file.path.ends_with(name)) file.bytes = testing::exchanged(file.bytes, piece, other);
-    }
+    const std::vector<EncodedFile> files =
+        testing::exchanged(encode_tile(format, tile, path), name, piece, other);
     return refusal(format, files);
 }
 

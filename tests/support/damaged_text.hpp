@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
+#include "io/tiles/encoded_file.hpp"
 #include "io/tiles/tile_file.hpp"
 
 namespace pcvt::testing {
@@ -24,6 +26,15 @@ inline std::string exchanged(std::string text, const std::string& piece, const s
     const auto place = text.find(piece);
     EXPECT_NE(place, std::string::npos) << piece;
     return place == std::string::npos ? text : text.replace(place, piece.size(), other);
+}
+
+/// Returns the files with the first `piece` replaced in each one whose path ends with `name`.
+inline std::vector<EncodedFile> exchanged(std::vector<EncodedFile> files, const std::string& name,
+                                          const std::string& piece, const std::string& other) {
+    for (EncodedFile& file : files) {
+        if (file.path.ends_with(name)) file.bytes = exchanged(file.bytes, piece, other);
+    }
+    return files;
 }
 
 }  // namespace pcvt::testing

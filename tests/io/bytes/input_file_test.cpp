@@ -6,6 +6,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include "tests/support/damaged_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {
@@ -13,16 +14,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
+/// Returns the refusal of a file, or an empty string if it can be read.
+std::string fault(const std::string& path) {
+    return testing::fault_in([&] { read_whole_file(path); });
+}
+
 TEST(InputFile, UnreadableFilesAreRefusedWithTheReason) {
     const testing::TemporaryFolder folder;
-    const auto fault = [](const std::string& path) -> std::string {
-        try {
-            read_whole_file(path);
-        } catch (const BadFile& bad) {
-            return bad.what();
-        }
-        return "";
-    };
     EXPECT_EQ(fault(folder / "none"),
               (folder / "none") + ": cannot read: No such file or directory; give a readable file");
     EXPECT_THAT(fault(folder / ""), HasSubstr("cannot read: it is a folder; give a regular file"));
@@ -70,14 +68,6 @@ TEST(InputFile, OnlyRegularFilesAreReadAndNoOthersWaitedFor) {
     ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
     bind_socket(folder / "socket");
     std::filesystem::create_symlink("fifo", folder / "link");
-    const auto fault = [](const std::string& path) -> std::string {
-        try {
-            read_whole_file(path);
-        } catch (const BadFile& bad) {
-            return bad.what();
-        }
-        return "";
-    };
     EXPECT_EQ(fault(folder / "fifo"),
               (folder / "fifo") + ": cannot read: it is a pipe; give a regular file");
     EXPECT_THAT(fault(folder / "link"), HasSubstr("it is a pipe"));
@@ -95,8 +85,8 @@ TEST(InputFile, IsReadUpToItsLimit) {
     try {
         read_whole_file(folder / "f", limit);
         FAIL();
-    } catch (const LimitExceeded& fault) {
-        EXPECT_EQ(fault.what(),
+    } catch (const LimitExceeded& exceeded) {
+        EXPECT_EQ(exceeded.what(),
                   (folder / "f") + ": more than 1000 bytes, the most that is read; give less");
     }
     // A file of /proc states no size.

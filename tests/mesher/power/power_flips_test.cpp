@@ -7,6 +7,7 @@
 #include "mesher/delaunay/periodic_delaunay.hpp"
 #include "tests/support/clipped_power_cells.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/random_weights.hpp"
 #include "tests/support/special_sites.hpp"
 #include "tests/support/triangulation_laws.hpp"
 
@@ -15,15 +16,7 @@ namespace {
 
 using testing::lattices;
 using testing::random_lattice;
-
-/// Weights of up to `size` times the mean area, in units of the Gram matrix.
-Eigen::VectorXd random_weights(const Sites& sites, double size, std::mt19937_64& random) {
-    const double unit = gram_unit(sites.reduction().reduced);
-    std::uniform_real_distribution<double> uniform(0, size * std::pow(sites.spacing() / unit, 2));
-    Eigen::VectorXd weights(sites.n_sites());
-    for (double& w : weights) w = uniform(random);
-    return weights;
-}
+using testing::random_weights;
 
 /// The smallest area of a cell, relative to the mean, of the clipped cells.
 double clipped_area(const Sites& sites, const Eigen::VectorXd& weights, SiteId site) {

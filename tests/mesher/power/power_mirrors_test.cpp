@@ -9,6 +9,7 @@
 #include "mesher/delaunay/periodic_delaunay.hpp"
 #include "mesher/power/power_flips.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/random_weights.hpp"
 #include "tests/support/special_sites.hpp"
 
 namespace pcvt {
@@ -16,6 +17,7 @@ namespace {
 
 using testing::lattices;
 using testing::random_lattice;
+using testing::random_weights;
 
 using Corners = std::array<std::pair<SiteId, Offset>, 3>;
 
@@ -46,14 +48,6 @@ std::vector<Corners> triangle_set(const TorusTriangulation& t) {
         triangles.push_back({t.corner(h), t.corner(h + 1), t.corner(h + 2)});
     }
     return triangle_set(triangles);
-}
-
-Eigen::VectorXd random_weights(const Sites& sites, double size, std::mt19937_64& random) {
-    const double unit = gram_unit(sites.reduction().reduced);
-    std::uniform_real_distribution<double> uniform(0, size * std::pow(sites.spacing() / unit, 2));
-    Eigen::VectorXd weights(sites.n_sites());
-    for (double& w : weights) w = uniform(random);
-    return weights;
 }
 
 // The paper's mirrors carry over to power cells.
