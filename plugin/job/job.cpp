@@ -234,6 +234,7 @@ RunSummary write_job(const Job& job, const Computation& result, const TileSource
     check_order(job, files);
     check_file_options(job, files);
     require_all_writable(job, files);
+    require_memory_to_write(job, files);
     Stopwatch watch(result.seconds);
     JobMonitor monitor(callback, target_of(job));
     try {

@@ -13,7 +13,7 @@
 namespace pcvt {
 namespace {
 
-// Measured at 1e5 to 1e7 sites, with the heap that the command keeps (malloc_tuning); the figures
+// Measured at 5e4 to 1e7 sites, with the heap that the command keeps (malloc_tuning); the figures
 // include the triangulation of the sites, which lives to the end of the run.
 
 /// The command with its libraries, and one thread more.
@@ -45,15 +45,15 @@ constexpr std::array<FormatMemory, 17> kFormats{{
     {".glb", 985, 280, 240},
     {".gltf", 1200, 490, 380},
     {".om", 1230, 560, 460},
-    {".msh", 0, 1000, 480},
-    {".inp", 0, 320, 250},
-    {".vtu", 815, 330, 280},
+    {".msh", 0, 1950, 525},
+    {".inp", 0, 1180, 800},
+    {".vtu", 1180, 470, 425},
     {".svg", 710, 285, 395},
     {".png", 930, 510, 520},
     {".dxf", 1180, 580, 465},
     {".html", 1190, 320, 305},
-    {".foam", 1900, 880, 775},
-    {".nc", 5000, 0, 0},
+    {".foam", 1900, 1080, 815},
+    {".nc", 5400, 0, 0},
     {".vti", 400, 0, 0},
     {".csv", 815, 0, 0},
     {".txt", 0, 0, 0},
@@ -135,9 +135,16 @@ double site_bytes(const Job& job) {
     return n_sites(job) * (moving + (job.density ? kWithDensity : 0));
 }
 
-}  // namespace
+void require_available(const std::string& what, double estimate) {
+    const std::optional<double> available = available_memory();
+    if (!available || estimate <= kMostAbovePeak * *available) return;
+    throw LimitExceeded(what + " about " + memory_text(estimate) + " of memory, and " +
+                        memory_text(*available) +
+                        " are available; take fewer sites, or fewer outputs at a time");
+}
 
-double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
+/// The meshes of a run and their files, with the triangulation of the sites.
+double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
     // The files that take most are written at the same time.
     std::vector<double> writing;
     for (const JobFile& file : files) writing.push_back(file_bytes(job, file));
@@ -159,17 +166,25 @@ double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
         meshes = std::max(meshes + mesh_bytes(job, job.meshes.front(), kMapped),
                           mesh_bytes(job, MeshKind::kVoronoi, kBuilt));
     }
+    return meshes;
+}
+
+}  // namespace
+
+double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
     const double from_file = job.points.cols() > 0 ? kFromFile * n_sites(job) : 0;
-    return kCommand + kThread * job.n_threads + from_file + std::max(site_bytes(job), meshes);
+    return kCommand + kThread * job.n_threads + from_file +
+           std::max(site_bytes(job), tile_bytes(job, files));
 }
 
 void require_memory(const Job& job, const std::vector<JobFile>& files) {
-    const double estimate = estimated_memory(job, files);
-    const std::optional<double> available = available_memory();
-    if (!available || estimate <= kMostAbovePeak * *available) return;
-    throw LimitExceeded("the run takes about " + memory_text(estimate) + " of memory, and " +
-                        memory_text(*available) +
-                        " are available; take fewer sites, or fewer outputs at a time");
+    require_available("the run takes", estimated_memory(job, files));
+}
+
+void require_memory_to_write(const Job& job, const std::vector<JobFile>& files) {
+    // The result holds the triangulation, and perhaps its tile.
+    const double held = kTriangulating * n_sites(job) + mesh_bytes(job, job.meshes.front(), kHeld);
+    require_available("the files take", tile_bytes(job, files) - held);
 }
 
 std::string memory_text(double bytes) {

@@ -19,6 +19,10 @@ double estimated_memory(const Job& job, const std::vector<JobFile>& files);
 /// @throws LimitExceeded with both amounts.
 void require_memory(const Job& job, const std::vector<JobFile>& files);
 
+/// Refuses files of sites that are in memory already where they cannot fit.
+/// @throws LimitExceeded with both amounts.
+void require_memory_to_write(const Job& job, const std::vector<JobFile>& files);
+
 /// An amount of memory in words: "18.3 GB", or "18.3 MB" below 0.1 GB.
 std::string memory_text(double bytes);
 

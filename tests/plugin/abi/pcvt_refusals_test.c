@@ -1,5 +1,7 @@
 /* Calls of a C99 host that the C interface refuses, each with its documented status. */
+#define _POSIX_C_SOURCE 200809L
 #include <math.h>
+#include <sys/resource.h>
 
 #include "tests/support/claims.h"
 
@@ -295,6 +297,39 @@ static void unknown_forms_of_files_are_refused(void) {
     pcvt_free(result);
 }
 
+/* The memory that this process has mapped, in bytes. */
+static size_t mapped_memory(void) {
+    char line[128];
+    size_t kilobytes = 0;
+    FILE* file = fopen("/proc/self/status", "r");
+    if (file == NULL) return 0;
+    while (fgets(line, sizeof line, file) != NULL) {
+        if (sscanf(line, "VmSize: %zu", &kilobytes) == 1) break;
+    }
+    fclose(file);
+    return 1024 * kilobytes;
+}
+
+static void files_that_cannot_fit_are_refused_before_they_are_made(void) {
+    pcvt_options options = options_for(100000);
+    pcvt_result* result = NULL;
+    struct rlimit old;
+    struct rlimit low;
+    /* A sanitizer maps terabytes, which no limit may count. */
+    if (mapped_memory() >> 40 != 0) return;
+    options.max_iterations = 0;
+    CHECK(pcvt_generate(&options, &result) == PCVT_OK);
+    CHECK(getrlimit(RLIMIT_AS, &old) == 0);
+    low = old;
+    /* The files take 90 MB; without the estimate the run fails on the way. */
+    low.rlim_cur = mapped_memory() + ((size_t)40 << 20);
+    CHECK(setrlimit(RLIMIT_AS, &low) == 0);
+    CHECK(pcvt_write(result, "t.gltf", NULL) == PCVT_ERROR_MEMORY);
+    CHECK(strstr(pcvt_last_error(), "the files take about") != NULL);
+    CHECK(setrlimit(RLIMIT_AS, &old) == 0);
+    pcvt_free(result);
+}
+
 int main(void) {
     sizes_and_versions_that_do_not_fit_are_refused();
     the_interface_has_the_version_of_the_library();
@@ -310,5 +345,6 @@ int main(void) {
     coincident_sites_are_named();
     cells_that_a_format_refuses_are_a_matter_of_geometry();
     every_status_has_a_distinct_text();
+    files_that_cannot_fit_are_refused_before_they_are_made();
     return end_of_claims();
 }

@@ -34,6 +34,7 @@ class Large(CliTest):
     def test_the_estimate_of_the_memory_is_at_most_half_above_the_peak(self):
         density = ["--density", "1 + u", "--max-iterations", 2]
         quick = ["--max-iterations", 3]
+        fixed = ["--max-iterations", 0]
         both = ["--mesh", "voronoi", "--mesh", "delaunay"]
         jobs = {
             "sites": ["--sites", 300_000, *quick, "-o", "s.txt"],
@@ -42,6 +43,13 @@ class Large(CliTest):
             "cells": ["--sites", 100_000, *quick, "-o", "t.obj"],
             "triangles": ["--sites", 100_000, *quick, "--mesh", "delaunay", "-o", "t.glb"],
             "grains": ["--sites", 5000, *quick, "--mesh", "grains", "-o", "t.msh"],
+            "tied triangles": ["--sites", 60_000, *fixed, "--mesh", "delaunay", "-o", "t.inp"],
+            "tied grains": ["--sites", 4000, *fixed, "--mesh", "grains", "--outline", "box", "-o", "t.inp"],
+            "grouped triangles": ["--sites", 60_000, *fixed, "--mesh", "delaunay", "-o", "t.msh"],
+            "cut cells": ["--sites", 60_000, *fixed, "--outline", "box", "-o", "t.vtu"],
+            "curved grains": ["--sites", 4000, *fixed, "--mesh", "grains", "--order", 2, "-o", "t.vtu"],
+            "an ocean": ["--sites", 40_000, "--start", "lattice", *fixed, "-o", "t.nc"],
+            "a case": ["--sites", 60_000, *fixed, "--mesh", "delaunay", "-o", "t.foam"],
             "copies": ["--sites", 10_000, *quick, "--repeat", "3x3", "-o", "t.ply"],
             "two meshes": ["--sites", 50_000, *quick, *both, "-o", "t.obj", "-o", "t.glb"],
             "a picture": ["--sites", 100, *quick, "--pixels", 4000, "-o", "t.png"],
