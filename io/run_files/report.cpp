@@ -90,6 +90,11 @@ std::string word(const Report::Phase& phase) {
            ", \"reached\": " + word(phase.reached) + ", \"cells\": " + word(phase.cells) + "}";
 }
 
+std::string word(const Report::Symmetry& symmetry) {
+    return "{\"group\": " + word(symmetry.group) +
+           ", \"orbits\": " + std::to_string(symmetry.orbits) + "}";
+}
+
 std::string word(const std::vector<Report::Phase>& phases) {
     std::string text;
     for (const Report::Phase& phase : phases) text += (text.empty() ? "[" : ", ") + word(phase);
@@ -145,6 +150,7 @@ std::string encode_report(const Report& report) {
     }
     if (report.areas) entries.emplace_back("areas", word(*report.areas));
     if (report.aspect) entries.emplace_back("aspect", word(*report.aspect));
+    if (report.symmetry) entries.emplace_back("symmetry", word(*report.symmetry));
     if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
     // One key per line.
     std::string text;

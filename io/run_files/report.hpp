@@ -87,6 +87,12 @@ struct Report {
         double degrees;
     };
 
+    /// The plane group of the sites, and the number of their orbits.
+    struct Symmetry {
+        std::string group;
+        int orbits;
+    };
+
     /// A phase of the cells, and its shares of the area.
     struct Phase {
         std::string name;
@@ -133,7 +139,8 @@ struct Report {
     std::optional<Density> density = {};
     std::optional<Areas> areas = {};
     std::optional<Aspect> aspect = {};
-    /// Runs without phases leave this key out.
+    /// Runs without a symmetry, or without phases, leave these keys out.
+    std::optional<Symmetry> symmetry = {};
     std::vector<Phase> phases = {};
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <thread>
 
 #include "plugin/cli/help_command.hpp"
@@ -88,6 +89,13 @@ std::string solver_help() {
     return text + " [" + solver_row(Job().solver).word + "]";
 }
 
+/// The words of the plane groups on two lines.
+std::string plane_group_words() {
+    std::string text = listed_words(kPlaneGroups, ", ", " or ");
+    text[text.rfind(' ', text.size() / 2)] = '\n';
+    return text;
+}
+
 /// The suffixes of file names: "-voronoi, -delaunay, -grains".
 std::string mesh_suffixes() { return "-" + listed_words(kMeshKinds, ", -", ", -"); }
 
@@ -103,6 +111,10 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
         "most 16 GiB; - is standard input, at most 1 GiB");
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY", "any two independent period vectors");
+    add(app, "--symmetry", options.symmetry, "GROUP",
+        "drawn sites with the symmetry of a plane group, which they keep:\n" + plane_group_words() +
+            ";\n--sites counts those of one period; without a lattice the unit square,\nor "
+            "1,0,0.5,0.866 for p3 to p6m");
     add(app, "--origin", options.origin, "X,Y|auto",
         "corner of the domain; auto: the box outline is cut where the\n"
         "shortest edge of the cut is longest [0,0]");
@@ -168,8 +180,9 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     app.add_flag("--quiet", options.quiet, "no summary and no progress");
 }
 
-/// The lattice of --period or --lattice, or the unit square.
-Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
+/// The lattice of --period or --lattice, or one that fits the symmetry, or the unit square.
+Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
+                       const std::optional<PlaneGroupName>& symmetry) {
     const bool period = app.count("--period") > 0;
     const bool vectors = app.count("--lattice") > 0;
     if (period && vectors) {
@@ -177,6 +190,7 @@ Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
     }
     if (period) return rectangle_lattice("--period", options.period);
     if (vectors) return vector_lattice("--lattice", options.lattice);
+    if (symmetry) return example_lattice(*symmetry);
     return Lattice::rectangle(1, 1);
 }
 
@@ -194,7 +208,7 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
     }
     if (drawn) job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
     const bool draws_areas = job.areas && job.areas->is_drawn();
-    for (const char* name : {"--seed", "--retry", "--start"}) {
+    for (const char* name : {"--seed", "--retry", "--start", "--symmetry"}) {
         if (name == std::string("--seed") && draws_areas) continue;
         if (from_file && app.count(name) > 0) {
             throw InvalidInput(std::string(name) +
@@ -305,7 +319,10 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
 
 Job make_job(const CLI::App& app, const MeshOptions& options) {
     Job job;
-    job.lattice = chosen_lattice(app, options);
+    if (app.count("--symmetry") > 0) {
+        job.symmetry = chosen_row("--symmetry", options.symmetry, kPlaneGroups).name;
+    }
+    job.lattice = chosen_lattice(app, options, job.symmetry);
     read_cell_options(app, options.cells, job);
     read_site_source(app, options, job);
     read_choices(app, options, job);

@@ -22,6 +22,7 @@ struct MeshOptions {
     std::string input;
     std::string period;
     std::string lattice;
+    std::string symmetry;
     CellOptions cells;
     std::string start;
     std::string budget;

@@ -176,6 +176,10 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
         text += line("aspect", figure(job.aspect->ratio) + " along " + figure(job.aspect->degrees) +
                                    " degrees");
     }
+    if (job.symmetry) {
+        text += line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
+                                     std::to_string(summary.n_orbits) + " orbits");
+    }
     text += phase_lines(summary);
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += line("recovered", words);

@@ -1,5 +1,6 @@
 #include "plugin/job/job.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/mesh/cell_table.hpp"
 #include "mesher/mesh/valence.hpp"
+#include "mesher/symmetry/folded_density.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
@@ -64,6 +66,9 @@ RunSummary summarize(const Job& job, const Computation& computation,
     summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
     summary.density = cells.density;
     if (cells.areas) summary.areas = area_summary(cells);
+    if (!cells.orbit.empty()) {
+        summary.n_orbits = 1 + *std::max_element(cells.orbit.begin(), cells.orbit.end());
+    }
     summary.phases = computation.phases;
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
@@ -110,6 +115,10 @@ void stage(const Job& job, const std::vector<JobFile>& files, const Computation&
 /// Evaluated before any file is written, because a host's density ends with its call.
 std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     if (!job.density) return {};
+    if (job.symmetry) {
+        const Density folded = folded_density(*job.density, PlaneGroup(*job.symmetry, job.lattice));
+        return densities_at(folded, job.lattice, wrapped_sites(cells, job.origin));
+    }
     return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
 }
 

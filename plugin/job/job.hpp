@@ -14,6 +14,7 @@
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/materials/material_choices.hpp"
 #include "mesher/search/lattice_stability.hpp"
+#include "mesher/symmetry/plane_group.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "plugin/job/job_progress.hpp"
 #include "plugin/job/tessellation.hpp"
@@ -84,6 +85,9 @@ struct Job {
     std::optional<WishedAreas> areas;
     /// The cells are Voronoi cells, or with `areas` power cells, in this metric.
     std::optional<Aspect> aspect;
+    /// The sites are drawn, and remain, with the symmetry of this plane group; the lattice must fit
+    /// it. Excludes given sites, areas, and starts that are not random.
+    std::optional<PlaneGroupName> symmetry;
 
     /// Voronoi edges shorter than this are removed from cells and grains, units of h. 0: none,
     /// except the shortest ones of grains (mesher/grains/grains.hpp).
@@ -181,6 +185,8 @@ struct RunSummary {
     std::optional<DensityFigures> density;
     /// Of jobs with areas.
     std::optional<AreaSummary> areas;
+    /// Of jobs with a symmetry: the orbits of sites.
+    int n_orbits = 0;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;
     /// One entry for each mesh of the job.

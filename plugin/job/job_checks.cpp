@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesher/base/choices.hpp"
+#include "mesher/symmetry/special_positions.hpp"
 #include "plugin/job/job_start.hpp"
 
 namespace pcvt {
@@ -117,6 +118,28 @@ void check_aspect(const Job& job) {
     if (!job.aspect) return;
     try {
         reduce(metric_of(job).to_round(job.lattice));
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
+    }
+}
+
+void check_symmetry(const Job& job) {
+    if (!job.symmetry) return;
+    if (job.points.cols() > 0) {
+        throw InvalidInput(
+            "the sites of a symmetry are drawn; leave the sites out, or the symmetry");
+    }
+    if (job.start && *job.start != Start::kRandom) {
+        throw InvalidInput("sites with a symmetry start at random; leave the start out");
+    }
+    if (job.areas) {
+        throw InvalidInput("cells of prescribed areas have no symmetry; leave one of the two out");
+    }
+    const PlaneGroup group(*job.symmetry, job.lattice);
+    distribute(group, special_positions(group), job.n_sites);
+    if (!job.aspect) return;
+    try {
+        const PlaneGroup round(*job.symmetry, metric_of(job).to_round(job.lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }
@@ -240,6 +263,7 @@ void check_job(const Job& job) {
     check_aspect(job);
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
+    check_symmetry(job);
     if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
     if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
         throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");

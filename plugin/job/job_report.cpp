@@ -72,6 +72,11 @@ std::optional<Report::Aspect> report_aspect(const Job& job) {
     return Report::Aspect{.ratio = job.aspect->ratio, .degrees = job.aspect->degrees};
 }
 
+std::optional<Report::Symmetry> report_symmetry(const Job& job, const RunSummary& summary) {
+    if (!job.symmetry) return std::nullopt;
+    return Report::Symmetry{plane_group_row(*job.symmetry).word, summary.n_orbits};
+}
+
 std::vector<Report::Phase> report_phases(const RunSummary& summary) {
     std::vector<Report::Phase> phases;
     for (const PhaseFigures& phase : summary.phases) {
@@ -114,6 +119,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .density = report_density(job, summary),
         .areas = report_areas(job, summary),
         .aspect = report_aspect(job),
+        .symmetry = report_symmetry(job, summary),
         .phases = report_phases(summary),
     });
 }

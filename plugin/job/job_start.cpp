@@ -6,6 +6,7 @@
 #include "mesher/cvt/coarse_start.hpp"
 #include "mesher/density/density_survey.hpp"
 #include "mesher/search/global_search.hpp"
+#include "mesher/symmetry/folded_density.hpp"
 
 namespace pcvt {
 namespace {
@@ -90,8 +91,18 @@ Eigen::VectorXd target_areas(const Job& job) {
                         job.lattice.area());
 }
 
+/// Random sites with the symmetry of the job.
+SymmetricSites symmetric_start(const Job& job) {
+    const PlaneGroup group(*job.symmetry, job.lattice);
+    std::optional<Density> density;
+    if (job.density) density = folded_density(*job.density, group);
+    const OrbitPlan plan = distribute(group, special_positions(group), job.n_sites);
+    return numbered_by_columns(random_sites(group, plan, job.seed, density));
+}
+
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
+    if (job.symmetry) return Start::kRandom;
     // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
     // cells know nothing of prescribed areas.
     const bool alike = !job.density && !job.areas;
@@ -108,7 +119,9 @@ const StartRow& start_row(Start start) { return kStarts[static_cast<std::size_t>
 JobStart job_start(const Job& job, const ProgressCallback& callback) {
     Eigen::VectorXd areas = target_areas(job);
     JobStart start;
-    if (job.points.cols() > 0) {
+    if (job.symmetry) {
+        start.symmetric = symmetric_start(job);
+    } else if (job.points.cols() > 0) {
         start.points = job.points;
     } else {
         start = start_row(chosen_start(job)).make(job, callback);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "mesher/symmetry/symmetric_sites.hpp"
 #include "plugin/job/job.hpp"
 
 namespace pcvt {
@@ -10,6 +12,8 @@ namespace pcvt {
 struct JobStart {
     /// 2 x n, length units.
     Points points;
+    /// Of jobs with a symmetry, in place of `points`; numbered by columns.
+    std::optional<SymmetricSites> symmetric = {};
     /// Sites of the user keep their numbers; all others are numbered by columns.
     Numbering numbering = Numbering::kByColumns;
     /// Of jobs with areas: one a site, in the order of the result's sites, length^2.

@@ -31,11 +31,13 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
         if (std::exchange(first, false)) built();
         return monitor.iteration(progress);
     };
-    CvtResult cvt = compute_cvt(job.lattice, std::move(start.points), options);
+    CvtResult cvt = start.symmetric ? compute_cvt(*start.symmetric, options)
+                                    : compute_cvt(job.lattice, std::move(start.points), options);
     return {.delaunay = std::move(cvt.delaunay),
             .run = cvt.run,
             .counts = cvt.counts,
-            .density = cvt.density};
+            .density = cvt.density,
+            .orbit = start.symmetric ? std::move(start.symmetric->orbit) : std::vector<int>()};
 }
 
 /// Of prescribed areas.

@@ -35,6 +35,9 @@ struct Tessellation {
     /// Of a run with areas.
     std::optional<AreaFigures> areas = {};
 
+    /// Of a run with a symmetry: the orbit of each site, from 0. Else empty.
+    std::vector<int> orbit = {};
+
     /// That of the user.
     const Lattice& lattice() const {
         return elongation ? elongation->lattice : delaunay.sites().lattice();

@@ -75,7 +75,7 @@ struct StudyRecipe {
     StudyResult (*conclude)(const Study& study, const StudyTable& runs);
 };
 
-/// table1, fig7, ... fig11, sizes.
+/// table1, fig7, ... fig11, sizes, symmetry.
 const std::vector<StudyRecipe>& study_recipes();
 
 /// @throws InvalidInput naming the known recipes.

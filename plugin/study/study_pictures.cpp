@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "io/colours/palette.hpp"
@@ -85,6 +86,21 @@ void add_dots(const Lattice& lattice, const Vec2& site, std::vector<Vec2>& dots)
     }
 }
 
+/// The domain with its cells and sites.
+/// @param colour  of a face that the border cuts into a number of pieces.
+CellPanel panel_of(const PeriodicMesh& mesh,
+                   const std::function<std::string(int face, std::size_t n_pieces)>& colour) {
+    CellPanel panel;
+    panel.outline = domain_outline(mesh.lattice);
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        const std::vector<Polygon> pieces = pieces_in_domain(mesh.lattice, face_polygon(mesh, f));
+        for (const Polygon& piece : pieces)
+            panel.cells.push_back({piece, colour(f, pieces.size())});
+        add_dots(mesh.lattice, mesh.site_points[f], panel.sites);
+    }
+    return panel;
+}
+
 /// The sides of a clipped cell that are longer than kShortEdge h.
 int count_sides(const Polygon& polygon, double h) {
     int sides = 0;
@@ -99,16 +115,17 @@ int count_sides(const Polygon& polygon, double h) {
 CellPanel periodic_panel(const CvtResult& result) {
     const PeriodicMesh mesh = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
     const std::vector<int> sides = cell_sides(mesh);
-    CellPanel panel;
-    panel.outline = domain_outline(mesh.lattice);
-    for (int f = 0; f < mesh.n_faces(); ++f) {
-        const std::vector<Polygon> pieces = pieces_in_domain(mesh.lattice, face_polygon(mesh, f));
-        const bool shaded = pieces.size() > 1 && sides[f] == kRegular;
-        const std::string colour = shaded ? kCutHexagon : hex(side_colour(sides[f]));
-        for (const Polygon& piece : pieces) panel.cells.push_back({piece, colour});
-        add_dots(mesh.lattice, mesh.site_points[f], panel.sites);
-    }
-    return panel;
+    return panel_of(mesh, [&sides](int face, std::size_t n_pieces) -> std::string {
+        const bool shaded = n_pieces > 1 && sides[face] == kRegular;
+        return shaded ? kCutHexagon : hex(side_colour(sides[face]));
+    });
+}
+
+CellPanel orbit_panel(const CvtResult& result, const std::vector<int>& orbit) {
+    const PeriodicMesh mesh = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
+    return panel_of(mesh, [&](int face, std::size_t) {
+        return hex(cell_colour(orbit[mesh.site[face]] % kCellColours));
+    });
 }
 
 CellPanel clipped_panel(const Lattice& lattice, const Points& sites) {

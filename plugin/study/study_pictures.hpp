@@ -13,6 +13,10 @@ namespace pcvt {
 /// darker.
 CellPanel periodic_panel(const CvtResult& result);
 
+/// The same with a colour for the cells of each orbit; colours repeat.
+/// @param orbit  of each site.
+CellPanel orbit_panel(const CvtResult& result, const std::vector<int>& orbit);
+
 /// The clipped cells. Cells at the border are green; the colour of others shows their number of
 /// sides.
 CellPanel clipped_panel(const Lattice& lattice, const Points& sites);

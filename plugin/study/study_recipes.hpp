@@ -13,6 +13,7 @@ StudyRecipe fig9_recipe();
 StudyRecipe fig10_recipe();
 StudyRecipe fig11_recipe();
 StudyRecipe sizes_recipe();
+StudyRecipe symmetry_recipe();
 
 /// The paper's domain.
 Lattice unit_square();

@@ -83,7 +83,7 @@ class Files(CliTest):
         self.assertEqual(self.contents(), {})
 
     def test_every_study_runs_and_draws(self):
-        for name in ("fig7", "fig8", "fig9", "fig10", "sizes"):
+        for name in ("fig7", "fig8", "fig9", "fig10", "sizes", "symmetry"):
             with self.subTest(name):
                 said = self.succeed("study", name, "--sites", "20,120", "--runs", 1, "-o",
                                     f"{name}.csv", "-o", f"{name}.svg")

@@ -1,0 +1,69 @@
+"""Plane groups on the command line: symmetric sites in the files, reports and refusals."""
+
+import json
+
+from support.cli import CliTest, main
+
+GROUPS = ("p1", "p2", "pm", "pg", "cm", "pmm", "pmg", "pgg", "cmm", "p4", "p4m", "p4g", "p3", "p3m1", "p31m",
+          "p6", "p6m")
+
+
+class Symmetry(CliTest):
+    def report(self, *arguments):
+        self.succeed("mesh", "--quiet", "--force", "--report", "r.json", *arguments)
+        return json.loads(self.path("r.json").read_text())
+
+    def sites(self, name):
+        lines = self.path(name).read_text().splitlines()
+        return [tuple(map(float, line.split())) for line in lines if not line.startswith("#")]
+
+    def test_every_group_chooses_a_lattice_and_reports_its_orbits(self):
+        for group in GROUPS:
+            report = self.report("--sites", 48, "--symmetry", group, "-o", "t.obj")
+            self.assertEqual(report["symmetry"]["group"], group)
+            self.assertEqual(report["stop"], "converged")
+            self.assertEqual(report["start"], "random")
+            self.assertGreater(report["energy"], report["energy_bound"] * (1 - 1e-12))
+            self.assertTrue(1 <= report["symmetry"]["orbits"] <= 48)
+        self.assertNotIn("symmetry", self.report("--sites", 5))
+
+    def test_written_sites_mirror_in_the_walls_of_a_channel(self):
+        self.report("--sites", 40, "--symmetry", "pm", "--period", "3,2", "-o", "s.txt")
+        sites = {(round(x, 12), round(y, 12)) for x, y in self.sites("s.txt")}
+        self.assertEqual(len(sites), 40)
+        for x, y in sites:
+            self.assertIn((x, round((2 - y) % 2, 12)), sites)
+
+    def test_centres_of_the_highest_order_are_occupied_first(self):
+        without = self.report("--sites", 240, "--symmetry", "p4m", "--seed", 1)
+        occupied = self.report("--sites", 242, "--symmetry", "p4m", "--seed", 1, "-o", "s.txt")
+        self.assertEqual(without["symmetry"]["orbits"], 30)
+        self.assertEqual(occupied["symmetry"]["orbits"], 32)
+        sites = self.sites("s.txt")
+        self.assertIn((0, 0), sites)
+        self.assertIn((0.5, 0.5), sites)
+
+    def test_the_bytes_are_the_same_for_any_number_of_threads(self):
+        for threads in (1, 3):
+            self.succeed("mesh", "--sites", 600, "--symmetry", "p6m", "--threads", threads, "-o", f"{threads}.obj",
+                         "--density", "2 + cos(2 * pi * u)", "--tolerance", "1e-3")
+        files = self.contents()
+        self.assertEqual(files["1.obj"].replace(b"1.mtl", b""), files["3.obj"].replace(b"3.mtl", b""))
+
+    def test_what_does_not_fit_is_refused_in_one_line(self):
+        self.write("s.txt", "0.1 0.2\n")
+        for arguments, words in (
+                (("--sites", 8, "--symmetry", "p5"), "p4g, p3"),
+                (("--sites", 8, "--symmetry", "p4m", "--period", "1,2"), "it fits squares"),
+                (("--sites", 8, "--symmetry", "p3", "--period", "1,1"), "it fits hexagonal lattices"),
+                (("--sites", 8, "--symmetry", "pm", "--lattice", "1,0,0.37,0.81"), "it fits rectangles"),
+                (("--sites", 7, "--symmetry", "pg"), "take 6 or 8"),
+                (("--input", "s.txt", "--symmetry", "p2"), "--input gives them"),
+                (("--sites", 8, "--symmetry", "p2", "--start", "best"), "start at random"),
+                (("--sites", 8, "--symmetry", "p2", "--areas", "equal"), "leave one of the two out"),
+                (("--sites", 8, "--symmetry", "p4", "--aspect", "2"), "elongated by the aspect")):
+            self.refuse(2, words, "mesh", *arguments, "-o", "t.obj")
+
+
+if __name__ == "__main__":
+    main()
