@@ -76,6 +76,7 @@ std::string word(const Report::Pattern& pattern) {
 std::string word(const Report::Areas& areas) {
     return "{\"law\": " + word(areas.law) + ", \"std_over_mean\": " + word(areas.std_over_mean) +
            ", \"largest_relative_error\": " + word(areas.largest_relative_error) +
+           ", \"largest_relative_mesh_error\": " + word(areas.largest_relative_mesh_error) +
            ", \"newton_steps\": " + word(areas.newton_steps) +
            ", \"circularity_mean\": " + word(areas.circularity_mean) +
            ", \"circularity_std\": " + word(areas.circularity_std) + "}";

@@ -77,6 +77,8 @@ struct Report {
         /// Of the equivalent diameters.
         double std_over_mean;
         double largest_relative_error;
+        /// Of the areas of cells and grains in the tiles; `nullopt` if none was built.
+        std::optional<double> largest_relative_mesh_error;
         int newton_steps;
         double circularity_mean;
         double circularity_std;

@@ -35,6 +35,8 @@ PeriodicDelaunay made_regular(Sites sites, TorusTriangulation triangulation,
 
 }  // namespace
 
+double file_area_tolerance(int n_sites) { return kAreaTolerances * area_tolerance(n_sites); }
+
 CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights) {
     // Triangulate.
     MovingDelaunay built(sites);
@@ -75,7 +77,7 @@ AreaComparison compare_areas(const StatedCells& cells, const Eigen::VectorXd& wa
     const double of_position = cells.metric.largest_stretch() * cells.rounding;
     const double of_weight = cells.weight_rounding * cells.weights.cwiseAbs().maxCoeff();
     const double rounding = 2 * (2 * reach * of_position + of_weight);
-    const double least = kAreaTolerances * area_tolerance(sites.n_sites());
+    const double least = file_area_tolerance(sites.n_sites());
     AreaComparison worst{.site = -1, .area = 0, .error = 0, .tolerance = least};
     for (int s = 0; s < sites.n_sites(); ++s) {
         const double error = std::abs(found.area[s] - wanted[s]) / wanted[s];

@@ -38,9 +38,12 @@ struct AreaComparison {
     double area;
     /// |area - wish| / wish
     double error;
-    /// 10 area_tolerance(n), or more where the rounding of the file changes the area by more.
+    /// file_area_tolerance(n), or more where the rounding of the file changes the area by more.
     double tolerance;
 };
+
+/// The largest relative error of the areas that a file of n power cells may state.
+double file_area_tolerance(int n_sites);
 
 /// Builds the regular triangulation of sites with weights from scratch and measures their cells:
 /// the proof of areas, independent of the run that computed the weights.

@@ -6,7 +6,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/polygon.hpp"
-#include "mesher/proof/dual_mean.hpp"
+#include "mesher/lattice/dual_mean.hpp"
 #include "mesher/proof/face_images.hpp"
 #include "mesher/proof/glued_faces.hpp"
 #include "mesher/proof/law_violation.hpp"

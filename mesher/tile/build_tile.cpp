@@ -6,6 +6,7 @@
 
 #include "mesher/grains/grains.hpp"
 #include "mesher/lattice/domain.hpp"
+#include "mesher/mesh/area_fit.hpp"
 #include "mesher/mesh/box_origin.hpp"
 #include "mesher/mesh/box_outline.hpp"
 #include "mesher/mesh/short_edges.hpp"
@@ -36,7 +37,13 @@ struct LaidOut {
     std::vector<Vec2> grain_site_points = {};
 };
 
-LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, double h, TileFigures& figures) {
+/// How far the outline moves vertices, length units.
+double snap_distance(const TileOptions& options, double h) {
+    return options.kind == MeshKind::kGrains ? kGrainSnap * h : 0;
+}
+
+LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, const Vec2& corner, double h,
+                TileFigures& figures) {
     if (options.outline == Outline::kWhole) {
         const Domain domain(mesh.lattice, options.origin);
         figures.domain_corner = domain.corner();
@@ -44,10 +51,9 @@ LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, double h, TileFig
         std::vector<Offset> placement = whole_outline(mesh, options.origin);
         return {std::move(mesh), std::move(placement)};
     }
-    const double snap = figures.kind == MeshKind::kGrains ? kGrainSnap * h : 0;
-    figures.domain_corner = options.finds_origin ? find_box_origin(mesh) : options.origin;
+    figures.domain_corner = corner;
     figures.opposite_corner = figures.domain_corner + mesh.lattice.a() + mesh.lattice.b();
-    BoxCut box = cut_along_box(mesh, figures.domain_corner, snap);
+    BoxCut box = cut_along_box(mesh, figures.domain_corner, snap_distance(options, h));
     figures.box_shortest_edge = box.shortest_edge / h;
     std::vector<Offset> placement(static_cast<std::size_t>(box.pieces.n_faces()));
     return {std::move(box.pieces), std::move(placement)};
@@ -78,29 +84,71 @@ LaidOut mesh_cells(const TileOptions& options, const LaidOut& cells, double h,
     return laid_out;
 }
 
-PeriodicMesh without_shortest(PeriodicMesh cells, double shortest) {
-    // Cells keep the number of sides that they had before.
-    cells.whole_sides = cell_sides(cells);
-    return without_short_edges(cells, shortest);
+/// The length below which edges are removed, in units of h; 0: none.
+double shortest_edge(const TileOptions& options) {
+    if (options.kind == MeshKind::kDelaunay) return 0;
+    const bool grains = options.kind == MeshKind::kGrains;
+    return grains ? std::max(kShortGrainEdge, options.short_edges) : options.short_edges;
 }
 
-/// The cells or triangles of columns x rows domains, without short edges.
-PeriodicMesh torus_mesh(const PeriodicDelaunay& delaunay, const TileOptions& options, double h) {
+PeriodicMesh without_shortest(PeriodicMesh cells, const TileOptions& options, double h) {
+    const double shortest = shortest_edge(options);
+    if (!(shortest > 0)) return cells;
+    // Cells of grains keep the number of sides that they had before.
+    if (options.kind == MeshKind::kGrains) cells.whole_sides = cell_sides(cells);
+    return without_short_edges(cells, shortest * h);
+}
+
+/// The cells or triangles of one domain.
+PeriodicMesh domain_mesh(const PeriodicDelaunay& delaunay, const TileOptions& options) {
     const bool grains = options.kind == MeshKind::kGrains;
-    const MeshKind source = grains ? MeshKind::kVoronoi : options.kind;
-    PeriodicMesh domain = periodic_mesh(delaunay, source);
+    PeriodicMesh domain = periodic_mesh(delaunay, grains ? MeshKind::kVoronoi : options.kind);
     if (const auto& elongation = options.elongation) {
         domain = from_round(std::move(domain), elongation->metric, elongation->lattice);
     }
-    PeriodicMesh mesh = repeated(std::move(domain), options.columns, options.rows);
-    if (grains) {
-        return without_shortest(std::move(mesh),
-                                std::max(kShortGrainEdge, options.short_edges) * h);
-    }
-    if (options.kind == MeshKind::kVoronoi && options.short_edges > 0) {
-        return without_short_edges(mesh, options.short_edges * h);
-    }
-    return mesh;
+    return domain;
+}
+
+/// @param mesh  without short edges.
+Vec2 corner_of_domain(const TileOptions& options, const PeriodicMesh& mesh) {
+    const bool finds = options.outline == Outline::kBox && options.finds_origin;
+    return finds ? find_box_origin(mesh) : options.origin;
+}
+
+/// The cells or triangles of columns x rows domains, without short edges.
+struct TorusMesh {
+    PeriodicMesh mesh;
+    /// The corner of the domain.
+    Vec2 corner;
+    /// Empty without weights.
+    Eigen::VectorXd weights;
+};
+
+TorusMesh torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) {
+    PeriodicMesh mesh =
+        without_shortest(repeated(std::move(domain), options.columns, options.rows), options, h);
+    const Vec2 corner = corner_of_domain(options, mesh);
+    return {std::move(mesh), corner, {}};
+}
+
+/// Power cells, which keep their areas without their short edges, and at the sides of a box.
+TorusMesh power_torus_mesh(const TileOptions& options, PeriodicMesh cells, double h,
+                           const Eigen::VectorXd& weights, TileFigures& figures) {
+    const int n = cells.n_faces();
+    const auto copies = [&](PeriodicMesh mesh) {
+        return repeated(std::move(mesh), options.columns, options.rows);
+    };
+    PeriodicMesh joined = without_shortest(cells, options, h);
+    const Vec2 corner = corner_of_domain(options, copies(joined));
+    const AreaMeasure measure = [&](const PeriodicMesh& mesh) -> Eigen::VectorXd {
+        if (options.outline == Outline::kWhole) return areas_by_site(mesh, n);
+        const BoxCut box = cut_along_box(copies(mesh), corner, snap_distance(options, h));
+        return areas_by_site(box.pieces, n) / (options.columns * options.rows);
+    };
+    const Metric metric = options.elongation ? options.elongation->metric : Metric();
+    FittedCells fitted = fit_areas(cells, std::move(joined), metric, weights, measure);
+    figures.area_error = fitted.largest_relative_error;
+    return {copies(std::move(fitted.cells)), corner, std::move(fitted.weights)};
 }
 
 }  // namespace
@@ -108,14 +156,19 @@ PeriodicMesh torus_mesh(const PeriodicDelaunay& delaunay, const TileOptions& opt
 BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& options) {
     const double h = delaunay.sites().spacing();
     TileFigures figures{.kind = options.kind};
-    PeriodicMesh mesh = torus_mesh(delaunay, options, h);
+    PeriodicMesh domain = domain_mesh(delaunay, options);
+    const bool is_power = delaunay.weights().size() > 0 && options.kind != MeshKind::kDelaunay;
+    TorusMesh torus =
+        is_power ? power_torus_mesh(options, std::move(domain), h, delaunay.weights(), figures)
+                 : torus_mesh(options, std::move(domain), h);
+    if (!is_power) torus.weights = delaunay.weights();
     report(options, kGrainsBegin);
-    LaidOut laid_out = lay_out(options, std::move(mesh), h, figures);
+    LaidOut laid_out = lay_out(options, std::move(torus.mesh), torus.corner, h, figures);
     if (options.kind == MeshKind::kGrains) laid_out = mesh_cells(options, laid_out, h, figures);
     report(options, kGrainsEnd);
     Tile tile = make_tile(laid_out.mesh, laid_out.placement);
     if (options.elongation) tile.metric = options.elongation->metric;
-    tile.site_weights.assign(delaunay.weights().begin(), delaunay.weights().end());
+    tile.site_weights.assign(torus.weights.begin(), torus.weights.end());
     tile.grain_site_points = std::move(laid_out.grain_site_points);
     tile.columns = options.columns;
     tile.rows = options.rows;

@@ -65,6 +65,9 @@ struct TileFigures {
     /// The box outline: the shortest edge that the cut has made, in units of h.
     std::optional<double> box_shortest_edge = {};
     std::optional<GrainFigures> grains = {};
+    /// Cells and grains of power cells: the largest relative difference between the area of a cell
+    /// in the tile and that of its power cell.
+    std::optional<double> area_error = {};
 };
 
 struct BuiltTile {
@@ -78,7 +81,8 @@ struct BuiltTile {
 ///   BuiltTile grains = build_tile(result.delaunay, {.kind = MeshKind::kGrains, .columns = 2});
 ///   verify_generated_tile(grains.tile);
 ///
-/// Repeats the tessellation, removes short edges, lays the faces out in the outline, and meshes the
+/// Repeats the tessellation, removes short edges (power cells keep their areas, by other weights:
+/// area_fit.hpp), lays the faces out in the outline, and meshes the
 /// grains. The tile is not proved yet: verify_generated_tile() does that.
 /// @throws InvalidInput   the cells are so small that their corners coincide.
 /// @throws LimitExceeded  grains too fine, or a piece of a cell too thin for them.

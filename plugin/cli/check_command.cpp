@@ -107,7 +107,8 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
         ->expected(0, 1);
     app.add_option("--areas", options.areas,
                    "prove as well that power cells have the areas of a file as\n"
-                   "`pcvt mesh --areas` takes it, built again from sites and weights")
+                   "`pcvt mesh --areas` takes it, built again from sites and weights;\n"
+                   "grains: that the faces of each site have them")
         ->type_name("FILE");
     app.add_option("--density", options.density,
                    "of the centroids of --cvt, as for `pcvt mesh`, in the file's lattice")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 
 #include "io/bytes/input_file.hpp"
@@ -13,6 +14,7 @@
 #include "mesher/areas/cell_areas.hpp"
 #include "mesher/areas/target_areas.hpp"
 #include "mesher/density/density_centroid.hpp"
+#include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/cell_options.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -84,7 +86,7 @@ std::string prove_cvt(const TileFile& file, const TileProof& proof, const Questi
            figure(tolerance) + " h)";
 }
 
-/// @pre the tile has sites with weights.
+/// The cells of a tile with weights, as its file states them.
 StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
     const Tile& tile = file.tile;
     const auto n = static_cast<int>(tile.site_positions.size());
@@ -101,19 +103,59 @@ StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
     return cells;
 }
 
-/// Compares the areas of the cells, built from scratch, with the wished ones.
-std::string prove_areas(const std::string& path, const TileFile& file, const TileProof& proof,
-                        const AreaFile& wanted) {
-    if (file.tile.site_weights.empty()) {
-        throw BadFile(path +
-                      ": states no weights of its sites, so it has no power cells; check it "
-                      "without --areas");
+/// The cells of voxels with weights. Positions are rounded as in tiles.
+StatedCells stated_cells(const VoxelCells& cells) {
+    constexpr double kUlps = 4;
+    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+    return {.lattice = cells.lattice,
+            .metric = cells.metric,
+            .points = cells.sites,
+            .weights = cells.weights,
+            .rounding = kUlps * kEpsilon * cells.sites.cwiseAbs().maxCoeff(),
+            .weight_rounding = kEpsilon};
+}
+
+/// Whether corners of cells may lie off those of the power cells of the stated weights.
+bool moves_corners(const Tile& tile) {
+    return tile.kind == MeshKind::kGrains ||
+           (tile.kind == MeshKind::kVoronoi && tile.short_edges > 0);
+}
+
+/// Compares the areas of the faces of each site with the wished ones.
+AreaComparison compare_face_areas(const Tile& tile, const TileProof& proof,
+                                  const Eigen::VectorXd& wanted) {
+    Eigen::VectorXd area = Eigen::VectorXd::Zero(wanted.size());
+    Eigen::VectorXd perimeter = area;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        Polygon polygon;
+        for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
+        area[tile.face_site[f]] += polygon_area(polygon) / (tile.columns * tile.rows);
+        perimeter[tile.face_site[f]] += polygon_perimeter(polygon) / (tile.columns * tile.rows);
     }
-    const StatedCells cells = stated_cells(file, proof);
-    const auto n = static_cast<int>(cells.points.cols());
+    AreaComparison worst{.site = -1, .area = 0, .error = 0, .tolerance = 0};
+    for (int s = 0; s < wanted.size(); ++s) {
+        const double error = std::abs(area[s] - wanted[s]) / wanted[s];
+        const double tolerance = std::max(file_area_tolerance(static_cast<int>(wanted.size())),
+                                          perimeter[s] * proof.tolerance / wanted[s]);
+        if (worst.site >= 0 && error * worst.tolerance <= worst.error * tolerance) continue;
+        worst = {.site = s, .area = area[s], .error = error, .tolerance = tolerance};
+    }
+    return worst;
+}
+
+[[noreturn]] void refuse_without_weights(const std::string& path) {
+    throw BadFile(path +
+                  ": states no weights of its sites, so it has no power cells; check it "
+                  "without --areas");
+}
+
+/// Compares the areas of n cells with the wished ones.
+/// @param compare  measures the cells and compares them with areas in units of the domain.
+std::string prove_areas(const AreaFile& wanted, int n, double domain_area,
+                        const std::function<AreaComparison(const Eigen::VectorXd&)>& compare) {
     require_areas(wanted, n);
-    const Eigen::VectorXd areas = scaled_areas(wanted.areas, n, cells.lattice.area());
-    const AreaComparison found = compare_areas(cells, areas);
+    const Eigen::VectorXd areas = scaled_areas(wanted.areas, n, domain_area);
+    const AreaComparison found = compare(areas);
     const std::string text =
         figure(found.error) + " of " + wanted.name + " (tolerance " + figure(found.tolerance) + ")";
     if (found.error <= found.tolerance) {
@@ -122,6 +164,28 @@ std::string prove_areas(const std::string& path, const TileFile& file, const Til
     throw NotATile("law of the areas: the cell of site " + std::to_string(found.site) +
                    " has the area " + figure(found.area) + ", not " + figure(areas[found.site]) +
                    ": off by " + text);
+}
+
+/// Compares the areas of the power cells, built from nothing, or where corners were moved those of
+/// the faces.
+std::string prove_tile_areas(const std::string& path, const TileFile& file, const TileProof& proof,
+                             const AreaFile& wanted) {
+    if (file.tile.site_weights.empty()) refuse_without_weights(path);
+    const StatedCells cells = stated_cells(file, proof);
+    return prove_areas(wanted, static_cast<int>(cells.points.cols()), cells.lattice.area(),
+                       [&](const Eigen::VectorXd& areas) {
+                           return moves_corners(file.tile)
+                                      ? compare_face_areas(file.tile, proof, areas)
+                                      : compare_areas(cells, areas);
+                       });
+}
+
+std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,
+                              const AreaFile& wanted) {
+    if (!file.cells || file.cells->weights.size() == 0) refuse_without_weights(path);
+    const StatedCells cells = stated_cells(*file.cells);
+    return prove_areas(wanted, static_cast<int>(cells.points.cols()), cells.lattice.area(),
+                       [&](const Eigen::VectorXd& areas) { return compare_areas(cells, areas); });
 }
 
 std::string pairs_text(const TileFile& file) {
@@ -201,7 +265,8 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
                              figure(proof.largest_excess) + " h"
                        : ", no sites stored") +
            (file.materials ? ", one material a cell" : ", no materials beside it") + ", " +
-           unseen_text(proof.unseen) + "\n";
+           unseen_text(proof.unseen) +
+           (question.areas ? prove_voxel_areas(path, file, *question.areas) : "") + "\n";
 }
 
 /// The proof of a tile as a line.
@@ -219,7 +284,7 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
                        "), " + std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
                        sites_text(file.tile);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
-    if (question.areas) line += prove_areas(path, file, proof, *question.areas);
+    if (question.areas) line += prove_tile_areas(path, file, proof, *question.areas);
     return line + "\n";
 }
 

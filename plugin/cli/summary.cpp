@@ -71,6 +71,10 @@ std::string tile_lines(const RunSummary& summary) {
                 line("box", "shortest edge of the cut " + figure(*tile.box_shortest_edge) + " h");
         }
         if (tile.grains) text += line("grains", grain_text(*tile.grains));
+        if (tile.area_error) {
+            text += line("meshed", std::string(mesh_kind_row(tile.kind).word) +
+                                       ", areas off by at most " + figure(*tile.area_error));
+        }
     }
     return text;
 }

@@ -56,12 +56,23 @@ std::optional<Report::Density> report_density(const Job& job, const RunSummary& 
                            .rough_cells = figures.n_rough_cells};
 }
 
+/// The largest over all tiles of the run.
+std::optional<double> largest_area_error(const RunSummary& summary) {
+    std::optional<double> largest;
+    for (const TileFigures& tile : summary.tiles) {
+        if (!tile.area_error) continue;
+        largest = std::max(largest.value_or(*tile.area_error), *tile.area_error);
+    }
+    return largest;
+}
+
 std::optional<Report::Areas> report_areas(const Job& job, const RunSummary& summary) {
     if (!summary.areas) return std::nullopt;
     const AreaSummary& areas = *summary.areas;
     return Report::Areas{.law = job.areas->name,
                          .std_over_mean = areas.std_over_mean,
                          .largest_relative_error = areas.newton.largest_relative_error,
+                         .largest_relative_mesh_error = largest_area_error(summary),
                          .newton_steps = areas.newton.newton_steps,
                          .circularity_mean = areas.circularity_mean,
                          .circularity_std = areas.circularity_std};

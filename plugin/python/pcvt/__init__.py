@@ -231,8 +231,9 @@ class Result:
     orientations
                 (n, 3), phi1, Phi, phi2 in degrees, or None without orientations
     statistics  a Statistics
-    cells       (n,), measures of the cells, an array with the fields site, x, y, area, diameter,
-                sides, circularity, neighbours
+    cells       (n,), the columns of .csv files as an array with the fields site, x, y, weight, area,
+                diameter, sides, circularity, phase (an index into phase_names), phi1, Phi, phi2 and
+                neighbours; fields that do not apply are NaN, or -1 as a phase
     """
 
     def __init__(self, handle):
@@ -268,7 +269,7 @@ class Result:
         """The measures of the cells that .csv files hold, one entry a site; neighbours are arrays."""
         from ._cells import cell_table
 
-        return cell_table(self.sites, self.mesh())
+        return cell_table(self)
 
     def mesh(self, kind="voronoi"):
         """The cells ("voronoi") or triangles ("delaunay") on the torus, a TorusMesh."""

@@ -33,8 +33,8 @@ class PrescribedAreas(AreaTest):
         report = self.report("--sites", 400, "--areas", "lognormal:0.42", "--max-iterations", 2, "-o", "t.csv")
         self.assertEqual((report["stop"], report["iterations"]), ("converged", 2))
         areas = report["areas"]
-        self.assertEqual(list(areas), ["law", "std_over_mean", "largest_relative_error", "newton_steps",
-                                       "circularity_mean", "circularity_std"])
+        self.assertEqual(list(areas), ["law", "std_over_mean", "largest_relative_error",
+                                       "largest_relative_mesh_error", "newton_steps", "circularity_mean", "circularity_std"])
         self.assertEqual(areas["law"], "lognormal:0.42")
         self.assertLessEqual(areas["largest_relative_error"], 1e-10)
         table = self.table("t.csv")
@@ -129,6 +129,93 @@ class PrescribedAreas(AreaTest):
         self.path("pipe").unlink()
         self.write("a.csv", "1\n2\n3\n")
         self.refuse(2, "a.csv", "mesh", "--sites", 3, "--areas", "a.csv", "--force", "-o", "a.csv")
+
+
+class CheckedAreas(AreaTest):
+    """`pcvt check --areas`, and the areas that grains keep."""
+
+    def setUp(self):
+        super().setUp()
+        self.wished = [1 + (7 * k) % 12 for k in range(60)]
+        self.write("a.txt", "".join(f"{a}\n" for a in self.wished))
+
+    def mesh(self, *arguments):
+        self.succeed("mesh", "--sites", 60, "--areas", "a.txt", "--max-iterations", 3, "--force", *arguments)
+
+    def test_every_format_with_weights_is_checked(self):
+        extensions = ("obj", "ply", "glb", "gltf", "om", "vtu")
+        files = [f"t-{kind}.{e}" for kind in ("voronoi", "delaunay", "grains") for e in extensions]
+        files += [f"t-{kind}.{e}" for kind in ("delaunay", "grains") for e in ("msh", "inp")]
+        outputs = [w for e in (*extensions, "msh", "inp") for w in ("-o", f"t.{e}")]
+        kinds = ("--mesh", "voronoi", "--mesh", "delaunay", "--mesh", "grains")
+        self.mesh("--aspect", "2,30", *kinds, *outputs[:12])
+        self.mesh("--aspect", "2,30", *kinds[2:], *outputs[12:])
+        self.mesh("--aspect", "2,30", "-o", "t.vti")
+        for name in (*files, "t.vti"):
+            self.assertIn(", areas of 60 cells within", self.succeed("check", name, "--areas", "a.txt"), name)
+        self.write("b.txt", "".join(f"{a}\n" for a in [self.wished[1], self.wished[0], *self.wished[2:]]))
+        for name in (*files, "t.vti"):
+            self.refuse(2, f"{name}: not a .*: law of the areas: the cell of site [01] has the area", "check", name,
+                        "--areas", "b.txt")
+
+    def test_diameters_and_repeated_boxes_are_checked(self):
+        self.write("d.txt", "diameter\n" + "".join(f"{math.sqrt(a)}\n" for a in self.wished))
+        self.mesh("--outline", "box", "--repeat", "2x1", "-o", "t.obj")
+        self.assertIn("areas of 60 cells within", self.succeed("check", "t.obj", "--areas", "d.txt"))
+
+    def test_questions_without_an_answer_are_refused(self):
+        self.mesh("-o", "t.obj")
+        self.succeed("mesh", "--sites", 60, "-o", "u.obj", "-o", "u.vti", "-o", "u.nc")
+        for name in ("u.obj", "u.vti"):
+            self.refuse(2, f"{name}: states no weights", "check", name, "--areas", "a.txt")
+        self.refuse(2, "u.nc: --areas is not for MPAS", "check", "u.nc", "--areas", "a.txt")
+        self.refuse(2, "--areas of check takes a file", "check", "t.obj", "--areas", "lognormal:0.42")
+        self.refuse(2, "missing.txt", "check", "t.obj", "--areas", "missing.txt")
+        for text, words in (("1\n2\n", "b.txt:2: the last of 2 areas, but there are 60 sites"),
+                            ("1\n" * 61, "b.txt:61: area 61, but"), ("1\n-1\n", "b.txt:2: '-1' is no size"),
+                            ("", "b.txt: holds no area")):
+            self.write("b.txt", text)
+            self.refuse(2, words, "check", "t.obj", "--areas", "b.txt")
+
+    def test_grains_have_the_areas_of_their_cells(self):
+        for seed in range(3):
+            report = self.report("--sites", 200, "--seed", seed, "--areas", "lognormal:0.42", "--max-iterations", 5,
+                                 "--mesh", "grains", "-o", "t.inp", "--cells", "t.csv")
+            self.assertLessEqual(report["areas"]["largest_relative_mesh_error"], 1e-10)
+            meshed = self.areas_of_elements("t.inp")
+            for row in self.table("t.csv"):
+                self.assertAlmostEqual(meshed[int(row["site"])] / float(row["area"]), 1, delta=1e-9)
+
+    def areas_of_elements(self, name):
+        """The sum of the areas of the triangles in each set CELL_s of an Abaqus input."""
+        nodes, elements, areas, card = {}, {}, {}, ""
+        for line in self.path(name).read_text().splitlines():
+            if line.startswith("*"):
+                card = line
+                continue
+            words = [w.strip() for w in line.split(",") if w.strip()]
+            if card.startswith("*NODE"):
+                nodes[words[0]] = complex(float(words[1]), float(words[2]))
+            elif card.startswith("*ELEMENT"):
+                a, b, c = (nodes[w] for w in words[1:4])
+                elements[words[0]] = ((b - a).conjugate() * (c - a)).imag / 2
+            elif card.startswith("*ELSET") and "=CELL_" in card:
+                site = int(card.split("=CELL_")[1])
+                areas[site] = areas.get(site, 0) + sum(elements[w] for w in words)
+        return areas
+
+    def test_the_largest_error_of_a_box_is_reported_and_checked(self):
+        for seed in range(8):
+            report = self.report("--sites", 60, "--seed", seed, "--areas", "a.txt", "--max-iterations", 3, "--mesh",
+                                 "grains", "--outline", "box", "-o", "t.obj")
+            error = report["areas"]["largest_relative_mesh_error"]
+            self.assertLess(error, 0.1)
+            done = self.run_pcvt("check", "t.obj", "--areas", "a.txt")
+            self.assertEqual(done.returncode, 0 if error < 1e-9 else 2, (seed, error))
+
+    def test_the_summary_states_the_error_of_the_mesh(self):
+        output = self.succeed("mesh", "--sites", 60, "--areas", "a.txt", "--mesh", "grains")
+        self.assertRegex(output, r"meshed +grains, areas off by at most \S+e-1\d\n")
 
 
 class ElongatedCells(AreaTest):

@@ -2,6 +2,7 @@
 
 import csv
 import importlib.util
+import math
 import os
 import shutil
 import subprocess
@@ -98,16 +99,23 @@ class Files(CliTest):
             pcvt.mesh(12).write(self.path("no.inp"), "grains", element="C3D")
 
     def test_cells_are_those_of_the_table(self):
-        result = pcvt.mesh(70, OBLIQUE)
-        result.write(self.path("cells.csv"))
-        with open(self.path("cells.csv"), encoding="ascii") as file:
-            rows = list(csv.DictReader(line for line in file if line[0] != "#"))
-        cells = result.cells
-        self.assertEqual(cells["sides"].sum(), 6 * 70)
-        for name in ("site", "x", "y", "area", "diameter", "sides", "circularity"):
-            np.testing.assert_allclose(cells[name], [float(row[name]) for row in rows], rtol=1e-12)
-        for neighbours, row in zip(cells["neighbours"], rows):
-            self.assertEqual(list(neighbours), list(map(int, row["neighbours"].split())))
+        grains = {"areas": "lognormal:0.3", "max_iterations": 2, "phases": "a:0.4,b:0.6", "orientations": "random"}
+        for k, options in enumerate(({}, grains)):
+            result = pcvt.mesh(70, OBLIQUE, **options)
+            result.write(self.path(f"{k}.csv"))
+            with open(self.path(f"{k}.csv"), encoding="ascii") as file:
+                rows = list(csv.DictReader(line for line in file if line[0] != "#"))
+            cells = result.cells
+            self.assertEqual([name for name in rows[0] if name != "tag"], list(cells.dtype.names))
+            self.assertEqual(cells["sides"].sum(), 6 * 70)
+            for name in ("site", "x", "y", "weight", "area", "diameter", "sides", "circularity", "phi1", "Phi", "phi2"):
+                column = [float(row[name]) if row[name] else math.nan for row in rows]
+                np.testing.assert_allclose(cells[name], column, rtol=1e-12)
+                self.assertEqual(np.isnan(column).any(), name in ("weight", "phi1", "Phi", "phi2") and not options)
+            names = [result.phase_names[phase] if phase >= 0 else "" for phase in cells["phase"]]
+            self.assertEqual(names, [row["phase"] for row in rows])
+            for neighbours, row in zip(cells["neighbours"], rows):
+                self.assertEqual(list(neighbours), list(map(int, row["neighbours"].split())))
 
     def test_files_are_replaced_on_request_only(self):
         result = pcvt.mesh(10)

@@ -1,4 +1,4 @@
-#include "mesher/proof/dual_mean.hpp"
+#include "mesher/lattice/dual_mean.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,207 @@
+#include "mesher/mesh/area_fit.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "mesher/areas/area_cvt.hpp"
+#include "mesher/areas/laplacian_solver.hpp"
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/lattice/dual_mean.hpp"
+#include "mesher/lattice/polygon.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The areas are fitted to this share of the tolerance of the run that computed the weights.
+constexpr double kShareOfTolerance = 0.1;
+/// The linear equations are solved to this relative residual.
+constexpr double kLinearAccuracy = 1e-4;
+/// The number of earlier steps that a step takes into account.
+constexpr int kRemembered = 12;
+/// The iteration ends after so many steps, or after so many without a lower error.
+constexpr int kMostSteps = 100;
+constexpr int kMostVainSteps = 15;
+
+Polygon polygon_of(const PeriodicMesh& mesh, int f) {
+    Polygon polygon;
+    for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+        polygon.push_back(mesh.point(c));
+    }
+    return polygon;
+}
+
+PeriodicMesh to_round(PeriodicMesh mesh, const Metric& metric) {
+    mesh.lattice = metric.to_round(mesh.lattice);
+    for (Vec2& p : mesh.vertices) p = metric.to_round(p);
+    for (Vec2& p : mesh.site_points) p = metric.to_round(p);
+    return mesh;
+}
+
+/// The adjacency of cells, one a site in the order of the sites.
+CellGraph cell_graph(const PeriodicMesh& cells) {
+    std::vector<double> conductance(static_cast<std::size_t>(cells.n_corners()));
+    for (int c = 0; c < cells.n_corners(); ++c) {
+        checkpoint_each(c);
+        const int o = cells.opposite[c];
+        if (o < c) continue;
+        const Vec2 across = cells.site_points[cells.corner_face[o]] +
+                            cells.lattice.translation(cells.frame_across(c));
+        const double distance = (across - cells.site_points[cells.corner_face[c]]).norm();
+        const double length = (cells.point(cells.next(c)) - cells.point(c)).norm();
+        conductance[c] = conductance[o] = length / (2 * distance);
+    }
+    CellGraph graph{{0}, {}, {}};
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
+            const int g = cells.corner_face[cells.opposite[c]];
+            if (g == f) continue;
+            graph.neighbour.push_back(cells.site[g]);
+            graph.conductance.push_back(conductance[c]);
+        }
+        graph.row_begin.push_back(static_cast<int>(graph.neighbour.size()));
+    }
+    return graph;
+}
+
+/// The vertices of cells as functions of the weights of the sites.
+class DualCorners {
+   public:
+    DualCorners(const PeriodicMesh& plane, const Metric& metric)
+        : metric_(metric), cells_(to_round(plane, metric)) {
+        std::vector<int> first(static_cast<std::size_t>(plane.n_vertices()), -1);
+        for (int c = plane.n_corners(); c-- > 0;) first[plane.corner_vertex[c]] = c;
+        for (const int c : first) add_ring(c);
+    }
+
+    /// Returns the vertices in the plane; nothing if a corner has no place.
+    std::optional<std::vector<Vec2>> vertices(const Eigen::VectorXd& weights) const {
+        std::vector<Vec2> result;
+        std::vector<DualSite> polygon;
+        for (std::size_t v = 0; v + 1 < ring_begin_.size(); ++v) {
+            checkpoint_each(v);
+            polygon.clear();
+            for (int k = ring_begin_[v]; k < ring_begin_[v + 1]; ++k) {
+                polygon.push_back({point_[k], weights[site_[k]]});
+            }
+            const auto mean = dual_mean(polygon, 0);
+            if (!mean || !mean->point.allFinite()) return std::nullopt;
+            result.push_back(metric_.from_round(mean->point));
+        }
+        return result;
+    }
+
+   private:
+    /// Adds the sites of the cells round the vertex of a corner, counter-clockwise.
+    void add_ring(int first) {
+        int c = first;
+        do {
+            const int f = cells_.corner_face[c];
+            site_.push_back(cells_.site[f]);
+            point_.push_back(cells_.site_points[f] -
+                             cells_.lattice.translation(cells_.corner_offset[c]));
+            const int before = c == cells_.face_begin[f] ? cells_.face_begin[f + 1] - 1 : c - 1;
+            c = cells_.opposite[before];
+        } while (c != first);
+        ring_begin_.push_back(static_cast<int>(site_.size()));
+    }
+
+    Metric metric_;
+    PeriodicMesh cells_;
+    /// For each vertex, its sites.
+    std::vector<int> ring_begin_{0};
+    std::vector<SiteId> site_;
+    /// ... as the frame of the vertex has them.
+    std::vector<Vec2> point_;
+};
+
+/// Steps for the root of a residual, each the best combination of the last ones (Anderson's
+/// method).
+class CombinedSteps {
+   public:
+    /// Returns the next place.
+    /// @param step  from x towards the root.
+    Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
+        if (last_x_.size() > 0) {
+            push(changes_, x - last_x_);
+            push(step_changes_, step - last_step_);
+        }
+        last_x_ = x;
+        last_step_ = step;
+        if (changes_.cols() == 0) return x + step;
+        const Eigen::VectorXd share = step_changes_.colPivHouseholderQr().solve(step);
+        return x + step - (changes_ + step_changes_) * share;
+    }
+
+   private:
+    static void push(Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
+        const Eigen::Index kept = std::min<Eigen::Index>(columns.cols(), kRemembered - 1);
+        Eigen::MatrixXd pushed(column.size(), kept + 1);
+        pushed << column, columns.leftCols(kept);
+        columns = std::move(pushed);
+    }
+
+    Eigen::VectorXd last_x_;
+    Eigen::VectorXd last_step_;
+    /// The latest first.
+    Eigen::MatrixXd changes_;
+    Eigen::MatrixXd step_changes_;
+};
+
+double largest_error(const Eigen::VectorXd& areas, const Eigen::VectorXd& wanted) {
+    return ((areas - wanted).array().abs() / wanted.array()).maxCoeff();
+}
+
+bool are_simple(const PeriodicMesh& mesh) {
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        checkpoint_each(f);
+        const Polygon polygon = polygon_of(mesh, f);
+        if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, 0)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Eigen::VectorXd areas_by_site(const PeriodicMesh& mesh, int n_sites) {
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(n_sites);
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        checkpoint_each(f);
+        areas[mesh.site[f]] += polygon_area(polygon_of(mesh, f));
+    }
+    return areas;
+}
+
+FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
+                      const Eigen::VectorXd& weights, const AreaMeasure& measure) {
+    const Eigen::VectorXd wanted = areas_by_site(cells, cells.n_faces());
+    const double enough = kShareOfTolerance * area_tolerance(cells.n_faces());
+    Eigen::VectorXd areas = measure(joined);
+    FittedCells best{joined, weights, largest_error(areas, wanted)};
+    if (best.largest_relative_error <= enough) return best;
+    // Find the weights.
+    const DualCorners corners(joined, metric);
+    LaplacianSolver laplacian(cell_graph(to_round(cells, metric)));
+    CombinedSteps steps;
+    Eigen::VectorXd here = weights;
+    for (int k = 0, vain = 0; k < kMostSteps && vain < kMostVainSteps; ++k, ++vain) {
+        Eigen::VectorXd step;
+        laplacian.solve(wanted - areas, kLinearAccuracy, step);
+        here = steps.next(here, step);
+        auto vertices = corners.vertices(here);
+        if (!vertices) break;
+        joined.vertices = std::move(*vertices);
+        if (!are_simple(joined)) break;
+        areas = measure(joined);
+        const double error = largest_error(areas, wanted);
+        if (!(error < best.largest_relative_error)) continue;
+        best = {joined, here, error};
+        if (error <= enough) break;
+        vain = 0;
+    }
+    return best;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,115 @@
+#include "mesher/mesh/area_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesher/areas/target_areas.hpp"
+#include "mesher/lattice/polygon.hpp"
+#include "mesher/mesh/short_edges.hpp"
+#include "mesher/mesh/voronoi.hpp"
+#include "mesher/proof/generated_tile.hpp"
+#include "tests/support/lattices.hpp"
+#include "tests/support/power_tiles.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::CellShape;
+
+const CellShape kRound{"power", "lognormal:0.42"};
+const CellShape kElongated{"elongated power", "lognormal:0.42", Metric(3, 30)};
+
+BuiltTile built(const Lattice& lattice, const AreaCvtResult& cells, const CellShape& shape,
+                TileOptions options) {
+    if (!shape.metric.is_round()) options.elongation = Elongation{shape.metric, lattice};
+    return build_tile(cells.delaunay, options);
+}
+
+/// The largest relative difference between the areas of the faces and the wished ones.
+double largest_error(const Tile& tile, int n, int seed, const CellShape& shape) {
+    const AreaLaw law = parse_area_law(shape.law);
+    Eigen::VectorXd left =
+        scaled_areas(draw_areas(law, n, seed), n, tile.lattice.area() / (tile.columns * tile.rows));
+    const Eigen::VectorXd wanted = left;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        Polygon polygon;
+        for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
+        left[tile.face_site[f]] -= polygon_area(polygon) / (tile.columns * tile.rows);
+    }
+    return (left.array().abs() / wanted.array()).maxCoeff();
+}
+
+// Laws 2 and 3, by the proof of tiles.
+TEST(AreaFit, GrainsHaveTheWishedAreas) {
+    for (const auto& [name, lattice] : testing::lattices()) {
+        for (const CellShape& shape : {kRound, kElongated}) {
+            for (const int n : {1, 2, 3, 5, 8, 60, 200}) {
+                SCOPED_TRACE(name + " " + shape.name + " n = " + std::to_string(n));
+                const AreaCvtResult cells = testing::power_cells(lattice, n, n, shape, 4);
+                const BuiltTile grains =
+                    built(lattice, cells, shape, {.kind = MeshKind::kGrains, .grain_per_edge = 1});
+                verify_generated_tile(grains.tile);
+                EXPECT_LE(largest_error(grains.tile, n, n, shape), 3e-10);
+                EXPECT_LE(*grains.figures.area_error, 1e-10);
+            }
+        }
+    }
+}
+
+TEST(AreaFit, RepeatedGrainsHaveThemToo) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    const AreaCvtResult cells = testing::power_cells(lattice, 50, 1, kRound, 4);
+    const BuiltTile grains =
+        built(lattice, cells, kRound, {.kind = MeshKind::kGrains, .columns = 2, .rows = 3});
+    verify_generated_tile(grains.tile);
+    EXPECT_LE(largest_error(grains.tile, 50, 1, kRound), 3e-10);
+}
+
+// The sides of a box move corners in steps, so that no weights may give the areas there.
+TEST(AreaFit, FiguresStateTheErrorOfTheFaces) {
+    for (const auto& [name, lattice] : testing::lattices()) {
+        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
+            SCOPED_TRACE(name);
+            const AreaCvtResult cells = testing::power_cells(lattice, 40, 3, kRound, 4);
+            const BuiltTile tile =
+                built(lattice, cells, kRound,
+                      {.kind = kind, .outline = Outline::kBox, .short_edges = 0.05, .columns = 2});
+            verify_generated_tile(tile.tile);
+            const double error = largest_error(tile.tile, 40, 3, kRound);
+            EXPECT_NEAR(*tile.figures.area_error, error, 3e-10);
+            EXPECT_LE(error, 0.2);
+        }
+    }
+}
+
+// Law 1.
+TEST(AreaFit, TopologyAndFramesStay) {
+    const Lattice lattice({1, 0}, {0.37, 0.81});
+    const AreaCvtResult result = testing::power_cells(lattice, 100, 2, kRound, 2);
+    const PeriodicMesh cells = cell_mesh(result.delaunay);
+    const PeriodicMesh joined = without_short_edges(cells, 0.05 * 0.09);
+    ASSERT_LT(joined.n_vertices(), cells.n_vertices());
+    const FittedCells fitted =
+        fit_areas(cells, joined, Metric(), result.delaunay.weights(),
+                  [](const PeriodicMesh& mesh) { return areas_by_site(mesh, 100); });
+    EXPECT_EQ(fitted.cells.corner_vertex, joined.corner_vertex);
+    EXPECT_EQ(fitted.cells.corner_offset, joined.corner_offset);
+    EXPECT_EQ(fitted.cells.site, joined.site);
+    EXPECT_LE(fitted.largest_relative_error, 1e-10);
+    EXPECT_GT((areas_by_site(joined, 100) - areas_by_site(cells, 100)).cwiseAbs().maxCoeff(), 1e-5);
+    // The domain has its area for any weights.
+    EXPECT_NEAR(areas_by_site(fitted.cells, 100).sum(), lattice.area(), 1e-12);
+}
+
+TEST(AreaFit, CellsWithTheirAreasStayAsTheyAre) {
+    const Lattice lattice = Lattice::rectangle(2, 1);
+    const AreaCvtResult result = testing::power_cells(lattice, 30, 2, kRound, 2);
+    const PeriodicMesh cells = cell_mesh(result.delaunay);
+    const FittedCells fitted =
+        fit_areas(cells, cells, Metric(), result.delaunay.weights(),
+                  [](const PeriodicMesh& mesh) { return areas_by_site(mesh, 30); });
+    EXPECT_EQ(fitted.weights, result.delaunay.weights());
+    EXPECT_EQ(fitted.cells.vertices, cells.vertices);
+}
+
+}  // namespace
+}  // namespace pcvt
