@@ -5,8 +5,8 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/lattice/polygon.hpp"
 #include "mesher/lattice/dual_mean.hpp"
+#include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/face_images.hpp"
 #include "mesher/proof/glued_faces.hpp"
 #include "mesher/proof/law_violation.hpp"
