@@ -85,7 +85,9 @@ double require_geometry(const MpasGrid& g, const MpasRows& rows, double h) {
 double require_areas(const MpasGrid& g, const MpasRows& rows, double h) {
     std::vector<double> cells(g.area_cell.size(), 0);
     double worst = 0;
+    // W. Kahan's compensated sum: equal cells round to the same side.
     double total = 0;
+    double lost = 0;
     const auto compare = [&](double found, double stated, double unit, const std::string& what) {
         const double deviation = std::abs(found - stated) / unit;
         if (!(deviation <= kTolerance)) {
@@ -111,7 +113,10 @@ double require_areas(const MpasGrid& g, const MpasRows& rows, double h) {
     for (int i = 0; i < g.n_cells; ++i) {
         checkpoint_each(i);
         compare(cells[i], g.area_cell[i], h * h, "cell " + to_string(i));
-        total += cells[i];
+        const double term = cells[i] - lost;
+        const double next = total + term;
+        lost = (next - total) - term;
+        total = next;
     }
     compare(total, g.x_period * g.y_period, g.x_period * g.y_period, "all cells");
     return worst;

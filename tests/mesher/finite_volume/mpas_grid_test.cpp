@@ -48,6 +48,11 @@ TEST(MpasGrid, ItsLawsHoldOnRegularAndOnOptimisedCells) {
     EXPECT_GT(n_acute, 9);
 }
 
+TEST(MpasGrid, TheAreasOfManyEqualCellsSumToTheDomain) {
+    const PeriodicMesh cells = testing::hexagonal_cells(300, 300);
+    EXPECT_LT(prove_mpas_grid(mpas_grid(cells, Vec2(0, 0))).areas, 3e-13);
+}
+
 TEST(MpasGrid, PointsLieInTheDomainAtTheOrigin) {
     const MpasGrid grid = mpas_grid(testing::hexagonal_cells(6, 4), Vec2(10, -1));
     const auto inside = [](const std::vector<double>& x, double from, double period) {
