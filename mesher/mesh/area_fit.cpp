@@ -139,7 +139,8 @@ class CombinedSteps {
     static void push(Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
         const Eigen::Index kept = std::min<Eigen::Index>(columns.cols(), kRemembered - 1);
         Eigen::MatrixXd pushed(column.size(), kept + 1);
-        pushed << column, columns.leftCols(kept);
+        pushed.col(0) = column;
+        if (kept > 0) pushed.rightCols(kept) = columns.leftCols(kept);
         columns = std::move(pushed);
     }
 
