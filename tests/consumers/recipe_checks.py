@@ -49,7 +49,7 @@ def check_first_mesh(folder, text):
 def check_jobs(folder, text):
     require_files(folder, "grains.svg", "grains.csv", "job.inp", "grains.vti", "pairs.msh", "pairs.vtu",
                   "case.foam", "mesh.nc", "graded.svg", "seamless.glb", "seamless.png", "best.svg",
-                  "pattern.svg", "results/fig9.svg")
+                  "rosette.svg", "pattern.svg", "results/fig9.svg")
     require("did not" not in text, "a run did not converge")
 
 
