@@ -21,8 +21,9 @@ constexpr double kShareOfTolerance = 0.1;
 constexpr double kLinearAccuracy = 1e-4;
 /// The number of earlier steps that a step takes into account.
 constexpr int kRemembered = 12;
-/// The iteration ends after so many steps, or after so many without a lower error.
+/// The iteration ends after this number of steps.
 constexpr int kMostSteps = 100;
+/// The iteration ends after this number of steps in a row that do not lower the error.
 constexpr int kMostVainSteps = 15;
 
 Polygon polygon_of(const PeriodicMesh& mesh, int f) {

@@ -64,7 +64,7 @@ struct PlaneGroupRow {
     PlaneGroupName name;
     /// In options and reports.
     const char* word;
-    /// PCVT_SYMMETRY_... of pcvt.h.
+    /// The number of the group in interfaces, as in the other tables of choices.
     int abi_value;
     LatticeSystem system;
 };

@@ -1,6 +1,5 @@
 #include "plugin/job/job.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -66,9 +65,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
     summary.density = cells.density;
     if (cells.areas) summary.areas = area_summary(cells);
-    if (!cells.orbit.empty()) {
-        summary.n_orbits = 1 + *std::max_element(cells.orbit.begin(), cells.orbit.end());
-    }
+    summary.n_orbits = cells.n_orbits;
     summary.phases = computation.phases;
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;

@@ -185,7 +185,7 @@ struct RunSummary {
     std::optional<DensityFigures> density;
     /// Of jobs with areas.
     std::optional<AreaSummary> areas;
-    /// Of jobs with a symmetry: the orbits of sites.
+    /// Of jobs with a symmetry: the number of orbits of sites. Else 0.
     int n_orbits = 0;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;

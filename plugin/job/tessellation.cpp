@@ -37,7 +37,7 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
             .run = cvt.run,
             .counts = cvt.counts,
             .density = cvt.density,
-            .orbit = start.symmetric ? std::move(start.symmetric->orbit) : std::vector<int>()};
+            .n_orbits = start.symmetric ? static_cast<int>(start.symmetric->orbits.size()) : 0};
 }
 
 /// Of prescribed areas.

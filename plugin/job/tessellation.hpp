@@ -35,8 +35,8 @@ struct Tessellation {
     /// Of a run with areas.
     std::optional<AreaFigures> areas = {};
 
-    /// Of a run with a symmetry: the orbit of each site, from 0. Else empty.
-    std::vector<int> orbit = {};
+    /// Of a run with a symmetry: the number of orbits of sites. Else 0.
+    int n_orbits = 0;
 
     /// That of the user.
     const Lattice& lattice() const {
