@@ -69,6 +69,9 @@ Density shared_density(Function function) {
 /// that of the round space of a metric (metric.hpp): its function gets x and y on `lattice`.
 Density fixed_to_lattice(Density density, const Lattice& lattice);
 
+/// The largest lattice coordinate in [0, 1).
+inline constexpr double kBelowOne = 1 - 0x1p-53;
+
 /// Limits of a density, and of the ratio of its largest to its least value.
 inline constexpr double kLeastDensity = 1e-60;
 inline constexpr double kGreatestDensity = 1e60;
@@ -128,8 +131,6 @@ class DensityProbe {
     DensityRange take_range() { return std::exchange(range_, {}); }
 
    private:
-    static constexpr double kBelowOne = 1 - 0x1p-53;
-
     Vec2 a_;
     Vec2 b_;
     DensityFunction function_;

@@ -185,9 +185,9 @@ WallFoot wall_foot(const ExtrudedMesh& extruded, int f) {
 }
 
 /// Records which sides of the tile have a wall above them.
-class Walls {
+class SideWalls {
    public:
-    explicit Walls(const Tile& tile) : tile_(tile), built_(tile.faces.corners.size(), false) {}
+    explicit SideWalls(const Tile& tile) : tile_(tile), built_(tile.faces.corners.size(), false) {}
 
     /// @param f  the face of the wall, for the message.
     void build(int cell, int v, int w, int f) {
@@ -264,7 +264,7 @@ Tile extruded_base(const ExtrudedMesh& extruded) {
         tile.points.emplace_back(extruded.points[v].head<2>());
     read_faces(extruded, tile);
     // Match each wall with a side of a face, and read the seam.
-    Walls walls(tile);
+    SideWalls walls(tile);
     for (int f = 0; f < extruded.n_inner_faces(); ++f) {
         checkpoint_each(f);
         const WallFoot foot = wall_foot(extruded, f);

@@ -24,6 +24,8 @@ class Disc {
     bool placed(int f) const { return placed_[f]; }
     bool contains(int f, Offset at) const { return placed_[f] && placement_[f] == at; }
     const std::vector<Offset>& placement() const { return placement_; }
+    bool on_wall(int c) const { return mesh_.opposite[c] < 0; }
+    /// @pre !on_wall(c)
     int face_across(int c) const { return mesh_.corner_face[mesh_.opposite[c]]; }
     /// Returns the place of the face across c if the face of c is placed at `at`.
     Offset offset_across(int c, Offset at) const { return at + mesh_.frame_across(c); }
@@ -40,39 +42,56 @@ class Disc {
             f, [&](int c) { return across_in_disc(c, at); },
             [&](int c) { return star_of(c, at).in_disc > 0; });
     }
-    /// Whether the disc stays a disc without face f: its boundary must run along one path of f's
-    /// edges and touch f nowhere else.
+    /// Whether the disc stays a disc without face f: its boundary, of which walls are part, must
+    /// run along one path of f's edges and touch f nowhere else.
     bool can_remove(int f) const {
         const Offset at = placement_[f];
         return is_one_path(
             f, [&](int c) { return !across_in_disc(c, at); },
             [&](int c) {
                 const Star star = star_of(c, at);
-                return star.in_disc < star.others;
+                return star.in_disc < star.others || star.at_wall;
             });
     }
 
    private:
     std::size_t faces() const { return static_cast<std::size_t>(mesh_.n_faces()); }
     bool across_in_disc(int c, Offset at) const {
-        return contains(face_across(c), offset_across(c, at));
+        return !on_wall(c) && contains(face_across(c), offset_across(c, at));
     }
 
     /// Counts of the faces around a corner, without the face of the corner itself.
     struct Star {
         int others = 0;
         int in_disc = 0;
+        bool at_wall = false;
     };
     Star star_of(int c, Offset at) const {
         Star star;
+        const auto count = [&](int corner, Offset there) {
+            ++star.others;
+            star.in_disc += contains(mesh_.corner_face[corner], there);
+        };
+        // Clockwise.
         int turning = c;
-        for (;;) {
-            at = offset_across(turning, at);
+        Offset there = at;
+        while (!on_wall(turning)) {
+            there = offset_across(turning, there);
             turning = mesh_.next(mesh_.opposite[turning]);
             if (turning == c) return star;
-            ++star.others;
-            star.in_disc += contains(mesh_.corner_face[turning], at);
+            count(turning, there);
         }
+        // At a wall the other faces follow counter-clockwise.
+        star.at_wall = true;
+        turning = c;
+        there = at;
+        for (int before = mesh_.previous(turning); !on_wall(before);
+             before = mesh_.previous(turning)) {
+            there = offset_across(before, there);
+            turning = mesh_.opposite[before];
+            count(turning, there);
+        }
+        return star;
     }
 
     /// Whether the marked edges of face f form one path and the marked corners are exactly the
@@ -193,6 +212,7 @@ void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
         disc.place(f, at);
         ++n_placed;
         for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+            if (disc.on_wall(c)) continue;
             const int g = disc.face_across(c);
             const Offset there = disc.offset_across(c, at);
             if (!disc.placed(g)) queue.push(g, there);

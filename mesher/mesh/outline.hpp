@@ -18,6 +18,7 @@ enum class Outline { kWhole, kBox };
 /// The union of the placed faces is a disc, and no face is cut. A face is placed so that its
 /// centroid lies in the Domain at `origin` (mesher/lattice/domain.hpp). A face whose place there
 /// would pinch or disconnect the disc takes the nearest place where it does not.
+/// @param mesh  its edges on walls, if any, have the opposite -1.
 std::vector<Offset> whole_outline(const PeriodicMesh& mesh, const Vec2& origin);
 
 }  // namespace pcvt

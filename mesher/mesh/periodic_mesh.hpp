@@ -27,7 +27,8 @@ struct PeriodicMesh {
     std::vector<int> corner_vertex = {};
     std::vector<Offset> corner_offset = {};
     std::vector<int> corner_face = {};
-    /// The halfedge on the other side of the edge; an involution without fixed points.
+    /// The halfedge on the other side of the edge; an involution without fixed points. In a mesh
+    /// between walls (walled_mesh.hpp) -1 on walls; other functions take meshes of the torus.
     std::vector<int> opposite = {};
     /// The site of each face for cells and grains; the site of each vertex for Delaunay triangles.
     std::vector<SiteId> site = {};
@@ -46,6 +47,11 @@ struct PeriodicMesh {
     int next(int c) const {
         const int f = corner_face[c];
         return c + 1 == face_begin[f + 1] ? face_begin[f] : c + 1;
+    }
+    /// Returns the corner before c on its face.
+    int previous(int c) const {
+        const int f = corner_face[c];
+        return c == face_begin[f] ? face_begin[f + 1] - 1 : c - 1;
     }
     /// Returns the position of corner c in the frame of its face.
     Vec2 point(int c) const {

@@ -1,6 +1,8 @@
 #include "mesher/mesh/short_edges.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
@@ -23,15 +25,23 @@ struct MeshCorner {
 /// vertex.
 class Shrinking {
    public:
-    explicit Shrinking(const PeriodicMesh& mesh)
+    /// @param domain  nullptr: the mesh is that of a torus.
+    explicit Shrinking(const PeriodicMesh& mesh, const WalledDomain* domain = nullptr)
         : mesh_(mesh),
           joined_(mesh.n_vertices()),
           position_(mesh.vertices),
-          corners_at_(mesh.vertices.size()) {
-        for (int c = 0; c < mesh.n_corners(); ++c) corners_at_[mesh.corner_vertex[c]].push_back(c);
-        for (const std::vector<int>& corners : corners_at_) {
-            weight_.push_back(static_cast<int>(corners.size()) - 2);
+          corners_at_(mesh.vertices.size()),
+          walls_(mesh.vertices.size()) {
+        for (int c = 0; c < mesh.n_corners(); ++c) {
+            corners_at_[mesh.corner_vertex[c]].push_back(c);
+            if (mesh.opposite[c] >= 0) continue;
+            const WallSide side = wall_side_of(mesh, c, *domain);
+            for (const int end : {c, mesh.next(c)}) {
+                walls_[mesh.corner_vertex[end]][wall_side_row(side).axis] =
+                    wall_line(side, domain->lattice);
+            }
         }
+        for (int v = 0; v < mesh.n_vertices(); ++v) weight_.push_back(weight_of(v));
     }
 
     MeshCorner corner(int c) {
@@ -63,15 +73,40 @@ class Shrinking {
     bool shrink(int c) {
         const MeshCorner from = corner(c);
         const MeshCorner to = corner(mesh_.next(c));
-        const Vec2 middle = (weight_[from.vertex] * point(from) + weight_[to.vertex] * point(to)) /
-                            (weight_[from.vertex] + weight_[to.vertex]);
+        const std::optional<Pinned> pinned = united(walls_[from.vertex], walls_[to.vertex]);
+        const int weight = weight_[from.vertex] + weight_[to.vertex];
+        // The middle of a cell whose site lies in a corner of walls is no corner of the cell.
+        const bool is_site = weight_[from.vertex] < 0 || weight_[to.vertex] < 0;
+        if (!pinned || weight == 0 || is_site) return false;
+        Vec2 middle =
+            (weight_[from.vertex] * point(from) + weight_[to.vertex] * point(to)) / weight;
+        for (int axis = 0; axis < 2; ++axis) {
+            if ((*pinned)[axis]) middle[axis] = *(*pinned)[axis];
+        }
         for (const int v : {from.vertex, to.vertex}) {
             for (const int d : corners_at_[v]) {
                 if (!survives(mesh_.corner_face[d], from, to, middle)) return false;
             }
         }
         join(from, to, middle);
+        walls_[corner(c).vertex] = *pinned;
         return true;
+    }
+
+    /// Moves the places where edges between cells of sites on walls cross the walls to where these
+    /// edges, whose other ends may have moved, cross them now: at right angles.
+    void straighten_crossings() {
+        for (int c = 0; c < mesh_.n_corners(); ++c) {
+            checkpoint_each(c);
+            if (mesh_.opposite[c] < 0) continue;
+            const MeshCorner at = corner(c);
+            const MeshCorner end = corner(mesh_.next(c));
+            const Pinned& wall = walls_[at.vertex];
+            if (weight_[at.vertex] != 0 || weight_[end.vertex] == 0) continue;
+            const int along = wall[0] ? 1 : 0;
+            position_[at.vertex][along] =
+                (point(end) - mesh_.lattice.translation(at.offset))[along];
+        }
     }
 
     PeriodicMesh result() {
@@ -93,11 +128,42 @@ class Shrinking {
             }
             mesh.face_begin.push_back(mesh.n_corners());
         }
-        link_faces(mesh);
         return mesh;
     }
 
    private:
+    /// For each axis the place of the wall on which a vertex lies.
+    using Pinned = std::array<std::optional<double>, 2>;
+
+    /// `nullopt` for vertices on opposite walls.
+    static std::optional<Pinned> united(const Pinned& first, const Pinned& second) {
+        Pinned both = first;
+        for (int axis = 0; axis < 2; ++axis) {
+            if (both[axis] && second[axis] && *both[axis] != *second[axis]) return std::nullopt;
+            if (!both[axis]) both[axis] = second[axis];
+        }
+        return both;
+    }
+
+    /// The number of Delaunay triangles whose circumcentres lie at a vertex: two less than that of
+    /// its cells. On a wall the cells of the images count too, and the vertex has a half of the
+    /// triangles, in a corner of walls a quarter. In quarters of a triangle.
+    int weight_of(int v) const {
+        int n_cells = 0;
+        int n_images = 1;
+        for (int axis = 0; axis < 2; ++axis) n_images *= walls_[v][axis] ? 2 : 1;
+        for (const int c : corners_at_[v]) {
+            int n = 1;
+            for (int axis = 0; axis < 2; ++axis) {
+                const auto& wall = walls_[v][axis];
+                // A cell whose site lies on the wall is its own image.
+                if (wall && mesh_.site_points[mesh_.corner_face[c]][axis] != *wall) n *= 2;
+            }
+            n_cells += n;
+        }
+        return 4 * (n_cells - 2) / n_images;
+    }
+
     /// Whether face f remains a polygon when `to` joins `from` at the position `middle`; all three
     /// are in the same frame.
     bool survives(int f, const MeshCorner& from, const MeshCorner& to, const Vec2& middle) {
@@ -146,8 +212,9 @@ class Shrinking {
     /// The position of each root.
     std::vector<Vec2> position_;
     std::vector<std::vector<int>> corners_at_;
-    /// The number of Delaunay triangles whose circumcentres were joined to each root: two less than
-    /// that of its cells.
+    /// Of each root.
+    std::vector<Pinned> walls_;
+    /// The sum of weight_of() over the vertices that were joined to each root.
     std::vector<int> weight_;
 };
 
@@ -156,7 +223,8 @@ std::vector<int> short_halfedges(const PeriodicMesh& cells, Shrinking& shrinking
     std::vector<std::tuple<double, int>> found;
     for (int c = 0; c < cells.n_corners(); ++c) {
         checkpoint_each(c);
-        if (cells.opposite[c] < c || !shrinking.joins_orbits(c)) continue;
+        const bool is_second_side = cells.opposite[c] >= 0 && cells.opposite[c] < c;
+        if (is_second_side || !shrinking.joins_orbits(c)) continue;
         const double length = shrinking.length(c);
         if (length < shortest) found.emplace_back(length, c);
     }
@@ -166,10 +234,7 @@ std::vector<int> short_halfedges(const PeriodicMesh& cells, Shrinking& shrinking
     return halfedges;
 }
 
-}  // namespace
-
-PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest) {
-    Shrinking shrinking(cells);
+PeriodicMesh shrunk(const PeriodicMesh& cells, Shrinking shrinking, double shortest) {
     for (bool changed = true; changed;) {
         changed = false;
         for (const int c : short_halfedges(cells, shrinking, shortest)) {
@@ -179,7 +244,21 @@ PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest) {
             changed = shrinking.shrink(c) || changed;
         }
     }
+    shrinking.straighten_crossings();
     return shrinking.result();
+}
+
+}  // namespace
+
+PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest) {
+    PeriodicMesh result = shrunk(cells, Shrinking(cells), shortest);
+    link_faces(result);
+    return result;
+}
+
+PeriodicMesh without_short_edges(const PeriodicMesh& between, double shortest,
+                                 const WalledDomain& domain) {
+    return shrunk(between, Shrinking(between, &domain), shortest);
 }
 
 }  // namespace pcvt

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/mesh/periodic_mesh.hpp"
+#include "mesher/mesh/walled_mesh.hpp"
 
 namespace pcvt {
 
@@ -24,5 +24,11 @@ namespace pcvt {
 /// @param cells     whole cells (`kVoronoi`).
 /// @param shortest  length units; 0 leaves the mesh as it is.
 PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest);
+
+/// The same for a mesh between walls (mesh_between_walls()), as if its mirror images lost the same
+/// edges at the same time: vertices on walls stay there. The `opposite` of the result is empty.
+/// @param between  whole cells, or halves of cells whose sites lie on walls.
+PeriodicMesh without_short_edges(const PeriodicMesh& between, double shortest,
+                                 const WalledDomain& domain);
 
 }  // namespace pcvt

@@ -54,12 +54,18 @@ class FaceImageSearch {
         return sum / faces_.size(f);
     }
 
+    /// Whether a translation leads from a cell's half at a wall to the half beyond the wall; also
+    /// (0, 0).
+    bool is_cut_only_by_walls(Offset across) const {
+        return (across.i == 0 || has_walls_across(options_.walls, 0)) &&
+               (across.j == 0 || has_walls_across(options_.walls, 1));
+    }
     /// Joins the faces of each site across the edges between them. A whole cell has no seam inside.
     void join_faces() {
         OffsetDisjointSets joined(faces_.n_faces());
         const auto within = [&](int h) {
             return faces_.opposite[h] > h && site(faces_.face_of[h]) == site(face_across(h)) &&
-                   (options_.is_box || !faces_.on_seam(h));
+                   (options_.is_box || is_cut_only_by_walls(faces_.across[h]));
         };
         for (int h = 0; h < faces_.n_halfedges(); ++h) {
             checkpoint_each(h);

@@ -20,6 +20,8 @@ struct FaceImageOptions {
     bool is_box;
     /// The largest distance of corners beyond the bisector of two images of a site, length units.
     double reach;
+    /// The walls at which cells may be cut, besides a box.
+    Walls walls = Walls::kNone;
 };
 
 /// Finds the cell of each face, as prove_moved_cells() describes it.

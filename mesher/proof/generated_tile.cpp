@@ -36,6 +36,7 @@ TileProof verify_generated_tile(const Tile& tile) {
         TileProof proof = prove_tile(tile, Precision::kDouble);
         compare_vertex_pairs(tile, proof);
         compare_edge_pairs(tile, proof);
+        compare_wall_edges(tile, proof);
         prove_sites(tile, proof);
         return proof;
     } catch (const NotATile& error) {

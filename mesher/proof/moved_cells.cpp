@@ -72,7 +72,8 @@ class MovedCells {
     FaceImages prove() {
         is_box_ = has_box_outline();
         const double reach = kMostCells * moves_.removed + skew_ * moves_.snap;
-        found_ = find_face_images(tile_, faces_, images_, {.is_box = is_box_, .reach = reach});
+        found_ = find_face_images(tile_, faces_, images_,
+                                  {.is_box = is_box_, .reach = reach, .walls = moves_.walls});
         require_corners();
         // Only a file of single precision holds faces without area, which have no cell.
         FaceImages result{std::vector<Offset>(static_cast<std::size_t>(tile_.n_faces())),

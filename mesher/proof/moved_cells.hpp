@@ -21,6 +21,8 @@ struct CornerMoves {
     double removed;
     /// Corners of grains nearer to the box than this lie on it.
     double snap;
+    /// Of a tile with its mirror images: the walls at which cells may be cut.
+    Walls walls = Walls::kNone;
 };
 
 /// Proves laws (4) and (7) to (9) of prove_sites() for cells and grains whose corners were moved,

@@ -9,7 +9,9 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/site_images.hpp"
+#include "mesher/proof/validate_walls.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
+#include "mesher/tile/mirrored_tile.hpp"
 #include "mesher/tile/round_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
 
@@ -239,7 +241,9 @@ double translation_rounding(const Lattice& lattice) {
 
 /// Proves a tile in its round space.
 /// @param stretch  by which lengths of the file may have grown in the tile.
-FaceImages prove_round_sites(const Tile& tile, const TileProof& proof, double stretch) {
+/// @param walls    those whose mirror images the tile contains.
+FaceImages prove_round_sites(const Tile& tile, const TileProof& proof, double stretch,
+                             Walls walls = Walls::kNone) {
     if (tile.sites().empty()) return {};
     const int n_sites = require_all_ids(tile);
     const bool owned = faces_have_sites(tile.kind);
@@ -261,7 +265,7 @@ FaceImages prove_round_sites(const Tile& tile, const TileProof& proof, double st
         const double removed =
             is_grains ? std::max(kRemovedFromGrains, tile.short_edges) : tile.short_edges;
         return prove_moved_cells(tile, proof, images,
-                                 {removed * h, (is_grains ? kSnappedGrains : 0) * h});
+                                 {removed * h, (is_grains ? kSnappedGrains : 0) * h, walls});
     }
     if (owned) {
         Equidistance(tile, proof, images, images_of_faces(tile, images)).require();
@@ -274,6 +278,14 @@ FaceImages prove_round_sites(const Tile& tile, const TileProof& proof, double st
 }  // namespace
 
 FaceImages prove_sites(const Tile& tile, const TileProof& proof) {
+    if (tile.walls != Walls::kNone) {
+        const Tile torus = mirrored_tile(with_exact_walls(tile, proof.tolerance));
+        FaceImages images =
+            prove_round_sites(torus, prove_cover(torus, proof.precision), 1, tile.walls);
+        const auto n_faces = static_cast<std::size_t>(tile.n_faces());
+        if (images.of_face.size() > n_faces) images.of_face.resize(n_faces);
+        return images;
+    }
     if (tile.metric.is_round()) return prove_round_sites(tile, proof, 1);
     const double stretch = tile.metric.largest_stretch();
     TileProof round = proof;

@@ -40,6 +40,8 @@ namespace pcvt {
 /// With weights (Tile::site_weights), "equally far" means an equal power distance |p - x|^2 - w;
 /// distances are those of Tile::metric.
 ///
+/// For a tile with walls these are laws of the tile together with its mirror images.
+///
 /// By (4) to (9), two ids that are exchanged are found, and a site that moves. Distances are
 /// compared within 1e-7 h + 8 proof.tolerance, h = sqrt(area / number of cells). Cost: O(n).
 /// @returns the cell of each face if corners were moved; else an empty result, which is clear.

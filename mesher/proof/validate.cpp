@@ -9,7 +9,9 @@
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/glued_faces.hpp"
 #include "mesher/proof/law_violation.hpp"
+#include "mesher/proof/validate_walls.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
+#include "mesher/tile/mirrored_tile.hpp"
 
 namespace pcvt {
 namespace {
@@ -20,20 +22,6 @@ const char* const kFaceLaw = "(1), faces";
 const char* const kDiscLaw = "(3), disc";
 const char* const kTorusLaw = "(4), torus";
 const char* const kAreaLaw = "(5), areas";
-
-/// Bounds the rounding errors of the representative, of the period and of their sum, in ulps.
-constexpr double kUlps = 4;
-
-/// 4 ulps of the largest coordinate.
-double position_tolerance(const Tile& tile, Precision precision) {
-    double largest = 0;
-    for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    const int digits = precision == Precision::kDouble ? std::numeric_limits<double>::digits
-                                                       : std::numeric_limits<float>::digits;
-    return kUlps * std::ldexp(1.0, exponent - digits);
-}
 
 void require_arrays(const Tile& tile) {
     if (tile.faces.begin.size() < 2) throw_violation(kFaceLaw, "the tile has no face");
@@ -266,35 +254,74 @@ void collect_edges(const GluedFaces& faces, TileProof& proof) {
     std::sort(proof.edge_pairs.begin(), proof.edge_pairs.end());
 }
 
-}  // namespace
-
-TileProof prove_tile(const Tile& tile, Precision precision) {
-    // Check the arrays.
+/// Checks the arrays.
+void require_sound(const Tile& tile) {
     require_arrays(tile);
     require_known_vertices(tile);
     require_true_copies(tile);
-    // Find the orbits and glue the faces (laws 1 and 2).
-    TileProof proof{};
+}
+
+/// Finds the orbits and glues the faces (laws 1 and 2).
+/// @param tile  require_sound(); without walls.
+Gluing glued(const Tile& tile, Precision precision) {
+    Gluing gluing;
+    TileProof& proof = gluing.proof;
+    proof.precision = precision;
     proof.tolerance = position_tolerance(tile, precision);
     const VertexOrbits orbits =
         find_vertex_orbits(tile.lattice, tile.points, proof.tolerance, tile.copies);
     if (precision == Precision::kDouble) require_distinct_vertices(tile, orbits);
     require_vertices_in_use(tile, orbits);
-    const GluedFaces faces = glue_faces(tile, orbits, precision);
-    proof.n_faces = faces.n_faces();
-    collect_vertices(orbits, faces, proof);
-    collect_edges(faces, proof);
-    proof.area = require_simple_faces(tile, faces, precision, proof.tolerance);
-    // Prove the disc, the torus and the area (laws 3 to 5).
+    gluing.faces = glue_faces(tile, orbits, precision);
+    proof.n_faces = gluing.faces.n_faces();
+    collect_vertices(orbits, gluing.faces, proof);
+    collect_edges(gluing.faces, proof);
+    proof.area = require_simple_faces(tile, gluing.faces, precision, proof.tolerance);
+    return gluing;
+}
+
+/// Law (3).
+void require_disc(const Tile& tile, const Gluing& gluing) {
+    const auto& [proof, faces] = gluing;
     require_single_fans(tile, faces);
     require_connected(faces);
     require_one_loop(tile, faces);
-    const int n_seam = proof.n_boundary_edges;
-    const int n_edges = (faces.n_halfedges() + n_seam) / 2;
+    const int n_edges = (faces.n_halfedges() + proof.n_boundary_edges) / 2;
     require_euler(kDiscLaw, proof.n_vertices, n_edges, proof.n_faces, 1);
-    require_euler(kTorusLaw, proof.n_orbits, n_edges - n_seam / 2, proof.n_faces, 0);
+}
+
+/// Laws (4) and (5).
+void require_torus(const Tile& tile, const Gluing& gluing) {
+    const auto& [proof, faces] = gluing;
+    const int n_edges = faces.n_halfedges() / 2;
+    require_euler(kTorusLaw, proof.n_orbits, n_edges, proof.n_faces, 0);
     require_area(tile, faces, proof);
-    return proof;
+}
+
+}  // namespace
+
+TileProof prove_cover(const Tile& tile, Precision precision) {
+    require_sound(tile);
+    Gluing gluing = glued(tile, precision);
+    require_torus(tile, gluing);
+    return std::move(gluing.proof);
+}
+
+TileProof prove_tile(const Tile& tile, Precision precision) {
+    require_sound(tile);
+    if (tile.walls == Walls::kNone) {
+        Gluing gluing = glued(tile, precision);
+        require_disc(tile, gluing);
+        require_torus(tile, gluing);
+        return std::move(gluing.proof);
+    }
+    require_between_walls(tile, precision);
+    const Tile torus = mirrored_tile(with_exact_walls(tile, position_tolerance(tile, precision)));
+    const Gluing whole = glued(torus, precision);
+    Gluing part = part_of_tile(tile, whole);
+    require_disc(tile, part);
+    require_torus(torus, whole);
+    return std::move(part.proof);
 }
 
 }  // namespace pcvt

@@ -32,6 +32,9 @@ struct TileProof {
     /// Sorted; each pair is stored from the side with the positive offset (i, j):
     /// i > 0, or i = 0 and j > 0.
     std::vector<EdgePair> edge_pairs;
+    /// Sorted, as Tile::wall_edges.
+    std::vector<WallEdge> wall_edges;
+    Precision precision;
 };
 
 /// Proves that `tile` is a tile of its lattice, from positions, faces and lattice alone; the stored
@@ -49,6 +52,13 @@ struct TileProof {
 ///   (3) The tile is a disc: one boundary loop, one fan of faces around each vertex, V - E + F = 1.
 ///   (4) V - E + F = 0 after gluing.
 ///   (5) The areas of the faces sum to the area of the fundamental domain.
+///   (6) The vertices of a tile with walls lie between them, or on them: to the last bit in double
+///       precision.
+///
+/// For a tile with walls, laws (2), (4) and (5) are those of the tile together with its mirror
+/// images (mirrored_tile.hpp), and law (3) is that of the tile. An edge whose partner belongs to an
+/// image is a wall edge. The walls are therefore straight and complete, and the tile is an annulus
+/// after gluing, or with four walls a disc.
 ///
 /// Together the laws prove that the faces cover the torus exactly once: by (1) to (4) the glued
 /// faces cover every point equally often, and by (5) once.
@@ -68,6 +78,13 @@ TileProof prove_tile(const Tile& tile, Precision precision);
 /// @throws NotATile naming the first stored pair that is wrong, or the first that is missing.
 void compare_vertex_pairs(const Tile& tile, const TileProof& proof);
 void compare_edge_pairs(const Tile& tile, const TileProof& proof);
+
+/// Compares the stored edges on walls with the proven ones.
+/// @throws NotATile naming the first one that is wrong or missing.
+void compare_wall_edges(const Tile& tile, const TileProof& proof);
+
+/// Proves laws (1), (2), (4) and (5) of a tile without walls; its faces need not form a disc.
+TileProof prove_cover(const Tile& tile, Precision precision);
 
 /// For cells, proves that each cell is the Voronoi cell of its own centroid among all images of all
 /// centroids, so the tile is a centroidal Voronoi tessellation: every cell is convex, and every

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/proven_faces.hpp"
 #include "mesher/proof/site_images.hpp"
+#include "mesher/proof/validate_walls.hpp"
+#include "mesher/tile/mirrored_tile.hpp"
 #include "mesher/tile/round_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
 
@@ -152,6 +155,34 @@ CentroidFunction in_round_space(const CentroidFunction& centroid, const Metric& 
     };
 }
 
+/// The centroid of a cell beyond a wall: the mirror image of that of its image in the domain.
+CentroidFunction of_mirror_images(const CentroidFunction& centroid, Walls walls) {
+    return [&centroid, walls](Polygon polygon) {
+        const Vec2 sum = std::accumulate(polygon.begin(), polygon.end(), Vec2(0, 0));
+        Vec2 signs(1, 1);
+        for (int axis = 0; axis < 2; ++axis) {
+            if (has_walls_across(walls, axis) && sum[axis] < 0) signs[axis] = -1;
+        }
+        for (Vec2& p : polygon) p = p.cwiseProduct(signs);
+        if (signs.prod() < 0) std::reverse(polygon.begin(), polygon.end());
+        return Vec2(centroid(polygon).cwiseProduct(signs));
+    };
+}
+
+/// Refuses cells whose sites lie on walls.
+/// @param torus  the tile with its mirror images.
+void require_whole_cells(const Tile& tile, const Tile& torus) {
+    if (tile.kind != MeshKind::kVoronoi) return;
+    const auto n_ids = [](const std::vector<SiteId>& sites) {
+        return sites.empty() ? 0 : 1 + *std::max_element(sites.begin(), sites.end());
+    };
+    const int n_images = tile.walls == Walls::kXY ? 4 : 2;
+    if (n_ids(torus.face_site) == n_images * n_ids(tile.face_site)) return;
+    throw InvalidInput(
+        "cells whose sites lie on walls are cut there; ask for the Voronoi property of a tile of "
+        "whole cells");
+}
+
 void require_triangles(const ProvenFaces& faces) {
     const GluedFaces& glued = faces.glued();
     for (int f = 0; f < glued.n_faces(); ++f) {
@@ -171,6 +202,12 @@ double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance,
         throw InvalidInput(
             "grains are neither Voronoi cells nor Delaunay triangles; ask for the "
             "Voronoi property of a tile of cells");
+    }
+    if (tile.walls != Walls::kNone) {
+        const Tile torus = mirrored_tile(with_exact_walls(tile, proof.tolerance));
+        require_whole_cells(tile, torus);
+        return prove_voronoi(torus, prove_cover(torus, proof.precision), tolerance,
+                             of_mirror_images(centroid, tile.walls));
     }
     if (!tile.metric.is_round()) {
         return prove_voronoi(round_tile(tile), proof, tolerance,

@@ -76,4 +76,25 @@ Density folded_density(const Density& density, const PlaneGroup& group) {
     return folded;
 }
 
+Density mirrored_density(const Density& density, Walls walls) {
+    const std::array scale{has_walls_across(walls, 0) ? 2.0 : 1.0,
+                           has_walls_across(walls, 1) ? 2.0 : 1.0};
+    Density mirrored = density;
+    mirrored.pixels = nullptr;
+    mirrored.make_function = [make = density.make_function, scale]() -> DensityFunction {
+        return [function = make(), scale, moved = std::vector<DensityPoint>()](
+                   std::span<const DensityPoint> points, std::span<double> rho) mutable {
+            moved.assign(points.begin(), points.end());
+            for (DensityPoint& p : moved) {
+                p.u = std::min(scale[0] * p.u, kBelowOne);
+                p.v = std::min(scale[1] * p.v, kBelowOne);
+            }
+            function(moved, rho);
+        };
+    };
+    for (double& u : mirrored.u_breaks) u /= scale[0];
+    for (double& v : mirrored.v_breaks) v /= scale[1];
+    return mirrored;
+}
+
 }  // namespace pcvt

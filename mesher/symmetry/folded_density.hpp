@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesher/density/density.hpp"
+#include "mesher/lattice/walls.hpp"
 #include "mesher/symmetry/plane_group.hpp"
 
 namespace pcvt {
@@ -18,6 +19,10 @@ namespace pcvt {
 /// and at the images of the break lines. The cells of the picture of a density become ordinary
 /// ones.
 Density folded_density(const Density& density, const PlaneGroup& group);
+
+/// The density of a domain between walls in the coordinates of mirrored_lattice(). It is defined
+/// between the walls; folded_density() mirrors it.
+Density mirrored_density(const Density& density, Walls walls);
 
 /// The image of a point that `folded_density` evaluates: coordinates in the given basis.
 Vec2 folded_point(const PlaneGroup& group, const Vec2& u);

@@ -242,9 +242,7 @@ SymmetricSites orbits_of(const PlaneGroup& group, const Points& representatives)
     return orbits.build();
 }
 
-SymmetricSites numbered_by_columns(const SymmetricSites& sites) {
-    const std::vector<SiteId> order =
-        spatial_sort(sites.sites.coordinates(), gram_of(sites.group.reduction().reduced)).order;
+SymmetricSites renumbered(const SymmetricSites& sites, const std::vector<SiteId>& order) {
     const auto n = order.size();
     std::vector<SiteId> number(n);
     Points coordinates(2, static_cast<Eigen::Index>(n));
@@ -261,9 +259,14 @@ SymmetricSites numbered_by_columns(const SymmetricSites& sites) {
         ties[k] = sites.ties[order[k]];
         ties[k].representative = number[ties[k].representative];
     }
-    Sites renumbered(sites.group.lattice(), sites.group.reduction(), std::move(coordinates));
-    return {sites.group, std::move(renumbered), std::move(orbit), std::move(orbits),
-            std::move(ties)};
+    Sites same(sites.group.lattice(), sites.group.reduction(), std::move(coordinates));
+    return {sites.group, std::move(same), std::move(orbit), std::move(orbits), std::move(ties)};
+}
+
+SymmetricSites numbered_by_columns(const SymmetricSites& sites) {
+    return renumbered(
+        sites,
+        spatial_sort(sites.sites.coordinates(), gram_of(sites.group.reduction().reduced)).order);
 }
 
 }  // namespace pcvt

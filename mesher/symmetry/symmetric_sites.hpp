@@ -55,6 +55,10 @@ SymmetricSites random_sites(const PlaneGroup& group, const OrbitPlan& plan, std:
 /// @throws DuplicateSites if two points coincide or are images of each other.
 SymmetricSites orbits_of(const PlaneGroup& group, const Points& representatives);
 
+/// The same sites in another order.
+/// @param order  a permutation of the ids: site k of the result is site order[k].
+SymmetricSites renumbered(const SymmetricSites& sites, const std::vector<SiteId>& order);
+
 /// The same sites numbered by columns (Numbering::kByColumns).
 SymmetricSites numbered_by_columns(const SymmetricSites& sites);
 

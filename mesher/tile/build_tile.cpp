@@ -35,6 +35,11 @@ struct LaidOut {
     std::vector<Offset> placement;
     /// Of grains, as Tile::grain_site_points.
     std::vector<Vec2> grain_site_points = {};
+    /// With walls: the offset at which each face lies between the walls; no offset for the mirror
+    /// images, whose placement and points mean nothing.
+    std::vector<std::optional<Offset>> between_walls = {};
+
+    bool is_placed(int f) const { return between_walls.empty() || between_walls[f].has_value(); }
 };
 
 /// How far the outline moves vertices, length units.
@@ -59,6 +64,64 @@ LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, const Vec2& corne
     return {std::move(box.pieces), std::move(placement)};
 }
 
+/// The domain of the tile: columns x rows domains between walls.
+WalledDomain walled_domain(const TileOptions& options) {
+    return options.walled->repeated(options.columns, options.rows);
+}
+
+/// The entries of the faces between walls.
+std::vector<Offset> placed_only(const LaidOut& laid_out) {
+    std::vector<Offset> placement;
+    for (int f = 0; f < laid_out.mesh.n_faces(); ++f) {
+        if (laid_out.is_placed(f)) placement.push_back(laid_out.placement[f]);
+    }
+    return placement;
+}
+
+/// The box outline cuts the torus along the periodic direction only: across walls it runs through
+/// the middle of the mirror images.
+LaidOut lay_out_between_walls(const TileOptions& options, PeriodicMesh mesh, double h,
+                              TileFigures& figures) {
+    const WalledDomain domain = walled_domain(options);
+    figures.domain_corner = options.origin;
+    figures.opposite_corner = options.origin + domain.lattice.a() + domain.lattice.b();
+    const bool cuts = options.outline == Outline::kBox && domain.walls != Walls::kXY;
+    if (cuts) {
+        Vec2 corner = options.origin;
+        const int axis = domain.walls == Walls::kX ? 0 : 1;
+        corner[axis] = -side_length(domain.lattice, axis) / 2;
+        BoxCut box = cut_along_box(mesh, corner, snap_distance(options, h));
+        figures.box_shortest_edge = box.shortest_edge / h;
+        mesh = std::move(box.pieces);
+    }
+    LaidOut laid_out{std::move(mesh), {}};
+    laid_out.between_walls = places_between_walls(laid_out.mesh, domain);
+    move_onto_walls(laid_out.mesh, laid_out.between_walls, domain);
+    laid_out.placement.resize(laid_out.between_walls.size());
+    if (cuts) return laid_out;
+    const PeriodicMesh between = mesh_between_walls(laid_out.mesh, laid_out.between_walls, domain);
+    const std::vector<Offset> placement = whole_outline(between, options.origin);
+    auto next = placement.begin();
+    for (std::size_t f = 0; f < laid_out.placement.size(); ++f) {
+        if (laid_out.between_walls[f]) laid_out.placement[f] = *next++;
+    }
+    return laid_out;
+}
+
+/// The tile of faces that are laid out.
+Tile tile_of(const TileOptions& options, const LaidOut& laid_out) {
+    if (!options.walled) return make_tile(laid_out.mesh, laid_out.placement);
+    const WalledDomain domain = walled_domain(options);
+    const PeriodicMesh between = mesh_between_walls(laid_out.mesh, laid_out.between_walls, domain);
+    return make_walled_tile(between, placed_only(laid_out), domain);
+}
+
+/// The translation of a face that has a place.
+Vec2 translation_of(const LaidOut& laid_out, int f) {
+    const Offset between = laid_out.between_walls.empty() ? Offset{} : *laid_out.between_walls[f];
+    return laid_out.mesh.lattice.translation(laid_out.placement[f] + between);
+}
+
 LaidOut mesh_cells(const TileOptions& options, const LaidOut& cells, double h,
                    TileFigures& figures) {
     const double size = options.grain_size > 0 ? options.grain_size : kUsualGrainSize * h;
@@ -68,18 +131,22 @@ LaidOut mesh_cells(const TileOptions& options, const LaidOut& cells, double h,
     Grains grains = options.grain_per_edge > 0
                         ? mesh_grains_per_edge(cells.mesh, options.grain_per_edge, progress)
                         : mesh_grains(cells.mesh, size, progress);
-    figures.grains = {grains.triangles.n_faces(), grains.smallest_angle, {}};
+    figures.grains = {0, grains.smallest_angle, {}};
     for (const NamedCorner& corner : grains.named_corners) {
         const int f = cells.mesh.corner_face[corner.corner];
-        const Vec2 p =
-            cells.mesh.point(corner.corner) + cells.mesh.lattice.translation(cells.placement[f]);
+        if (!cells.is_placed(f)) continue;
+        const Vec2 p = cells.mesh.point(corner.corner) + translation_of(cells, f);
         figures.grains->sharp_corners.push_back({cells.mesh.site[f], p, corner.angle});
     }
     LaidOut laid_out{std::move(grains.triangles), {}};
     for (const int f : grains.cell) {
         laid_out.placement.push_back(cells.placement[f]);
-        laid_out.grain_site_points.push_back(cells.mesh.site_points[f] +
-                                             cells.mesh.lattice.translation(cells.placement[f]));
+        if (!cells.between_walls.empty()) {
+            laid_out.between_walls.push_back(cells.between_walls[f]);
+        }
+        if (!cells.is_placed(f)) continue;
+        ++figures.grains->n_triangles;
+        laid_out.grain_site_points.push_back(cells.mesh.site_points[f] + translation_of(cells, f));
     }
     return laid_out;
 }
@@ -117,11 +184,11 @@ Vec2 corner_of_domain(const TileOptions& options, const PeriodicMesh& mesh) {
 
 /// The cells or triangles of columns x rows domains, without short edges.
 struct TorusMesh {
-    PeriodicMesh mesh;
+    PeriodicMesh mesh{.lattice = Lattice::rectangle(1, 1), .kind = MeshKind::kVoronoi};
     /// The corner of the domain.
-    Vec2 corner;
+    Vec2 corner = Vec2::Zero();
     /// Empty without weights.
-    Eigen::VectorXd weights;
+    Eigen::VectorXd weights = {};
 };
 
 TorusMesh torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) {
@@ -129,6 +196,22 @@ TorusMesh torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) 
         without_shortest(repeated(std::move(domain), options.columns, options.rows), options, h);
     const Vec2 corner = corner_of_domain(options, mesh);
     return {std::move(mesh), corner, {}};
+}
+
+/// The cells between walls with their images, halved where their sites lie on walls.
+TorusMesh walled_torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) {
+    if (options.kind == MeshKind::kDelaunay) return torus_mesh(options, std::move(domain), h);
+    PeriodicMesh cells = cut_along_walls(std::move(domain), *options.walled);
+    if (options.kind == MeshKind::kGrains && cells.whole_sides.empty()) {
+        cells.whole_sides = cell_sides(cells);
+    }
+    const auto places = places_between_walls(cells, *options.walled);
+    move_onto_walls(cells, places, *options.walled);
+    PeriodicMesh between = mesh_between_walls(cells, places, *options.walled);
+    const double shortest = shortest_edge(options);
+    if (shortest > 0) between = without_short_edges(between, shortest * h, *options.walled);
+    PeriodicMesh mesh = mirrored_mesh(std::move(between), *options.walled);
+    return {repeated(std::move(mesh), options.columns, options.rows), options.origin, {}};
 }
 
 /// Power cells, which keep their areas without their short edges, and at the sides of a box.
@@ -158,15 +241,22 @@ BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& option
     TileFigures figures{.kind = options.kind};
     PeriodicMesh domain = domain_mesh(delaunay, options);
     const bool is_power = delaunay.weights().size() > 0 && options.kind != MeshKind::kDelaunay;
-    TorusMesh torus =
-        is_power ? power_torus_mesh(options, std::move(domain), h, delaunay.weights(), figures)
-                 : torus_mesh(options, std::move(domain), h);
+    TorusMesh torus;
+    if (options.walled) {
+        torus = walled_torus_mesh(options, std::move(domain), h);
+    } else if (is_power) {
+        torus = power_torus_mesh(options, std::move(domain), h, delaunay.weights(), figures);
+    } else {
+        torus = torus_mesh(options, std::move(domain), h);
+    }
     if (!is_power) torus.weights = delaunay.weights();
     report(options, kGrainsBegin);
-    LaidOut laid_out = lay_out(options, std::move(torus.mesh), torus.corner, h, figures);
+    LaidOut laid_out = options.walled
+                           ? lay_out_between_walls(options, std::move(torus.mesh), h, figures)
+                           : lay_out(options, std::move(torus.mesh), torus.corner, h, figures);
     if (options.kind == MeshKind::kGrains) laid_out = mesh_cells(options, laid_out, h, figures);
     report(options, kGrainsEnd);
-    Tile tile = make_tile(laid_out.mesh, laid_out.placement);
+    Tile tile = tile_of(options, laid_out);
     if (options.elongation) tile.metric = options.elongation->metric;
     tile.site_weights.assign(torus.weights.begin(), torus.weights.end());
     tile.grain_site_points = std::move(laid_out.grain_site_points);
@@ -175,7 +265,8 @@ BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& option
     tile.short_edges = options.short_edges;
     if (options.kind == MeshKind::kGrains) tile.order = options.order;
     figures.n_edge_pairs = static_cast<int>(tile.edge_pairs.size());
-    figures.n_boundary_edges = 2 * figures.n_edge_pairs;
+    figures.n_wall_edges = static_cast<int>(tile.wall_edges.size());
+    figures.n_boundary_edges = 2 * figures.n_edge_pairs + figures.n_wall_edges;
     return {std::move(tile), std::move(figures)};
 }
 

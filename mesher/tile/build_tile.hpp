@@ -7,6 +7,7 @@
 #include "mesher/delaunay/periodic_delaunay.hpp"
 #include "mesher/mesh/elongated_mesh.hpp"
 #include "mesher/mesh/outline.hpp"
+#include "mesher/mesh/walled_mesh.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -34,6 +35,10 @@ struct TileOptions {
     bool finds_origin = false;
     /// Maps cells that were computed in the round space of a metric back to the plane.
     std::optional<Elongation> elongation = {};
+    /// The tessellation consists of a domain between walls and its mirror images; the tile is that
+    /// of the domain. Excludes weights, elongation, finds_origin, copies across walls, and an
+    /// origin off the walls.
+    std::optional<WalledDomain> walled = {};
     /// Called now and then with the share that is done, about, from 0 to 1; what it throws ends the
     /// building.
     std::function<void(double)> progress = {};
@@ -59,6 +64,8 @@ struct TileFigures {
     MeshKind kind;
     int n_boundary_edges = 0;
     int n_edge_pairs = 0;
+    /// Of the boundary edges.
+    int n_wall_edges = 0;
     /// Two opposite corners of the domain round which the tile is laid.
     Vec2 domain_corner = Vec2::Zero();
     Vec2 opposite_corner = Vec2::Zero();
@@ -84,6 +91,7 @@ struct BuiltTile {
 /// Repeats the tessellation, removes short edges (power cells keep their areas, by other weights:
 /// area_fit.hpp), lays the faces out in the outline, and meshes the
 /// grains. The tile is not proved yet: verify_generated_tile() does that.
+/// @pre Delaunay triangles between walls: no site off a wall has an edge of its cell there.
 /// @throws InvalidInput   the cells are so small that their corners coincide.
 /// @throws LimitExceeded  grains too fine, or a piece of a cell too thin for them.
 BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& options);

@@ -5,6 +5,7 @@
 
 #include "mesher/lattice/metric.hpp"
 #include "mesher/lattice/sites.hpp"
+#include "mesher/lattice/walls.hpp"
 #include "mesher/mesh/mesh_kind.hpp"
 #include "mesher/tile/faces.hpp"
 
@@ -34,6 +35,14 @@ struct EdgePair {
     friend constexpr auto operator<=>(const EdgePair&, const EdgePair&) = default;
 };
 
+/// The boundary edge v0 -> v1 (its face on the left) lies on a wall.
+struct WallEdge {
+    WallSide side;
+    int v0;
+    int v1;
+    friend constexpr auto operator<=>(const WallEdge&, const WallEdge&) = default;
+};
+
 /// The name of the part of a boundary that `offset` takes to its partners, in every format:
 /// `seam_1_0`, `seam_-1_0`.
 inline std::string seam_name(Offset offset) {
@@ -57,8 +66,13 @@ struct Tile {
     /// One pair for each vertex w that is not the representative v of its orbit, by rising w.
     /// The representative is the vertex of the orbit with the smallest index, so v < w.
     std::vector<VertexPair> vertex_pairs = {};
-    /// Each identified pair of boundary edges once: n_boundary_edges / 2 entries.
+    /// Each identified pair of boundary edges once. Boundary edges are in a pair or on a wall.
     std::vector<EdgePair> edge_pairs = {};
+    /// The sides of the domain that are walls, which no offset crosses. The lattice is then upright
+    /// (is_upright()), and the walls lie at 0 and at its sides to the last bit.
+    Walls walls = Walls::kNone;
+    /// Every edge on a wall once, sorted.
+    std::vector<WallEdge> wall_edges = {};
     /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
     std::vector<Vec2> site_points = {};
     /// Grains of a tile in memory: where the site of the cell lies that each face belongs to, which

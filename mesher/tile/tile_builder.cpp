@@ -1,5 +1,6 @@
 #include "mesher/tile/tile_builder.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -20,13 +21,16 @@ struct Placed {
 
 class TileBuilder {
    public:
-    TileBuilder(const PeriodicMesh& periodic, const std::vector<Offset>& placement)
+    TileBuilder(const PeriodicMesh& periodic, const std::vector<Offset>& placement,
+                const WalledDomain* walled)
         : periodic_(periodic),
           placement_(placement),
+          walled_(walled),
           tile_{.lattice = periodic.lattice, .kind = periodic.kind} {
         if (static_cast<int>(placement.size()) != periodic.n_faces()) {
             throw InternalError("the placement of the faces lacks some, or has too many");
         }
+        if (walled != nullptr) tile_.walls = walled->walls;
     }
 
     Tile build() {
@@ -118,6 +122,10 @@ class TileBuilder {
             const int across = periodic_.opposite[c];
             const int v0 = vertex[c];
             const int v1 = vertex[periodic_.next(c)];
+            if (across < 0) {
+                tile_.wall_edges.push_back({wall_side_of(periodic_, c, *walled_), v0, v1});
+                continue;
+            }
             const int w0 = vertex[periodic_.next(across)];
             const int w1 = vertex[across];
             const Offset offset = vertices_[w1].offset - vertices_[v1].offset;
@@ -126,10 +134,13 @@ class TileBuilder {
                 tile_.edge_pairs.push_back(
                     {.v0 = v0, .v1 = v1, .w0 = w0, .w1 = w1, .offset = offset});
         }
+        std::sort(tile_.wall_edges.begin(), tile_.wall_edges.end());
     }
 
     const PeriodicMesh& periodic_;
     const std::vector<Offset>& placement_;
+    /// nullptr: no walls.
+    const WalledDomain* walled_;
     Tile tile_;
     /// By the number of each vertex in the tile.
     std::vector<Placed> vertices_;
@@ -138,7 +149,12 @@ class TileBuilder {
 }  // namespace
 
 Tile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& placement) {
-    return TileBuilder(periodic, placement).build();
+    return TileBuilder(periodic, placement, nullptr).build();
+}
+
+Tile make_walled_tile(const PeriodicMesh& between, const std::vector<Offset>& placement,
+                      const WalledDomain& domain) {
+    return TileBuilder(between, placement, &domain).build();
 }
 
 }  // namespace pcvt

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mesher/mesh/periodic_mesh.hpp"
+#include "mesher/mesh/walled_mesh.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -24,5 +25,9 @@ namespace pcvt {
 ///      refuses other tiles.
 /// @throws InternalError if `placement` does not have one entry for each face.
 Tile make_tile(const PeriodicMesh& periodic, const std::vector<Offset>& placement);
+
+/// The same for a mesh between walls (mesh_between_walls()), whose walls the tile states.
+Tile make_walled_tile(const PeriodicMesh& between, const std::vector<Offset>& placement,
+                      const WalledDomain& domain);
 
 }  // namespace pcvt

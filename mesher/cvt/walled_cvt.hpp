@@ -1,0 +1,35 @@
+#pragma once
+
+#include "mesher/cvt/cvt.hpp"
+#include "mesher/lattice/walls.hpp"
+
+namespace pcvt {
+
+/// A CVT between walls, and the torus of which it is a part.
+struct WalledCvt {
+    /// Of the domain and its mirror images; energies, masses and bounds are those of the domain.
+    CvtResult torus;
+    /// Which sites of the torus belong to the domain.
+    WalledDomain domain;
+};
+
+/// Moves sites to a CVT of a rectangle with walls: a minimum of the energy of the cells that the
+/// walls clip, computed as a CVT of the torus with mirror symmetry.
+///
+/// Example usage:
+///   const Lattice channel = Lattice::rectangle(4, 1);
+///   const Points points = uniform_points(channel, 1000, 1);
+///   const WalledCvt cvt = compute_walled_cvt(channel, Walls::kY, WallCells::kWhole, points, {});
+///
+/// Half cells: the sites whose cells touch a wall move onto it, and the run is repeated until only
+/// cells of sites on walls touch one. Counts are those of all these runs.
+/// @param domain   upright.
+/// @param points   2 x n, between the walls; also where sites are cocircular.
+/// @param options  a density is that of the domain. numbering and progress mean sites and energies
+///                 of the domain.
+/// @throws InvalidInput  a point lies beyond a wall; half cells do not come about.
+/// @throws as compute_cvt does.
+WalledCvt compute_walled_cvt(const Lattice& domain, Walls walls, WallCells cells, Points points,
+                             const CvtOptions& options);
+
+}  // namespace pcvt

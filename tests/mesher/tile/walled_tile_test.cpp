@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "mesher/cvt/walled_cvt.hpp"
+#include "mesher/proof/generated_tile.hpp"
+#include "mesher/proof/validate.hpp"
+#include "mesher/tile/build_tile.hpp"
+
+namespace pcvt {
+namespace {
+
+/// More cases with PCVT_WALLED_CASES.
+int n_cases(int usual) {
+    const char* text = std::getenv("PCVT_WALLED_CASES");
+    return text != nullptr ? std::atoi(text) : usual;
+}
+
+WalledCvt walled(const Lattice& lattice, Walls walls, WallCells cells, int n, std::uint64_t seed,
+                 int max_iterations) {
+    CvtOptions options;
+    options.max_iterations = max_iterations;
+    options.tolerance = 1e-4;
+    return compute_walled_cvt(lattice, walls, cells, uniform_points(lattice, n, seed), options);
+}
+
+/// Whether the vertices of wall edges lie on the walls exactly, and others between them.
+void expect_on_walls(const Tile& tile) {
+    for (const WallEdge& edge : tile.wall_edges) {
+        const int axis = wall_side_row(edge.side).axis;
+        EXPECT_EQ(tile.points[edge.v0][axis], wall_line(edge.side, tile.lattice));
+        EXPECT_EQ(tile.points[edge.v1][axis], wall_line(edge.side, tile.lattice));
+    }
+}
+
+/// The total length of the edges on each wall.
+double length_on(const Tile& tile, WallSide side) {
+    double length = 0;
+    for (const WallEdge& edge : tile.wall_edges) {
+        if (edge.side == side) length += (tile.points[edge.v1] - tile.points[edge.v0]).norm();
+    }
+    return length;
+}
+
+TEST(WalledTile, RandomTilesBetweenWallsAreProved) {
+    std::mt19937_64 random(7);
+    const auto draw = [&](int from, int to) {
+        return std::uniform_int_distribution<int>(from, to)(random);
+    };
+    for (int k = 0; k < n_cases(300); ++k) {
+        const auto walls = static_cast<Walls>(draw(1, 3));
+        const int n = draw(1, 60);
+        const double height = std::pow(10.0, 0.1 * draw(-8, 8));
+        const Lattice lattice = Lattice::rectangle(1, height);
+        const int max_iterations = draw(0, 1) * 30;
+        const auto kind = draw(0, 1) == 0 ? MeshKind::kVoronoi : MeshKind::kGrains;
+        const auto outline = draw(0, 1) == 0 ? Outline::kWhole : Outline::kBox;
+        const double short_edges = 0.1 * draw(0, 2);
+        const int copies = draw(1, 2);
+        const double along = 0.1 * draw(-20, 20);
+        const std::uint64_t seed = random();
+        SCOPED_TRACE("case " + std::to_string(k) + ": n " + std::to_string(n) + ", walls " +
+                     walls_row(walls).word + ", height " + std::to_string(height) + ", seed " +
+                     std::to_string(seed) + ", kind " + mesh_kind_row(kind).word + ", outline " +
+                     std::to_string(outline == Outline::kBox) + ", short edges " +
+                     std::to_string(short_edges) + ", copies " + std::to_string(copies));
+        const WalledCvt cvt = walled(lattice, walls, WallCells::kWhole, n, seed, max_iterations);
+        TileOptions options{.kind = kind, .outline = outline, .short_edges = short_edges};
+        options.walled = cvt.domain;
+        if (walls == Walls::kX) {
+            options.rows = copies;
+            options.origin = {0, along};
+        } else if (walls == Walls::kY) {
+            options.columns = copies;
+            options.origin = {along, 0};
+        }
+        try {
+            const BuiltTile built = build_tile(cvt.torus.delaunay, options);
+            const TileProof proof = verify_generated_tile(built.tile);
+            EXPECT_EQ(built.figures.n_boundary_edges, proof.n_boundary_edges);
+            EXPECT_EQ(proof.wall_edges, built.tile.wall_edges);
+            expect_on_walls(built.tile);
+            for (const WallSideRow& row : kWallSides) {
+                const double wanted = has_walls_across(walls, row.axis)
+                                          ? side_length(built.tile.lattice, 1 - row.axis)
+                                          : 0;
+                EXPECT_NEAR(length_on(built.tile, row.side), wanted, 1e-12 * (1 + height));
+            }
+        } catch (const LimitExceeded&) {
+            // A piece of a cell too thin for grains.
+        } catch (const std::exception& error) {
+            ADD_FAILURE() << error.what();
+        }
+        if (HasFailure() && k > 20000) break;
+    }
+}
+
+TEST(WalledTile, HalfCellsMakeEveryKindOfMesh) {
+    for (int seed = 0; seed < n_cases(20); ++seed) {
+        for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+            const int n = 12 + 3 * (seed % 20);
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", walls " + walls_row(walls).word);
+            const Lattice lattice = Lattice::rectangle(2, 1);
+            const WalledCvt cvt = walled(lattice, walls, WallCells::kHalf, n, seed, -1);
+            EXPECT_GT(cvt.domain.n_on_walls, 0);
+            for (const MeshKindRow& row : kMeshKinds) {
+                for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+                    if (outline == Outline::kBox && !row.box_outline) continue;
+                    SCOPED_TRACE(row.word);
+                    try {
+                        const BuiltTile built = build_tile(
+                            cvt.torus.delaunay,
+                            {.kind = row.kind, .outline = outline, .walled = cvt.domain});
+                        verify_generated_tile(built.tile);
+                        expect_on_walls(built.tile);
+                    } catch (const std::exception& error) {
+                        ADD_FAILURE() << error.what();
+                    }
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pcvt
