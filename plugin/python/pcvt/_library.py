@@ -70,7 +70,8 @@ class Options(ctypes.Structure):
                 ("find_origin", c_int32), ("areas", c_void_p), ("n_areas", c_int32),
                 ("reserved", c_int32), ("area_law", c_char_p), ("aspect", c_double),
                 ("aspect_degrees", c_double), ("phases", c_char_p), ("orientations", c_void_p),
-                ("n_orientations", c_int32), ("random_orientations", c_int32)]
+                ("n_orientations", c_int32), ("random_orientations", c_int32),
+                ("symmetry", c_int32), ("reserved2", c_int32)]
 
 
 class Sites(ctypes.Structure):
