@@ -104,6 +104,7 @@ enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */
 enum { PCVT_COLOUR_DEFAULT = 0, PCVT_COLOUR_SIDES = 1, PCVT_COLOUR_SIZE = 2 };
 enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4, PCVT_COLOUR_PHASE = 5 };
+enum { PCVT_COLOUR_ORBIT = 6 };
 
 /** The plane group of drawn sites (International Tables A). Any lattice fits P1 and P2. */
 enum { PCVT_SYMMETRY_NONE = 0, PCVT_SYMMETRY_P1 = 1, PCVT_SYMMETRY_P2 = 2 };
@@ -231,7 +232,10 @@ typedef struct pcvt_sites {
     const char* const* phase_names; /**< n_phases names; NULL without phases */
     const double* orientations;     /**< n_sites triples phi1, Phi, phi2 in degrees, or NULL */
     int32_t n_phases;
-    int32_t reserved2;
+    int32_t n_orbits; /**< 0 without a symmetry */
+    const int32_t*
+        orbits; /**< n_sites numbers, equal for sites that the symmetry maps to each other,
+                   counted from 0 in the order of their first sites; NULL without one */
 } pcvt_sites;
 
 /** The cells or the triangles on the torus: one face and one vertex for all of its images.

@@ -176,14 +176,16 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
               .edge_pairs = std::move(file.edge_pairs),
               .order = file.order};
     CellMaterials materials = std::move(file.materials);
+    std::vector<int> site_orbits = std::move(file.site_orbits);
     const std::string name = file.name;
     give_sites(std::move(file), tile);
     const std::vector<SiteId>& sites = tile.sites();
     const std::int64_t n_sites =
         sites.empty() ? 0 : 1 + std::int64_t{*std::max_element(sites.begin(), sites.end())};
     require_materials(name, materials, n_sites);
-    return {std::move(tile), precision,      has_vertex_pairs,
-            has_edge_pairs,  states_lattice, std::move(materials)};
+    return {std::move(tile),       precision,      has_vertex_pairs,
+            has_edge_pairs,        states_lattice, std::move(materials),
+            std::move(site_orbits)};
 }
 
 }  // namespace pcvt

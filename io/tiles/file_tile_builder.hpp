@@ -46,6 +46,8 @@ struct FileTileBuilder {
     /// As Tile::order; the nodes in the middle of edges are not among the points.
     int order = 1;
     CellMaterials materials = {};
+    /// As TileFile::site_orbits.
+    std::vector<int> site_orbits = {};
     NumberedItems numbered = {};
 
     void add_face(const std::vector<int>& vertices, int line);

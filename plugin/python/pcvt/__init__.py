@@ -40,7 +40,7 @@ __all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Prog
            "OutputError"]
 
 _STARTS = ("default", "random", "coarse", "lattice", "best")
-_COLOURS = ("default", "sides", "size", "cells", "density", "phase")
+_COLOURS = ("default", "sides", "size", "cells", "density", "phase", "orbit")
 _GLTF_NODES = ("default", "cells", "one")
 _SOLVERS = ("default", "lbfgs", "lloyd", "newton")
 _SYMMETRIES = ("p1", "p2", "pm", "pg", "cm", "pmm", "pmg", "pgg", "cmm", "p4", "p4m", "p4g", "p3", "p3m1", "p31m",
@@ -239,10 +239,12 @@ class Result:
     phase_names in the order in which they were given
     orientations
                 (n, 3), phi1, Phi, phi2 in degrees, or None without orientations
+    orbits      (n,), equal for sites that the symmetry maps to each other, counted from 0 in the order of
+                their first sites; None without a symmetry
     statistics  a Statistics
     cells       (n,), the columns of .csv files as an array with the fields site, x, y, weight, area,
-                diameter, sides, circularity, phase (an index into phase_names), phi1, Phi, phi2 and
-                neighbours; fields that do not apply are NaN, or -1 as a phase
+                diameter, sides, circularity, phase (an index into phase_names), phi1, Phi, phi2,
+                orbit and neighbours; fields that do not apply are NaN, or -1 as a phase or an orbit
     """
 
     def __init__(self, handle):
@@ -253,6 +255,7 @@ class Result:
         self.weights = handle.array(view.weights, np.float64, view.n_sites)
         self.phases = handle.array(view.phases, np.int32, view.n_sites)
         self.phase_names = tuple(view.phase_names[k].decode() for k in range(view.n_phases))
+        self.orbits = handle.array(view.orbits, np.int32, view.n_sites)
         self.orientations = handle.array(view.orientations, np.float64, view.n_sites, 3)
 
     @property
@@ -308,7 +311,7 @@ class Result:
         element     of .inp: CPE (plane strain) or CPS (plane stress)
         job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
         progress    called with a Progress ten times a second; a true return value cancels
-        colour      what colours show: sides, size, cells (neighbours differ), density or phase
+        colour      what colours show: sides, size, cells (neighbours differ), density, phase or orbit
         background  of .svg: none or #rrggbb
         voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h
         """

@@ -78,7 +78,7 @@ class Sites(ctypes.Structure):
     _fields_ = [("lattice", c_double * 4), ("points", c_void_p), ("n_sites", c_int32),
                 ("reserved", c_int32), ("weights", c_void_p), ("phases", c_void_p),
                 ("phase_names", ctypes.POINTER(c_char_p)), ("orientations", c_void_p), ("n_phases", c_int32),
-                ("reserved2", c_int32)]
+                ("n_orbits", c_int32), ("orbits", c_void_p)]
 
 
 class Mesh(ctypes.Structure):

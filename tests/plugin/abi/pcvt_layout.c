@@ -48,6 +48,7 @@ static void print_numbers(void) {
     NUMBER(PCVT_COLOUR_CELLS);
     NUMBER(PCVT_COLOUR_DENSITY);
     NUMBER(PCVT_COLOUR_PHASE);
+    NUMBER(PCVT_COLOUR_ORBIT);
     NUMBER(PCVT_SYMMETRY_NONE);
     NUMBER(PCVT_SYMMETRY_P1);
     NUMBER(PCVT_SYMMETRY_P2);
@@ -146,7 +147,8 @@ static void print_sites(void) {
     FIELD(pcvt_sites, phase_names);
     FIELD(pcvt_sites, orientations);
     FIELD(pcvt_sites, n_phases);
-    FIELD(pcvt_sites, reserved2);
+    FIELD(pcvt_sites, n_orbits);
+    FIELD(pcvt_sites, orbits);
 }
 
 static void print_mesh(void) {

@@ -299,11 +299,14 @@ static void unknown_forms_of_files_are_refused(void) {
     CHECK(pcvt_write(result, "t.inp", &forms) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "element 2") != NULL);
     forms.element = PCVT_CPE;
-    forms.colour = 6;
+    forms.colour = 7;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "colour 6") != NULL);
+    CHECK(strstr(pcvt_last_error(), "colour 7") != NULL);
     forms.colour = PCVT_COLOUR_DENSITY;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
+    forms.colour = PCVT_COLOUR_ORBIT;
+    CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "no symmetry") != NULL);
     forms.colour = PCVT_COLOUR_DEFAULT;
     forms.background = "#12345";
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);

@@ -1,6 +1,8 @@
 """Plane groups in Python: sites that map to each other, lattices that fit, and refusals."""
 
+import tempfile
 import unittest
+from pathlib import Path
 
 from support.cli import CliTest, main
 from support.python_package import OBLIQUE, pcvt
@@ -32,6 +34,29 @@ class Symmetry(unittest.TestCase):
             self.assertAlmostEqual(a @ b, 0.5 if word[1] in "36" else 0, 15)
         result = pcvt.mesh(24, symmetry="pg", period=(2, 1), max_iterations=1)
         np.testing.assert_array_equal(result.lattice, [[2, 0], [0, 1]])
+
+    def test_sites_of_an_orbit_share_a_number(self):
+        result = pcvt.mesh(58, symmetry="p4m", tolerance=1e-3)
+        orbits = result.orbits
+        self.assertEqual(list(dict.fromkeys(orbits.tolist())), list(range(orbits.max() + 1)))
+        np.testing.assert_array_equal(result.cells["orbit"], orbits)
+        u = result.sites @ np.linalg.inv(result.lattice)
+        turned = wrapped(u[orbits == 0] @ np.array([[0, -1], [1, 0]]).T)
+        self.assertEqual(turned, wrapped(u[orbits == 0]))
+        for s in range(58):
+            copies = len(wrapped([sign * pair for pair in (u[s], u[s][::-1])
+                                  for sign in np.array([(1, 1), (1, -1), (-1, 1), (-1, -1)])]))
+            self.assertEqual(copies, (orbits == orbits[s]).sum())
+        without = pcvt.mesh(20)
+        self.assertIsNone(without.orbits)
+        self.assertEqual(set(without.cells["orbit"]), {-1})
+
+    def test_pictures_show_the_orbits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pcvt.mesh(20, symmetry="p4").write(folder + "/t.svg", colour="orbit")
+            self.assertIn("by orbit", Path(folder + "/t.svg").read_text())
+            with self.assertRaisesRegex(pcvt.ArgumentError, "there is no symmetry"):
+                pcvt.mesh(20).write(folder + "/u.svg", colour="orbit")
 
     def test_what_does_not_fit_is_refused_in_one_line(self):
         for options, words in (
