@@ -300,7 +300,7 @@ class VtuTile {
         for (std::size_t k = 0; k < sites.size(); ++k) file_.sites.push_back(sites.integer(k));
     }
 
-    /// Turns the orbits of elements into those of sites, which are counted from 0 in their order.
+    /// Turns the orbits of elements into those of sites.
     void take_site_orbits() {
         const Array& orbits = arrays_.get("CellData/Orbit", arrays_.n_cells(), 1, true);
         const Array& cells = arrays_.get("CellData/CellId", arrays_.n_cells(), 1, true);
@@ -321,16 +321,6 @@ class VtuTile {
                                                     "the file again with pcvt");
             }
             of_site[cell] = orbit;
-        }
-        // Sites without an element may be the first of their orbits.
-        if (std::count(of_site.begin(), of_site.end(), -1) > 0) return;
-        int n_orbits = 0;
-        for (const int orbit : of_site) {
-            if (orbit > n_orbits) {
-                throw_bad_file(orbits.line, "the orbits are not counted in the order of their " +
-                                                std::string("sites; write the file again"));
-            }
-            n_orbits = std::max(n_orbits, orbit + 1);
         }
     }
 
