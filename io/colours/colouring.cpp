@@ -197,15 +197,16 @@ TileColours colours_by_orbit(const Tile& tile, const SiteQuantities& quantities)
     const std::span<const int> orbits = quantities.orbits;
     TileColours colours{.class_of = {}, .classes = {}, .explanation = " by orbit"};
     const int n_orbits = *std::max_element(orbits.begin(), orbits.end()) + 1;
-    // The legend would not tell two orbits of one colour from each other.
+    // With more orbits, some have the same colour.
     const bool has_legend = n_orbits <= kCellColours;
     for (int k = 0; k < n_orbits; ++k) {
-        const auto n = std::count(orbits.begin(), orbits.end(), k);
         const std::string name = std::to_string(k);
-        colours.classes.push_back(
-            {.colour = {},
-             .name = "orbit_" + name,
-             .label = has_legend ? "orbit " + name + ": " + std::to_string(n) : ""});
+        std::string label;
+        if (has_legend) {
+            const auto n = std::count(orbits.begin(), orbits.end(), k);
+            label = "orbit " + name + ": " + std::to_string(n);
+        }
+        colours.classes.push_back({.colour = {}, .name = "orbit_" + name, .label = label});
     }
     const std::vector<int> colour_of = site_classes(tile, orbits);
     for (const SiteId site : owners(tile)) {
