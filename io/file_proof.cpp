@@ -58,16 +58,18 @@ ProvedLabels prove_labels(const TileFile& file) {
 }
 
 /// Compares the files with those that the writer gives for their tile, unless they are these.
-void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& files, Tile tile,
-                  const CellMaterials& materials, const ProvedLabels& proved) {
-    const FileOptions options{.materials = materials.empty() ? nullptr : &materials};
+void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& files,
+                  const TileFile& file, const ProvedLabels& proved) {
+    const FileOptions options{.materials = file.materials.empty() ? nullptr : &file.materials,
+                              .site_orbits = file.site_orbits};
+    Tile tile = file.tile;
     tile.vertex_pairs = proved.proof.vertex_pairs;
     tile.edge_pairs = proved.proof.edge_pairs;
     tile.grain_site_points = grain_site_points(tile, proved.cells.of_face);
     if (format.holds_sites) require_sites(files.front().path, tile);
     for (const EncodedFile& expected : encode_tile(format, tile, path_of(format, files), options)) {
-        const auto found = std::find_if(files.begin(), files.end(), [&](const EncodedFile& file) {
-            return file.path == expected.path;
+        const auto found = std::find_if(files.begin(), files.end(), [&](const EncodedFile& part) {
+            return part.path == expected.path;
         });
         if (found == files.end() || found->bytes == expected.bytes) continue;
         const auto fields = format.fields(found->path, found->bytes);
@@ -79,10 +81,20 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
 }
 
 /// The part of the materials that a format states.
-CellMaterials held_materials(const TileFormat& format, CellMaterials materials) {
-    if (!format.states_materials) return {};
+CellMaterials held_materials(const TileFormat& format, const FileOptions& options) {
+    if (!format.states_materials || options.materials == nullptr) return {};
+    CellMaterials materials = *options.materials;
     if (!format.takes_orientations) materials.site_orientation.clear();
     return materials;
+}
+
+/// Whether a file has the orbits of its sites, as far as these have elements.
+bool has_orbits(const TileFormat& format, const TileFile& file, const FileOptions& options) {
+    const std::vector<int>& found = file.site_orbits;
+    if (!format.states_orbits || options.site_orbits.empty()) return found.empty();
+    return !found.empty() && found.size() <= options.site_orbits.size() &&
+           std::equal(found.begin(), found.end(), options.site_orbits.begin(),
+                      [](int orbit, int wanted) { return orbit == -1 || orbit == wanted; });
 }
 
 [[noreturn]] void refuse_single_precision(const std::string& path, const Vec2& origin) {
@@ -107,20 +119,23 @@ TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& f
     const ProvedLabels proved = prove_labels(file);
     const bool exact = file.states_lattice && file.precision == Precision::kDouble;
     if (exact && format.fields != nullptr && proved.cells.are_clear) {
-        prove_fields(format, files, file.tile, file.materials, proved);
+        prove_fields(format, files, file, proved);
     }
     return proved.proof;
 }
 
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                      const Tile& original, const Vec2& origin, const CellMaterials& materials) {
+                      const Tile& original, const Vec2& origin, const FileOptions& options) {
     const std::string& path = files.front().path;
     Precision precision = Precision::kDouble;
     try {
         const TileFile file = decode_tile(format, files, std::nullopt);
         precision = file.precision;
-        if (file.materials != held_materials(format, materials)) {
+        if (file.materials != held_materials(format, options)) {
             throw BadFile(path + ": the phases and orientations are others");
+        }
+        if (!has_orbits(format, file, options)) {
+            throw BadFile(path + ": the orbits of the sites are others");
         }
         if (!is_the_same(file, original)) prove_file(format, files, file);
     } catch (const NotATile& error) {

@@ -43,12 +43,11 @@ TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& f
 /// @pre decode_tile() takes the format.
 /// @param original  the encoded tile, proved.
 /// @param origin    the corner of its domain, for the advice in a message.
-/// @param materials of its cells, as the format shall state them.
+/// @param options   with which it was encoded; materials and orbits are compared.
 /// @throws InvalidInput   `original` is too fine for the format's single precision.
 /// @throws InternalError  a law is violated: a fault of pcvt.
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                      const Tile& original, const Vec2& origin,
-                      const CellMaterials& materials = {});
+                      const Tile& original, const Vec2& origin, const FileOptions& options = {});
 
 /// Proves the staggered grid that was read from `files`, and the graph of its cells beside it.
 /// @throws NotATile  the grid violates a law.

@@ -109,6 +109,11 @@ std::vector<EncodedFile> write_msh(const Tile& tile, const FileOptions& options,
     return encode_msh(tile, path, options.materials);
 }
 
+std::vector<EncodedFile> write_vtu(const Tile& tile, const FileOptions& options,
+                                   const std::string& path) {
+    return encode_vtu(tile, path, options.site_orbits);
+}
+
 constexpr std::array<TileFormat, 17> kFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
@@ -165,10 +170,11 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .states_materials = true},
     {.extension = ".vtu",
      .description = "VTK unstructured grid, ASCII, with double coordinates",
-     .write = encode_vtu,
+     .write = write_vtu,
      .read = decode_vtu,
      .fields = vtu_fields,
-     .highest_order = 2},
+     .highest_order = 2,
+     .states_orbits = true},
     {.extension = ".svg",
      .description = "a picture, or with --cut lines for cutters",
      .write = write_svg,

@@ -120,6 +120,8 @@ struct TileFormat {
     /// The file of a tile states the phases, and the orientations that the format takes, of its
     /// cells; the reader reads them.
     bool states_materials = false;
+    /// The file of a tile states the orbit of the site of each element; the reader reads them.
+    bool states_orbits = false;
 
     bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {

@@ -104,6 +104,18 @@ enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */
 enum { PCVT_COLOUR_DEFAULT = 0, PCVT_COLOUR_SIDES = 1, PCVT_COLOUR_SIZE = 2 };
 enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4, PCVT_COLOUR_PHASE = 5 };
+enum { PCVT_COLOUR_ORBIT = 6 };
+
+/** The plane group of drawn sites (International Tables A). Any lattice fits P1 and P2. */
+enum { PCVT_SYMMETRY_NONE = 0, PCVT_SYMMETRY_P1 = 1, PCVT_SYMMETRY_P2 = 2 };
+/*  Rectangles; the mirrors and glides of PM, PG and CM, and the mirrors of PMG, lie along a. */
+enum { PCVT_SYMMETRY_PM = 3, PCVT_SYMMETRY_PG = 4, PCVT_SYMMETRY_CM = 5, PCVT_SYMMETRY_PMM = 6 };
+enum { PCVT_SYMMETRY_PMG = 7, PCVT_SYMMETRY_PGG = 8, PCVT_SYMMETRY_CMM = 9 };
+/*  Squares. */
+enum { PCVT_SYMMETRY_P4 = 10, PCVT_SYMMETRY_P4M = 11, PCVT_SYMMETRY_P4G = 12 };
+/*  Two equal lengths at 60 or 120 degrees, such as 1, 0, 0.5, sqrt(0.75). */
+enum { PCVT_SYMMETRY_P3 = 13, PCVT_SYMMETRY_P3M1 = 14, PCVT_SYMMETRY_P31M = 15 };
+enum { PCVT_SYMMETRY_P6 = 16, PCVT_SYMMETRY_P6M = 17 };
 
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
@@ -201,6 +213,10 @@ typedef struct pcvt_options {
     int32_t n_orientations;      /**< n_sites, or 0 where `orientations` is NULL [0] */
     int32_t random_orientations; /**< 1: orientations without a texture, drawn from `seed`; excludes
                                     `orientations` [0] */
+    int32_t symmetry; /**< PCVT_SYMMETRY_...: drawn sites have, and keep, the symmetry of a group,
+                         which the lattice must fit; excludes `sites`, areas and starts other than
+                         PCVT_START_RANDOM [PCVT_SYMMETRY_NONE] */
+    int32_t reserved2;
 } pcvt_options;
 
 /** The optimised sites. */
@@ -216,7 +232,10 @@ typedef struct pcvt_sites {
     const char* const* phase_names; /**< n_phases names; NULL without phases */
     const double* orientations;     /**< n_sites triples phi1, Phi, phi2 in degrees, or NULL */
     int32_t n_phases;
-    int32_t reserved2;
+    int32_t n_orbits; /**< 0 without a symmetry */
+    const int32_t*
+        orbits; /**< n_sites numbers, equal for sites that the symmetry maps to each other,
+                   counted from 0 in the order of their first sites; NULL without one */
 } pcvt_sites;
 
 /** The cells or the triangles on the torus: one face and one vertex for all of its images.

@@ -193,10 +193,35 @@ TileColours colours_by_phase(const Tile& tile, const SiteQuantities& quantities)
     return colours;
 }
 
+TileColours colours_by_orbit(const Tile& tile, const SiteQuantities& quantities) {
+    const std::span<const int> orbits = quantities.orbits;
+    TileColours colours{.class_of = {}, .classes = {}, .explanation = " by orbit"};
+    const int n_orbits = *std::max_element(orbits.begin(), orbits.end()) + 1;
+    // With more orbits, some have the same colour.
+    const bool has_legend = n_orbits <= kCellColours;
+    for (int k = 0; k < n_orbits; ++k) {
+        const std::string name = std::to_string(k);
+        std::string label;
+        if (has_legend) {
+            const auto n = std::count(orbits.begin(), orbits.end(), k);
+            label = "orbit " + name + ": " + std::to_string(n);
+        }
+        colours.classes.push_back({.colour = {}, .name = "orbit_" + name, .label = label});
+    }
+    const std::vector<int> colour_of = site_classes(tile, orbits);
+    for (const SiteId site : owners(tile)) {
+        const int orbit = orbits[static_cast<std::size_t>(site) % orbits.size()];
+        colours.classes[orbit].colour = cell_colour(colour_of[colours.class_of.size()]);
+        colours.class_of.push_back(orbit);
+    }
+    return colours;
+}
+
 TileColours tile_colours(const Tile& tile, Colouring colouring, const SiteQuantities& quantities) {
     const ColouringRow& row = colouring_row(colouring);
     if ((row.needs_density && quantities.densities.empty()) ||
-        (row.needs_phases && !has_phases(quantities))) {
+        (row.needs_phases && !has_phases(quantities)) ||
+        (row.needs_orbits && quantities.orbits.empty())) {
         throw InternalError(std::string("there is no ") + row.word + " to show in colours");
     }
     return row.colours(tile, quantities);

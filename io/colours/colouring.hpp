@@ -14,7 +14,7 @@
 namespace pcvt {
 
 /// The quantity that the colours of a tile show.
-enum class Colouring { kSides, kSize, kCells, kDensity, kPhase };
+enum class Colouring { kSides, kSize, kCells, kDensity, kPhase, kOrbit };
 
 /// One colour of a tile.
 struct ColourClass {
@@ -41,6 +41,8 @@ struct SiteQuantities {
     std::span<const double> densities = {};
     /// Null: none.
     const CellMaterials* materials = nullptr;
+    /// The orbit of each site under the symmetry of the run; empty without one.
+    std::span<const int> orbits = {};
 };
 
 /// Computes the colours of a tile.
@@ -58,6 +60,9 @@ TileColourer colours_by_cells;
 TileColourer colours_by_density;
 /// By the phase of each cell; from kCellColours phases on, colours repeat.
 TileColourer colours_by_phase;
+/// One class for each orbit of sites; neighbouring cells of different orbits have different
+/// colours.
+TileColourer colours_by_orbit;
 
 /// One row of the table of colourings.
 struct ColouringRow {
@@ -67,6 +72,7 @@ struct ColouringRow {
     int abi_value;
     bool needs_density;
     bool needs_phases;
+    bool needs_orbits;
     /// Whether colours are classes of values. Such cells have dark edges and no dots.
     bool shows_values;
     TileColourer* colours;
@@ -78,6 +84,7 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 1,
                                                      .needs_density = false,
                                                      .needs_phases = false,
+                                                     .needs_orbits = false,
                                                      .shows_values = false,
                                                      .colours = colours_by_sides},
                                         ColouringRow{.colouring = Colouring::kSize,
@@ -85,6 +92,7 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 2,
                                                      .needs_density = false,
                                                      .needs_phases = false,
+                                                     .needs_orbits = false,
                                                      .shows_values = true,
                                                      .colours = colours_by_size},
                                         ColouringRow{.colouring = Colouring::kCells,
@@ -92,6 +100,7 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 3,
                                                      .needs_density = false,
                                                      .needs_phases = false,
+                                                     .needs_orbits = false,
                                                      .shows_values = false,
                                                      .colours = colours_by_cells},
                                         ColouringRow{.colouring = Colouring::kDensity,
@@ -99,6 +108,7 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 4,
                                                      .needs_density = true,
                                                      .needs_phases = false,
+                                                     .needs_orbits = false,
                                                      .shows_values = true,
                                                      .colours = colours_by_density},
                                         ColouringRow{.colouring = Colouring::kPhase,
@@ -106,8 +116,17 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 5,
                                                      .needs_density = false,
                                                      .needs_phases = true,
+                                                     .needs_orbits = false,
                                                      .shows_values = false,
-                                                     .colours = colours_by_phase}};
+                                                     .colours = colours_by_phase},
+                                        ColouringRow{.colouring = Colouring::kOrbit,
+                                                     .word = "orbit",
+                                                     .abi_value = 6,
+                                                     .needs_density = false,
+                                                     .needs_phases = false,
+                                                     .needs_orbits = true,
+                                                     .shows_values = false,
+                                                     .colours = colours_by_orbit}};
 
 constexpr const ColouringRow& colouring_row(Colouring colouring) {
     return kColourings[static_cast<std::size_t>(colouring)];

@@ -78,6 +78,8 @@ class Colouring {
             this.byCells(tile, classes);
         else if (mode === 'phase')
             this.byPhase(tile, classes);
+        else if (mode === 'orbit')
+            this.byOrbit(tile, classes);
         else
             this.byValue(tile, mode, classes);
         this.start = new Int32Array(this.colours.length + 1);
@@ -125,6 +127,13 @@ class Colouring {
         this.entries =
             tile.phases.map((name, k) => ({colour: this.colours[k], label: name, count: counts[k]}));
         for (let f = 0; f < tile.nFaces; ++f) classes[f] = tile.phaseOf(f);
+    }
+
+    /** Colours that are equal in an orbit of the symmetry; neighbours of other orbits differ. */
+    byOrbit(tile, classes) {
+        this.title = 'Orbits of the symmetry';
+        this.colours = CELLS;
+        classes.set(tile.orbitClasses);
     }
 
     /** Classes of equal steps on a logarithmic scale, or a linear one where a value is not > 0. */

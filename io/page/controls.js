@@ -37,6 +37,7 @@ class Controls {
             `b = ${vector(tile.b)} · ${count(tile.offset.size / 2, 'pair')} of edges on the seam`;
         viewerLabel(tile, parts[tile.kind]);
         element('with-phases').hidden = tile.hasTriangles || tile.phases.length === 0;
+        element('with-orbits').hidden = tile.orbitClasses.length === 0;
         element('with-density').hidden = tile.densities.length === 0;
         element('with-dual').hidden = !tile.hasDual;
         element('with-sites').hidden = tile.kind === 'grains';
@@ -70,6 +71,7 @@ class Controls {
         if (!this.tile.hasTriangles) modes.push('cells');
         if (this.tile.densities.length > 0) modes.push('density');
         if (!this.tile.hasTriangles && this.tile.phases.length > 0) modes.push('phase');
+        if (this.tile.orbitClasses.length > 0) modes.push('orbit');
         viewer.mode = choiceOf(options.get('colour'), modes, viewer.mode);
         for (const radio of document.querySelectorAll('[name=mode]')) {
             radio.checked = radio.value === viewer.mode;

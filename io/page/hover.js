@@ -45,6 +45,7 @@ function describe(tile, place) {
     if (tile.densities.length > 0) rows.push(['Density', shortNumber(tile.densityOf(cell))]);
     if (!tile.hasTriangles && tile.phases.length > 0)
         rows.push(['Phase', tile.phases[tile.phaseOf(face)]]);
+    if (tile.orbitClasses.length > 0) rows.push(['Orbit', String(tile.orbitOf(face))]);
     if (tile.kind === 'grains')
         rows.push(['Triangle', `${face}, ${shortNumber(tile.faceArea(face))}`]);
     const corners = boundaryCorners(tile, cell);

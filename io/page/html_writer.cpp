@@ -95,6 +95,12 @@ std::string page_data(const Tile& tile, const FileOptions& options, const std::s
     append_key(text, "densities");
     append_list(text, options.site_densities);
     append_phases(text, options.materials);
+    append_key(text, "orbits");
+    append_list(text, options.site_orbits);
+    append_key(text, "orbit_classes");
+    append_list(text, owned && !options.site_orbits.empty()
+                          ? site_classes(tile, options.site_orbits)
+                          : std::vector<int>());
     append_key(text, "classes");
     append_list(text, owned ? site_classes(tile) : std::vector<int>());
     append_key(text, "vertex_pairs");

@@ -18,6 +18,8 @@ class Tile {
         this.densities = data.densities;
         this.phases = data.phases;
         this.sitePhases = data.site_phases;
+        this.orbits = data.orbits;
+        this.orbitClasses = data.orbit_classes;
         this.colourClasses = data.classes;
         this.hasTriangles = this.kind === 'triangles';
         this.storeFaces(data.faces);
@@ -244,6 +246,11 @@ class Tile {
     /** Returns the phase of the site of a face of cells or grains, as an index. */
     phaseOf(face) {
         return this.sitePhases[this.sites[face] % this.sitePhases.length];
+    }
+
+    /** Returns the orbit of the site of a face of cells or grains. */
+    orbitOf(face) {
+        return this.orbits[this.sites[face] % this.orbits.length];
     }
 
     /** Returns the density of a cell, or the mean at the corners of a Delaunay triangle. */

@@ -8,7 +8,7 @@
 namespace pcvt {
 namespace {
 
-constexpr std::size_t kColumns = 14;
+constexpr std::size_t kColumns = 15;
 
 using Fields = std::array<std::string_view, kColumns>;
 
@@ -27,7 +27,7 @@ class RowScanner {
         for (std::size_t k = 0; k < kColumns; ++k) {
             const std::size_t comma = rest.find(',');
             if ((comma == std::string_view::npos) != (k + 1 == kColumns)) {
-                refuse("the row has not 14 fields; write the file again with pcvt");
+                refuse("the row has not 15 fields; write the file again with pcvt");
             }
             fields_[k] = rest.substr(0, comma);
             rest.remove_prefix(k + 1 == kColumns ? rest.size() : comma + 1);
@@ -117,6 +117,11 @@ bool is_row_of(const RowScanner& scanner, const CellRows& rows, SiteId s) {
     } else {
         const BungeAngles& angles = materials.site_orientation[s];
         for (const double angle : {angles.phi1, angles.Phi, angles.phi2}) row.number(angle);
+    }
+    if (rows.orbits.empty()) {
+        row.text("");
+    } else {
+        row.number(rows.orbits[s]);
     }
     row.list(cells.neighbours.data() + cells.neighbour_begin[s],
              cells.neighbours.data() + cells.neighbour_begin[s + 1]);

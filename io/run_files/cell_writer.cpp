@@ -44,6 +44,8 @@ std::string encode_cells(const CellRows& rows) {
             append(angles.Phi);
             append(angles.phi2);
         }
+        if (!rows.orbits.empty()) append_number(text, rows.orbits[s]);
+        text += ',';
         for (int k = cells.neighbour_begin[s]; k < cells.neighbour_begin[s + 1]; ++k) {
             append(cells.neighbours[k], k + 1 < cells.neighbour_begin[s + 1] ? " " : "");
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mesher/lattice/lattice.hpp"
 #include "mesher/materials/cell_materials.hpp"
@@ -16,6 +17,8 @@ struct CellRows {
     /// length^2, one a site; empty without weights.
     Eigen::VectorXd weights = {};
     CellMaterials materials = {};
+    /// The orbit of each site under the symmetry of the run; empty without one.
+    std::vector<int> orbits = {};
 };
 
 /// Encodes the cells as a .csv file: comments that begin with #, a header, one row a site. Fields
@@ -29,6 +32,6 @@ std::string encode_cells(const CellRows& rows);
 
 /// The names of the columns, with commas between them.
 inline constexpr const char* kCellHeader =
-    "site,x,y,weight,area,diameter,sides,circularity,phase,tag,phi1,Phi,phi2,neighbours";
+    "site,x,y,weight,area,diameter,sides,circularity,phase,tag,phi1,Phi,phi2,orbit,neighbours";
 
 }  // namespace pcvt

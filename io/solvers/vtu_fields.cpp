@@ -12,12 +12,13 @@ namespace {
 using Event = XmlScanner::Event;
 
 /// SECTION/NAME of the arrays. The array of points may have any name.
-constexpr std::array<std::string_view, 10> kArrays{"FieldData/PeriodicLattice",
+constexpr std::array<std::string_view, 11> kArrays{"FieldData/PeriodicLattice",
                                                    "PointData/GlobalIds",
                                                    "PointData/PeriodicPointIds",
                                                    "PointData/PeriodicOffset",
                                                    "PointData/CellId",
                                                    "CellData/CellId",
+                                                   "CellData/Orbit",
                                                    "Points/Points",
                                                    "Cells/connectivity",
                                                    "Cells/offsets",

@@ -166,6 +166,7 @@ class VtuTile {
         if (arrays_.find("FieldData/SitePositions")) take_site_notes();
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
+        if (!file_.sites.empty() && arrays_.find("CellData/Orbit")) take_site_orbits();
         if (type_ == kVtkQuadraticTriangle) remove_midside_nodes(file_, lattice, precision);
         return std::move(file_);
     }
@@ -297,6 +298,30 @@ class VtuTile {
         const Array& sites =
             arrays_.get(key, owned ? arrays_.n_cells() : arrays_.n_points(), 1, true);
         for (std::size_t k = 0; k < sites.size(); ++k) file_.sites.push_back(sites.integer(k));
+    }
+
+    /// Turns the orbits of elements into those of sites.
+    void take_site_orbits() {
+        const Array& orbits = arrays_.get("CellData/Orbit", arrays_.n_cells(), 1, true);
+        const Array& cells = arrays_.get("CellData/CellId", arrays_.n_cells(), 1, true);
+        std::vector<int>& of_site = file_.site_orbits;
+        // A site has a cell, or is a point of the Delaunay triangles.
+        const int most = std::max(arrays_.n_cells(), arrays_.n_points());
+        for (std::size_t f = 0; f < cells.size(); ++f) {
+            const int cell = cells.integer(f);
+            if (cell < 0 || cell >= most) {
+                throw_bad_file(cells.lines[f],
+                               "cell " + std::to_string(cell) + " does not exist; correct the id");
+            }
+            if (std::cmp_greater_equal(cell, of_site.size())) of_site.resize(cell + 1, -1);
+            const int orbit = orbits.integer(f);
+            if (orbit < 0 || (of_site[cell] >= 0 && of_site[cell] != orbit)) {
+                throw_bad_file(orbits.lines[f], "cell " + std::to_string(cell) +
+                                                    " has not one orbit, counted from 0; write " +
+                                                    "the file again with pcvt");
+            }
+            of_site[cell] = orbit;
+        }
     }
 
     const VtuArrays& arrays_;

@@ -1,6 +1,7 @@
 #include "io/solvers/vtu_writer.hpp"
 
 #include <numeric>
+#include <utility>
 
 #include "io/bytes/text.hpp"
 #include "io/elements/solver_nodes.hpp"
@@ -146,9 +147,23 @@ void append_cells(std::string& text, const Tile& tile, const SolverNodes& nodes)
     text += "</Cells>\n";
 }
 
+void append_cell_data(std::string& text, const Tile& tile, std::span<const int> site_orbits) {
+    std::vector<int> cells = element_cells(tile);
+    text += "<CellData>\n";
+    append_integers(text, "Int32", "CellId", cells);
+    if (!site_orbits.empty()) {
+        // Of a file under proof, whose orbits are those of its own cells.
+        const auto is_known = [&](int cell) { return std::cmp_less(cell, site_orbits.size()); };
+        for (int& cell : cells) cell = is_known(cell) ? site_orbits[cell] : -1;
+        append_integers(text, "Int32", "Orbit", cells);
+    }
+    text += "</CellData>\n";
+}
+
 }  // namespace
 
-std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path,
+                                    std::span<const int> site_orbits) {
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);
     std::string text =
@@ -159,9 +174,7 @@ std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path) {
     text += "<Piece NumberOfPoints=\"" + std::to_string(nodes.n_nodes()) + "\" NumberOfCells=\"" +
             std::to_string(tile.n_faces()) + "\">\n";
     append_point_data(text, tile, nodes);
-    text += "<CellData>\n";
-    append_integers(text, "Int32", "CellId", element_cells(tile));
-    text += "</CellData>\n";
+    append_cell_data(text, tile, site_orbits);
     append_points(text, nodes.points);
     append_cells(text, tile, nodes);
     text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";

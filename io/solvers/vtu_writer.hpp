@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace pcvt {
 ///              is the smallest id on the orbit; `PeriodicOffset` (i, j), with
 ///              position = position(representative) + i a + j b; for Delaunay triangles `CellId`,
 ///              the site of each vertex, and -1 for a midside node.
-///   CellData   `CellId`, the site of each cell, and element_cells() for triangles.
+///   CellData   `CellId`, the site of each cell, and element_cells() for triangles; for runs with a
+///              symmetry `Orbit`, that of the site: orbits are counted from 0 in the order of their
+///              first sites.
 ///   FieldData  `PeriodicLattice`, the vectors a and b; where the tile knows its sites, `Periods`,
 ///              the numbers of periods along both, `SitePositions`, and `ShortEdges`, the length
 ///              below which edges of cells were removed, in units of h; for elongated cells
@@ -32,7 +35,9 @@ namespace pcvt {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
+/// @param site_orbits  of the sites of one period; empty: none.
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path);
+std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path,
+                                    std::span<const int> site_orbits = {});
 
 }  // namespace pcvt

@@ -33,7 +33,9 @@ struct FileOptions {
     std::span<const double> site_densities = {};
     /// Phases and orientations of the cells, which must outlive the options; null: none.
     const CellMaterials* materials = nullptr;
-    SiteQuantities quantities() const { return {site_densities, materials}; }
+    /// Of runs with a symmetry: the orbit of sites 0 to n - 1 of one period; else empty.
+    std::span<const int> site_orbits = {};
+    SiteQuantities quantities() const { return {site_densities, materials, site_orbits}; }
     /// The quantity that colours show; `nullopt`: each format has its own default.
     std::optional<Colouring> colouring = {};
     /// Of pictures; `nullopt`: the page behind the picture shows through.

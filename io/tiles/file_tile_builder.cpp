@@ -101,6 +101,21 @@ bool take_note_comment(const LineScanner& scanner, std::string_view key,
     return true;
 }
 
+/// Requires that orbits are counted from 0 in the order of their first sites.
+void require_orbits(const std::string& name, const std::vector<int>& site_orbits) {
+    // Sites without an element may be the first of their orbits.
+    if (std::count(site_orbits.begin(), site_orbits.end(), -1) > 0) return;
+    int n_orbits = 0;
+    for (const int orbit : site_orbits) {
+        if (orbit > n_orbits) {
+            throw BadFile(name +
+                          ": the orbits are not counted in the order of their first sites; " +
+                          "write the file again with pcvt");
+        }
+        n_orbits = std::max(n_orbits, orbit + 1);
+    }
+}
+
 }  // namespace
 
 void FileTileBuilder::add_face(const std::vector<int>& vertices, int line) {
@@ -176,14 +191,17 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
               .edge_pairs = std::move(file.edge_pairs),
               .order = file.order};
     CellMaterials materials = std::move(file.materials);
+    std::vector<int> site_orbits = std::move(file.site_orbits);
     const std::string name = file.name;
     give_sites(std::move(file), tile);
     const std::vector<SiteId>& sites = tile.sites();
     const std::int64_t n_sites =
         sites.empty() ? 0 : 1 + std::int64_t{*std::max_element(sites.begin(), sites.end())};
     require_materials(name, materials, n_sites);
-    return {std::move(tile), precision,      has_vertex_pairs,
-            has_edge_pairs,  states_lattice, std::move(materials)};
+    require_orbits(name, site_orbits);
+    return {std::move(tile),       precision,      has_vertex_pairs,
+            has_edge_pairs,        states_lattice, std::move(materials),
+            std::move(site_orbits)};
 }
 
 }  // namespace pcvt

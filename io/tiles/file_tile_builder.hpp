@@ -46,6 +46,8 @@ struct FileTileBuilder {
     /// As Tile::order; the nodes in the middle of edges are not among the points.
     int order = 1;
     CellMaterials materials = {};
+    /// As TileFile::site_orbits.
+    std::vector<int> site_orbits = {};
     NumberedItems numbered = {};
 
     void add_face(const std::vector<int>& vertices, int line);
@@ -71,8 +73,8 @@ void give_sites(FileTileBuilder builder, Tile& tile);
 ///         corners, a corner twice, a vertex that does not exist, or not three corners in a
 ///         triangle tile; a pair names a vertex that does not exist or a huge offset; the number of
 ///         sites is not that of their owners; a file has positions of sites without sites, or not
-///         one weight for each; a number is given twice, or used but not given; a translation is no
-///         lattice vector within 4 ulps.
+///         one weight for each; orbits are not counted in the order of their sites; a number is
+///         given twice, or used but not given; a translation is no lattice vector within 4 ulps.
 TileFile finish(FileTileBuilder builder, const std::optional<Lattice>& lattice,
                 Precision precision);
 

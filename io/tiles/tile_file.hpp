@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/bytes/bad_file.hpp"
 #include "mesher/materials/cell_materials.hpp"
@@ -29,6 +30,9 @@ struct TileFile {
     bool states_lattice = false;
     /// Of the sites of one period; empty where the file states none.
     CellMaterials materials = {};
+    /// The orbit of each site of one period under the symmetry of the run, -1 for a site that has
+    /// no element; empty where the file states none.
+    std::vector<int> site_orbits = {};
 };
 
 }  // namespace pcvt

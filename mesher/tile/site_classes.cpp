@@ -22,16 +22,31 @@ void finish(Neighbours& pairs) {
     std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
 }
 
-/// Returns the sites whose faces share an edge, inside the tile or across its seam; for Delaunay
-/// triangles, the sites at the ends of an edge.
-Neighbours neighbours(const Tile& tile) {
+/// The groups of sites, which the graph joins to one node each.
+class SiteGroups {
+   public:
+    explicit SiteGroups(std::span<const int> site_group) : site_group_(site_group) {}
+
+    int operator[](SiteId site) const {
+        return site_group_.empty()
+                   ? site
+                   : site_group_[static_cast<std::size_t>(site) % site_group_.size()];
+    }
+
+   private:
+    std::span<const int> site_group_;
+};
+
+/// Returns the groups of sites whose faces share an edge, inside the tile or across its seam; for
+/// Delaunay triangles, those of the sites at the ends of an edge.
+Neighbours neighbours(const Tile& tile, const SiteGroups& group) {
     const bool owned = faces_have_sites(tile.kind);
     Neighbours pairs;
     for (const TileEdge& edge : tile_edges(tile)) {
         if (owned) {
-            pairs.emplace_back(tile.face_site[edge.left], tile.face_site[edge.right]);
+            pairs.emplace_back(group[tile.face_site[edge.left]], group[tile.face_site[edge.right]]);
         } else {
-            pairs.emplace_back(tile.vertex_site[edge.v], tile.vertex_site[edge.w]);
+            pairs.emplace_back(group[tile.vertex_site[edge.v]], group[tile.vertex_site[edge.w]]);
         }
     }
     finish(pairs);
@@ -96,7 +111,7 @@ std::vector<SiteId> smallest_last_order(const SiteGraph& graph) {
 }
 
 /// Returns the class of each site: of the classes that no neighbour has, the one with the fewest
-/// sites.
+/// sites; of all classes, where the neighbours have them all.
 std::vector<int> classes(const SiteGraph& graph) {
     constexpr int kNone = -1;
     std::vector<int> class_of(static_cast<std::size_t>(graph.n_sites()), kNone);
@@ -107,6 +122,8 @@ std::vector<int> classes(const SiteGraph& graph) {
         graph.for_each_neighbour(site, [&](SiteId other) {
             if (class_of[other] != kNone) taken[class_of[other]] = true;
         });
+        // Diagonals of cocircular sites, which break a symmetry, may add neighbours to an orbit.
+        if (std::all_of(taken.begin(), taken.end(), [](bool is) { return is; })) taken.fill(false);
         int best = kNone;
         for (int k = 0; k < kSiteClasses; ++k) {
             if (!taken[k] && (best == kNone || n_sites[k] < n_sites[best])) best = k;
@@ -119,16 +136,17 @@ std::vector<int> classes(const SiteGraph& graph) {
 
 }  // namespace
 
-std::vector<int> site_classes(const Tile& tile) {
+std::vector<int> site_classes(const Tile& tile, std::span<const int> site_group) {
     const std::vector<SiteId>& sites =
         faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     if (sites.empty()) return {};
-    const SiteId n_sites = *std::max_element(sites.begin(), sites.end()) + 1;
-    const SiteGraph graph(neighbours(tile), n_sites);
-    const std::vector<int> class_of_site = classes(graph);
+    const SiteGroups group(site_group);
+    SiteId n_groups = 0;
+    for (const SiteId site : sites) n_groups = std::max(n_groups, group[site] + 1);
+    const std::vector<int> class_of_group = classes(SiteGraph(neighbours(tile, group), n_groups));
     std::vector<int> result;
     result.reserve(sites.size());
-    for (const SiteId site : sites) result.push_back(class_of_site[site]);
+    for (const SiteId site : sites) result.push_back(class_of_group[group[site]]);
     return result;
 }
 

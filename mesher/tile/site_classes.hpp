@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesher/tile/tile.hpp"
@@ -14,6 +15,11 @@ inline constexpr int kSiteClasses = 7;
 /// vertex of a tile of Delaunay triangles. Faces (vertices) of one site have the same class;
 /// neighbouring sites have different classes, across the seam as well. Each class takes about as
 /// many sites as every other one.
-std::vector<int> site_classes(const Tile& tile);
+/// @param site_group  of sites 0 to n - 1 of one period, groups counted from 0: sites of a group
+/// have
+///                    the same class, and neighbours of different groups have different ones. The
+///                    groups are the orbits of a plane group, whose quotient of the torus needs no
+///                    more classes than the torus. Empty: each site is a group.
+std::vector<int> site_classes(const Tile& tile, std::span<const int> site_group = {});
 
 }  // namespace pcvt

@@ -42,9 +42,27 @@ static_assert(colouring_row(Colouring::kSize).abi_value == PCVT_COLOUR_SIZE);
 static_assert(colouring_row(Colouring::kCells).abi_value == PCVT_COLOUR_CELLS);
 static_assert(colouring_row(Colouring::kDensity).abi_value == PCVT_COLOUR_DENSITY);
 static_assert(colouring_row(Colouring::kPhase).abi_value == PCVT_COLOUR_PHASE);
+static_assert(colouring_row(Colouring::kOrbit).abi_value == PCVT_COLOUR_ORBIT);
 static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
 static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
 static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
+static_assert(find_word(kPlaneGroups, "p1")->abi_value == PCVT_SYMMETRY_P1);
+static_assert(find_word(kPlaneGroups, "p2")->abi_value == PCVT_SYMMETRY_P2);
+static_assert(find_word(kPlaneGroups, "pm")->abi_value == PCVT_SYMMETRY_PM);
+static_assert(find_word(kPlaneGroups, "pg")->abi_value == PCVT_SYMMETRY_PG);
+static_assert(find_word(kPlaneGroups, "cm")->abi_value == PCVT_SYMMETRY_CM);
+static_assert(find_word(kPlaneGroups, "pmm")->abi_value == PCVT_SYMMETRY_PMM);
+static_assert(find_word(kPlaneGroups, "pmg")->abi_value == PCVT_SYMMETRY_PMG);
+static_assert(find_word(kPlaneGroups, "pgg")->abi_value == PCVT_SYMMETRY_PGG);
+static_assert(find_word(kPlaneGroups, "cmm")->abi_value == PCVT_SYMMETRY_CMM);
+static_assert(find_word(kPlaneGroups, "p4")->abi_value == PCVT_SYMMETRY_P4);
+static_assert(find_word(kPlaneGroups, "p4m")->abi_value == PCVT_SYMMETRY_P4M);
+static_assert(find_word(kPlaneGroups, "p4g")->abi_value == PCVT_SYMMETRY_P4G);
+static_assert(find_word(kPlaneGroups, "p3")->abi_value == PCVT_SYMMETRY_P3);
+static_assert(find_word(kPlaneGroups, "p3m1")->abi_value == PCVT_SYMMETRY_P3M1);
+static_assert(find_word(kPlaneGroups, "p31m")->abi_value == PCVT_SYMMETRY_P31M);
+static_assert(find_word(kPlaneGroups, "p6")->abi_value == PCVT_SYMMETRY_P6);
+static_assert(find_word(kPlaneGroups, "p6m")->abi_value == PCVT_SYMMETRY_P6M);
 
 static_assert(find_word(kGltfNodes, "cells")->abi_value == PCVT_NODES_CELLS);
 static_assert(find_word(kGltfNodes, "one")->abi_value == PCVT_NODES_ONE);
@@ -95,6 +113,11 @@ int threads(std::int32_t wanted) {
     }
     if (wanted > 0) return wanted;
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+std::optional<PlaneGroupName> symmetry(std::int32_t value) {
+    if (value == PCVT_SYMMETRY_NONE) return std::nullopt;
+    return chosen_row("symmetry", value, kPlaneGroups).name;
 }
 
 std::optional<WishedAreas> wished_areas(const pcvt_options& options) {
@@ -266,6 +289,7 @@ Job make_job(const pcvt_options& options) {
     job.finds_origin = options.find_origin == 1;
     job.areas = wished_areas(options);
     job.aspect = aspect(options);
+    job.symmetry = symmetry(options.symmetry);
     job.materials = materials(options);
     return job;
 }

@@ -139,6 +139,8 @@ pcvt_sites Result::sites() const {
     if (!materials.site_phase.empty()) view.phases = numbers(materials.site_phase);
     if (!phase_names_.empty()) view.phase_names = phase_names_.data();
     view.n_phases = static_cast<std::int32_t>(phase_names_.size());
+    view.n_orbits = computed_.cells.n_orbits();
+    view.orbits = numbers(computed_.cells.site_orbits);
     // Three doubles each, without padding.
     static_assert(sizeof(BungeAngles) == 3 * sizeof(double));
     if (!materials.site_orientation.empty()) {

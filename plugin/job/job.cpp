@@ -65,7 +65,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
     summary.density = cells.density;
     if (cells.areas) summary.areas = area_summary(cells);
-    summary.n_orbits = cells.n_orbits;
+    summary.n_orbits = cells.n_orbits();
     summary.phases = computation.phases;
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;

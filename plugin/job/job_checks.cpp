@@ -214,6 +214,10 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
     if (colouring && colouring_row(*colouring).needs_phases && job.materials.phases.empty()) {
         throw InvalidInput("there are no phases to show in colours; give some, or colour by size");
     }
+    if (colouring && colouring_row(*colouring).needs_orbits && !job.symmetry) {
+        throw InvalidInput(
+            "there is no symmetry whose orbits colours could show; give one, or colour by cells");
+    }
     const double cut_width = job.file_options.cut_width;
     if (cut_width != 0 && !(cut_width >= kLeastCutWidth && cut_width <= kLargestCutWidth)) {
         throw InvalidInput("the width to cut is not between 0.001 and 1e6 mm");

@@ -22,10 +22,7 @@ class FileEncoder {
 
     std::vector<EncodedFile> operator()(TileWriter* write) const { return write(tile(), path()); }
     std::vector<EncodedFile> operator()(TileFormWriter* write) const {
-        FileOptions options = job_.file_options;
-        options.site_densities = result_.site_densities;
-        if (!tile_materials().empty()) options.materials = &tile_materials();
-        return write(tile(), options, path());
+        return write(tile(), tile_options(), path());
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
         const PeriodicMesh cells =
@@ -61,7 +58,15 @@ class FileEncoder {
         return {.sites = sites(),
                 .cells = cell_table(plane_mesh(result_.cells, MeshKind::kVoronoi)),
                 .weights = result_.cells.delaunay.weights(),
-                .materials = materials()};
+                .materials = materials(),
+                .orbits = result_.cells.site_orbits};
+    }
+    FileOptions tile_options() const {
+        FileOptions options = job_.file_options;
+        options.site_densities = result_.site_densities;
+        options.site_orbits = result_.cells.site_orbits;
+        if (!tile_materials().empty()) options.materials = &tile_materials();
+        return options;
     }
     const CellMaterials& materials() const { return result_.materials; }
     /// The materials that a file of a tile states; empty for Delaunay triangles where files state
@@ -153,7 +158,7 @@ void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& ori
     } else if (file.format->reads_voxels()) {
         prove_voxel_files(*file.format, encoded, encoder.materials());
     } else if (file.format->is_readable()) {
-        prove_tile_files(*file.format, encoded, encoder.tile(), origin, encoder.tile_materials());
+        prove_tile_files(*file.format, encoded, encoder.tile(), origin, encoder.tile_options());
     }
     progress.add(kProving);
 }

@@ -16,6 +16,17 @@
 namespace pcvt {
 namespace {
 
+/// Numbers orbits in the order of their first sites.
+std::vector<int> counted_by_sites(std::vector<int> site_orbits) {
+    std::vector<int> number(site_orbits.size(), -1);
+    int n_orbits = 0;
+    for (int& orbit : site_orbits) {
+        if (number[orbit] < 0) number[orbit] = n_orbits++;
+        orbit = number[orbit];
+    }
+    return site_orbits;
+}
+
 Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
                            const std::function<void()>& built) {
     CvtOptions options;
@@ -37,7 +48,8 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
             .run = cvt.run,
             .counts = cvt.counts,
             .density = cvt.density,
-            .n_orbits = start.symmetric ? static_cast<int>(start.symmetric->orbits.size()) : 0};
+            .site_orbits =
+                start.symmetric ? counted_by_sites(start.symmetric->orbit) : std::vector<int>()};
 }
 
 /// Of prescribed areas.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -35,14 +36,20 @@ struct Tessellation {
     /// Of a run with areas.
     std::optional<AreaFigures> areas = {};
 
-    /// Of a run with a symmetry: the number of orbits of sites. Else 0.
-    int n_orbits = 0;
+    /// Of a run with a symmetry: the orbit of each site. Orbits are counted from 0 in the order of
+    /// their first sites.
+    std::vector<int> site_orbits = {};
 
     /// That of the user.
     const Lattice& lattice() const {
         return elongation ? elongation->lattice : delaunay.sites().lattice();
     }
     int n_sites() const { return delaunay.sites().n_sites(); }
+    /// Of sites; 0 without a symmetry.
+    int n_orbits() const {
+        return site_orbits.empty() ? 0
+                                   : *std::max_element(site_orbits.begin(), site_orbits.end()) + 1;
+    }
 };
 
 /// Computes the tessellation of a job that has no aspect, from its start, whose points and areas

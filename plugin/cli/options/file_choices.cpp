@@ -16,7 +16,8 @@ constexpr int kMostPixelsOfARow = 1 << 16;
 
 void add_file_choices(CLI::App& app, FileChoices& choices) {
     app.add_option("--colour", choices.colour,
-                   "the quantity that colours show; cells: neighbours differ [sides; in\n"
+                   "the quantity that colours show; cells: neighbours differ; orbit: of\n"
+                   "the sites under --symmetry, neighbouring orbits differ [sides; in\n"
                    "pictures with --phases phase, of grains cells, and of other cells with\n"
                    "--density size]")
         ->type_name(listed_words(kColourings, "|", "|"));

@@ -40,9 +40,11 @@ __all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Prog
            "OutputError"]
 
 _STARTS = ("default", "random", "coarse", "lattice", "best")
-_COLOURS = ("default", "sides", "size", "cells", "density", "phase")
+_COLOURS = ("default", "sides", "size", "cells", "density", "phase", "orbit")
 _GLTF_NODES = ("default", "cells", "one")
 _SOLVERS = ("default", "lbfgs", "lloyd", "newton")
+_SYMMETRIES = ("p1", "p2", "pm", "pg", "cm", "pmm", "pmg", "pgg", "cmm", "p4", "p4m", "p4g", "p3", "p3m1", "p31m",
+               "p6", "p6m")
 _ELEMENTS = ("CPE", "CPS")
 _JOBS = ("none", "elastic")
 
@@ -72,9 +74,12 @@ def _doubles(name, values, *shape):
     return array
 
 
-def _period_vectors(lattice, period):
+def _period_vectors(lattice, period, symmetry):
+    if period is None and lattice is None:
+        is_hexagonal = symmetry is not None and symmetry[1] in "36"
+        return ((1, 0), (0.5, 0.75 ** 0.5)) if is_hexagonal else ((1, 0), (0, 1))
     if period is None:
-        return ((1, 0), (0, 1)) if lattice is None else lattice
+        return lattice
     if lattice is not None:
         raise ArgumentError("lattice and period exclude each other; give one of the two")
     width, height = _doubles("period", period, 2)
@@ -151,13 +156,14 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, aspect=1.0, phases=None,
-         orientations=None):
+         orientations=None, symmetry=None):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
     sites           the number of sites, drawn from `seed`; or their positions, shape (n, 2), anywhere
                     in the plane
-    lattice         (2, 2), the period vectors as rows a, b; None: the unit square
+    lattice         (2, 2), the period vectors as rows a, b; None: the unit square, or with p3 to p6m
+                    vectors of length 1 at 60 degrees
     period          (width, height) of a rectangle, in place of lattice
     density         periodic, finite and positive: a function of x, y, each float64 of shape (m,),
                     that returns shape (m,) or one number; or, as text, an expression in x, y, u, v
@@ -185,6 +191,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     sum 1; spread evenly, drawn from `seed`. See Result.phases
     orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
                     degrees; or "random", drawn from `seed`. See Result.orientations
+    symmetry        drawn sites have, and keep, the symmetry of a plane group: p1, p2, pm, pg, cm, pmm, pmg,
+                    pgg, cmm, p4, p4m, p4g, p3, p3m1, p31m, p6 or p6m; sites counts those of one period
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -200,10 +208,11 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
                   budget=budget,
+                  symmetry=0 if symmetry is None else 1 + _choice("symmetry", symmetry, _SYMMETRIES),
                   start=_choice("start", start, _STARTS),
                   solver=_choice("solver", solver, _SOLVERS))
     options.find_origin = isinstance(origin, str) and origin == "auto"
-    _set_doubles(options, lattice=_doubles("lattice", _period_vectors(lattice, period), 2, 2).ravel(),
+    _set_doubles(options, lattice=_doubles("lattice", _period_vectors(lattice, period, symmetry), 2, 2).ravel(),
                  origin=(0, 0) if options.find_origin else origin, density_range=density_range)
     options.tolerance, options.grain_size = tolerance, grain_size
     options.short_edges = short_edges
@@ -230,10 +239,12 @@ class Result:
     phase_names in the order in which they were given
     orientations
                 (n, 3), phi1, Phi, phi2 in degrees, or None without orientations
+    orbits      (n,), equal for sites that the symmetry maps to each other, counted from 0 in the order of
+                their first sites; None without a symmetry
     statistics  a Statistics
     cells       (n,), the columns of .csv files as an array with the fields site, x, y, weight, area,
-                diameter, sides, circularity, phase (an index into phase_names), phi1, Phi, phi2 and
-                neighbours; fields that do not apply are NaN, or -1 as a phase
+                diameter, sides, circularity, phase (an index into phase_names), phi1, Phi, phi2,
+                orbit and neighbours; fields that do not apply are NaN, or -1 as a phase or an orbit
     """
 
     def __init__(self, handle):
@@ -244,6 +255,7 @@ class Result:
         self.weights = handle.array(view.weights, np.float64, view.n_sites)
         self.phases = handle.array(view.phases, np.int32, view.n_sites)
         self.phase_names = tuple(view.phase_names[k].decode() for k in range(view.n_phases))
+        self.orbits = handle.array(view.orbits, np.int32, view.n_sites)
         self.orientations = handle.array(view.orientations, np.float64, view.n_sites, 3)
 
     @property
@@ -299,7 +311,7 @@ class Result:
         element     of .inp: CPE (plane strain) or CPS (plane stress)
         job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
         progress    called with a Progress ten times a second; a true return value cancels
-        colour      what colours show: sides, size, cells (neighbours differ), density or phase
+        colour      what colours show: sides, size, cells (neighbours differ), density, phase or orbit
         background  of .svg: none or #rrggbb
         voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h
         """

@@ -6,14 +6,14 @@ import numpy as np
 CELL = np.dtype([("site", np.int32), ("x", np.float64), ("y", np.float64), ("weight", np.float64),
                  ("area", np.float64), ("diameter", np.float64), ("sides", np.int32),
                  ("circularity", np.float64), ("phase", np.int32), ("phi1", np.float64),
-                 ("Phi", np.float64), ("phi2", np.float64), ("neighbours", object)])
+                 ("Phi", np.float64), ("phi2", np.float64), ("orbit", np.int32), ("neighbours", object)])
 
 # Edges shorter than this, in units of sqrt(mean area), are no sides.
 _SHORT_EDGE = 1e-5
 
 
 def cell_table(result):
-    """One entry for each cell of a Result; fields that do not apply are NaN, or -1 as a phase."""
+    """One entry for each cell of a Result; fields that do not apply are NaN, or -1 as a phase or an orbit."""
     mesh = result.mesh()
     first, n_corners = mesh.face_begin[:-1], len(mesh.corner_vertex)
     face = np.repeat(np.arange(len(first)), np.diff(mesh.face_begin))
@@ -27,6 +27,7 @@ def cell_table(result):
     cells["x"], cells["y"] = result.sites.T
     cells["weight"] = np.nan if result.weights is None else result.weights
     cells["phase"] = -1 if result.phases is None else result.phases
+    cells["orbit"] = -1 if result.orbits is None else result.orbits
     angles = np.full((len(first), 3), np.nan) if result.orientations is None else result.orientations
     cells["phi1"], cells["Phi"], cells["phi2"] = angles.T
     cells["area"] = np.add.reduceat(p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0], first) / 2

@@ -70,14 +70,15 @@ class Options(ctypes.Structure):
                 ("find_origin", c_int32), ("areas", c_void_p), ("n_areas", c_int32),
                 ("reserved", c_int32), ("area_law", c_char_p), ("aspect", c_double),
                 ("aspect_degrees", c_double), ("phases", c_char_p), ("orientations", c_void_p),
-                ("n_orientations", c_int32), ("random_orientations", c_int32)]
+                ("n_orientations", c_int32), ("random_orientations", c_int32),
+                ("symmetry", c_int32), ("reserved2", c_int32)]
 
 
 class Sites(ctypes.Structure):
     _fields_ = [("lattice", c_double * 4), ("points", c_void_p), ("n_sites", c_int32),
                 ("reserved", c_int32), ("weights", c_void_p), ("phases", c_void_p),
                 ("phase_names", ctypes.POINTER(c_char_p)), ("orientations", c_void_p), ("n_phases", c_int32),
-                ("reserved2", c_int32)]
+                ("n_orbits", c_int32), ("orbits", c_void_p)]
 
 
 class Mesh(ctypes.Structure):

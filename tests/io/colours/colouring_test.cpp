@@ -34,10 +34,32 @@ TEST(Colouring, ByPhaseEachCellHasTheClassOfItsPhase) {
     EXPECT_NE(hex(colours.classes[0].colour), hex(colours.classes[1].colour));
 }
 
+TEST(Colouring, ByOrbitEachCellHasTheClassOfItsOrbit) {
+    const Tile tile = grid_tile(Lattice::rectangle(1, 1), 4, 4);
+    // The mirror that exchanges columns 1 and 3.
+    const std::vector<int> column{0, 1, 2, 1};
+    std::vector<int> orbits;
+    for (int s = 0; s < 16; ++s) orbits.push_back(3 * (s / 4) + column[s % 4]);
+    const TileColours colours = tile_colours(tile, Colouring::kOrbit, {.orbits = orbits});
+    ASSERT_EQ(colours.classes.size(), 12U);
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        EXPECT_EQ(colours.class_of[f], orbits[tile.face_site[f]]);
+    }
+    EXPECT_EQ(colours.classes[1].name, "orbit_1");
+    EXPECT_NE(hex(colours.classes[0].colour), hex(colours.classes[1].colour));
+    // Seven colours would not name twelve orbits.
+    EXPECT_EQ(colours.classes[1].label, "");
+    for (int& orbit : orbits) orbit %= 3;
+    const TileColours few = tile_colours(tile, Colouring::kOrbit, {.orbits = orbits});
+    EXPECT_EQ(few.classes[0].label, "orbit 0: 4");
+    EXPECT_EQ(few.classes[1].label, "orbit 1: 8");
+}
+
 TEST(Colouring, AQuantityThatIsMissingIsAFaultOfTheCaller) {
     const Tile tile = grid_tile(Lattice::rectangle(1, 1), 4, 4);
     EXPECT_THROW(tile_colours(tile, Colouring::kPhase, {}), InternalError);
     EXPECT_THROW(tile_colours(tile, Colouring::kDensity, {}), InternalError);
+    EXPECT_THROW(tile_colours(tile, Colouring::kOrbit, {}), InternalError);
     const CellMaterials only_orientations{.site_orientation = {{1, 2, 3}}};
     EXPECT_THROW(tile_colours(tile, Colouring::kPhase, {.materials = &only_orientations}),
                  InternalError);

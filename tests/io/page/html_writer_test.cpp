@@ -7,6 +7,7 @@
 
 #include "io/page/page_parts.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/tile/site_classes.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
 
@@ -83,6 +84,24 @@ TEST(HtmlPage, Law1TheDataGivesTheTileBackExactly) {
             expect_same_tile(json, tile);
         }
     }
+}
+
+TEST(HtmlPage, OrbitsHaveNumbersOfSitesAndColoursOfFaces) {
+    const std::vector<int> orbits{0, 1, 1, 0};
+    const FileOptions options{.site_orbits = orbits, .colouring = Colouring::kOrbit};
+    const auto data = [&](const Tile& tile, const FileOptions& given) {
+        return parsed_data(encode_html(tile, given, "t.html").at(0).bytes);
+    };
+    for (const Tile& tile : {grid_tile(Lattice::rectangle(1, 1), 2, 2),
+                             grain_grid_tile(Lattice::rectangle(1, 1), 2, 2)}) {
+        const nlohmann::json json = data(tile, options);
+        EXPECT_EQ(json["colouring"], "orbit");
+        EXPECT_EQ(json["orbits"].get<std::vector<int>>(), orbits);
+        EXPECT_EQ(json["orbit_classes"].get<std::vector<int>>(), site_classes(tile, orbits));
+        EXPECT_THAT(data(tile, {})["orbit_classes"], IsEmpty());
+    }
+    const Tile triangles = triangle_grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    EXPECT_THAT(data(triangles, options)["orbit_classes"], IsEmpty());
 }
 
 TEST(HtmlPage, Law2NoNameEndsTheData) {

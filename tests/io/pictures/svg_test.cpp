@@ -262,9 +262,11 @@ TEST(Svg, TheLegendIsNeverCutOff) {
                 const std::vector<double> densities{1e-7, 1234567, 1, 3.14159};
                 const CellMaterials phases{.phase_names = {"ferrite", "austenite"},
                                            .site_phase = {0, 1, 0, 1, 0, 1, 0, 1, 0}};
+                const std::vector<int> orbits{0, 1, 2, 3, 4, 5, 6};
                 for (const ColouringRow& row : kColourings) {
                     expect_text_inside(svg(tile, {.site_densities = densities,
                                                   .materials = &phases,
+                                                  .site_orbits = orbits,
                                                   .colouring = row.colouring}));
                 }
             }

@@ -22,6 +22,7 @@ CellRows example(bool weighted, bool with_materials) {
     for (int k = 0; k < 9; ++k) {
         rows.materials.site_phase.push_back(k % 2);
         rows.materials.site_orientation.push_back({40.0 * k, 20.0 * k, 0.1 * k});
+        rows.orbits.push_back(k / 2);
     }
     return rows;
 }
@@ -48,6 +49,15 @@ TEST(CellRows, AreReadBack) {
                 reads_back("c.csv", encode_cells(rows), example(weighted, !with_materials)));
         }
     }
+}
+
+TEST(CellRows, OtherOrbitsAreFound) {
+    const CellRows rows = example(true, true);
+    CellRows other = rows;
+    other.orbits.back() = 3;
+    EXPECT_FALSE(reads_back("c.csv", encode_cells(rows), other));
+    other.orbits.clear();
+    EXPECT_FALSE(reads_back("c.csv", encode_cells(rows), other));
 }
 
 TEST(CellRows, EveryChangedCharacterIsFound) {

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 
 #include "io/solvers/vtu_reader.hpp"
@@ -121,6 +122,48 @@ TEST(Vtu, FaultsOfTheGridNameTheirLine) {
                 HasSubstr(": point 9 does not exist; "));
     EXPECT_THAT(fault_with("0 0\n1 0\n0 1\n1 1\n", "1 0\n1 0\n0 1\n1 1\n"),
                 HasSubstr(": a point has an offset to itself; "));
+}
+
+/// Two orbits of the four sites of a grid.
+std::string with_orbits(const Tile& tile) {
+    return encode_vtu(tile, "t.vtu", std::array{0, 1, 1, 0})[0].bytes;
+}
+
+TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
+    for (const Tile& tile :
+         {testing::grid_tile(kSquare, 2, 2), testing::grain_grid_tile(kSquare, 2, 2)}) {
+        EXPECT_EQ(read(with_orbits(tile)).site_orbits, (std::vector{0, 1, 1, 0}));
+    }
+    const Tile triangles = testing::triangle_grid_tile(kSquare, 2, 2);
+    const std::vector<int> found = read(with_orbits(triangles)).site_orbits;
+    ASSERT_FALSE(found.empty());
+    for (std::size_t s = 0; s < found.size(); ++s) {
+        EXPECT_THAT(found[s], ::testing::AnyOf(-1, s == 0 || s == 3 ? 0 : 1));
+    }
+    EXPECT_TRUE(read(one_cell()).site_orbits.empty());
+}
+
+TEST(Vtu, OrbitsThatAreNoneAreRefused) {
+    const std::string cells = with_orbits(testing::grid_tile(kSquare, 2, 2));
+    const std::string orbits = "\n0\n1\n1\n0\n</DataArray>\n</CellData>";
+    const auto fault = [&](const std::string& other) {
+        return fault_of(
+            testing::exchanged(cells, orbits, "\n" + other + "\n</DataArray>\n</CellData>"));
+    };
+    EXPECT_THAT(fault("0\n1\n1"), HasSubstr("CellData/Orbit has not the size"));
+    EXPECT_THAT(fault("0\n1\n1\n0\n0"), HasSubstr("CellData/Orbit has not the size"));
+    EXPECT_THAT(fault("0\n1\n1.5\n0"), HasSubstr("1.5"));
+    EXPECT_THAT(fault("0\n1\n1\n-1"), HasSubstr("cell 3 has not one orbit"));
+    EXPECT_THAT(fault("0\n2\n1\n0"), HasSubstr("not counted in the order"));
+    EXPECT_THAT(
+        fault_of(testing::exchanged(cells, R"(Int32" Name="Orbit")", R"(Float64" Name="Orbit")")),
+        HasSubstr("CellData/Orbit has not the size or type"));
+    // Two triangles of one grain.
+    std::string grains = with_orbits(testing::grain_grid_tile(kSquare, 2, 2));
+    const std::size_t last = grains.rfind("0\n</DataArray>\n</CellData>");
+    ASSERT_NE(last, std::string::npos);
+    grains[last] = '1';
+    EXPECT_THAT(fault_of(grains), HasSubstr("cell 3 has not one orbit"));
 }
 
 TEST(Vtu, AWrongPairIsRefuted) {

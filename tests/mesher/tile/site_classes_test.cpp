@@ -29,19 +29,24 @@ void for_each_edge(const Tile& tile, const Visit& visit) {
     }
 }
 
-/// Expects that faces of different sites with a common edge differ, inside and across the seam.
-void expect_neighbours_differ(const Tile& tile) {
-    const std::vector<int> classes = site_classes(tile);
+/// Expects that faces of different sites, or groups of sites, with a common edge differ, inside and
+/// across the seam.
+void expect_neighbours_differ(const Tile& tile, const std::vector<int>& site_group = {}) {
+    const std::vector<int> classes = site_classes(tile, site_group);
+    const auto group = [&](int f) {
+        return site_group.empty() ? tile.face_site[f] : site_group[tile.face_site[f]];
+    };
+    std::map<int, int> class_of_group;
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        EXPECT_EQ(class_of_group.emplace(group(f), classes[f]).first->second, classes[f]);
+    }
     ASSERT_EQ(classes.size(), std::size_t(tile.n_faces()));
     EXPECT_THAT(classes, Each(::testing::AllOf(Ge(0), Le(kSiteClasses - 1))));
     std::map<std::pair<int, int>, int> face_left_of;
     for_each_edge(tile, [&](int f, int v, int w) { face_left_of[{v, w}] = f; });
     const auto expect = [&](int f, int g) {
-        if (tile.face_site[f] == tile.face_site[g]) {
-            EXPECT_EQ(classes[f], classes[g]);
-        } else {
-            EXPECT_NE(classes[f], classes[g]) << tile.face_site[f] << " " << tile.face_site[g];
-        }
+        if (group(f) == group(g)) return;
+        EXPECT_NE(classes[f], classes[g]) << group(f) << " " << group(g);
     };
     for_each_edge(tile, [&](int f, int v, int w) {
         const auto other = face_left_of.find({w, v});
@@ -59,6 +64,25 @@ TEST(SiteClasses, NeighboursDifferAcrossTheSeamAsWell) {
             expect_neighbours_differ(random_tile(lattice, n, {.outline = Outline::kBox}));
             expect_neighbours_differ(random_tile(lattice, n, {.kind = MeshKind::kGrains}));
             expect_neighbours_differ(random_tile(lattice, n, {.columns = 2, .rows = 3}));
+        }
+    }
+}
+
+/// Sites that a translation by a third of a period maps to each other are a group.
+TEST(SiteClasses, GroupsOfSitesHaveOneClassAndDifferFromTheirNeighbours) {
+    const Lattice lattice({1.5, 0}, {0.3, 0.8});
+    for (const int n : {1, 2, 3, 5, 8, 40}) {
+        const Points third = uniform_points(Lattice({0.5, 0}, {0.3, 0.8}), n, 1);
+        Points points(2, 3 * n);
+        std::vector<int> group;
+        for (int s = 0; s < 3 * n; ++s) {
+            points.col(s) = third.col(s % n) + Vec2(0.5 * (s / n), 0);
+            group.push_back(s % n);
+        }
+        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
+            const PeriodicDelaunay delaunay(Sites(lattice, points));
+            expect_neighbours_differ(build_tile(delaunay, {.kind = kind}).tile, group);
+            expect_neighbours_differ(build_tile(delaunay, {.kind = kind, .rows = 2}).tile, group);
         }
     }
 }

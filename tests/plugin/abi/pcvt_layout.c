@@ -48,6 +48,25 @@ static void print_numbers(void) {
     NUMBER(PCVT_COLOUR_CELLS);
     NUMBER(PCVT_COLOUR_DENSITY);
     NUMBER(PCVT_COLOUR_PHASE);
+    NUMBER(PCVT_COLOUR_ORBIT);
+    NUMBER(PCVT_SYMMETRY_NONE);
+    NUMBER(PCVT_SYMMETRY_P1);
+    NUMBER(PCVT_SYMMETRY_P2);
+    NUMBER(PCVT_SYMMETRY_PM);
+    NUMBER(PCVT_SYMMETRY_PG);
+    NUMBER(PCVT_SYMMETRY_CM);
+    NUMBER(PCVT_SYMMETRY_PMM);
+    NUMBER(PCVT_SYMMETRY_PMG);
+    NUMBER(PCVT_SYMMETRY_PGG);
+    NUMBER(PCVT_SYMMETRY_CMM);
+    NUMBER(PCVT_SYMMETRY_P4);
+    NUMBER(PCVT_SYMMETRY_P4M);
+    NUMBER(PCVT_SYMMETRY_P4G);
+    NUMBER(PCVT_SYMMETRY_P3);
+    NUMBER(PCVT_SYMMETRY_P3M1);
+    NUMBER(PCVT_SYMMETRY_P31M);
+    NUMBER(PCVT_SYMMETRY_P6);
+    NUMBER(PCVT_SYMMETRY_P6M);
     NUMBER(PCVT_STOP_CONVERGED);
     NUMBER(PCVT_STOP_ITERATION_LIMIT);
     NUMBER(PCVT_STOP_STALLED);
@@ -113,6 +132,8 @@ static void print_options(void) {
     FIELD(pcvt_options, orientations);
     FIELD(pcvt_options, n_orientations);
     FIELD(pcvt_options, random_orientations);
+    FIELD(pcvt_options, symmetry);
+    FIELD(pcvt_options, reserved2);
 }
 
 static void print_sites(void) {
@@ -126,7 +147,8 @@ static void print_sites(void) {
     FIELD(pcvt_sites, phase_names);
     FIELD(pcvt_sites, orientations);
     FIELD(pcvt_sites, n_phases);
-    FIELD(pcvt_sites, reserved2);
+    FIELD(pcvt_sites, n_orbits);
+    FIELD(pcvt_sites, orbits);
 }
 
 static void print_mesh(void) {

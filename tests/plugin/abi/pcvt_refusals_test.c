@@ -166,6 +166,8 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(phases, "a:0.5", "make the sum 1");
     FIELD_REFUSED(n_orientations, 3, "n_orientations");
     FIELD_REFUSED(random_orientations, 2, "random_orientations");
+    FIELD_REFUSED(symmetry, -1, "symmetry -1 is unknown");
+    FIELD_REFUSED(symmetry, PCVT_SYMMETRY_P6M + 1, "symmetry 18 is unknown");
     options.orientations = angles;
     options.n_orientations = 2;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_orientations");
@@ -208,6 +210,33 @@ static void fields_that_contradict_each_other_are_refused(void) {
     options.density_source = "1 + x";
     options.density_range[0] = 1;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "range");
+}
+
+static void symmetries_that_do_not_fit_name_what_fits(void) {
+    const double sites[6] = {0.1, 0.2, 0.6, 0.3, 0.4, 0.9};
+    pcvt_options options = options_for(8);
+    options.symmetry = PCVT_SYMMETRY_P3;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "it fits hexagonal lattices");
+    options.symmetry = PCVT_SYMMETRY_P4M;
+    options.lattice[3] = 2;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "it fits squares");
+    options.symmetry = PCVT_SYMMETRY_PM;
+    options.lattice[2] = 0.37;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "it fits rectangles");
+    options = options_for(7);
+    options.symmetry = PCVT_SYMMETRY_PG;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "take 6 or 8");
+    options = options_for(8);
+    options.symmetry = PCVT_SYMMETRY_P2;
+    options.start = PCVT_START_COARSE;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "start at random");
+    options.start = PCVT_START_RANDOM;
+    options.area_law = "equal";
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "have no symmetry");
+    options = options_for(3);
+    options.symmetry = PCVT_SYMMETRY_P2;
+    options.sites = sites;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "leave the sites out");
 }
 
 static void unknown_tiles_are_refused(void) {
@@ -270,11 +299,14 @@ static void unknown_forms_of_files_are_refused(void) {
     CHECK(pcvt_write(result, "t.inp", &forms) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "element 2") != NULL);
     forms.element = PCVT_CPE;
-    forms.colour = 6;
+    forms.colour = 7;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "colour 6") != NULL);
+    CHECK(strstr(pcvt_last_error(), "colour 7") != NULL);
     forms.colour = PCVT_COLOUR_DENSITY;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
+    forms.colour = PCVT_COLOUR_ORBIT;
+    CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "no symmetry") != NULL);
     forms.colour = PCVT_COLOUR_DEFAULT;
     forms.background = "#12345";
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
@@ -340,6 +372,7 @@ int main(void) {
     values_out_of_range_are_refused();
     every_field_is_checked();
     fields_that_contradict_each_other_are_refused();
+    symmetries_that_do_not_fit_name_what_fits();
     unknown_tiles_are_refused();
     unknown_forms_of_files_are_refused();
     coincident_sites_are_named();

@@ -82,6 +82,30 @@ static void cells_have_phases_and_orientations(void) {
     pcvt_free(result);
 }
 
+static void sites_of_a_symmetry_have_orbits(void) {
+    pcvt_options options = options_for(10);
+    pcvt_result* result = NULL;
+    pcvt_sites sites;
+    int32_t s, n_orbits = 0, n_of_first = 0;
+    options.symmetry = PCVT_SYMMETRY_P4;
+    result = generated(&options);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    /* Two orbits of four sites, and a centre each. */
+    CHECK(sites.n_orbits == 4);
+    for (s = 0; s < 10; ++s) {
+        CHECK(sites.orbits[s] <= n_orbits);
+        if (sites.orbits[s] == n_orbits) ++n_orbits;
+        n_of_first += sites.orbits[s] == 0;
+    }
+    CHECK(n_orbits == 4 && (n_of_first == 1 || n_of_first == 4));
+    pcvt_free(result);
+    options.symmetry = PCVT_SYMMETRY_NONE;
+    result = generated(&options);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    CHECK(sites.n_orbits == 0 && sites.orbits == NULL);
+    pcvt_free(result);
+}
+
 static void cells_of_given_areas_have_weights(void) {
     const double areas[4] = {1, 2, 3, 4};
     pcvt_options options = options_for(4);
@@ -173,6 +197,7 @@ int main(void) {
     the_floating_point_environment_of_the_host_is_kept_and_does_not_matter();
     cells_of_given_areas_have_weights();
     cells_have_phases_and_orientations();
+    sites_of_a_symmetry_have_orbits();
     an_invalid_density_is_a_domain_error();
     a_density_grades_the_cells();
     return end_of_claims();

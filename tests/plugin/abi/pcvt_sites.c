@@ -1,6 +1,6 @@
 /* Writes the optimised sites that a C host gets to standard output: 2 n doubles in memory layout.
  *
- *     pcvt_sites N SEED AX AY BX BY [DENSITY]
+ *     pcvt_sites N SEED AX AY BX BY SYMMETRY [DENSITY]
  */
 #include <pcvt.h>
 #include <stdio.h>
@@ -16,15 +16,16 @@ int main(int argc, char** argv) {
     pcvt_options options;
     pcvt_result* result;
     pcvt_sites sites;
-    if (argc != 7 && argc != 8) {
-        fprintf(stderr, "usage: pcvt_sites N SEED AX AY BX BY [DENSITY]\n");
+    if (argc != 8 && argc != 9) {
+        fprintf(stderr, "usage: pcvt_sites N SEED AX AY BX BY SYMMETRY [DENSITY]\n");
         return 2;
     }
     stop_on_error(pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION));
     options.n_sites = (int32_t)strtol(argv[1], NULL, 10);
     options.seed = strtoull(argv[2], NULL, 10);
     for (int k = 0; k < 4; ++k) options.lattice[k] = strtod(argv[3 + k], NULL);
-    if (argc == 8) options.density_source = argv[7];
+    options.symmetry = (int32_t)strtol(argv[7], NULL, 10);
+    if (argc == 9) options.density_source = argv[8];
     stop_on_error(pcvt_generate(&options, &result));
     stop_on_error(pcvt_get_sites(result, &sites, sizeof sites));
     const size_t n_doubles = 2 * (size_t)sites.n_sites;

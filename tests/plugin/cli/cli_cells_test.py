@@ -6,7 +6,7 @@ import math
 
 from support.cli import CliTest, main
 
-HEADER = "site,x,y,weight,area,diameter,sides,circularity,phase,tag,phi1,Phi,phi2,neighbours"
+HEADER = "site,x,y,weight,area,diameter,sides,circularity,phase,tag,phi1,Phi,phi2,orbit,neighbours"
 
 
 class Cells(CliTest):

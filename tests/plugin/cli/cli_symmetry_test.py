@@ -1,6 +1,8 @@
 """Plane groups on the command line: symmetric sites in the files, reports and refusals."""
 
+import csv
 import json
+import re
 
 from support.cli import CliTest, main
 
@@ -42,6 +44,57 @@ class Symmetry(CliTest):
         sites = self.sites("s.txt")
         self.assertIn((0, 0), sites)
         self.assertIn((0.5, 0.5), sites)
+
+    def test_files_of_cells_state_the_orbits(self):
+        for mesh in ("voronoi", "delaunay", "grains"):
+            report = self.report("--sites", 58, "--symmetry", "p4m", "--mesh", mesh, "--repeat", "1x2", "-o", "t.vtu",
+                                 "--cells", "c.csv")
+            with open(self.path("c.csv")) as file:
+                rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+            orbits = [int(row["orbit"]) for row in rows]
+            n_orbits = report["symmetry"]["orbits"]
+            self.assertEqual(sorted(set(orbits), key=orbits.index), list(range(n_orbits)))
+            # Orbits on mirrors and centres are smaller; sites of an orbit have cells of one area.
+            for orbit in range(n_orbits):
+                cells = [row for row in rows if int(row["orbit"]) == orbit]
+                self.assertIn(len(cells), (1, 2, 4, 8))
+                areas = [float(cell["area"]) for cell in cells]
+                self.assertLess(max(areas) - min(areas), 1e-12)
+            text = self.path("t.vtu").read_text().split("<CellData>")[1]
+            cell, orbit = (re.search(rf'Name="{name}" format="ascii">\n([^<]*)<', text)[1].split()
+                           for name in ("CellId", "Orbit"))
+            self.assertEqual([orbits[int(c)] for c in cell], [int(o) for o in orbit])
+            self.succeed("check", "t.vtu")
+        self.report("--sites", 20, "-o", "t.vtu", "--cells", "c.csv")
+        self.assertNotIn("Orbit", self.path("t.vtu").read_text())
+        self.assertIn(",,,,,,", self.path("c.csv").read_text())
+
+    def test_check_refuses_orbits_that_are_none(self):
+        self.report("--sites", 24, "--symmetry", "p4", "-o", "t.vtu")
+        text = self.path("t.vtu").read_text()
+        begin = text.index('Name="Orbit"')
+        for old, new, words in (("\n0\n", "\n", "CellData/Orbit has not the size"),
+                                ("\n0\n", "\n0.5\n", "0.5"),
+                                ("\n0\n", "\n77\n", "not counted in the order")):
+            self.write("u.vtu", text[:begin] + text[begin:].replace(old, new, 1))
+            self.refuse(2, words, "check", "u.vtu")
+
+    def test_pictures_show_the_orbits(self):
+        run = ("mesh", "--sites", 34, "--symmetry", "p4m", "--quiet", "--force", "--colour", "orbit")
+        self.succeed(*run, "--glb-nodes", "one", "-o", "t.svg", "-o", "t.obj", "-o", "t.gltf", "-o", "t.ply",
+                     "-o", "t.png", "-o", "t.html", "--cells", "c.csv")
+        with open(self.path("c.csv")) as file:
+            orbits = [row["orbit"] for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+        for orbit in set(orbits):
+            self.assertIn(f">orbit {orbit}: {orbits.count(orbit)}<", self.path("t.svg").read_text())
+        self.assertEqual(set(re.findall(r"newmtl orbit_(\S+)", self.path("t.mtl").read_text())), set(orbits))
+        names = [material["name"] for material in json.loads(self.path("t.gltf").read_text())["materials"]]
+        self.assertLessEqual({f"orbit_{orbit}" for orbit in orbits}, set(names))
+        self.assertIn(f'"orbits": [{",".join(orbits)}]', self.path("t.html").read_text())
+        self.succeed("check", "t.obj", "t.gltf", "t.ply")
+        # Triangles too, by the orbits of their sites.
+        self.succeed(*run, "--mesh", "delaunay", "-o", "t.svg", "-o", "t.ply", "-o", "t.png", "-o", "t.html")
+        self.refuse(2, "there is no symmetry whose orbits", "mesh", "--sites", 9, "--colour", "orbit", "-o", "v.svg")
 
     def test_the_bytes_are_the_same_for_any_number_of_threads(self):
         for threads in (1, 3):
