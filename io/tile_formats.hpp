@@ -63,6 +63,7 @@ struct FormatRequest {
     double n_sites = 1;
     /// The numbers of periods in `lattice`.
     double n_periods = 1;
+    Walls walls = Walls::kNone;
     FileOptions files = {};
 };
 

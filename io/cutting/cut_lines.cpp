@@ -26,7 +26,7 @@ CutLines cut_lines(const Tile& tile, double width) {
     };
     CutLines lines{{}, {}, place(high)};
     for (const TileEdge& edge : tile_edges(tile)) {
-        (edge.on_seam ? lines.seam : lines.inner)
+        (edge.on_seam || edge.right < 0 ? lines.seam : lines.inner)
             .push_back({place(tile.points[edge.v]), place(tile.points[edge.w])});
     }
     return lines;

@@ -50,7 +50,7 @@ int count_sites(const Tile& tile) {
 bool is_edge(const Tile&, const TileEdge&) { return true; }
 
 bool is_grain_boundary(const Tile& tile, const TileEdge& edge) {
-    return tile.face_site[edge.left] != tile.face_site[edge.right];
+    return edge.right < 0 || tile.face_site[edge.left] != tile.face_site[edge.right];
 }
 
 /// A box outline cuts cells along edges that are none of theirs.

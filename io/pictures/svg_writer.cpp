@@ -28,6 +28,7 @@ constexpr const char* kTriangleEdgeColour = "#8b919c";
 constexpr const char* kPaleColour = "#f3efe4";
 constexpr const char* kDotColour = "#30343c";
 constexpr const char* kDomainColour = "#1c1f26";
+constexpr const char* kWallColour = "#4a4f5c";
 /// Lies under the dashes, so that they are visible on cells and pages of every lightness.
 constexpr const char* kDomainCasing = "#ffffff";
 /// Below this spacing in pixels, dots would merge into grey.
@@ -210,7 +211,12 @@ std::string draw_seam(const Drawing& drawing) {
         }
         svg += path.element(stroke(colour, drawing.width(0.09, 1.1, 5)));
     }
-    return svg;
+    if (tile.wall_edges.empty()) return svg;
+    SvgPath walls(drawing.frame);
+    for (const WallEdge& edge : tile.wall_edges) {
+        walls.move(tile.points[edge.v0]).line(tile.points[edge.v1]);
+    }
+    return svg + walls.element(stroke(kWallColour, drawing.width(0.13, 1.6, 7)));
 }
 
 std::string counted(int n, const std::string& noun) {

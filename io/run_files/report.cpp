@@ -96,6 +96,11 @@ std::string word(const Report::Symmetry& symmetry) {
            ", \"orbits\": " + std::to_string(symmetry.orbits) + "}";
 }
 
+std::string word(const Report::Walls& walls) {
+    return "{\"sides\": " + word(walls.sides) + ", \"cells\": " + word(walls.cells) +
+           ", \"sites\": " + std::to_string(walls.sites) + "}";
+}
+
 std::string word(const std::vector<Report::Phase>& phases) {
     std::string text;
     for (const Report::Phase& phase : phases) text += (text.empty() ? "[" : ", ") + word(phase);
@@ -152,6 +157,7 @@ std::string encode_report(const Report& report) {
     if (report.areas) entries.emplace_back("areas", word(*report.areas));
     if (report.aspect) entries.emplace_back("aspect", word(*report.aspect));
     if (report.symmetry) entries.emplace_back("symmetry", word(*report.symmetry));
+    if (report.walls) entries.emplace_back("walls", word(*report.walls));
     if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
     // One key per line.
     std::string text;

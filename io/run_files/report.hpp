@@ -95,6 +95,13 @@ struct Report {
         int orbits;
     };
 
+    /// The sides that are walls, the cells beside them, and the number of sites on them.
+    struct Walls {
+        std::string sides;
+        std::string cells;
+        int sites;
+    };
+
     /// A phase of the cells, and its shares of the area.
     struct Phase {
         std::string name;
@@ -141,8 +148,9 @@ struct Report {
     std::optional<Density> density = {};
     std::optional<Areas> areas = {};
     std::optional<Aspect> aspect = {};
-    /// Runs without a symmetry, or without phases, leave these keys out.
+    /// Runs without a symmetry, without walls, or without phases, leave these keys out.
     std::optional<Symmetry> symmetry = {};
+    std::optional<Walls> walls = {};
     std::vector<Phase> phases = {};
 };
 

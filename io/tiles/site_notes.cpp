@@ -9,6 +9,7 @@
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/tile/site_positions.hpp"
+#include "mesher/tile/wall_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -45,6 +46,18 @@ void take_metric(std::span<const double> numbers, SiteNotes& notes) {
     notes.metric = Metric(numbers[0], numbers[1]);
 }
 
+std::vector<double> walls(const Tile& tile) {
+    return {double(has_walls_across(tile.walls, 0)), double(has_walls_across(tile.walls, 1))};
+}
+
+void take_walls(std::span<const double> numbers, SiteNotes& notes) {
+    const WallsRow* const row = find_row(kWalls, [&](const WallsRow& walls) {
+        return numbers[0] == double(walls.across[0]) && numbers[1] == double(walls.across[1]);
+    });
+    if (row == nullptr) throw InvalidInput("the walls across x and across y are not 0 or 1");
+    notes.walls = row->walls;
+}
+
 std::vector<double> positions(const Tile& tile) {
     std::vector<double> numbers;
     for (const Vec2& p : site_positions(tile)) numbers.insert(numbers.end(), {p.x(), p.y()});
@@ -63,8 +76,8 @@ void take_weights(std::span<const double> numbers, SiteNotes& notes) {
     notes.weights.insert(notes.weights.end(), numbers.begin(), numbers.end());
 }
 
-const std::array<SiteNote, 5>& rows() {
-    static const std::array<SiteNote, 5> kRows{
+const std::array<SiteNote, 6>& rows() {
+    static const std::array<SiteNote, 6> kRows{
         {{.parts = "columns rows",
           .n_parts = 2,
           .comment = "periods",
@@ -98,6 +111,17 @@ const std::array<SiteNote, 5>& rows() {
           .numbers = metric,
           .take = take_metric,
           .usual = {1, 0}},
+         {.parts = "x y",
+          .n_parts = 2,
+          .comment = "walls",
+          .member = "walls",
+          .array = "Walls",
+          .property = "pcvt_walls",
+          .meaning = "1: the sides across that axis are walls, at 0 and at the period",
+          .numbers = walls,
+          .take = take_walls,
+          .usual = {0, 0},
+          .of_integers = true},
          {.parts = "x y",
           .n_parts = 2,
           .comment = "site",
@@ -134,6 +158,8 @@ void SiteNotes::give_to(Tile& tile) && {
     tile.rows = this->rows;
     tile.short_edges = short_edges;
     tile.metric = metric;
+    tile.walls = walls;
+    tile.wall_edges = edges_on_walls(tile);
     tile.site_positions = std::move(positions);
     tile.site_weights = std::move(weights);
 }

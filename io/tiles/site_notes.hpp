@@ -25,11 +25,13 @@ struct SiteNotes {
     int rows = 0;
     double short_edges = 1;
     Metric metric = {};
+    Walls walls = Walls::kNone;
     /// Tile::site_positions and Tile::site_weights.
     std::vector<Vec2> positions = {};
     std::vector<double> weights = {};
 
-    /// Gives all quantities to a tile; positions without numbers of periods cover one.
+    /// Gives all quantities to a tile, which has its points and faces; positions without numbers of
+    /// periods cover one.
     void give_to(Tile& tile) &&;
 };
 

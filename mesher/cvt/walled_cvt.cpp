@@ -15,22 +15,6 @@ namespace {
 /// More rounds were never needed in experiments with up to 1000 sites: 12 at most.
 constexpr int kMostRounds = 40;
 
-/// The coordinates of the sites of a domain, from those of its torus.
-Points domain_points(const PeriodicDelaunay& torus, const WalledDomain& domain) {
-    Points points(2, domain.n_sites);
-    for (SiteId s = 0; s < domain.n_sites; ++s) {
-        Vec2 p = torus.sites().position(s);
-        for (int axis = 0; axis < 2; ++axis) {
-            if (!has_walls_across(domain.walls, axis)) continue;
-            const double side = side_length(domain.lattice, axis);
-            const double period = 2 * side;
-            p[axis] = std::clamp(p[axis] - std::floor(p[axis] / period) * period, 0.0, side);
-        }
-        points.col(s) = p;
-    }
-    return points;
-}
-
 /// The torus with the numbers of images exchanged so that the sites of the domain come first again:
 /// in a long step a site and its image may pass through the wall between them.
 PeriodicDelaunay with_domain_first(PeriodicDelaunay torus, const std::vector<int>& orbit,
@@ -108,6 +92,21 @@ void take_share(CvtResult& torus, const WalledDomain& domain) {
 
 }  // namespace
 
+Points points_between_walls(const PeriodicDelaunay& torus, const WalledDomain& domain) {
+    Points points(2, domain.n_sites);
+    for (SiteId s = 0; s < domain.n_sites; ++s) {
+        Vec2 p = torus.sites().position(s);
+        for (int axis = 0; axis < 2; ++axis) {
+            if (!has_walls_across(domain.walls, axis)) continue;
+            const double side = side_length(domain.lattice, axis);
+            const double period = 2 * side;
+            p[axis] = std::clamp(p[axis] - std::floor(p[axis] / period) * period, 0.0, side);
+        }
+        points.col(s) = p;
+    }
+    return points;
+}
+
 WalledCvt compute_walled_cvt(const Lattice& lattice, Walls walls, WallCells cells, Points points,
                              const CvtOptions& options) {
     WalledDomain domain{walls, lattice, static_cast<int>(points.cols())};
@@ -133,7 +132,7 @@ WalledCvt compute_walled_cvt(const Lattice& lattice, Walls walls, WallCells cell
         for (const SiteOrbit& orbit : sites.orbits) domain.n_on_walls += orbit.freedom < 2;
         bool ends = cells == WallCells::kWhole || torus.run.stop == Stop::kCancelled;
         if (!ends) {
-            points = domain_points(torus.delaunay, domain);
+            points = points_between_walls(torus.delaunay, domain);
             ends = move_onto_walls(torus.delaunay, sites.orbit, domain, points) == 0;
         }
         before = torus.run;

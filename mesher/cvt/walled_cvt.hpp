@@ -13,6 +13,10 @@ struct WalledCvt {
     WalledDomain domain;
 };
 
+/// The sites of the domain between its walls, 2 x n, length units; along the periodic direction
+/// they are not wrapped.
+Points points_between_walls(const PeriodicDelaunay& torus, const WalledDomain& domain);
+
 /// Moves sites to a CVT of a rectangle with walls: a minimum of the energy of the cells that the
 /// walls clip, computed as a CVT of the torus with mirror symmetry.
 ///

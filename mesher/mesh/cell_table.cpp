@@ -33,6 +33,7 @@ CellTable cell_table(const PeriodicMesh& cells) {
         for (int c = begin; c < end; ++c) {
             const Vec2 edge = cells.point(cells.next(c)) - cells.point(c);
             if (!(edge.stableNorm() > shortest)) continue;
+            if (cells.opposite[c] < 0) continue;
             table.neighbours.push_back(cells.site[cells.corner_face[cells.opposite[c]]]);
         }
         table.neighbour_begin.push_back(static_cast<int>(table.neighbours.size()));

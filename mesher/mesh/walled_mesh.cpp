@@ -252,6 +252,13 @@ PeriodicMesh mesh_between_walls(const PeriodicMesh& mesh,
     return part;
 }
 
+PeriodicMesh part_between_walls(PeriodicMesh torus, const WalledDomain& domain) {
+    if (torus.kind == MeshKind::kVoronoi) torus = cut_along_walls(std::move(torus), domain);
+    const auto places = places_between_walls(torus, domain);
+    move_onto_walls(torus, places, domain);
+    return mesh_between_walls(torus, places, domain);
+}
+
 PeriodicMesh mirrored_mesh(PeriodicMesh between, const WalledDomain& domain) {
     PeriodicMesh torus = std::move(between);
     torus.lattice = mirrored_lattice(domain.lattice, domain.walls);

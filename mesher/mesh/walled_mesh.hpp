@@ -33,6 +33,12 @@ PeriodicMesh mesh_between_walls(const PeriodicMesh& mesh,
                                 const std::vector<std::optional<Offset>>& places,
                                 const WalledDomain& domain);
 
+/// The cells or triangles of the torus that lie between walls, cells halved along them.
+///
+/// Example usage:
+///   const PeriodicMesh cells = part_between_walls(cell_mesh(cvt.torus.delaunay), cvt.domain);
+PeriodicMesh part_between_walls(PeriodicMesh torus, const WalledDomain& domain);
+
 /// A mesh between walls together with its mirror images at x = 0 and y = 0: a mesh of the torus
 /// with mirrored_lattice(). The given faces come first; the images have the sites of their faces.
 /// @param between  of the kind kVoronoi; its `opposite` is not read.

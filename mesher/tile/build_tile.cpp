@@ -201,13 +201,11 @@ TorusMesh torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) 
 /// The cells between walls with their images, halved where their sites lie on walls.
 TorusMesh walled_torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) {
     if (options.kind == MeshKind::kDelaunay) return torus_mesh(options, std::move(domain), h);
-    PeriodicMesh cells = cut_along_walls(std::move(domain), *options.walled);
-    if (options.kind == MeshKind::kGrains && cells.whole_sides.empty()) {
-        cells.whole_sides = cell_sides(cells);
+    PeriodicMesh between = part_between_walls(std::move(domain), *options.walled);
+    const bool has_whole_sides = !between.whole_sides.empty();
+    if (options.kind == MeshKind::kGrains && !has_whole_sides) {
+        between.whole_sides = cell_sides(between);
     }
-    const auto places = places_between_walls(cells, *options.walled);
-    move_onto_walls(cells, places, *options.walled);
-    PeriodicMesh between = mesh_between_walls(cells, places, *options.walled);
     const double shortest = shortest_edge(options);
     if (shortest > 0) between = without_short_edges(between, shortest * h, *options.walled);
     PeriodicMesh mesh = mirrored_mesh(std::move(between), *options.walled);

@@ -29,6 +29,7 @@ void attach_all(Mesh& mesh, OpenMeshProperties& id) {
     attach_mesh_property(mesh, id.sites, "pcvt_sites");
     attach_mesh_property(mesh, id.site_weights, "pcvt_site_weights");
     attach_mesh_property(mesh, id.metric, "pcvt_metric");
+    attach_mesh_property(mesh, id.walls, "pcvt_walls");
 }
 
 }  // namespace

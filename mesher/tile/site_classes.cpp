@@ -43,6 +43,7 @@ Neighbours neighbours(const Tile& tile, const SiteGroups& group) {
     const bool owned = faces_have_sites(tile.kind);
     Neighbours pairs;
     for (const TileEdge& edge : tile_edges(tile)) {
+        if (owned && edge.right < 0) continue;
         if (owned) {
             pairs.emplace_back(group[tile.face_site[edge.left]], group[tile.face_site[edge.right]]);
         } else {

@@ -63,6 +63,10 @@ std::vector<TileEdge> tile_edges(const Tile& tile) {
         edges.push_back(
             {.v = pair.w1, .w = pair.w0, .left = right, .right = left, .on_seam = true});
     }
+    for (const WallEdge& wall : tile.wall_edges) {
+        const int left = face_at(sides, wall.v0, wall.v1);
+        edges.push_back({.v = wall.v0, .w = wall.v1, .left = left, .right = -1, .on_seam = false});
+    }
     cancellable_sort(edges.begin(), edges.end(), [](const TileEdge& e, const TileEdge& f) {
         return std::minmax(e.v, e.w) < std::minmax(f.v, f.w);
     });

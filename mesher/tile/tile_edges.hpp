@@ -7,7 +7,7 @@
 namespace pcvt {
 
 /// An edge of a tile: face `left` runs from v to w along it, face `right` from w to v. On the seam
-/// `right` lies across it, at the partner of the edge.
+/// `right` lies across it, at the partner of the edge; on a wall `right` is -1.
 struct TileEdge {
     int v;
     int w;

@@ -188,6 +188,13 @@ std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,
                        [&](const Eigen::VectorXd& areas) { return compare_areas(cells, areas); });
 }
 
+/// What the tile becomes when its seam is glued.
+std::string glued_text(const Tile& tile, const TileProof& proof) {
+    if (tile.walls == Walls::kNone) return "genus 1 after gluing";
+    return std::to_string(proof.wall_edges.size()) + " on walls, " +
+           (tile.walls == Walls::kXY ? "a disc" : "an annulus after gluing");
+}
+
 std::string pairs_text(const TileFile& file) {
     if (file.has_edge_pairs) return ", stored pairs agree";
     return file.has_vertex_pairs ? ", stored vertex pairs agree" : ", no pairs stored";
@@ -276,13 +283,13 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
     const TileFile file = decode_tile(format, files, question.lattice);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
     const TileProof proof = prove_file(format, files, file);
-    std::string line = path + ": a periodic tile: " + std::to_string(proof.n_vertices) +
-                       " vertices, " + std::to_string(proof.n_faces) + " faces, " +
-                       std::to_string(proof.n_boundary_edges) + " boundary edges in " +
-                       std::to_string(proof.edge_pairs.size()) + " pairs, genus 1 after gluing, " +
-                       "area " + figure(proof.area) + " (tolerance " + figure(proof.tolerance) +
-                       "), " + std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
-                       sites_text(file.tile);
+    std::string line =
+        path + ": a periodic tile: " + std::to_string(proof.n_vertices) + " vertices, " +
+        std::to_string(proof.n_faces) + " faces, " + std::to_string(proof.n_boundary_edges) +
+        " boundary edges in " + std::to_string(proof.edge_pairs.size()) + " pairs, " +
+        glued_text(file.tile, proof) + ", " + "area " + figure(proof.area) + " (tolerance " +
+        figure(proof.tolerance) + "), " + std::to_string(proof.n_merged) + " merged" +
+        pairs_text(file) + sites_text(file.tile);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
     if (question.areas) line += prove_tile_areas(path, file, proof, *question.areas);
     return line + "\n";

@@ -65,7 +65,10 @@ std::string tile_lines(const RunSummary& summary) {
     for (const TileFigures& tile : summary.tiles) {
         text += line("seam", std::string(mesh_kind_row(tile.kind).word) + ", " +
                                  std::to_string(tile.n_boundary_edges) + " boundary edges in " +
-                                 std::to_string(tile.n_edge_pairs) + " pairs");
+                                 std::to_string(tile.n_edge_pairs) + " pairs" +
+                                 (tile.n_wall_edges > 0
+                                      ? ", " + std::to_string(tile.n_wall_edges) + " on walls"
+                                      : ""));
         if (tile.box_shortest_edge) {
             text +=
                 line("box", "shortest edge of the cut " + figure(*tile.box_shortest_edge) + " h");
@@ -183,6 +186,12 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (job.symmetry) {
         text += line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
                                      std::to_string(summary.n_orbits) + " orbits");
+    }
+    if (job.walls != Walls::kNone) {
+        const std::string on_walls = std::to_string(summary.n_on_walls) + " sites on walls";
+        text += line("walls", std::string(walls_row(job.walls).word) + ", " +
+                                  wall_cells_row(job.wall_cells).word + " cells" +
+                                  (summary.n_on_walls > 0 ? ", " + on_walls : ""));
     }
     text += phase_lines(summary);
     text += tile_lines(summary);

@@ -66,6 +66,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     summary.density = cells.density;
     if (cells.areas) summary.areas = area_summary(cells);
     summary.n_orbits = cells.n_orbits();
+    if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
     summary.phases = computation.phases;
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;

@@ -12,6 +12,7 @@
 #include "mesher/areas/target_areas.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
+#include "mesher/lattice/walls.hpp"
 #include "mesher/materials/material_choices.hpp"
 #include "mesher/search/lattice_stability.hpp"
 #include "mesher/symmetry/plane_group.hpp"
@@ -88,6 +89,11 @@ struct Job {
     /// The sites are drawn, and remain, with the symmetry of this plane group; the lattice must fit
     /// it. Excludes given sites, areas, and starts that are not random.
     std::optional<PlaneGroupName> symmetry;
+    /// The sides of the domain that are walls: it is then an upright rectangle with `origin` on
+    /// them. Excludes areas, aspect, symmetry, the stability, starts that are not random, and
+    /// copies across walls.
+    Walls walls = Walls::kNone;
+    WallCells wall_cells = WallCells::kWhole;
 
     /// Voronoi edges shorter than this are removed from cells and grains, units of h. 0: none,
     /// except the shortest ones of grains (mesher/grains/grains.hpp).
@@ -187,6 +193,8 @@ struct RunSummary {
     std::optional<AreaSummary> areas;
     /// Of jobs with a symmetry: the number of orbits of sites. Else 0.
     int n_orbits = 0;
+    /// Of jobs with walls: the sites that lie on them.
+    int n_on_walls = 0;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;
     /// One entry for each mesh of the job.

@@ -145,6 +145,58 @@ void check_symmetry(const Job& job) {
     }
 }
 
+void check_wall_starts(const Job& job) {
+    if (job.symmetry) {
+        throw InvalidInput("sites have walls or a symmetry; leave one of the two out");
+    }
+    if (job.areas || job.aspect) {
+        throw InvalidInput(
+            "prescribed areas and elongated cells need a periodic plane; leave them out, or the "
+            "walls");
+    }
+    if (job.start && *job.start != Start::kRandom) {
+        throw InvalidInput("sites between walls start at random; leave the start out");
+    }
+    if (job.stability) {
+        throw InvalidInput("the stability between walls is not known; leave one out");
+    }
+}
+
+void check_walls(const Job& job) {
+    if (job.walls == Walls::kNone) {
+        if (job.wall_cells == WallCells::kWhole) return;
+        throw InvalidInput("half cells lie on walls, but there are none; give the walls");
+    }
+    if (!is_upright(job.lattice)) {
+        throw InvalidInput("walls need a rectangle along x and y; give its period as W,H");
+    }
+    check_wall_starts(job);
+    const bool is_copied = (has_walls_across(job.walls, 0) && job.columns > 1) ||
+                           (has_walls_across(job.walls, 1) && job.rows > 1);
+    if (is_copied) {
+        throw InvalidInput("a tile is not repeated across its walls; repeat it along them");
+    }
+    const bool is_moved = (has_walls_across(job.walls, 0) && job.origin.x() != 0) ||
+                          (has_walls_across(job.walls, 1) && job.origin.y() != 0);
+    if (is_moved || job.finds_origin) {
+        throw InvalidInput(
+            "walls lie at 0 and at the period; give an origin along the walls only, or none");
+    }
+    const bool is_half = job.wall_cells == WallCells::kHalf;
+    if (is_half && job.max_iterations == 0) {
+        throw InvalidInput(
+            "the sites beside walls move onto them step by step; allow iterations, or take whole "
+            "cells");
+    }
+    const bool has_triangles =
+        std::find(job.meshes.begin(), job.meshes.end(), MeshKind::kDelaunay) != job.meshes.end();
+    if (has_triangles && !is_half) {
+        throw InvalidInput(
+            "Delaunay triangles cross the walls unless sites lie on them; take half cells at the "
+            "walls, or the mesh grains");
+    }
+}
+
 /// The widths of a tile for cutters, in millimetres.
 constexpr double kLeastCutWidth = 1e-3;
 constexpr double kLargestCutWidth = 1e6;
@@ -268,6 +320,7 @@ void check_job(const Job& job) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
     check_symmetry(job);
+    check_walls(job);
     if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
     if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
         throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");

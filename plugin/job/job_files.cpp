@@ -95,6 +95,7 @@ FormatRequest format_request(const Job& job, MeshKind kind) {
             .short_edges = job.short_edges,
             .n_sites = job.points.cols() > 0 ? double(job.points.cols()) : job.n_sites,
             .n_periods = double(job.columns) * job.rows,
+            .walls = job.walls,
             .files = job.file_options};
 }
 

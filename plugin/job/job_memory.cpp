@@ -86,8 +86,11 @@ constexpr double kMostAbovePeak = 1.25;
 constexpr double kMegabyte = 1e6;
 constexpr double kGigabyte = 1e9;
 
+/// With the mirror images between walls.
 double n_sites(const Job& job) {
-    return job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+    const int axes = has_walls_across(job.walls, 0) + has_walls_across(job.walls, 1);
+    return n * (1 << axes);
 }
 
 /// The number of triangles of the grains, those with mid-side nodes counted as several.

@@ -88,6 +88,12 @@ std::optional<Report::Symmetry> report_symmetry(const Job& job, const RunSummary
     return Report::Symmetry{plane_group_row(*job.symmetry).word, summary.n_orbits};
 }
 
+std::optional<Report::Walls> report_walls(const Job& job, const RunSummary& summary) {
+    if (job.walls == Walls::kNone) return std::nullopt;
+    return Report::Walls{walls_row(job.walls).word, wall_cells_row(job.wall_cells).word,
+                         summary.n_on_walls};
+}
+
 std::vector<Report::Phase> report_phases(const RunSummary& summary) {
     std::vector<Report::Phase> phases;
     for (const PhaseFigures& phase : summary.phases) {
@@ -131,6 +137,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .areas = report_areas(job, summary),
         .aspect = report_aspect(job),
         .symmetry = report_symmetry(job, summary),
+        .walls = report_walls(job, summary),
         .phases = report_phases(summary),
     });
 }

@@ -102,7 +102,7 @@ SymmetricSites symmetric_start(const Job& job) {
 
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
-    if (job.symmetry) return Start::kRandom;
+    if (job.symmetry || job.walls != Walls::kNone) return Start::kRandom;
     // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
     // cells know nothing of prescribed areas.
     const bool alike = !job.density && !job.areas;

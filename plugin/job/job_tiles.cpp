@@ -22,6 +22,7 @@ BuiltTile built_tile(const Job& job, const Tessellation& cells, MeshKind kind,
                                        .origin = job.origin,
                                        .finds_origin = job.finds_origin,
                                        .elongation = cells.elongation,
+                                       .walled = cells.walled,
                                        .progress = progress});
 }
 

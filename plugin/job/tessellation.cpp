@@ -6,10 +6,12 @@
 
 #include "mesher/areas/area_cvt.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/cvt/walled_cvt.hpp"
 #include "mesher/lattice/domain.hpp"
 #include "mesher/mesh/cell_table.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "mesher/mesh/voronoi.hpp"
+#include "mesher/mesh/walled_mesh.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_start.hpp"
 
@@ -42,6 +44,15 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
         if (std::exchange(first, false)) built();
         return monitor.iteration(progress);
     };
+    if (job.walls != Walls::kNone) {
+        WalledCvt walled = compute_walled_cvt(job.lattice, job.walls, job.wall_cells,
+                                              std::move(start.points), options);
+        return {.delaunay = std::move(walled.torus.delaunay),
+                .walled = walled.domain,
+                .run = walled.torus.run,
+                .counts = walled.torus.counts,
+                .density = walled.torus.density};
+    }
     CvtResult cvt = start.symmetric ? compute_cvt(*start.symmetric, options)
                                     : compute_cvt(job.lattice, std::move(start.points), options);
     return {.delaunay = std::move(cvt.delaunay),
@@ -106,13 +117,16 @@ void map_back(const Metric& metric, LatticePattern& pattern) {
 
 PeriodicMesh plane_mesh(const Tessellation& tessellation, MeshKind kind) {
     PeriodicMesh mesh = periodic_mesh(tessellation.delaunay, kind);
+    if (tessellation.walled) return part_between_walls(std::move(mesh), *tessellation.walled);
     const auto& elongation = tessellation.elongation;
     if (!elongation) return mesh;
     return from_round(std::move(mesh), elongation->metric, elongation->lattice);
 }
 
 std::vector<int> cell_sides(const Tessellation& tessellation) {
-    if (!tessellation.elongation) return cell_sides(tessellation.delaunay);
+    if (!tessellation.elongation && !tessellation.walled) {
+        return cell_sides(tessellation.delaunay);
+    }
     return cell_sides(plane_mesh(tessellation, MeshKind::kVoronoi));
 }
 
@@ -131,6 +145,17 @@ AreaSummary area_summary(const Tessellation& tessellation) {
 }
 
 Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {
+    if (const auto& walled = tessellation.walled) {
+        Points points = points_between_walls(tessellation.delaunay, *walled);
+        const Domain domain(walled->lattice, origin);
+        for (Eigen::Index s = 0; s < points.cols(); ++s) {
+            Offset into = domain.offset_into(points.col(s));
+            if (has_walls_across(walled->walls, 0)) into.i = 0;
+            if (has_walls_across(walled->walls, 1)) into.j = 0;
+            points.col(s) += walled->lattice.translation(into);
+        }
+        return points;
+    }
     const Sites& sites = tessellation.delaunay.sites();
     const Lattice& lattice = tessellation.lattice();
     const Domain domain(lattice, origin);
@@ -147,7 +172,7 @@ Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {
 std::optional<Minimum> minimum_of(const Tessellation& tessellation) {
     const Sites& sites = tessellation.delaunay.sites();
     const bool few = sites.n_sites() <= kMostSitesForStability;
-    const bool uniform = !tessellation.density && !tessellation.areas;
+    const bool uniform = !tessellation.density && !tessellation.areas && !tessellation.walled;
     if (tessellation.run.stop != Stop::kConverged || !uniform || !few) return {};
     return stability(sites);
 }

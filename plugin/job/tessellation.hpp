@@ -8,6 +8,7 @@
 #include "mesher/areas/area_newton.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/energy/stability.hpp"
+#include "mesher/lattice/walls.hpp"
 #include "mesher/mesh/elongated_mesh.hpp"
 #include "mesher/search/lattice_pattern.hpp"
 
@@ -28,7 +29,9 @@ struct Tessellation {
     PeriodicDelaunay delaunay;
     /// Of elongated cells.
     std::optional<Elongation> elongation = {};
-    /// Energy and residuals are those of the round space.
+    /// Of a run with walls: `delaunay` is that of the domain and its mirror images.
+    std::optional<WalledDomain> walled = {};
+    /// Energy and residuals are those of the round space; with walls, of the domain.
     RunStatistics run;
     DelaunayCounts counts;
     /// Of a run with a density.
@@ -42,9 +45,10 @@ struct Tessellation {
 
     /// That of the user.
     const Lattice& lattice() const {
+        if (walled) return walled->lattice;
         return elongation ? elongation->lattice : delaunay.sites().lattice();
     }
-    int n_sites() const { return delaunay.sites().n_sites(); }
+    int n_sites() const { return walled ? walled->n_sites : delaunay.sites().n_sites(); }
     /// Of sites; 0 without a symmetry.
     int n_orbits() const {
         return site_orbits.empty() ? 0
@@ -65,7 +69,7 @@ Job in_round_space(const Job& job, const Metric& metric);
 /// Maps the period and the basis of a pattern back to the plane.
 void map_back(const Metric& metric, LatticePattern& pattern);
 
-/// periodic_mesh() in the plane.
+/// periodic_mesh() in the plane, or with walls the mesh between them.
 PeriodicMesh plane_mesh(const Tessellation& tessellation, MeshKind kind);
 
 /// The number of sides of each site's cell, of those longer than kShortEdge h in the plane.
