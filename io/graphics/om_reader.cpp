@@ -277,9 +277,13 @@ class OmParser : OmBytes {
     void read_partners(Tile& tile) const {
         const std::vector<int> partner = integers("pcvt_partner", 1, n_halfedges_);
         const std::vector<int> offset = offsets("pcvt_partner_offset", n_halfedges_);
+        const auto walls = properties_.find("pcvt_walls");
+        const bool has_walls = walls != properties_.end() && walls->second.size() > 4;
         for (std::size_t h = 0; h < n_halfedges_; ++h) {
             checkpoint_each(h);
             const Offset across{offset[2 * h], offset[2 * h + 1]};
+            // Boundary edges on walls have no partner; the proof finds them.
+            if (has_walls && partner[h] == -1 && across == Offset{}) continue;
             if (is_boundary(h) != (partner[h] >= 0) || partner[h] < -1 ||
                 (across != Offset{}) != is_boundary(h)) {
                 throw_bad_file("has partners that are not those of the boundary");

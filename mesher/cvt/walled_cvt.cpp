@@ -84,7 +84,7 @@ int move_onto_walls(const PeriodicDelaunay& torus, const std::vector<int>& orbit
 void take_share(CvtResult& torus, const WalledDomain& domain) {
     const double share = 1.0 / domain.n_images();
     torus.run.energy *= share;
-    torus.energy_bound = hexagonal_bound(domain.lattice.area(), domain.n_sites);
+    torus.energy_bound *= share;
     if (!torus.density) return;
     torus.density->mass *= share;
     torus.density->expected_energy *= share;

@@ -56,7 +56,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     summary.n_sites = cells.n_sites();
     summary.seed = job.seed;
     if (!cells.density) {
-        summary.energy_bound = hexagonal_bound(job.lattice.area(), summary.n_sites);
+        summary.energy_bound = energy_bound(cells);
     }
     if (job.stability) summary.minimum = minimum_of(cells);
     summary.n_mirrors = cells.counts.n_mirrors;

@@ -169,6 +169,15 @@ Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {
     return points;
 }
 
+double energy_bound(const Tessellation& tessellation) {
+    const Sites& sites = tessellation.delaunay.sites();
+    if (!tessellation.walled) {
+        return hexagonal_bound(tessellation.lattice().area(), sites.n_sites());
+    }
+    return hexagonal_bound(sites.lattice().area(), sites.n_sites()) /
+           tessellation.walled->n_images();
+}
+
 std::optional<Minimum> minimum_of(const Tessellation& tessellation) {
     const Sites& sites = tessellation.delaunay.sites();
     const bool few = sites.n_sites() <= kMostSitesForStability;
