@@ -117,6 +117,15 @@ enum { PCVT_SYMMETRY_P4 = 10, PCVT_SYMMETRY_P4M = 11, PCVT_SYMMETRY_P4G = 12 };
 enum { PCVT_SYMMETRY_P3 = 13, PCVT_SYMMETRY_P3M1 = 14, PCVT_SYMMETRY_P31M = 15 };
 enum { PCVT_SYMMETRY_P6 = 16, PCVT_SYMMETRY_P6M = 17 };
 
+/** The sides of the domain that are walls: across x, across y, all four. */
+enum { PCVT_WALLS_NONE = 0, PCVT_WALLS_X = 1, PCVT_WALLS_Y = 2, PCVT_WALLS_XY = 3 };
+
+/** The cells beside walls: whole, or halves of cells whose sites lie on the wall. */
+enum { PCVT_WALL_CELLS_WHOLE = 0, PCVT_WALL_CELLS_HALF = 1 };
+
+/** One wall: at x = 0, at the width, at y = 0, at the height. */
+enum { PCVT_WALL_LEFT = 0, PCVT_WALL_RIGHT = 1, PCVT_WALL_BOTTOM = 2, PCVT_WALL_TOP = 3 };
+
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
 
@@ -216,6 +225,11 @@ typedef struct pcvt_options {
     int32_t symmetry; /**< PCVT_SYMMETRY_...: drawn sites have, and keep, the symmetry of a group,
                          which the lattice must fit; excludes `sites`, areas and starts other than
                          PCVT_START_RANDOM [PCVT_SYMMETRY_NONE] */
+    int32_t walls; /**< PCVT_WALLS_...: straight walls at 0 and at the period in place of periods,
+                      of a lattice (width, 0, 0, height); excludes areas, aspect, symmetry and
+                      starts other than PCVT_START_RANDOM [PCVT_WALLS_NONE] */
+    int32_t wall_cells; /**< PCVT_WALL_CELLS_...; Delaunay triangles need halves
+                           [PCVT_WALL_CELLS_WHOLE] */
     int32_t reserved2;
 } pcvt_options;
 
@@ -249,7 +263,8 @@ typedef struct pcvt_mesh {
     const int32_t* face_begin;    /**< n_faces + 1 numbers */
     const int32_t* corner_vertex; /**< n_corners numbers */
     const int32_t* corner_offset; /**< n_corners pairs i, j */
-    const int32_t* opposite;      /**< the corner that the same edge leaves on the face across */
+    const int32_t* opposite;      /**< the corner that the same edge leaves on the face across; -1
+                                     on walls */
     const int32_t* site;          /**< the site of each face (cells) or vertex (triangles) */
     const double* site_points;    /**< position of the site of each cell, x, y; triangles: NULL */
     int32_t kind;                 /**< PCVT_VORONOI or PCVT_DELAUNAY */
@@ -266,10 +281,16 @@ typedef struct pcvt_edge_pair {
     int32_t i, j;
 } pcvt_edge_pair;
 
+/** The boundary edge v0 -> v1 of a tile (its face on the left) lies on a wall. */
+typedef struct pcvt_wall_edge {
+    int32_t wall; /**< PCVT_WALL_LEFT, ... */
+    int32_t v0, v1;
+} pcvt_wall_edge;
+
 /** A tile: a mesh of one fundamental domain as an open disc, with the pairing of its boundary.
  *
  *  For each vertex v: position(v) = position(vertex_orbit[v]) + the translation of
- *  vertex_offset[v]. Each boundary edge belongs to exactly one of the edge pairs.
+ *  vertex_offset[v]. Each boundary edge belongs to exactly one of the edge pairs or wall edges.
  */
 typedef struct pcvt_tile {
     double lattice[4];            /**< columns a, rows b */
@@ -288,6 +309,9 @@ typedef struct pcvt_tile {
     int32_t n_faces;
     int32_t n_corners;
     int32_t n_edge_pairs;
+    const pcvt_wall_edge* wall_edges; /**< n_wall_edges; NULL without walls */
+    int32_t n_wall_edges;
+    int32_t reserved;
 } pcvt_tile;
 
 /** Statistics of a run. */

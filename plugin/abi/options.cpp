@@ -63,6 +63,16 @@ static_assert(find_word(kPlaneGroups, "p3m1")->abi_value == PCVT_SYMMETRY_P3M1);
 static_assert(find_word(kPlaneGroups, "p31m")->abi_value == PCVT_SYMMETRY_P31M);
 static_assert(find_word(kPlaneGroups, "p6")->abi_value == PCVT_SYMMETRY_P6);
 static_assert(find_word(kPlaneGroups, "p6m")->abi_value == PCVT_SYMMETRY_P6M);
+static_assert(walls_row(Walls::kNone).abi_value == PCVT_WALLS_NONE);
+static_assert(walls_row(Walls::kX).abi_value == PCVT_WALLS_X);
+static_assert(walls_row(Walls::kY).abi_value == PCVT_WALLS_Y);
+static_assert(walls_row(Walls::kXY).abi_value == PCVT_WALLS_XY);
+static_assert(wall_cells_row(WallCells::kWhole).abi_value == PCVT_WALL_CELLS_WHOLE);
+static_assert(wall_cells_row(WallCells::kHalf).abi_value == PCVT_WALL_CELLS_HALF);
+static_assert(wall_side_row(WallSide::kLeft).abi_value == PCVT_WALL_LEFT);
+static_assert(wall_side_row(WallSide::kRight).abi_value == PCVT_WALL_RIGHT);
+static_assert(wall_side_row(WallSide::kBottom).abi_value == PCVT_WALL_BOTTOM);
+static_assert(wall_side_row(WallSide::kTop).abi_value == PCVT_WALL_TOP);
 
 static_assert(find_word(kGltfNodes, "cells")->abi_value == PCVT_NODES_CELLS);
 static_assert(find_word(kGltfNodes, "one")->abi_value == PCVT_NODES_ONE);
@@ -290,6 +300,8 @@ Job make_job(const pcvt_options& options) {
     job.areas = wished_areas(options);
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);
+    job.walls = chosen_row("walls", options.walls, kWalls).walls;
+    job.wall_cells = chosen_row("wall_cells", options.wall_cells, kWallCells).cells;
     job.materials = materials(options);
     return job;
 }

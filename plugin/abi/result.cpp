@@ -59,6 +59,10 @@ void note_orbits(TileArrays& arrays) {
                                      .i = pair.offset.i,
                                      .j = pair.offset.j});
     }
+    for (const WallEdge& edge : tile.wall_edges) {
+        const std::int32_t wall = wall_side_row(edge.side).abi_value;
+        arrays.wall_edges.push_back({.wall = wall, .v0 = edge.v0, .v1 = edge.v1});
+    }
 }
 
 std::vector<int> counts_by_sides(const Tessellation& cells) {
@@ -101,6 +105,9 @@ const PeriodicMesh& Result::periodic(MeshKind kind) const {
     if (kind == MeshKind::kGrains) {
         throw InvalidInput("grains exist only as a tile; use pcvt_get_tile");
     }
+    Job job = job_;
+    job.meshes = {kind};
+    check_job(job);
     return meshes_[kind_number(kind)].get(
         [&] { return from_geometry([&] { return plane_mesh(computed_.cells, kind); }); });
 }
@@ -113,7 +120,7 @@ const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) cons
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
         std::vector<BuiltTile> built =
             from_geometry([&] { return proved_tiles(job, computed_.cells, monitor); });
-        TileArrays made{std::move(built.front()), {}, {}, {}};
+        TileArrays made{std::move(built.front()), {}, {}, {}, {}};
         note_orbits(made);
         return made;
     });
@@ -125,7 +132,8 @@ double energy_bound(const Job& job, int n_sites) {
 }
 
 double Result::energy_bound() const {
-    return abi::energy_bound(job_, static_cast<int>(sites_.cols()));
+    return job_.density ? std::numeric_limits<double>::quiet_NaN()
+                        : pcvt::energy_bound(computed_.cells);
 }
 
 pcvt_sites Result::sites() const {
@@ -218,6 +226,8 @@ pcvt_tile Result::tile(const Layout& layout) const {
     view.n_faces = tile.n_faces();
     view.n_corners = static_cast<std::int32_t>(tile.faces.corners.size());
     view.n_edge_pairs = static_cast<std::int32_t>(made.edge_pairs.size());
+    view.wall_edges = made.wall_edges.empty() ? nullptr : made.wall_edges.data();
+    view.n_wall_edges = static_cast<std::int32_t>(made.wall_edges.size());
     return view;
 }
 

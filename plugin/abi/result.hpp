@@ -52,6 +52,7 @@ struct TileArrays {
     std::vector<int> orbit;
     std::vector<Offset> offset;
     std::vector<pcvt_edge_pair> edge_pairs;
+    std::vector<pcvt_wall_edge> wall_edges;
 };
 
 /// A computed job, and views of it that are valid as long as it lives. Any number of threads may

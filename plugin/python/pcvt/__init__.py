@@ -45,6 +45,8 @@ _GLTF_NODES = ("default", "cells", "one")
 _SOLVERS = ("default", "lbfgs", "lloyd", "newton")
 _SYMMETRIES = ("p1", "p2", "pm", "pg", "cm", "pmm", "pmg", "pgg", "cmm", "p4", "p4m", "p4g", "p3", "p3m1", "p31m",
                "p6", "p6m")
+_WALLS = ("none", "x", "y", "xy")
+_WALL_CELLS = ("whole", "half")
 _ELEMENTS = ("CPE", "CPS")
 _JOBS = ("none", "elastic")
 
@@ -156,7 +158,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, aspect=1.0, phases=None,
-         orientations=None, symmetry=None):
+         orientations=None, symmetry=None, walls="none", wall_cells="whole"):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -193,6 +195,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     degrees; or "random", drawn from `seed`. See Result.orientations
     symmetry        drawn sites have, and keep, the symmetry of a plane group: p1, p2, pm, pg, cm, pmm, pmg,
                     pgg, cmm, p4, p4m, p4g, p3, p3m1, p31m, p6 or p6m; sites counts those of one period
+    walls           straight walls at 0 and at the period in place of periods: x (across x), y, xy, none
+    wall_cells      cells beside walls: whole, or half, whose sites lie on the wall; triangles need half
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -208,6 +212,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
                   budget=budget,
+                  walls=_choice("walls", walls, _WALLS),
+                  wall_cells=_choice("wall_cells", wall_cells, _WALL_CELLS),
                   symmetry=0 if symmetry is None else 1 + _choice("symmetry", symmetry, _SYMMETRIES),
                   start=_choice("start", start, _STARTS),
                   solver=_choice("solver", solver, _SOLVERS))

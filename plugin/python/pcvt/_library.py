@@ -71,7 +71,8 @@ class Options(ctypes.Structure):
                 ("reserved", c_int32), ("area_law", c_char_p), ("aspect", c_double),
                 ("aspect_degrees", c_double), ("phases", c_char_p), ("orientations", c_void_p),
                 ("n_orientations", c_int32), ("random_orientations", c_int32),
-                ("symmetry", c_int32), ("reserved2", c_int32)]
+                ("symmetry", c_int32), ("walls", c_int32),
+                ("wall_cells", c_int32), ("reserved2", c_int32)]
 
 
 class Sites(ctypes.Structure):
@@ -94,7 +95,8 @@ class Tile(ctypes.Structure):
                 ("vertex_site", c_void_p), ("vertex_orbit", c_void_p),
                 ("vertex_offset", c_void_p), ("edge_pairs", c_void_p), ("kind", c_int32),
                 ("outline", c_int32), ("n_vertices", c_int32), ("n_faces", c_int32),
-                ("n_corners", c_int32), ("n_edge_pairs", c_int32)]
+                ("n_corners", c_int32), ("n_edge_pairs", c_int32),
+                ("wall_edges", c_void_p), ("n_wall_edges", c_int32), ("reserved", c_int32)]
 
 
 class Statistics(ctypes.Structure):

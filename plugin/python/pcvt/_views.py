@@ -8,6 +8,7 @@ KINDS = ("voronoi", "delaunay", "grains")
 OUTLINES = ("whole", "box")
 STOPS = ("converged", "iteration-limit", "stalled")
 EDGE_PAIR = np.dtype([(name, np.int32) for name in ("v0", "v1", "w0", "w1", "i", "j")])
+WALL_EDGE = np.dtype([(name, np.int32) for name in ("wall", "v0", "v1")])
 
 
 class Statistics(NamedTuple):
@@ -76,7 +77,7 @@ class Tile:
     """One fundamental domain as an open disc, with the pairing of its boundary, the seam.
 
     The boundary edge v0 -> v1 (its face on the left) is glued to w0 -> w1 (its face on the right):
-    points[w] = points[v] + (i, j) @ lattice. Each boundary edge belongs to exactly one pair. For
+    points[w] = points[v] + (i, j) @ lattice. Each boundary edge belongs to one pair or one wall. For
     every vertex v, points[v] = points[vertex_orbit[v]] + vertex_offset[v] @ lattice.
 
     kind           "voronoi", "delaunay" or "grains"
@@ -91,6 +92,8 @@ class Tile:
     vertex_orbit   (n_vertices,), the smallest vertex on the same orbit
     vertex_offset  (n_vertices, 2), i, j
     seam           (n_pairs,) with the fields v0, v1, w0, w1, i, j
+    wall_edges     (n_wall_edges,) with the fields wall (0: left, 1: right, 2: bottom, 3: top), v0, v1:
+                   boundary edges on walls, which are in no pair
     """
 
     def __init__(self, handle, view):
@@ -107,6 +110,8 @@ class Tile:
         self.vertex_orbit = handle.array(view.vertex_orbit, np.int32, n_vertices)
         self.vertex_offset = handle.array(view.vertex_offset, np.int32, n_vertices, 2)
         self.seam = handle.array(view.edge_pairs, EDGE_PAIR, view.n_edge_pairs)
+        wall_edges = handle.array(view.wall_edges, WALL_EDGE, view.n_wall_edges)
+        self.wall_edges = np.empty(0, WALL_EDGE) if wall_edges is None else wall_edges
 
     def polygons(self):
         """The corners of each face, a list of n_faces copies of shape (k, 2)."""

@@ -133,6 +133,8 @@ static void print_options(void) {
     FIELD(pcvt_options, n_orientations);
     FIELD(pcvt_options, random_orientations);
     FIELD(pcvt_options, symmetry);
+    FIELD(pcvt_options, walls);
+    FIELD(pcvt_options, wall_cells);
     FIELD(pcvt_options, reserved2);
 }
 
@@ -195,6 +197,9 @@ static void print_tile(void) {
     FIELD(pcvt_tile, n_faces);
     FIELD(pcvt_tile, n_corners);
     FIELD(pcvt_tile, n_edge_pairs);
+    FIELD(pcvt_tile, wall_edges);
+    FIELD(pcvt_tile, n_wall_edges);
+    FIELD(pcvt_tile, reserved);
 }
 
 static void print_statistics(void) {

@@ -168,6 +168,9 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(random_orientations, 2, "random_orientations");
     FIELD_REFUSED(symmetry, -1, "symmetry -1 is unknown");
     FIELD_REFUSED(symmetry, PCVT_SYMMETRY_P6M + 1, "symmetry 18 is unknown");
+    FIELD_REFUSED(walls, PCVT_WALLS_XY + 1, "walls 4 is unknown");
+    FIELD_REFUSED(wall_cells, 2, "wall_cells 2 is unknown");
+    FIELD_REFUSED(wall_cells, PCVT_WALL_CELLS_HALF, "there are none; give the walls");
     options.orientations = angles;
     options.n_orientations = 2;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_orientations");

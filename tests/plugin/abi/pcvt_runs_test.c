@@ -82,6 +82,44 @@ static void cells_have_phases_and_orientations(void) {
     pcvt_free(result);
 }
 
+static void tiles_between_walls_know_their_edges(void) {
+    pcvt_options options = options_for(40);
+    pcvt_result* result = NULL;
+    pcvt_tile tile;
+    pcvt_mesh mesh;
+    int32_t k, n_on_walls = 0;
+    options.walls = PCVT_WALLS_Y;
+    result = generated(&options);
+    CHECK(pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, &tile, sizeof tile) == PCVT_OK);
+    CHECK(tile.n_faces == 40 && tile.n_wall_edges > 2);
+    for (k = 0; k < tile.n_wall_edges; ++k) {
+        const pcvt_wall_edge edge = tile.wall_edges[k];
+        const double y = edge.wall == PCVT_WALL_TOP ? tile.lattice[3] : 0;
+        CHECK(edge.wall == PCVT_WALL_BOTTOM || edge.wall == PCVT_WALL_TOP);
+        CHECK(tile.points[2 * edge.v0 + 1] == y && tile.points[2 * edge.v1 + 1] == y);
+    }
+    CHECK(pcvt_get_mesh(result, PCVT_VORONOI, &mesh, sizeof mesh) == PCVT_OK);
+    CHECK(mesh.n_faces == 40);
+    for (k = 0; k < mesh.n_corners; ++k) n_on_walls += mesh.opposite[k] < 0;
+    CHECK(n_on_walls == tile.n_wall_edges);
+    /* Triangles of whole cells would cross the walls. */
+    CHECK(pcvt_get_mesh(result, PCVT_DELAUNAY, &mesh, sizeof mesh) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_get_tile(result, PCVT_DELAUNAY, PCVT_WHOLE, &tile, sizeof tile) ==
+          PCVT_ERROR_ARGUMENT);
+    pcvt_free(result);
+    options.wall_cells = PCVT_WALL_CELLS_HALF;
+    result = generated(&options);
+    CHECK(pcvt_get_tile(result, PCVT_DELAUNAY, PCVT_WHOLE, &tile, sizeof tile) == PCVT_OK);
+    CHECK(tile.n_wall_edges > 2);
+    pcvt_free(result);
+    options.walls = PCVT_WALLS_NONE;
+    options.wall_cells = PCVT_WALL_CELLS_WHOLE;
+    result = generated(&options);
+    CHECK(pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, &tile, sizeof tile) == PCVT_OK);
+    CHECK(tile.n_wall_edges == 0 && tile.wall_edges == NULL);
+    pcvt_free(result);
+}
+
 static void sites_of_a_symmetry_have_orbits(void) {
     pcvt_options options = options_for(10);
     pcvt_result* result = NULL;
@@ -198,6 +236,7 @@ int main(void) {
     cells_of_given_areas_have_weights();
     cells_have_phases_and_orientations();
     sites_of_a_symmetry_have_orbits();
+    tiles_between_walls_know_their_edges();
     an_invalid_density_is_a_domain_error();
     a_density_grades_the_cells();
     return end_of_claims();
