@@ -55,6 +55,19 @@ PeriodicDelaunay with_domain_first(PeriodicDelaunay torus, const std::vector<int
             std::move(triangulation)};
 }
 
+/// Requires that the cell of a site on a wall does not reach the opposite one.
+/// @param offset  from the site to a neighbouring image of itself.
+void require_no_bridge(const PeriodicDelaunay& torus, Offset offset, const WalledDomain& domain) {
+    const Vec2 way = torus.sites().reduction().reduced.translation(offset);
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!has_walls_across(domain.walls, axis)) continue;
+        if (std::abs(way[axis]) < side_length(domain.lattice, axis)) continue;
+        throw InvalidInput(
+            "the cell of a site on a wall reaches the opposite wall; take more sites, another seed "
+            "or whole cells");
+    }
+}
+
 /// Moves each site that is a neighbour of its own mirror image onto the wall between them.
 /// @param orbit  of each site of the torus.
 /// @returns the number of sites that were moved.
@@ -66,7 +79,11 @@ int move_onto_walls(const PeriodicDelaunay& torus, const std::vector<int>& orbit
         checkpoint_each(h);
         const SiteId s = triangulation.corner(h).site;
         const SiteId t = triangulation.corner(TorusTriangulation::next(h)).site;
-        if (s >= domain.n_sites || s == t || orbit[s] != orbit[t]) continue;
+        if (s >= domain.n_sites || orbit[s] != orbit[t]) continue;
+        if (s == t) {
+            require_no_bridge(torus, triangulation.edge_offset(h), domain);
+            continue;
+        }
         for (int axis = 0; axis < 2; ++axis) {
             if (!has_walls_across(domain.walls, axis)) continue;
             // The image has another coordinate across the wall only.

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/mesh/valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -40,7 +39,6 @@ class WallCut {
             any = classify(f) || any;
         }
         if (!any) return std::move(cells_);
-        if (cells_.whole_sides.empty()) cells_.whole_sides = cell_sides(cells_);
         result_ = {.lattice = cells_.lattice, .kind = cells_.kind, .vertices = cells_.vertices};
         for (int f = 0; f < cells_.n_faces(); ++f) {
             checkpoint_each(f);
@@ -128,7 +126,6 @@ class WallCut {
         result_.face_begin.push_back(result_.n_corners());
         result_.site.push_back(cells_.site[f]);
         result_.site_points.push_back(cells_.site_points[f]);
-        result_.whole_sides.push_back(cells_.whole_sides[f]);
     }
 
     /// Corners nearer to the wall than this lie on it, in units of the cell's reach.

@@ -124,8 +124,10 @@ Tile with_exact_walls(Tile tile, double tolerance) {
     for (const WallSideRow& row : kWallSides) {
         if (!has_walls_across(tile.walls, row.axis)) continue;
         const double line = wall_line(row.side, tile.lattice);
-        for (Vec2& p : tile.points) {
-            if (std::abs(p[row.axis] - line) <= tolerance) p[row.axis] = line;
+        for (std::vector<Vec2>* points : {&tile.points, &tile.site_positions}) {
+            for (Vec2& p : *points) {
+                if (std::abs(p[row.axis] - line) <= tolerance) p[row.axis] = line;
+            }
         }
     }
     return tile;

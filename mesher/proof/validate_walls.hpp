@@ -18,7 +18,8 @@ double position_tolerance(const Tile& tile, Precision precision);
 /// @throws NotATile naming the vertex and the wall.
 void require_between_walls(const Tile& tile, Precision precision);
 
-/// The tile with its vertices on walls exactly there, from where single precision moves them.
+/// The tile with its vertices and sites on walls exactly there, from where single precision moves
+/// them.
 Tile with_exact_walls(Tile tile, double tolerance);
 
 /// The part of a gluing of mirrored_tile(tile) that belongs to the tile. Edges on walls are their

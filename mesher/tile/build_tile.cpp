@@ -202,10 +202,7 @@ TorusMesh torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) 
 TorusMesh walled_torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) {
     if (options.kind == MeshKind::kDelaunay) return torus_mesh(options, std::move(domain), h);
     PeriodicMesh between = part_between_walls(std::move(domain), *options.walled);
-    const bool has_whole_sides = !between.whole_sides.empty();
-    if (options.kind == MeshKind::kGrains && !has_whole_sides) {
-        between.whole_sides = cell_sides(between);
-    }
+    if (options.kind == MeshKind::kGrains) between.whole_sides = cell_sides(between);
     const double shortest = shortest_edge(options);
     if (shortest > 0) between = without_short_edges(between, shortest * h, *options.walled);
     PeriodicMesh mesh = mirrored_mesh(std::move(between), *options.walled);

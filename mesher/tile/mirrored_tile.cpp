@@ -99,17 +99,35 @@ class Mirror {
 
     void add_faces() {
         const int n = tile_.n_faces();
-        for (int f = n - 1; f >= 0; --f) {
-            checkpoint_each(f);
-            const int begin = tile_.faces.begin[f];
-            const int end = tile_.faces.begin[f + 1];
-            tile_.faces.corners.push_back(image_vertex_[tile_.faces.corners[begin]]);
-            for (int c = end - 1; c > begin; --c) {
-                tile_.faces.corners.push_back(image_vertex_[tile_.faces.corners[c]]);
-            }
-            tile_.faces.close();
-            add_attributes(f);
+        for (int begin = 0; begin < n;) {
+            int end = begin + 1;
+            while (end < n && continues_fan(end)) ++end;
+            for (int f = end - 1; f >= begin; --f) add_face(f);
+            begin = end;
         }
+    }
+
+    /// Whether a face and the one before it are triangles of one fan.
+    bool continues_fan(int f) const {
+        checkpoint_each(f);
+        const auto before = tile_.faces[f - 1];
+        const auto face = tile_.faces[f];
+        const auto k = static_cast<std::size_t>(f);
+        const bool same_site =
+            k >= tile_.face_site.size() || tile_.face_site[k] == tile_.face_site[k - 1];
+        return same_site && before.size() == 3 && face.size() == 3 && face[0] == before[0] &&
+               face[1] == before[2];
+    }
+
+    void add_face(int f) {
+        const int begin = tile_.faces.begin[f];
+        const int end = tile_.faces.begin[f + 1];
+        tile_.faces.corners.push_back(image_vertex_[tile_.faces.corners[begin]]);
+        for (int c = end - 1; c > begin; --c) {
+            tile_.faces.corners.push_back(image_vertex_[tile_.faces.corners[c]]);
+        }
+        tile_.faces.close();
+        add_attributes(f);
     }
 
     void add_attributes(int f) {

@@ -13,8 +13,8 @@ namespace pcvt {
 ///
 /// The vertices and faces of the given tile, other than its copies, keep their numbers and come
 /// first. Images are mirrored at x = 0 and at y = 0; vertices on these lines are their own images.
-/// The image of a face begins at the image of its first corner, and images are in the opposite
-/// order, so that fans of triangles stay fans. A site on a wall is its own image; the images of the
+/// The image of a face begins at the image of its first corner; images are in the order of the
+/// faces, but those of a fan of triangles in the opposite order, so that they stay a fan. A site on a wall is its own image; the images of the
 /// other sites have new ids, in the same order.
 Tile mirrored_tile(Tile tile);
 

@@ -16,13 +16,14 @@ const Lattice kOblique({1, 0}, {0.37, 0.81});
 
 std::vector<TileOptions> all_options() {
     std::vector<TileOptions> all;
+    const auto add = [&all](const TileOptions& options) { all.push_back(options); };
     for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
         for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
             if (kind == MeshKind::kDelaunay && outline == Outline::kBox) continue;
-            all.push_back({.kind = kind, .outline = outline});
-            all.push_back({.kind = kind, .outline = outline, .columns = 3, .rows = 2});
+            add({.kind = kind, .outline = outline});
+            add({.kind = kind, .outline = outline, .columns = 3, .rows = 2});
             if (kind == MeshKind::kDelaunay) continue;
-            all.push_back({.kind = kind, .outline = outline, .short_edges = 0.3});
+            add({.kind = kind, .outline = outline, .short_edges = 0.3});
         }
     }
     return all;
