@@ -9,7 +9,7 @@
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/tile/site_positions.hpp"
-#include "mesher/tile/wall_edges.hpp"
+#include "mesher/tile/tile_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -47,13 +47,12 @@ void take_metric(std::span<const double> numbers, SiteNotes& notes) {
 }
 
 std::vector<double> walls(const Tile& tile) {
-    return {double(has_walls_across(tile.walls, 0)), double(has_walls_across(tile.walls, 1))};
+    const std::array<double, 2> numbers = walls_as_numbers(tile.walls);
+    return {numbers.begin(), numbers.end()};
 }
 
 void take_walls(std::span<const double> numbers, SiteNotes& notes) {
-    const WallsRow* const row = find_row(kWalls, [&](const WallsRow& walls) {
-        return numbers[0] == double(walls.across[0]) && numbers[1] == double(walls.across[1]);
-    });
+    const WallsRow* const row = walls_of_numbers(numbers[0], numbers[1]);
     if (row == nullptr) throw InvalidInput("the walls across x and across y are not 0 or 1");
     notes.walls = row->walls;
 }
@@ -111,7 +110,7 @@ const std::array<SiteNote, 6>& rows() {
           .numbers = metric,
           .take = take_metric,
           .usual = {1, 0}},
-         {.parts = "x y",
+         {.parts = "across_x across_y",
           .n_parts = 2,
           .comment = "walls",
           .member = "walls",

@@ -36,6 +36,18 @@ constexpr const WallsRow& walls_row(Walls walls) { return kWalls[static_cast<std
 /// Whether the sides across an axis (0: x, 1: y) are walls.
 constexpr bool has_walls_across(Walls walls, int axis) { return walls_row(walls).across[axis]; }
 
+/// Walls as two numbers of a file: 1 for walls across x, 1 for walls across y, else 0.
+constexpr std::array<double, 2> walls_as_numbers(Walls walls) {
+    return {has_walls_across(walls, 0) ? 1.0 : 0.0, has_walls_across(walls, 1) ? 1.0 : 0.0};
+}
+
+/// The row of two such numbers, or nullptr.
+constexpr const WallsRow* walls_of_numbers(double across_x, double across_y) {
+    return find_row(kWalls, [=](const WallsRow& row) {
+        return walls_as_numbers(row.walls) == std::array{across_x, across_y};
+    });
+}
+
 /// What the cells beside a wall are: whole cells of sites off the wall, or halves of cells whose
 /// sites lie on it.
 enum class WallCells { kWhole, kHalf };

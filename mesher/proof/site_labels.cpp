@@ -11,7 +11,6 @@
 #include "mesher/proof/site_images.hpp"
 #include "mesher/proof/validate_walls.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
-#include "mesher/tile/mirrored_tile.hpp"
 #include "mesher/tile/round_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
 

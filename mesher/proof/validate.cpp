@@ -11,7 +11,6 @@
 #include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/validate_walls.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
-#include "mesher/tile/mirrored_tile.hpp"
 
 namespace pcvt {
 namespace {

@@ -56,9 +56,9 @@ struct TileProof {
 ///       precision.
 ///
 /// For a tile with walls, laws (2), (4) and (5) are those of the tile together with its mirror
-/// images (mirrored_tile.hpp), and law (3) is that of the tile. An edge whose partner belongs to an
-/// image is a wall edge. The walls are therefore straight and complete, and the tile is an annulus
-/// after gluing, or with four walls a disc.
+/// images (validate_walls.hpp), and law (3) is that of the tile. An edge whose partner belongs to
+/// an image is a wall edge. The walls are therefore straight and complete, and the tile is an
+/// annulus after gluing, or with four walls a disc.
 ///
 /// Together the laws prove that the faces cover the torus exactly once: by (1) to (4) the glued
 /// faces cover every point equally often, and by (5) once.

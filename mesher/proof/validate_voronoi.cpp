@@ -10,7 +10,6 @@
 #include "mesher/proof/proven_faces.hpp"
 #include "mesher/proof/site_images.hpp"
 #include "mesher/proof/validate_walls.hpp"
-#include "mesher/tile/mirrored_tile.hpp"
 #include "mesher/tile/round_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
 

@@ -1,13 +1,15 @@
 #include "mesher/tile/openmesh_tile.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/tile/site_positions.hpp"
-#include "mesher/tile/wall_edges.hpp"
+#include "mesher/tile/tile_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -55,12 +57,9 @@ class MeshBuilder {
         std::vector<double>& numbers = mesh_.property(id_.metric);
         numbers.clear();
         if (!metric.is_round()) numbers = {metric.ratio(), metric.degrees()};
-        std::vector<double>& walls = mesh_.property(id_.walls);
-        walls.clear();
-        if (arrays_.walls != Walls::kNone) {
-            walls = {double(has_walls_across(arrays_.walls, 0)),
-                     double(has_walls_across(arrays_.walls, 1))};
-        }
+        const std::array<double, 2> walls = walls_as_numbers(arrays_.walls);
+        const bool has_walls = arrays_.walls != Walls::kNone;
+        mesh_.property(id_.walls).assign(walls.begin(), has_walls ? walls.end() : walls.begin());
         const std::vector<Vec2> positions = site_positions(arrays_);
         std::vector<double>& sites = mesh_.property(id_.sites);
         sites.clear();
@@ -135,13 +134,11 @@ class MeshBuilder {
             link(here, there, pair.offset);
             link(there, here, -pair.offset);
         }
-        std::vector<bool> on_wall(mesh_.n_halfedges(), false);
-        for (const WallEdge& wall : arrays_.wall_edges) {
-            on_wall[static_cast<std::size_t>(free_side(wall.v1, wall.v0).idx())] = true;
-        }
+        std::set<int> on_walls;
+        for (const WallEdge& e : arrays_.wall_edges) on_walls.insert(free_side(e.v1, e.v0).idx());
         for (const auto h : mesh_.halfedges()) {
-            if (!mesh_.is_boundary(h) || mesh_.property(id_.partner, h) >= 0) continue;
-            if (on_wall[static_cast<std::size_t>(h.idx())]) continue;
+            const bool is_paired = mesh_.property(id_.partner, h) >= 0;
+            if (!mesh_.is_boundary(h) || is_paired || on_walls.contains(h.idx())) continue;
             refuse_arrays("the pairs lack the boundary edge " + edge(h));
         }
     }
@@ -295,16 +292,14 @@ class ArrayBuilder {
         const std::vector<double>& walls = mesh_.property(id_.walls);
         const bool has_walls = walls.size() == 2;
         if (has_walls) {
-            const WallsRow* const row = find_row(kWalls, [&walls](const WallsRow& one) {
-                return walls[0] == double(one.across[0]) && walls[1] == double(one.across[1]);
-            });
+            const WallsRow* const row = walls_of_numbers(walls[0], walls[1]);
             if (row == nullptr) refuse_arrays("the walls across x and across y are not 0 or 1");
             arrays_.walls = row->walls;
             arrays_.wall_edges = edges_on_walls(arrays_);
         }
         for (const auto h : mesh_.halfedges()) {
-            if (!mesh_.is_boundary(h)) continue;
-            if (has_walls && mesh_.property(id_.partner, h) < 0) continue;
+            const bool on_wall = has_walls && mesh_.property(id_.partner, h) < 0;
+            if (!mesh_.is_boundary(h) || on_wall) continue;
             const HalfedgeHandle partner = checked_partner(h);
             const Offset offset = to_offset(mesh_.property(id_.partner_offset, h));
             // Of a pair the side whose translation is positive: the other one has the negative.

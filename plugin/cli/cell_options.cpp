@@ -90,6 +90,11 @@ void add_cell_options(CLI::App& app, CellOptions& options) {
     add("--aspect", options.aspect, "R[,DEGREES]",
         "elongated cells, R times as long along DEGREES from x as across\n"
         "it, from 0.01 to 100 [1,0]");
+    add("--walls", options.walls, "x|y|xy",
+        "straight walls in place of periods: x at x = 0 and W, y at y = 0\n"
+        "and H, xy all round");
+    add("--wall-cells", options.wall_cells, "whole|half",
+        "cells beside walls: whole, or half, whose sites lie on the wall\n[whole]");
 }
 
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
@@ -97,6 +102,12 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     if (app.count("--areas") > 0) {
         job.areas = wished_areas(options.areas);
         if (!names_area_law(options.areas)) job.inputs.push_back(options.areas);
+    }
+    if (app.count("--walls") > 0) {
+        job.walls = chosen_row("--walls", options.walls, std::span(kWalls).subspan<1>()).walls;
+    }
+    if (app.count("--wall-cells") > 0) {
+        job.wall_cells = chosen_row("--wall-cells", options.wall_cells, kWallCells).cells;
     }
     read_density(app, options, job);
 }

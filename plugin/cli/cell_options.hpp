@@ -11,12 +11,15 @@ class App;
 
 namespace pcvt::cli {
 
-/// The options for the sizes and the shapes of cells, as the user typed them; empty if not given.
+/// The options for the sizes and the shapes of cells and for walls beside them, as the user typed
+/// them; empty if not given.
 struct CellOptions {
     std::string density;
     std::string density_range;
     std::string areas;
     std::string aspect;
+    std::string walls;
+    std::string wall_cells;
 };
 
 /// Adds the options to `app`; parsing fills `options`.

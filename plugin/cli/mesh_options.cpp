@@ -115,10 +115,6 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
         "drawn sites with the symmetry of a plane group, which they keep:\n" + plane_group_words() +
             ";\n--sites counts those of one period; without a lattice the unit square,\nor "
             "1,0,0.5,0.866 for p3 to p6m");
-    add(app, "--walls", options.walls, "x|y|xy",
-        "straight walls instead of periods: x at x = 0 and W, y at y = 0 and H,\nxy all round");
-    add(app, "--wall-cells", options.wall_cells, form_of(kWallCells),
-        "cells beside walls: whole, or half, whose sites lie on the wall [whole]");
     add(app, "--origin", options.origin, "X,Y|auto",
         "corner of the domain; auto: the box outline is cut where the\n"
         "shortest edge of the cut is longest [0,0]");
@@ -325,12 +321,6 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     Job job;
     if (app.count("--symmetry") > 0) {
         job.symmetry = chosen_row("--symmetry", options.symmetry, kPlaneGroups).name;
-    }
-    if (app.count("--walls") > 0) {
-        job.walls = chosen_row("--walls", options.walls, std::span(kWalls).subspan<1>()).walls;
-    }
-    if (app.count("--wall-cells") > 0) {
-        job.wall_cells = chosen_row("--wall-cells", options.wall_cells, kWallCells).cells;
     }
     job.lattice = chosen_lattice(app, options, job.symmetry);
     read_cell_options(app, options.cells, job);

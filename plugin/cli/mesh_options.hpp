@@ -23,8 +23,6 @@ struct MeshOptions {
     std::string period;
     std::string lattice;
     std::string symmetry;
-    std::string walls;
-    std::string wall_cells;
     CellOptions cells;
     std::string start;
     std::string budget;

@@ -109,7 +109,8 @@ class Tile:
         self.vertex_site = handle.array(view.vertex_site, np.int32, n_vertices)
         self.vertex_orbit = handle.array(view.vertex_orbit, np.int32, n_vertices)
         self.vertex_offset = handle.array(view.vertex_offset, np.int32, n_vertices, 2)
-        self.seam = handle.array(view.edge_pairs, EDGE_PAIR, view.n_edge_pairs)
+        seam = handle.array(view.edge_pairs, EDGE_PAIR, view.n_edge_pairs)
+        self.seam = np.empty(0, EDGE_PAIR) if seam is None else seam
         wall_edges = handle.array(view.wall_edges, WALL_EDGE, view.n_wall_edges)
         self.wall_edges = np.empty(0, WALL_EDGE) if wall_edges is None else wall_edges
 
