@@ -64,6 +64,7 @@ class MaterialReader {
 
     std::vector<DamaskEntry> read() {
         while (next()) {
+            if (column() <= 2 && section_ == "homogenization:") require_one_constituent();
             if (column() == 0) {
                 section_ = words()[0];
             } else if (section_ == "material:") {
@@ -71,14 +72,30 @@ class MaterialReader {
             } else if (column() == 2 && words()[0].ends_with(':')) {
                 const std::string_view key = words()[0].substr(0, words()[0].size() - 1);
                 if (section_ == "phase:") phases_.emplace(key);
-                if (section_ == "homogenization:") homogenizations_.emplace(key);
+                if (section_ != "homogenization:") continue;
+                homogenizations_.emplace(key);
+                lacks_number_ = words().size() == 1;
+            } else if (section_ == "homogenization:" && words()[0] == "N_constituents:") {
+                if (words().size() != 2 || words()[1] != "1") {
+                    lines_.throw_bad_file("cells have one constituent each; write 1");
+                }
+                lacks_number_ = false;
             }
         }
+        require_one_constituent();
         return std::move(entries_);
     }
 
    private:
     const std::vector<std::string_view>& words() const { return lines_.words(); }
+
+    /// A homogenization in several lines must state its number of constituents.
+    void require_one_constituent() const {
+        if (!lacks_number_) return;
+        lines_.throw_bad_file(
+            "the homogenization above lacks its N_constituents; add the line "
+            "'N_constituents: 1' to it");
+    }
 
     /// Skips empty lines and comments.
     bool next() {
@@ -162,6 +179,7 @@ class MaterialReader {
     std::set<std::string, std::less<>> phases_;
     std::set<std::string, std::less<>> homogenizations_;
     std::vector<DamaskEntry> entries_;
+    bool lacks_number_ = false;
 };
 
 }  // namespace

@@ -127,6 +127,9 @@ TEST(DamaskMaterial, DamageIsRefusedWithItsLine) {
     EXPECT_THAT(refusal("homogenization: direct", "homogenization: SX"), HasSubstr("'SX' is not"));
     EXPECT_THAT(refusal("    constituents:\n", ""), HasSubstr("another form"));
     EXPECT_THAT(refusal("        v: 1.0\n", ""), HasSubstr("another form"));
+    EXPECT_THAT(refusal("N_constituents: 1", "N_constituents: 2"),
+                HasSubstr("m.yaml:7: cells have one constituent each"));
+    EXPECT_THAT(refusal("    N_constituents: 1\n", ""), HasSubstr("lacks its N_constituents"));
     // The phases are the user's.
     EXPECT_EQ(refusal("C_11: 107.3e+9", "C_11: 233.3e+9"), "");
     EXPECT_EQ(refusal("    lattice: cF\n", "    # mine\n\n    lattice: cI\n"), "");
