@@ -61,6 +61,7 @@ constexpr std::array<FormatMemory, 17> kFormats{{
 
 /// A run that builds its tile for the figures alone.
 constexpr FormatMemory kBuilt{"", 600, 0, 230};
+constexpr FormatMemory kBuiltBox{"", 870, 0, 230};
 /// A tile that is held while others are built and written.
 constexpr FormatMemory kHeld{"", 160, 60, 60};
 /// A tile that is mapped to the round space of its aspect for its proof.
@@ -163,7 +164,8 @@ double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
         meshes += (k == 0 ? 1 : kBesideAnother) * writing[k];
     // All tiles of a job are built before the first file is written.
     if (needs_tiles(job, files)) {
-        meshes = std::max(meshes, mesh_bytes(job, job.meshes.front(), kBuilt));
+        const FormatMemory& built = job.outline == Outline::kBox ? kBuiltBox : kBuilt;
+        meshes = std::max(meshes, mesh_bytes(job, job.meshes.front(), built));
         for (std::size_t k = 1; k < job.meshes.size(); ++k) {
             meshes += mesh_bytes(job, job.meshes[k], kHeld);
         }
