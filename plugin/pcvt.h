@@ -392,7 +392,8 @@ PCVT_API void pcvt_free(pcvt_result* result);
 
 /*  The views. `view_size` is sizeof(*view) of the host: fields that only the host knows become
  * zero, fields that only the library knows are left out. The first call computes the contents of a
- * view. Any thread, any number of calls on one result at once. */
+ * view; a mesh or a tile that cannot fit into the memory is refused by an estimate before. Any
+ * thread, any number of calls on one result at once. */
 
 PCVT_API pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size);
 PCVT_API pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view,

@@ -84,10 +84,14 @@ bool has_plain_folders(const std::string& folder, const std::string& target) {
     return true;
 }
 
+/// Returns the path without symbolic links, from the root on. The path may name a missing file, of
+/// which fs::weakly_canonical() alone keeps the relative name.
 std::string absolute_path(const std::string& path) {
-    std::error_code ignored;
-    const fs::path canonical = fs::weakly_canonical(path, ignored);
-    return ignored ? path : canonical.string();
+    std::error_code unknown;
+    const fs::path absolute = fs::absolute(path, unknown);
+    if (unknown) return path;
+    const fs::path canonical = fs::weakly_canonical(absolute, unknown);
+    return unknown ? path : canonical.string();
 }
 
 [[noreturn]] void refuse(const std::string& folder, const FileMoves::Fault& fault) {

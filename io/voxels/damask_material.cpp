@@ -64,21 +64,45 @@ class MaterialReader {
 
     std::vector<DamaskEntry> read() {
         while (next()) {
+            if (column() <= 2 && section_ == "homogenization:") require_one_constituent();
             if (column() == 0) {
                 section_ = words()[0];
+                add_once(section_, sections_);
             } else if (section_ == "material:") {
                 read_entry();
             } else if (column() == 2 && words()[0].ends_with(':')) {
                 const std::string_view key = words()[0].substr(0, words()[0].size() - 1);
-                if (section_ == "phase:") phases_.emplace(key);
-                if (section_ == "homogenization:") homogenizations_.emplace(key);
+                if (section_ == "phase:") add_once(key, phases_);
+                if (section_ != "homogenization:") continue;
+                add_once(key, homogenizations_);
+                lacks_number_ = words().size() == 1;
+            } else if (section_ == "homogenization:" && words()[0] == "N_constituents:") {
+                if (words().size() != 2 || words()[1] != "1" || !lacks_number_) {
+                    lines_.throw_bad_file("cells have one constituent each; write 1, once");
+                }
+                lacks_number_ = false;
             }
         }
+        require_one_constituent();
         return std::move(entries_);
     }
 
    private:
     const std::vector<std::string_view>& words() const { return lines_.words(); }
+
+    /// Readers of YAML differ in which of two entries of one name they take.
+    void add_once(std::string_view name, std::set<std::string, std::less<>>& names) const {
+        if (names.emplace(name).second) return;
+        lines_.throw_bad_file(in_quotes(name) + " is there twice; remove one");
+    }
+
+    /// A homogenization in several lines must state its number of constituents.
+    void require_one_constituent() const {
+        if (!lacks_number_) return;
+        lines_.throw_bad_file(
+            "the homogenization above lacks its N_constituents; add the line "
+            "'N_constituents: 1' to it");
+    }
 
     /// Skips empty lines and comments.
     bool next() {
@@ -159,9 +183,11 @@ class MaterialReader {
     std::string_view text_;
     LineScanner lines_;
     std::string_view section_;
+    std::set<std::string, std::less<>> sections_;
     std::set<std::string, std::less<>> phases_;
     std::set<std::string, std::less<>> homogenizations_;
     std::vector<DamaskEntry> entries_;
+    bool lacks_number_ = false;
 };
 
 }  // namespace

@@ -94,9 +94,8 @@ class MeshBuilder {
             if (!face.is_valid()) {
                 refuse_arrays("face " + to_string(f) + " and those before it form no surface");
             }
-            const bool placed = !arrays_.site_points.empty();
             mesh_.property(id_.site_point, face) = {};
-            if (placed) {
+            if (!arrays_.site_points.empty()) {
                 const Vec2& p = arrays_.site_points[f];
                 mesh_.property(id_.site_point, face) = {p.x(), p.y()};
             }
@@ -293,13 +292,13 @@ class ArrayBuilder {
         const bool has_walls = walls.size() == 2;
         if (has_walls) {
             const WallsRow* const row = walls_of_numbers(walls[0], walls[1]);
-            if (row == nullptr) refuse_arrays("the walls across x and across y are not 0 or 1");
+            if (row == nullptr) refuse_arrays("walls are not stated by 0 and 1");
             arrays_.walls = row->walls;
             arrays_.wall_edges = edges_on_walls(arrays_);
         }
         for (const auto h : mesh_.halfedges()) {
-            const bool on_wall = has_walls && mesh_.property(id_.partner, h) < 0;
-            if (!mesh_.is_boundary(h) || on_wall) continue;
+            const bool is_paired = !has_walls || mesh_.property(id_.partner, h) >= 0;
+            if (!mesh_.is_boundary(h) || !is_paired) continue;
             const HalfedgeHandle partner = checked_partner(h);
             const Offset offset = to_offset(mesh_.property(id_.partner_offset, h));
             // Of a pair the side whose translation is positive: the other one has the negative.

@@ -6,6 +6,7 @@
 #include "mesher/mesh/valence.hpp"
 #include "plugin/abi/guard.hpp"
 #include "plugin/job/job_files.hpp"
+#include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_tiles.hpp"
 
 namespace pcvt::abi {
@@ -107,9 +108,13 @@ const PeriodicMesh& Result::periodic(MeshKind kind) const {
     }
     Job job = job_;
     job.meshes = {kind};
+    job.outline = Outline::kWhole;
+    job.columns = job.rows = 1;
     check_job(job);
-    return meshes_[kind_number(kind)].get(
-        [&] { return from_geometry([&] { return plane_mesh(computed_.cells, kind); }); });
+    return meshes_[kind_number(kind)].get([&] {
+        require_memory_for_mesh(job, kind);
+        return from_geometry([&] { return plane_mesh(computed_.cells, kind); });
+    });
 }
 
 const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) const {
@@ -118,6 +123,7 @@ const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) cons
     job.outline = layout.outline;
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
+        require_memory_for_mesh(job, layout.kind);
         std::vector<BuiltTile> built =
             from_geometry([&] { return proved_tiles(job, computed_.cells, monitor); });
         TileArrays made{std::move(built.front()), {}, {}, {}, {}};

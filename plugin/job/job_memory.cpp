@@ -61,10 +61,17 @@ constexpr std::array<FormatMemory, 17> kFormats{{
 
 /// A run that builds its tile for the figures alone.
 constexpr FormatMemory kBuilt{"", 600, 0, 230};
+constexpr FormatMemory kBuiltBox{"", 870, 0, 230};
 /// A tile that is held while others are built and written.
 constexpr FormatMemory kHeld{"", 160, 60, 60};
 /// A tile that is mapped to the round space of its aspect for its proof.
 constexpr FormatMemory kMapped{"", 160, 60, 170};
+/// Meshes that a host of the C interface asks for, beside the sites, for each copy of these:
+/// measured at 1e5 and 1e6 sites, with the arrays of the interface.
+constexpr FormatMemory kHanded{"", 400, 160, 260};
+/// A box outline, and the map to the round space of an aspect, take these times as much.
+constexpr double kBoxedCells = 1.9;
+constexpr double kMappedGrains = 1.3;
 /// The part of its own run that a file adds while another one is written.
 constexpr double kBesideAnother = 0.5;
 /// A pixel of a picture that one colours.
@@ -138,13 +145,14 @@ double site_bytes(const Job& job) {
     return n_sites(job) * (moving + (job.density ? kWithDensity : 0));
 }
 
-void require_available(const std::string& what, double estimate) {
+void require_available(const std::string& what, double estimate, const char* remedy) {
     const std::optional<double> available = available_memory();
     if (!available || estimate <= kMostAbovePeak * *available) return;
     throw LimitExceeded(what + " about " + memory_text(estimate) + " of memory, and " +
-                        memory_text(*available) +
-                        " are available; take fewer sites, or fewer outputs at a time");
+                        memory_text(*available) + " are available; " + remedy);
 }
+
+constexpr const char* kFewerOutputs = "take fewer sites, or fewer outputs at a time";
 
 /// The meshes of a run and their files, with the triangulation of the sites.
 double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
@@ -159,7 +167,8 @@ double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
         meshes += (k == 0 ? 1 : kBesideAnother) * writing[k];
     // All tiles of a job are built before the first file is written.
     if (needs_tiles(job, files)) {
-        meshes = std::max(meshes, mesh_bytes(job, job.meshes.front(), kBuilt));
+        const FormatMemory& built = job.outline == Outline::kBox ? kBuiltBox : kBuilt;
+        meshes = std::max(meshes, mesh_bytes(job, job.meshes.front(), built));
         for (std::size_t k = 1; k < job.meshes.size(); ++k) {
             meshes += mesh_bytes(job, job.meshes[k], kHeld);
         }
@@ -181,13 +190,27 @@ double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
 }
 
 void require_memory(const Job& job, const std::vector<JobFile>& files) {
-    require_available("the run takes", estimated_memory(job, files));
+    require_available("the run takes", estimated_memory(job, files), kFewerOutputs);
 }
 
 void require_memory_to_write(const Job& job, const std::vector<JobFile>& files) {
     // The result holds the triangulation, and perhaps its tile.
     const double held = kTriangulating * n_sites(job) + mesh_bytes(job, job.meshes.front(), kHeld);
-    require_available("the files take", tile_bytes(job, files) - held);
+    require_available("the files take", tile_bytes(job, files) - held, kFewerOutputs);
+}
+
+void require_memory_for_mesh(const Job& job, MeshKind kind) {
+    const double copies = double(job.columns) * job.rows;
+    if (mesh_kind_row(kind).grain_size) {
+        require_available("the tile takes",
+                          kHanded.grain * n_grain_triangles(job) * (job.aspect ? kMappedGrains : 1),
+                          "take fewer sites, or larger grains");
+        return;
+    }
+    const double boxed = job.outline == Outline::kBox ? kBoxedCells : 1;
+    const double a_site = kind == MeshKind::kVoronoi ? boxed * kHanded.cell : 2 * kHanded.triangle;
+    require_available("the mesh takes", a_site * n_sites(job) * copies,
+                      copies > 1 ? "take fewer sites or copies" : "take fewer sites");
 }
 
 std::string memory_text(double bytes) {

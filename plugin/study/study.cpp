@@ -4,6 +4,7 @@
 #include <atomic>
 #include <limits>
 #include <map>
+#include <new>
 #include <set>
 #include <thread>
 
@@ -160,6 +161,8 @@ Study parse_study(const std::string& file, const StudyTable& table) {
         study.seed = std::stoull(std::string(words.at(9)));
         check_study(study, {});
         return study;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception&) {
         throw BadFile(file +
                       ": its first line describes no study; give files of pcvt study --shard");

@@ -42,8 +42,8 @@ struct StudyPicture {
 
 /// The tables and pictures of a study.
 ///
-/// Its lists grow element by element: where a later element of a braced list throws, GCC 12
-/// destroys the earlier ones twice.
+/// Its lists, and those of plots, grow element by element: where a later element of a nested braced
+/// list throws, GCC 12 destroys the earlier ones twice.
 struct StudyResult {
     /// The main table first, the runs themselves last.
     std::vector<StudyTable> tables;

@@ -84,9 +84,12 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         counts.points.emplace_back(n, mirrors);
         shares.points.emplace_back(n, 100 * mirrors / n);
     }
-    std::vector<Plot> plots{
-        {"Mirrors against the number of sites", {"number of sites n", true}, {"mirrors", true}, {}},
-        {"Their share", {"number of sites n", true}, {"percent of the sites", true}, {}}};
+    Plot mirrors_plot{
+        "Mirrors against the number of sites", {"number of sites n", true}, {"mirrors", true}, {}};
+    Plot share_plot{"Their share", {"number of sites n", true}, {"percent of the sites", true}, {}};
+    std::vector<Plot> plots;
+    plots.push_back(std::move(mirrors_plot));
+    plots.push_back(std::move(share_plot));
     if (const double c = fit(study, runs); c > 0) {
         PlotSeries root{.mark = PlotSeries::Mark::kDashes,
                         .label = rounded(c, 3) + " √n",

@@ -206,10 +206,9 @@ std::string gallery(const std::vector<Tally>& tallies) {
         }
         if (n_shown == 0) panels.push_back(best_panel(tally));
     }
-    return encode_cell_panels(
-        {"Periodic CVT with hexagons alone, and how often random starts end there",
-         panel_legend(panels)},
-        panels, {5, 190});
+    const Legend legend{"Periodic CVT with hexagons alone, and how often random starts end there",
+                        panel_legend(panels)};
+    return encode_cell_panels(legend, panels, {5, 190});
 }
 
 StudyPicture share_plot(std::vector<Tally> tallies) {
@@ -221,11 +220,14 @@ StudyPicture share_plot(std::vector<Tally> tallies) {
         series.points.emplace_back(tally.n, 100 * tally.share());
         series.errors.push_back(100 * tally.standard_error());
     }
-    return plot_picture("Results with hexagons alone",
-                        {{"Results with hexagons alone",
-                          {"number of sites n", true},
-                          {"percent of the runs, with the standard error", false},
-                          {series}}});
+    Plot plot{"Results with hexagons alone",
+              {"number of sites n", true},
+              {"percent of the runs, with the standard error", false},
+              {}};
+    plot.series.push_back(std::move(series));
+    std::vector<Plot> plots;
+    plots.push_back(std::move(plot));
+    return plot_picture("Results with hexagons alone", plots);
 }
 
 StudyResult conclude(const Study& study, const StudyTable& runs) {
@@ -234,7 +236,9 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
     StudyResult result;
     result.tables.push_back(share_table(tallies));
     result.tables.push_back(pattern_table(tallies));
-    result.pictures.push_back({.suffix = "", .svg = gallery(tallies)});
+    StudyPicture picture;
+    picture.svg = gallery(tallies);
+    result.pictures.push_back(std::move(picture));
     result.pictures.push_back(share_plot(tallies));
     return result;
 }

@@ -91,7 +91,9 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
     }
     StudyResult result;
     result.tables.push_back(std::move(table));
-    result.pictures.push_back(plot_picture("PVD time against n", {plot}));
+    std::vector<Plot> plots;
+    plots.push_back(std::move(plot));
+    result.pictures.push_back(plot_picture("PVD time against n", plots));
     return result;
 }
 

@@ -104,7 +104,9 @@ StudyResult conclude(const Study& /*study*/, const StudyTable& runs) {
                         panel_legend(panels)};
     StudyResult result;
     result.tables.push_back(std::move(table));
-    result.pictures.push_back({.suffix = "", .svg = encode_cell_panels(legend, panels, {2, 440})});
+    StudyPicture picture;
+    picture.svg = encode_cell_panels(legend, panels, {2, 440});
+    result.pictures.push_back(std::move(picture));
     return result;
 }
 

@@ -163,7 +163,10 @@ std::vector<LegendEntry> panel_legend(const std::vector<CellPanel>& panels) {
 }
 
 StudyPicture plot_picture(const std::string& title, const std::vector<Plot>& plots) {
-    return {.suffix = "", .svg = encode_plots(title, plots), .points = plot_points(plots)};
+    StudyPicture picture;
+    picture.svg = encode_plots(title, plots);
+    picture.points = plot_points(plots);
+    return picture;
 }
 
 }  // namespace pcvt

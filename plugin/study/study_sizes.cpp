@@ -174,7 +174,10 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         }
         plots.push_back(plot);
     }
-    return {{table}, {plot_picture("Sizes of cells, wanted and reached", plots)}};
+    StudyResult result;
+    result.tables.push_back(std::move(table));
+    result.pictures.push_back(plot_picture("Sizes of cells, wanted and reached", plots));
+    return result;
 }
 
 }  // namespace

@@ -95,7 +95,9 @@ StudyPicture picture(const Study& study) {
         panels.push_back(std::move(panel));
     }
     const Legend legend{"One period of each plane group; cells of one orbit have one colour", {}};
-    return {.suffix = "", .svg = encode_cell_panels(legend, panels, {kPanelColumns, kPanelSize})};
+    StudyPicture picture;
+    picture.svg = encode_cell_panels(legend, panels, {kPanelColumns, kPanelSize});
+    return picture;
 }
 
 StudyResult conclude(const Study& study, const StudyTable& runs) {

@@ -120,7 +120,9 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         "F_lattice", "paper_CVT", "paper_PCVT", "paper_hex", "CVT_diff",     "PCVT_diff",
         "hex_diff"};
     for (const int n : study.sites) table.rows.push_back(row_of(runs, n));
-    return {{table}, {}};
+    StudyResult result;
+    result.tables.push_back(std::move(table));
+    return result;
 }
 
 }  // namespace

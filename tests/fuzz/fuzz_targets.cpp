@@ -6,8 +6,10 @@
 
 #include "io/file_proof.hpp"
 #include "io/graphics/seam_json.hpp"
+#include "io/run_files/area_reader.hpp"
 #include "io/run_files/density_expression.hpp"
 #include "io/run_files/density_image.hpp"
+#include "io/run_files/orientation_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
 #include "io/tile_formats.hpp"
@@ -157,6 +159,19 @@ void read_site_text(const std::string& bytes) {
     }
 }
 
+void read_areas_text(const std::string& bytes) {
+    const AreaFile file = parse_areas("areas.txt", bytes);
+    require_areas(file, static_cast<int>(file.areas.size()));
+}
+
+std::vector<std::string> area_seeds() {
+    return {"1\n2.5 # comment\n\n3e-1\r\n", "diameter\n1\n\t2\n"};
+}
+
+void read_angles(const std::string& bytes) { parse_orientations("angles.txt", bytes); }
+
+std::vector<std::string> angle_seeds() { return {"# angles\n10 20 30\r\n-0.5,90,\t360\n"}; }
+
 std::vector<std::string> site_seeds() {
     return {encode_sites(uniform_points(oblique(), 5, 1)),
             "# a grid\r\n0 0\r\n.5 0\r\n0 +5e-1 # comment\r\n\t.5,.5",
@@ -237,6 +252,8 @@ std::vector<FuzzTarget> make_targets() {
     }
     targets.push_back({"seam", read_seam, seam_seeds});
     targets.push_back({"material", read_materials, material_seeds});
+    targets.push_back({"areas", read_areas_text, area_seeds});
+    targets.push_back({"angles", read_angles, angle_seeds});
     targets.push_back({"txt", read_site_text, site_seeds});
     targets.push_back({"csv", read_csv, csv_seeds});
     targets.push_back({"png", read_png, png_seeds});

@@ -5,6 +5,7 @@
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/materials/orientations.hpp"
 #include "mesher/mesh/voronoi.hpp"
+#include "mesher/voxels/voxel_image.hpp"
 #include "tests/support/power_tiles.hpp"
 
 namespace pcvt::testing {
@@ -88,10 +89,39 @@ std::vector<BaseFile> grid_files(const TileFormat& format) {
     return {{"grid", MeshKind::kVoronoi, std::get<TorusWriter*>(format.write)(torus, "tile.nc")}};
 }
 
+/// Voxels of plain, power and elongated cells; the last lattice is a rectangle of two domains.
+std::vector<BaseFile> voxel_files(const TileFormat& format) {
+    const Lattice skew({1.1, 0}, {0.55, 0.9});
+    std::vector<BaseFile> bases;
+    const auto add = [&](const char* name, const CellShape& shape, const Lattice& lattice,
+                         const Lattice& whole, VoxelCounts counts, const CellMaterials& of_cells) {
+        const PeriodicDelaunay delaunay = power_cells(lattice, kSites, 5, shape).delaunay;
+        VoxelCells cells{.lattice = lattice,
+                         .sites = Points(2, kSites),
+                         .weights = delaunay.weights(),
+                         .metric = shape.metric};
+        for (SiteId s = 0; s < kSites; ++s) {
+            cells.sites.col(s) = shape.metric.from_round(delaunay.sites().position(s));
+        }
+        const VoxelGrid grid = voxel_grid(whole, {0.123, -7.3}, counts);
+        const VoxelImage image = voxel_image(delaunay, shape.metric, grid, 1);
+        bases.push_back({name, MeshKind::kVoronoi,
+                         std::get<VoxelWriter*>(format.write)(image, cells, of_cells, "tile.vti")});
+    };
+    const Lattice box = Lattice::rectangle(2.3, 0.7);
+    const std::vector<CellShape> shapes = cell_shapes();
+    add("plain", {"plain", "equal"}, box, box, {60, 20}, {});
+    add("power", shapes[0], box, box, {60, 20}, materials());
+    add("elongated", shapes[2], box, box, {60, 20}, materials());
+    add("two domains", shapes[0], skew, skew.repeated(1, 2), {24, 36}, materials());
+    return bases;
+}
+
 }  // namespace
 
 std::vector<BaseFile> base_files(const TileFormat& format) {
     if (format.needs_torus()) return grid_files(format);
+    if (format.reads_voxels()) return voxel_files(format);
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const CvtResult result = compute_cvt(lattice, uniform_points(lattice, kSites, 5), {});
     std::vector<BaseFile> bases;
@@ -110,6 +140,8 @@ std::string refusal(const TileFormat& format, const Files& files) {
     try {
         if (const auto* read = std::get_if<GridReader*>(&format.read)) {
             prove_grid(files, (*read)(files));
+        } else if (const auto* voxels = std::get_if<VoxelReader*>(&format.read)) {
+            prove_voxel_file(files, (*voxels)(files));
         } else {
             prove_file(format, files, decode_tile(format, files, std::nullopt));
         }

@@ -16,6 +16,7 @@ std::span<const MutatedFormat> mutated_formats() {
         MutatedFormat{".vtu", vtu_mutants, harmless_in_vtu()},
         MutatedFormat{".foam", foam_mutants, harmless_in_foam()},
         MutatedFormat{".nc", nc_mutants, harmless_in_nc()},
+        MutatedFormat{".vti", vti_mutants, harmless_in_vti()},
     };
     return kFormats;
 }

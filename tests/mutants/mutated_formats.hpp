@@ -48,6 +48,7 @@ std::vector<Mutant> inp_mutants(const BaseFile& base);
 std::vector<Mutant> vtu_mutants(const BaseFile& base);
 std::vector<Mutant> foam_mutants(const BaseFile& base);
 std::vector<Mutant> nc_mutants(const BaseFile& base);
+std::vector<Mutant> vti_mutants(const BaseFile& base);
 std::span<const Harmless> harmless_in_obj();
 std::vector<Mutant> ply_mutants(const BaseFile& base);
 std::span<const Harmless> harmless_in_ply();
@@ -61,5 +62,6 @@ std::span<const Harmless> harmless_in_inp();
 std::span<const Harmless> harmless_in_vtu();
 std::span<const Harmless> harmless_in_foam();
 std::span<const Harmless> harmless_in_nc();
+std::span<const Harmless> harmless_in_vti();
 
 }  // namespace pcvt::testing

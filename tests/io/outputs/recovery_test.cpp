@@ -170,6 +170,22 @@ TEST(Recovery, ASetInSeveralFoldersIsCompletedFromAnyOfThem) {
     }
 }
 
+TEST(Recovery, MissingFilesOfAnUnfinishedSetAreFoundByARelativeName) {
+    const KilledCommit set;
+    // In a process of its own, as the folder of a process belongs to all of its threads.
+    in_killed_process([&] {
+        std::filesystem::current_path(set.folder / "");
+        for (const char* name : {"a", "./b", "out/c", "./out/../out/c"}) {
+            if (!unfinished_set_of({name})) std::abort();
+        }
+        if (unfinished_set_of({"c"}) || unfinished_set_of({"out/a"})) std::abort();
+        std::filesystem::create_directory("out");
+        if (!unfinished_set_of({"out/c"})) std::abort();
+        std::filesystem::remove("a");
+        if (!unfinished_set_of({"a"})) std::abort();
+    });
+}
+
 TEST(Recovery, AJournalThatNoOtherFolderConfirmsChangesNothingThere) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "x");

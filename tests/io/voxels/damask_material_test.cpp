@@ -127,6 +127,13 @@ TEST(DamaskMaterial, DamageIsRefusedWithItsLine) {
     EXPECT_THAT(refusal("homogenization: direct", "homogenization: SX"), HasSubstr("'SX' is not"));
     EXPECT_THAT(refusal("    constituents:\n", ""), HasSubstr("another form"));
     EXPECT_THAT(refusal("        v: 1.0\n", ""), HasSubstr("another form"));
+    EXPECT_THAT(refusal("N_constituents: 1", "N_constituents: 2"),
+                HasSubstr("m.yaml:7: cells have one constituent each"));
+    EXPECT_THAT(refusal("    N_constituents: 1\n", ""), HasSubstr("lacks its N_constituents"));
+    EXPECT_THAT(refusal("  direct:\n", "  direct: {}\n  direct:\n"),
+                HasSubstr("m.yaml:7: 'direct' is there twice"));
+    EXPECT_THAT(refusal("\nmaterial:\n", "\nmaterial:\nmaterial:\n"),
+                HasSubstr("'material:' is there twice"));
     // The phases are the user's.
     EXPECT_EQ(refusal("C_11: 107.3e+9", "C_11: 233.3e+9"), "");
     EXPECT_EQ(refusal("    lattice: cF\n", "    # mine\n\n    lattice: cI\n"), "");

@@ -103,7 +103,10 @@ TEST(Vti, DamageIsRefused) {
                 HasSubstr("t.vti:4: the extent"));
     EXPECT_THAT(changed("WholeExtent=\"0 6", "WholeExtent=\"0 7"), HasSubstr("piece"));
     EXPECT_THAT(changed("Spacing=\"", "Spacing=\"-"), HasSubstr("spacing"));
-    EXPECT_THAT(changed("Spacing=\"0.5", "Spacing=\"0.51"), HasSubstr("periods"));
+    EXPECT_THAT(changed("0.25 0.5\" Direction", "0.26 0.5\" Direction"), HasSubstr("periods"));
+    EXPECT_THAT(changed("0.25 0.5\" Direction", "0.25 0.6\" Direction"), HasSubstr("as thick"));
+    EXPECT_THAT(changed("0\" Spacing", "1\" Spacing"), HasSubstr("not at z = 0"));
+    EXPECT_THAT(changed("Direction=\"1 0 0 0 1", "Direction=\"0 1 0 1 0"), HasSubstr("turned"));
     EXPECT_THAT(changed("format=\"binary\"", "format=\"appended\""), HasSubstr("inline"));
     EXPECT_THAT(changed("\"Int32\"", "\"Float32\""), HasSubstr("Int32 or Int64"));
     EXPECT_THAT(changed("\"Int32\"", "\"Int64\""), HasSubstr("damaged"));
@@ -111,9 +114,39 @@ TEST(Vti, DamageIsRefused) {
                 HasSubstr("lacks the array material"));
     EXPECT_THAT(changed("Origin=\"0.1 -7", "Origin=\"0.9 -7"), HasSubstr("its centre lies in"));
     EXPECT_THAT(changed("header_type=\"UInt64\"", "header_type=\"UInt32\""), HasSubstr("damaged"));
+    EXPECT_THAT(changed("UInt64", "Float32"), HasSubstr("header_type"));
+    EXPECT_THAT(changed("\"Int32\"", "\"Int32\" NumberOfTuples=\"23\""), HasSubstr("one number a"));
+    EXPECT_THAT(changed("\"Int32\"", "\"Int32\" NumberOfComponents=\"2\""),
+                HasSubstr("one number a"));
     auto files = good;
     files[1].bytes.erase(files[1].bytes.rfind("  - homogenization"));
     EXPECT_THAT(refusal(files), HasSubstr("t.material.yaml: has 4 materials"));
+}
+
+TEST(Vti, ArraysOfSitesHaveTheFormThatTheirTagsState) {
+    const Example e = example(5, {6, 4});
+    const auto good = encode_vti(e.image, e.cells, {}, "t.vti");
+    for (const std::string name : {"PeriodicLattice", "SitePositions", "SiteWeights"}) {
+        const auto changed = [&](const std::string& from, const std::string& to) {
+            auto files = good;
+            std::string& bytes = files[0].bytes;
+            const std::size_t line = bytes.rfind('<', bytes.find("Name=\"" + name));
+            const std::size_t at = bytes.find(from, line);
+            EXPECT_LT(at, bytes.find('>', line)) << from;
+            bytes.replace(at, from.size(), to);
+            return refusal(files);
+        };
+        const auto refused = HasSubstr("the array " + name + " has not ");
+        EXPECT_THAT(changed("Float64", "Float32"), refused);
+        EXPECT_THAT(changed("type", "kind"), refused);
+        EXPECT_THAT(changed("ascii", "asci"), refused);
+        EXPECT_THAT(changed("NumberOfComponents=\"", "NumberOfComponents=\"1"), refused);
+        EXPECT_THAT(changed("NumberOfTuples=\"", "NumberOfTuples=\"1"), refused);
+        EXPECT_THAT(changed("NumberOfTuples", "Tuples"), refused);
+        EXPECT_THAT(changed("NumberOfTuples=\"", "NumberOfTuples=\"x"), HasSubstr("'x"));
+        if (name == "SiteWeights") continue;
+        EXPECT_THAT(changed(name, "Other"), HasSubstr("has not both of the arrays"));
+    }
 }
 
 TEST(Vti, EveryChangedDigitOfTheVoxelsIsFound) {

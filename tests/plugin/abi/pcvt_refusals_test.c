@@ -365,6 +365,37 @@ static void files_that_cannot_fit_are_refused_before_they_are_made(void) {
     pcvt_free(result);
 }
 
+static void meshes_that_cannot_fit_are_refused_before_they_are_built(void) {
+    pcvt_options options = options_for(100000);
+    pcvt_result* result = NULL;
+    pcvt_tile tile;
+    pcvt_mesh mesh;
+    struct rlimit old;
+    struct rlimit low;
+    int32_t kind;
+    if (mapped_memory() >> 40 != 0) return;
+    options.max_iterations = 0;
+    options.grain_size = 1e-3;
+    CHECK(pcvt_generate(&options, &result) == PCVT_OK);
+    CHECK(getrlimit(RLIMIT_AS, &old) == 0);
+    low = old;
+    /* The smallest of these meshes takes 29 MB. */
+    low.rlim_cur = mapped_memory() + ((size_t)16 << 20);
+    CHECK(setrlimit(RLIMIT_AS, &low) == 0);
+    for (kind = PCVT_VORONOI; kind <= PCVT_GRAINS; ++kind) {
+        CHECK(pcvt_get_tile(result, kind, PCVT_WHOLE, &tile, sizeof tile) == PCVT_ERROR_MEMORY);
+        CHECK(strstr(pcvt_last_error(), "takes about") != NULL);
+        if (kind == PCVT_GRAINS) continue;
+        CHECK(pcvt_get_mesh(result, kind, &mesh, sizeof mesh) == PCVT_ERROR_MEMORY);
+        CHECK(strstr(pcvt_last_error(), "takes about") != NULL);
+    }
+    CHECK(setrlimit(RLIMIT_AS, &old) == 0);
+    /* The refusals leave the result as it was. */
+    CHECK(pcvt_get_tile(result, PCVT_DELAUNAY, PCVT_WHOLE, &tile, sizeof tile) == PCVT_OK);
+    CHECK(pcvt_get_mesh(result, PCVT_VORONOI, &mesh, sizeof mesh) == PCVT_OK);
+    pcvt_free(result);
+}
+
 int main(void) {
     sizes_and_versions_that_do_not_fit_are_refused();
     the_interface_has_the_version_of_the_library();
@@ -382,5 +413,6 @@ int main(void) {
     cells_that_a_format_refuses_are_a_matter_of_geometry();
     every_status_has_a_distinct_text();
     files_that_cannot_fit_are_refused_before_they_are_made();
+    meshes_that_cannot_fit_are_refused_before_they_are_built();
     return end_of_claims();
 }

@@ -39,6 +39,7 @@ class Large(CliTest):
         jobs = {
             "sites": ["--sites", 300_000, *quick, "-o", "s.txt"],
             "built": ["--sites", 300_000, "--max-iterations", 0],
+            "built in a box": ["--sites", 300_000, *fixed, "--outline", "box", "-o", "s.txt"],
             "density": ["--sites", 100_000, *density],
             "cells": ["--sites", 100_000, *quick, "-o", "t.obj"],
             "triangles": ["--sites", 100_000, *quick, "--mesh", "delaunay", "-o", "t.glb"],
