@@ -97,19 +97,37 @@ class Mirror {
         }
     }
 
+    /// Whether a face continues the fan of the triangle before it.
+    bool continues_fan(int f) const {
+        const auto k = static_cast<std::size_t>(f);
+        if (tile_.kind != MeshKind::kVoronoi || k >= tile_.face_site.size()) return false;
+        return tile_.face_site[k] == tile_.face_site[k - 1] &&
+               tile_.faces[f][0] == tile_.faces[f - 1][0] &&
+               tile_.faces[f][1] == tile_.faces[f - 1].back();
+    }
+
+    /// Adds the images in the order of the faces, so that the first face of a site becomes the
+    /// first one of its image; the triangles of a fan in the opposite order, which is that of their
+    /// images.
     void add_faces() {
         const int n = tile_.n_faces();
-        for (int f = n - 1; f >= 0; --f) {
-            checkpoint_each(f);
-            const int begin = tile_.faces.begin[f];
-            const int end = tile_.faces.begin[f + 1];
-            tile_.faces.corners.push_back(image_vertex_[tile_.faces.corners[begin]]);
-            for (int c = end - 1; c > begin; --c) {
-                tile_.faces.corners.push_back(image_vertex_[tile_.faces.corners[c]]);
-            }
-            tile_.faces.close();
-            add_attributes(f);
+        for (int first = 0, end = 0; first < n; first = end) {
+            checkpoint_each(first);
+            end = first + 1;
+            while (end < n && continues_fan(end)) ++end;
+            for (int f = end - 1; f >= first; --f) add_face(f);
         }
+    }
+
+    void add_face(int f) {
+        const int begin = tile_.faces.begin[f];
+        const int end = tile_.faces.begin[f + 1];
+        tile_.faces.corners.push_back(image_vertex_[tile_.faces.corners[begin]]);
+        for (int c = end - 1; c > begin; --c) {
+            tile_.faces.corners.push_back(image_vertex_[tile_.faces.corners[c]]);
+        }
+        tile_.faces.close();
+        add_attributes(f);
     }
 
     void add_attributes(int f) {
