@@ -111,7 +111,7 @@ const std::array<SiteNote, 6>& rows() {
           .numbers = metric,
           .take = take_metric,
           .usual = {1, 0}},
-         {.parts = "x y",
+         {.parts = "across_x across_y",
           .n_parts = 2,
           .comment = "walls",
           .member = "walls",
