@@ -65,6 +65,7 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
     Tile tile = file.tile;
     tile.vertex_pairs = proved.proof.vertex_pairs;
     tile.edge_pairs = proved.proof.edge_pairs;
+    tile.wall_edges = proved.proof.wall_edges;
     tile.grain_site_points = grain_site_points(tile, proved.cells.of_face);
     if (format.holds_sites) require_sites(files.front().path, tile);
     for (const EncodedFile& expected : encode_tile(format, tile, path_of(format, files), options)) {

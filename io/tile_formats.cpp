@@ -49,8 +49,21 @@ void require_whole_cells(const FormatRequest& request) {
         "mesh grains");
 }
 
+/// The mean strains of the job need equations across all sides.
+void require_job_without_walls(const FormatRequest& request) {
+    if (request.files.job == SolverJob::kNone || request.walls == Walls::kNone) return;
+    throw InvalidInput(
+        "the job prescribes mean strains, which need a tile that is periodic along both "
+        "directions; "
+        "leave the job or the walls out");
+}
+
 /// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
 void require_mpas_torus(const FormatRequest& request) {
+    if (request.walls != Walls::kNone) {
+        throw InvalidInput(
+            "MPAS meshes are periodic along both directions; leave the walls out, or take .vtu");
+    }
     if (request.short_edges > 0) {
         throw InvalidInput("MPAS needs every Voronoi edge; remove no short edges");
     }
@@ -67,7 +80,14 @@ void require_image_size(const FormatRequest& request) {
     image_height(request.lattice, pixels == 0 ? kDefaultPixels : pixels);
 }
 
-void require_voxel_grid(const FormatRequest& request) { requested_voxels(request); }
+void require_voxel_grid(const FormatRequest& request) {
+    if (request.walls != Walls::kNone) {
+        throw InvalidInput(
+            "DAMASK's voxels are periodic along both directions; leave the walls out, or take "
+            ".vtu");
+    }
+    requested_voxels(request);
+}
 
 std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {
     MpasGrid grid = mpas_grid(torus.cells, torus.origin);
@@ -163,6 +183,7 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .fields = inp_fields,
      .holds_polygons = false,
      .highest_order = 2,
+     .check = require_job_without_walls,
      .takes_element = true,
      .takes_job = true,
      .takes_phases = true,

@@ -1,5 +1,7 @@
 #include "io/elements/seam_segments.hpp"
 
+#include <utility>
+
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -12,6 +14,9 @@ struct Step {
     int partner = -1;
     Offset offset;
     int middle = -1;
+    std::optional<WallSide> wall = {};
+
+    bool continues(const Step& step) const { return offset == step.offset && wall == step.wall; }
 };
 
 std::vector<Step> boundary_steps(const Tile& tile, const MidsideNodes& middles) {
@@ -24,15 +29,20 @@ std::vector<Step> boundary_steps(const Tile& tile, const MidsideNodes& middles) 
         steps[pair.v0].middle = middles.of_edge_pair[k][0];
         steps[pair.w1].middle = middles.of_edge_pair[k][1];
     }
+    for (std::size_t k = 0; k < tile.wall_edges.size(); ++k) {
+        const WallEdge& edge = tile.wall_edges[k];
+        steps[edge.v0] = {.to = edge.v1, .partner = -1, .offset = {}, .wall = edge.side};
+        if (!middles.of_wall_edge.empty()) steps[edge.v0].middle = middles.of_wall_edge[k];
+    }
     return steps;
 }
 
-/// The smallest vertex at which the offset changes.
+/// The smallest vertex at which the offset or the wall changes.
 int first_end(const std::vector<Step>& steps) {
     std::vector<bool> is_end(steps.size(), false);
     for (const Step& step : steps) {
         if (step.to < 0) continue;
-        is_end[step.to] = steps[step.to].to >= 0 && step.offset != steps[step.to].offset;
+        is_end[step.to] = steps[step.to].to >= 0 && !steps[step.to].continues(step);
     }
     for (std::size_t v = 0; v < steps.size(); ++v) {
         if (is_end[v]) return static_cast<int>(v);
@@ -44,16 +54,17 @@ std::vector<SeamSegment> walk(const std::vector<Step>& steps, std::size_t n_edge
     std::vector<SeamSegment> runs;
     const int first = first_end(steps);
     int v = first;
+    int before = -1;
     for (std::size_t walked = 0; walked == 0 || v != first; ++walked) {
         const Step& step = steps[v];
         if (step.to < 0 || walked == n_edges) {
             throw InternalError("the boundary of the tile is not one loop");
         }
-        if (runs.empty() || runs.back().offset != step.offset)
-            runs.push_back({step.offset, {v}, {}, -1});
+        if (before < 0 || !step.continues(steps[before]))
+            runs.push_back({step.offset, {v}, {}, -1, step.wall});
         runs.back().vertices.push_back(step.to);
         if (step.middle >= 0) runs.back().middles.push_back(step.middle);
-        v = step.to;
+        before = std::exchange(v, step.to);
     }
     return runs;
 }
@@ -65,14 +76,17 @@ void find_partners(const std::vector<Step>& steps, std::vector<SeamSegment>& run
             run_of[runs[r].vertices[k]] = static_cast<int>(r);
         }
     }
-    for (SeamSegment& run : runs) run.partner = run_of[steps[run.vertices.front()].partner];
+    for (SeamSegment& run : runs) {
+        if (!run.wall) run.partner = run_of[steps[run.vertices.front()].partner];
+    }
 }
 
 }  // namespace
 
 std::vector<SeamSegment> seam_segments(const Tile& tile, const MidsideNodes& middles) {
     const std::vector<Step> steps = boundary_steps(tile, middles);
-    std::vector<SeamSegment> runs = walk(steps, 2 * tile.edge_pairs.size());
+    std::vector<SeamSegment> runs =
+        walk(steps, 2 * tile.edge_pairs.size() + tile.wall_edges.size());
     find_partners(steps, runs);
     return runs;
 }

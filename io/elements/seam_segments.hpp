@@ -1,14 +1,16 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesher/tile/midside_nodes.hpp"
 
 namespace pcvt {
 
-/// A longest stretch of a tile's boundary that one translation takes to its partners.
+/// A longest stretch of a tile's boundary that one translation takes to its partners, or that lies
+/// on one wall.
 struct SeamSegment {
-    /// Takes the run to its partner: position + translation(offset).
+    /// Takes the run to its partner: position + translation(offset). On a wall: (0, 0).
     Offset offset;
     /// Along the boundary, the tile on the left; both ends included, so two or more.
     std::vector<int> vertices;
@@ -16,18 +18,23 @@ struct SeamSegment {
     std::vector<int> middles;
     /// Index of the run that it is glued to, which runs the other way: vertex k of this one and
     /// vertex size - 1 - k of that one are partners, likewise the middles.
+    /// On a wall: -1.
     int partner;
+    /// The wall on which the run lies; nothing on the seam.
+    std::optional<WallSide> wall = {};
 };
 
 /// The boundary as runs, counter-clockwise, from the run that leaves the smallest vertex. Each run
 /// begins where the one before ends. Laws, tested by number:
 ///
-///   (1) The partner of a partner is the run itself, with the opposite offset.
-///   (2) Every boundary edge lies in one run; a run's neighbours have other offsets than it has.
+///   (1) The partner of a partner is the run itself, with the opposite offset; runs on walls have
+///       none.
+///   (2) Every boundary edge lies in one run; a run's neighbours have another offset or wall than
+///       it has.
 ///   (3) The ends of runs are closed under identification: a vertex on the orbit of an end is one.
 ///
 /// @param middles  of a tile of order 2; else empty.
-/// @pre the tile has its edge_pairs.
+/// @pre the tile has its edge_pairs and its wall_edges.
 /// @throws InternalError where they do not form one loop.
 std::vector<SeamSegment> seam_segments(const Tile& tile, const MidsideNodes& middles);
 

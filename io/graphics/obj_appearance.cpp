@@ -100,6 +100,15 @@ int named_sides(std::string_view name) {
     }
 }
 
+/// Whether the site of a face lies on a wall, which cuts its cell.
+bool is_on_wall(const Tile& tile, SiteId site) {
+    if (site < 0 || static_cast<std::size_t>(site) >= tile.site_positions.size()) return false;
+    return std::any_of(kWallSides.begin(), kWallSides.end(), [&](const WallSideRow& row) {
+        return has_walls_across(tile.walls, row.axis) &&
+               tile.site_positions[site][row.axis] == wall_line(row.side, tile.lattice);
+    });
+}
+
 /// Returns the number of the material of each face.
 std::vector<int> materials_of_faces(const Tile& tile, const ObjAppearance& appearance,
                                     const std::string& path) {
@@ -149,7 +158,8 @@ void require_materials(const Tile& tile, const ObjAppearance& appearance, const 
     const std::vector<int> sides = cell_sides(tile);
     for (int f = 0; f < tile.n_faces(); ++f) {
         const int named = named_sides(appearance.materials[of_face[f]].name);
-        if (named >= 0 && named != sides[f]) throw_other(f);
+        if (named < 0 || named == sides[f] || is_on_wall(tile, tile.face_site[f])) continue;
+        throw_other(f);
     }
 }
 

@@ -170,6 +170,20 @@ function siteValences(tile) {
     return [...valence.values()];
 }
 
+/** Returns the classes of the boundary's lines: the translations of the seam, and the walls. */
+function boundaryClasses(tile, theme) {
+    const lines = seamClasses(tile, theme).map((line) => {
+        const name = `seam (${line.label.replace(/-/g, '−')})`;
+        return {...line, name, count: line.corners.length / 2};
+    });
+    const corners = [...tile.wallOf.keys()];
+    if (corners.length > 0) {
+        const colour = THEMES[theme].ink;
+        lines.push({name: 'wall', count: corners.length, corners, colour, dash: []});
+    }
+    return lines;
+}
+
 /** Returns the translation classes of the seam, each with its corners and its line. */
 function seamClasses(tile, theme) {
     const classes = new Map();

@@ -34,7 +34,8 @@ class Controls {
         };
         const vector = ([x, y]) => `(${shortNumber(x)}, ${shortNumber(y)})`;
         element('summary').textContent = `${parts[tile.kind]} · a = ${vector(tile.a)}, ` +
-            `b = ${vector(tile.b)} · ${count(tile.offset.size / 2, 'pair')} of edges on the seam`;
+            `b = ${vector(tile.b)} · ${count(tile.offset.size / 2, 'pair')} of edges on the seam` +
+            (tile.wallOf.size > 0 ? ` · ${count(tile.wallOf.size, 'edge')} on walls` : '');
         viewerLabel(tile, parts[tile.kind]);
         element('with-phases').hidden = tile.hasTriangles || tile.phases.length === 0;
         element('with-orbits').hidden = tile.orbitClasses.length === 0;
@@ -93,7 +94,10 @@ class Controls {
         const repeat = (options.get('repeat') ?? '').match(/^([1-5])x([1-5])$/) ?? [0, 1, 1];
         ['columns', 'rows'].forEach((id, k) => {
             for (let n = 1; n <= 5; ++n) element(id).add(new Option(n, n));
-            viewer.repeat[k] = element(id).value = Number(repeat[k + 1]);
+            // Copies lie side by side along the periods only.
+            const hasWalls = this.tile.walls[k] === 1;
+            element(id).disabled = hasWalls;
+            viewer.repeat[k] = element(id).value = hasWalls ? 1 : Number(repeat[k + 1]);
             element(id).addEventListener('change', () => {
                 viewer.repeat[k] = Number(element(id).value);
                 viewer.select(null);
@@ -244,8 +248,7 @@ class Controls {
                 {colour, label, count: count.toLocaleString('en'), text: `${label}: ${count}`});
         }
         for (const line of show.seam ? seams : []) {
-            const label = `seam (${line.label.replace(/-/g, '−')})`;
-            entries.push({line, label, count: `${line.corners.length / 2}`, text: label});
+            entries.push({line, label: line.name, count: `${line.count}`, text: line.name});
         }
         return entries;
     }

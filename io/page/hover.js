@@ -48,6 +48,10 @@ function describe(tile, place) {
     if (tile.orbitClasses.length > 0) rows.push(['Orbit', String(tile.orbitOf(face))]);
     if (tile.kind === 'grains')
         rows.push(['Triangle', `${face}, ${shortNumber(tile.faceArea(face))}`]);
+    const walls = new Set(tile.outline(cell).map((c) => tile.wallOf.get(c)));
+    walls.delete(undefined);
+    if (walls.size > 0)
+        rows.push(['Walls', [...walls].map((wall) => wall.replace('wall_', '')).join(', ')]);
     const corners = boundaryCorners(tile, cell);
     const start = (c) => tile.corners[c], end = (c) => tile.corners[tile.next(c)];
     rows.push(['Partner edges', String(corners.length)]);

@@ -68,6 +68,26 @@ void append_phases(std::string& text, const CellMaterials* materials) {
     append_list(text, shown.site_phase);
 }
 
+/// Appends whether the sides across x and across y are walls, and the ends of each edge on a wall
+/// with the name of the wall; nothing without walls.
+void append_walls(std::string& text, const Tile& tile) {
+    if (tile.walls == Walls::kNone) return;
+    append_key(text, "walls");
+    append_list(text, std::array{int{has_walls_across(tile.walls, 0)},
+                                 int{has_walls_across(tile.walls, 1)}});
+    append_key(text, "wall_edges");
+    text += '[';
+    for (const WallEdge& edge : tile.wall_edges) {
+        text += text.back() == '[' ? "\n[" : ",\n[";
+        for (const int v : {edge.v0, edge.v1}) {
+            append_number(text, v);
+            text += ',';
+        }
+        text += json_string(wall_side_row(edge.side).word) + "]";
+    }
+    text += ']';
+}
+
 std::string page_data(const Tile& tile, const FileOptions& options, const std::string& name) {
     const bool owned = faces_have_sites(tile.kind);
     std::string text = "{\"format\": \"pcvt page\", \"version\": ";
@@ -113,6 +133,7 @@ std::string page_data(const Tile& tile, const FileOptions& options, const std::s
         const EdgePair& p = tile.edge_pairs[static_cast<std::size_t>(k)];
         return std::array{p.v0, p.v1, p.w0, p.w1, p.offset.i, p.offset.j};
     });
+    append_walls(text, tile);
     return text + "}";
 }
 

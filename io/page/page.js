@@ -56,7 +56,7 @@ class Viewer {
 
     recolour() {
         this.colouring = new Colouring(this.tile, this.mode, this.themeName);
-        this.seams = seamClasses(this.tile, this.themeName);
+        this.seams = boundaryClasses(this.tile, this.themeName);
         this.repaint();
     }
 

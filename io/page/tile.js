@@ -26,6 +26,7 @@ class Tile {
         this.measureBox();
         this.groupCells(data);
         this.linkHalfedges();
+        this.linkWalls(data.walls ?? [0, 0], data.wall_edges ?? []);
         this.linkPartners(data.edge_pairs);
         this.fillBins();
     }
@@ -122,6 +123,19 @@ class Tile {
         return -1;
     }
 
+    /** Stores the wall of each corner on one: `walls` tells whether those across x and y are. */
+    linkWalls(walls, edges) {
+        this.walls = walls;
+        this.wallOf = new Map();
+        for (const [v, w, wall] of edges) {
+            const c = this.halfedge(v, w);
+            if (c < 0 || this.opposite[c] >= 0) {
+                throw new Error(`edge ${v}–${w} of ${wall} is not on the boundary`);
+            }
+            this.wallOf.set(c, wall);
+        }
+    }
+
     /** Links each boundary corner with its partner: position(partner) = position + offset. */
     linkPartners(pairs) {
         this.partner = new Int32Array(this.corners.length).fill(-1);
@@ -140,7 +154,8 @@ class Tile {
             this.offset.set(d, [-i, -j]);
         }
         for (let c = 0; c < this.corners.length; ++c) {
-            if ((this.opposite[c] < 0) === (this.partner[c] >= 0)) continue;
+            const isOnSeam = this.opposite[c] < 0 && !this.wallOf.has(c);
+            if (isOnSeam === (this.partner[c] >= 0)) continue;
             const edge = `${this.corners[c]}–${this.corners[this.next(c)]}`;
             throw new Error(
                 `edge ${edge} has ${this.partner[c] < 0 ? 'no' : 'a needless'} partner`);
@@ -275,7 +290,7 @@ class Tile {
         const ends = [];
         for (let c = 0; c < this.corners.length; ++c) {
             const d = this.opposite[c] < 0 ? this.partner[c] : this.opposite[c];
-            if (this.opposite[c] > c) continue;
+            if (this.opposite[c] > c || this.wallOf.has(c)) continue;
             const [i, j] = this.opposite[c] < 0 ? this.offset.get(c) : [0, 0];
             const [x, y] = this.translation(i, j);
             const f = 2 * this.faceOf[c], g = 2 * this.faceOf[d];

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -219,6 +220,17 @@ std::string draw_seam(const Drawing& drawing) {
     return svg + walls.element(stroke(kWallColour, drawing.width(0.13, 1.6, 7)));
 }
 
+/// The names of the walls without their prefix: "bottom, top".
+std::string wall_names(const Tile& tile) {
+    constexpr std::size_t kPrefix = std::string_view("wall_").size();
+    std::string names;
+    for (const WallSideRow& row : kWallSides) {
+        if (!has_walls_across(tile.walls, row.axis)) continue;
+        names += (names.empty() ? "" : ", ") + std::string(row.word).substr(kPrefix);
+    }
+    return names;
+}
+
 std::string counted(int n, const std::string& noun) {
     return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
@@ -227,13 +239,19 @@ std::string caption(const Tile& tile) {
     const int n = count_sites(tile);
     const std::string triangles = counted(tile.n_faces(), "triangle");
     const MeshKindRow& kind = mesh_kind_row(tile.kind);
+    const bool has_walls = tile.walls != Walls::kNone;
+    const std::string tile_word = has_walls ? " tile between walls, " : " tile, ";
+    const std::string periodic = has_walls ? "" : "Periodic ";
     if (!kind.faces_have_sites) {
-        return "Periodic Delaunay tile, " + counted(n, "site") + ", " + triangles;
+        return periodic + "Delaunay" + tile_word + counted(n, "site") + ", " + triangles;
     }
-    if (kind.grain_size) return "Periodic grains, " + triangles;
-    return "Periodic Voronoi tile, " + (tile.whole_sides.empty()
-                                            ? counted(n, "cell")
-                                            : counted(tile.n_faces(), "piece") + " of cells");
+    if (kind.grain_size) {
+        return (has_walls ? "Grains between walls, " : "Periodic grains, ") + triangles;
+    }
+    // Walls cut cells in halves; each half is the only piece of its cell.
+    const bool are_cells = tile.whole_sides.empty() || (has_walls && n == tile.n_faces());
+    return periodic + "Voronoi" + tile_word +
+           (are_cells ? counted(n, "cell") : counted(tile.n_faces(), "piece") + " of cells");
 }
 
 std::vector<LegendEntry> colour_entries(const Tile& tile, const TileColours& colours) {
@@ -253,6 +271,10 @@ Legend make_legend(const Tile& tile, const SvgDomain& domain, const TileColours&
     for (const auto& [offset, colour] : seam_colours(tile)) {
         const std::string pair = std::to_string(offset.i) + ", " + std::to_string(offset.j);
         legend.entries.push_back({LegendEntry::Mark::kStroke, colour, "seam (" + pair + ")"});
+    }
+    if (!tile.wall_edges.empty()) {
+        legend.entries.push_back(
+            {LegendEntry::Mark::kStroke, kWallColour, "walls: " + wall_names(tile)});
     }
     legend.entries.push_back({LegendEntry::Mark::kDashes, kDomainColour, domain.label});
     return legend;

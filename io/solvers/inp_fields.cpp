@@ -9,8 +9,9 @@ namespace pcvt {
 namespace {
 
 /// The beginnings of the names of the sets that pcvt writes.
-constexpr std::array<std::string_view, 8> kSets{
-    "CELL_", "SEAM_", "FIXED", "EALL", "NALL", "GRAIN_BOUNDARY", "TRIPLE_POINTS", "CONTROL_"};
+constexpr std::array<std::string_view, 9> kSets{"CELL_",          "SEAM_",         "WALL_",
+                                                "FIXED",          "EALL",          "NALL",
+                                                "GRAIN_BOUNDARY", "TRIPLE_POINTS", "CONTROL_"};
 /// The beginnings of the cards that follow from the materials of a file, where it states them.
 constexpr std::array<std::string_view, 3> kMaterialCards{"*ELSET,ELSET=PHASE_", "*ORIENTATION,",
                                                          "*SOLIDSECTION,"};
@@ -31,6 +32,9 @@ bool is_set(const std::string& card) {
     return card.starts_with("*NSET,") || card.starts_with("*ELSET,");
 }
 
+/// Whether a card begins the sides of elements; their order counts.
+bool is_surface(const std::string& card) { return card.starts_with("*SURFACE,"); }
+
 bool is_nodes(const std::string& card) { return card.starts_with("*NODE,") || card == "*NODE"; }
 
 bool follows_from_materials(const std::string& card) {
@@ -46,7 +50,7 @@ bool states_materials(const std::vector<std::string_view>& words) {
 
 /// Whether the tile determines the data of a card.
 bool follows_from_tile(const std::string& card) {
-    if (is_set(card)) {
+    if (is_set(card) || is_surface(card)) {
         const std::string_view name = std::string_view(card).substr(card.find('=') + 1);
         return std::any_of(kSets.begin(), kSets.end(),
                            [&](std::string_view set) { return name.starts_with(set); });

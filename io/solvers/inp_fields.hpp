@@ -9,7 +9,8 @@
 namespace pcvt {
 
 /// Returns the fields of an Abaqus input: the data of *ELEMENT and *EQUATION, the numbers of the
-/// nodes, and the members of the sets that encode_inp() names, each once by rising number. CPE and
+/// nodes, and the members of the sets that encode_inp() names, each once by rising number,
+/// with the sides of elements on walls. CPE and
 /// CPS elements count as equal, because both suit a tile. Sections, orientations and sets of phases
 /// count where the file states the materials of its cells. Cards and sets of a user are left out.
 ///

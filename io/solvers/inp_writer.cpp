@@ -4,6 +4,8 @@
 #include <array>
 #include <map>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "io/bytes/text.hpp"
 #include "io/elements/fixed_width_numbers.hpp"
@@ -34,6 +36,16 @@ constexpr const char* kWithSections =
 constexpr const char* kWithJob =
     "** A job of linear elasticity on a periodic tile, written by pcvt, that CalculiX runs as it\n"
     "** is; its materials and steps are at the end.";
+constexpr const char* kPeriodicTile = "a periodic tile";
+constexpr const char* kBetweenWalls = "a tile between walls";
+/// Of a tile between walls.
+constexpr const char* kWallSets =
+    "** WALL_LEFT and so on are the nodes of a wall, WALL_LEFT_SIDES the sides of elements "
+    "there.\n";
+/// Of a box, which has no equations.
+constexpr const char* kBoxExplanation =
+    " No node is tied to another.\n"
+    "** Lines that begin with \"** pcvt\" hold what no card does.\n";
 constexpr const char* kExplanation =
     " FIXED 1,2 holds the tile. The mean\n** strain is the displacement of the control nodes: "
     "CONTROL_1 has e_xx, e_xy in 1, 2, and\n"
@@ -48,6 +60,13 @@ double largest_number(const Tile& tile) {
         largest = std::max(largest, translation.cwiseAbs().maxCoeff());
     }
     return largest;
+}
+
+std::string upper_case(std::string word) {
+    for (char& c : word) {
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    }
+    return word;
 }
 
 /// Builds the text of one file, card by card.
@@ -67,6 +86,7 @@ class InpText {
         append_elements();
         append_cells();
         append_node_sets();
+        append_wall_sides();
         append_equations();
         if (options_.materials != nullptr) text_ += inp_sections(*options_.materials, cell_sets_);
         if (options_.job == SolverJob::kElastic) text_ += inp_elastic_job(materials());
@@ -78,6 +98,9 @@ class InpText {
         return options_.materials != nullptr ? *options_.materials : CellMaterials{};
     }
     int control(int k) const { return nodes_.n_nodes() + k; }
+
+    /// Whether walls leave no seam, so that no node is tied.
+    bool is_box() const { return tile_.walls == Walls::kXY; }
 
     void append_real(double value) {
         if (numbers_.append(text_, value)) return;
@@ -93,7 +116,12 @@ class InpText {
         text_ = options_.job != SolverJob::kNone ? kWithJob
                 : options_.materials != nullptr  ? kWithSections
                                                  : kMeshAlone;
-        text_ += kExplanation;
+        if (tile_.walls != Walls::kNone) {
+            const std::string_view what(kPeriodicTile);
+            text_.replace(text_.find(what), what.size(), kBetweenWalls);
+        }
+        text_ += is_box() ? kBoxExplanation : kExplanation;
+        if (tile_.walls != Walls::kNone) text_ += kWallSets;
         text_ += "** pcvt kind " + file_word(tile_.kind) + "\n** pcvt lattice";
         for (const double number : {a.x(), a.y(), b.x(), b.y()}) {
             text_ += ' ';
@@ -121,6 +149,7 @@ class InpText {
     void append_nodes() {
         text_ += "*NODE,NSET=NALL\n";
         for (int v = 0; v < nodes_.n_nodes(); ++v) append_node(v + 1, nodes_.points[v]);
+        if (is_box()) return;
         text_ += "*NODE,NSET=CONTROL_1\n";
         append_node(control(1), tile_.points[0]);
         text_ += "*NODE,NSET=CONTROL_2\n";
@@ -187,14 +216,39 @@ class InpText {
         append_node_set("GRAIN_BOUNDARY", contacts.of_two_cells);
         append_node_set("TRIPLE_POINTS", contacts.of_three_cells);
         std::map<Offset, std::set<int>> seams;
+        std::map<WallSide, std::set<int>> walls;
         for (const SeamSegment& segment : seam_segments(tile_, nodes_.middles)) {
-            for (const int v : segment.vertices) seams[segment.offset].insert(v);
-            for (const int v : segment.middles) seams[segment.offset].insert(v);
+            std::set<int>& ids = segment.wall ? walls[*segment.wall] : seams[segment.offset];
+            ids.insert(segment.vertices.begin(), segment.vertices.end());
+            ids.insert(segment.middles.begin(), segment.middles.end());
         }
         for (const auto& [offset, ids] : seams) {
             append_node_set(seam_name(offset), {ids.begin(), ids.end()});
         }
-        text_ += "*NSET,NSET=FIXED\n1\n";
+        for (const auto& [wall, ids] : walls) {
+            append_node_set(upper_case(wall_side_row(wall).word), {ids.begin(), ids.end()});
+        }
+        if (!is_box()) text_ += "*NSET,NSET=FIXED\n1\n";
+    }
+
+    /// Appends the sides of elements on each wall: side k of a triangle begins at its corner k.
+    void append_wall_sides() {
+        std::map<std::pair<int, int>, WallSide> wall_of;
+        for (const WallEdge& edge : tile_.wall_edges) wall_of[{edge.v0, edge.v1}] = edge.side;
+        std::map<WallSide, std::string> sides;
+        for (int f = 0; !wall_of.empty() && f < tile_.n_faces(); ++f) {
+            const auto& corners = tile_.faces[f];
+            for (int k = 0; k < 3; ++k) {
+                const auto found = wall_of.find({corners[k], corners[(k + 1) % 3]});
+                if (found == wall_of.end()) continue;
+                std::string& lines = sides[found->second];
+                lines += std::to_string(f + 1) + ",S" + std::to_string(k + 1) + "\n";
+            }
+        }
+        for (const auto& [wall, lines] : sides) {
+            text_ += "*SURFACE,NAME=" + upper_case(wall_side_row(wall).word) +
+                     "_SIDES,TYPE=ELEMENT\n" + lines;
+        }
     }
 
     /// Appends `node,dof,coefficient`.
@@ -218,6 +272,7 @@ class InpText {
     }
 
     void append_equations() {
+        if (is_box()) return;
         text_ += "*EQUATION\n";
         for (const VertexPair& pair : nodes_.pairs) {
             append_equation(pair, 1);

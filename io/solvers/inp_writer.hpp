@@ -19,9 +19,13 @@ namespace pcvt {
 /// that owns no Delaunay triangle has the triangles at its site, which their owners have as well.
 /// Node sets: `NALL`; `GRAIN_BOUNDARY` and `TRIPLE_POINTS`, the nodes at which two or three cells
 /// meet, or more (cell_contacts()); `seam_I_J`, the nodes that I a + J b takes to their partners;
+/// `WALL_LEFT`, `WALL_RIGHT`, `WALL_BOTTOM` and `WALL_TOP`, the nodes on walls;
 /// `FIXED`, one representative, which holds the tile; `CONTROL_1` and `CONTROL_2`, two nodes
 /// outside of the mesh whose displacements are the mean strain: node 1 carries e_xx and e_xy, node
 /// 2 carries e_yy in its second component.
+///
+/// The surfaces `WALL_LEFT_SIDES` and so on consist of the sides of elements on a wall, for loads.
+/// A box between four walls has neither FIXED, nor control nodes, nor equations.
 ///
 /// Two equations tie every other node of an orbit to its representative r, with
 /// T = position(node) - position(r):

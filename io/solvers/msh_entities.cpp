@@ -151,7 +151,10 @@ class EntityFinder {
             for (std::size_t k = 0; k + 1 < segment.vertices.size(); ++k) {
                 const int v = segment.vertices[k];
                 if (is_point_[v]) {
-                    entities_.curves.push_back({{v}, {}, surface_of_[face[v]], -1, segment.offset});
+                    entities_.curves.push_back({.vertices = {v},
+                                                .left = surface_of_[face[v]],
+                                                .offset = segment.offset,
+                                                .wall = segment.wall});
                 }
                 MshCurve& curve = entities_.curves.back();
                 curve.vertices.push_back(segment.vertices[k + 1]);
@@ -161,6 +164,7 @@ class EntityFinder {
         begin.push_back(n_curves());
         // A segment and its partner have the same points, in opposite order.
         for (std::size_t s = 0; s < segments_.size(); ++s) {
+            if (segments_[s].wall) continue;
             for (int k = begin[s]; k < begin[s + 1]; ++k) {
                 entities_.curves[k].partner = begin[segments_[s].partner + 1] - 1 - (k - begin[s]);
             }
@@ -212,7 +216,7 @@ class EntityFinder {
         for (int k = 0; k < n_curves(); ++k) {
             const MshCurve& curve = entities_.curves[k];
             entities_.surfaces[curve.left].left_of.push_back(k);
-            if (!curve.is_seam()) entities_.surfaces[curve.right].right_of.push_back(k);
+            if (!curve.bounds_tile()) entities_.surfaces[curve.right].right_of.push_back(k);
         }
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "io/elements/solver_nodes.hpp"
@@ -11,16 +12,19 @@ struct MshCurve {
     /// Both ends included, so two or more; a closed curve ends where it begins.
     std::vector<int> vertices;
     /// Of order 2 the nodes between them: middles[k] after vertices[k].
-    std::vector<int> middles;
+    std::vector<int> middles = {};
     /// Indices of the surfaces on both sides; `right` < 0 where the curve bounds the tile.
     int left;
     int right = -1;
-    /// Where it bounds the tile: the translation to its partner, and the index of that curve, which
-    /// runs the other way.
+    /// On the seam: the translation to its partner, and the index of that curve, which runs the
+    /// other way.
     Offset offset = {};
     int partner = -1;
+    /// The wall on which it lies; nothing elsewhere.
+    std::optional<WallSide> wall = {};
 
-    bool is_seam() const { return right < 0; }
+    bool bounds_tile() const { return right < 0; }
+    bool is_seam() const { return bounds_tile() && !wall; }
 };
 
 /// A surface of Gmsh: the triangles of all images of one cell in the tile.
@@ -38,12 +42,12 @@ struct MshSurface {
 ///
 ///   (1) Two triangles with a common edge belong to one cell, or a curve contains the edge.
 ///   (2) Curves end at points and contain no other points; the points of the seam are closed under
-///       identification.
+///       identification. A curve of the tile's boundary has one translation or lies on one wall.
 ///   (3) Every node is a point, or inside of one curve, or inside of one surface.
 struct MshEntities {
     /// The vertex of each point.
     std::vector<int> points;
-    /// The seam first, counter-clockwise; then the boundaries between cells.
+    /// The seam and the walls first, counter-clockwise; then the boundaries between cells.
     std::vector<MshCurve> curves;
     /// By rising site; cells without a triangle have none.
     std::vector<MshSurface> surfaces;
@@ -54,7 +58,7 @@ struct MshEntities {
 ///     for (const MshSurface& cell : msh_entities(tile, nodes).surfaces) count(cell.triangles);
 ///
 /// @param nodes  solver_nodes() of the tile.
-/// @pre the tile consists of triangles and has its edge_pairs.
+/// @pre the tile consists of triangles and has its edge_pairs and wall_edges.
 /// @throws InternalError where its boundary is not one loop.
 MshEntities msh_entities(const Tile& tile, const SolverNodes& nodes);
 

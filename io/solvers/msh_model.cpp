@@ -14,10 +14,12 @@ MshModel msh_model(const Tile& tile, const SolverNodes& nodes, const CellMateria
     }
     for (const MshCurve& curve : model.entities.curves) {
         if (curve.is_seam()) model.seam_groups[curve.offset] = 0;
+        if (curve.wall) model.wall_groups[*curve.wall] = 0;
     }
-    model.has_boundary = !model.entities.curves.back().is_seam();
+    model.has_boundary = !model.entities.curves.back().bounds_tile();
     int tag = model.entities.surfaces.back().site + 1;
     for (auto& [offset, group] : model.seam_groups) group = ++tag;
+    for (auto& [wall, group] : model.wall_groups) group = ++tag;
     model.boundary_group = tag + 1;
     model.phase_group = tag + 2;
     if (!model.materials.empty()) {

@@ -25,6 +25,8 @@ struct MshModel {
     std::vector<int> point_tag;
     /// The physical group of all curves with one offset.
     std::map<Offset, int> seam_groups = {};
+    /// The physical group of all curves on one wall.
+    std::map<WallSide, int> wall_groups = {};
     int boundary_group = 0;
     bool has_boundary = false;
     /// The group of the first phase.
@@ -34,6 +36,7 @@ struct MshModel {
 
     int n_curves() const { return static_cast<int>(entities.curves.size()); }
     int group(const MshCurve& curve) const {
+        if (curve.wall) return wall_groups.at(*curve.wall);
         return curve.is_seam() ? seam_groups.at(curve.offset) : boundary_group;
     }
     /// The physical groups of a surface: its cell and, where there are phases, its phase.

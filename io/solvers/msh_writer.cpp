@@ -51,11 +51,14 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model) {
     append_note_comments(text, "pcvt ", tile);
     append_materials(text, "pcvt ", model.materials);
     text += "$EndComments\n$PhysicalNames\n";
-    const std::size_t n =
-        model.seam_groups.size() + model.entities.surfaces.size() + model.phases.size();
+    const std::size_t n = model.seam_groups.size() + model.wall_groups.size() +
+                          model.entities.surfaces.size() + model.phases.size();
     append_line(text, {static_cast<int>(n) + (model.has_boundary ? 1 : 0)});
     for (const auto& [offset, group] : model.seam_groups) {
         append_name(text, kCurves, group, seam_name(offset));
+    }
+    for (const auto& [wall, group] : model.wall_groups) {
+        append_name(text, kCurves, group, wall_side_row(wall).word);
     }
     if (model.has_boundary) append_name(text, kCurves, model.boundary_group, kGrainBoundary);
     for (const MshSurface& cell : model.entities.surfaces) {
@@ -251,6 +254,8 @@ void append_periodic(std::string& text, const Tile& tile, const MshModel& model)
         const MshCurve& curve = model.entities.curves[k];
         if (curve.is_seam() && curve.offset < Offset{}) slaves.push_back(k);
     }
+    // A box between four walls has no periodic entities.
+    if (slaves.empty()) return;
     text += "$Periodic\n";
     append_line(text, {static_cast<int>(point_links.size() + slaves.size())});
     for (const auto& [point, pair] : point_links) {

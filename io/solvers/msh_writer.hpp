@@ -15,13 +15,13 @@ namespace pcvt {
 /// Node v + 1 is vertex v, element f + 1 is face f; line elements have the numbers after them.
 /// Entities: as msh_entities() finds them. The block of an entity lists the nodes that lie on it.
 /// Physical groups: `cell_s` with the number s + 1, the surface of site s; then `seam_I_J`, the
-/// curves that I a + J b takes to their partners, by rising offset; then `grain_boundary`, the
-/// curves between cells; then `phase_NAME`, the surfaces of the cells with that phase, which are in
-/// two groups. $Periodic lists each curve and point that is not a master, with
-/// slave = master + translation. $ElementData "cell_id" holds element_cells() for triangles and -1
-/// for lines; $NodeData "cell_id" holds the site of each vertex of Delaunay triangles. $Comments
-/// hold the kind, the lattice, the phases, and the positions of the sites where the tile knows
-/// them.
+/// curves that I a + J b takes to their partners, by rising offset; then the curves on walls by the
+/// words of kWallSides; then `grain_boundary`, the curves between cells; then `phase_NAME`, the
+/// surfaces of the cells with that phase, which are in two groups. $Periodic lists each curve and
+/// point that is not a master, with slave = master + translation; a box between four walls has
+/// none. $ElementData "cell_id" holds element_cells() for triangles and -1 for lines; $NodeData
+/// "cell_id" holds the site of each vertex of Delaunay triangles. $Comments hold the kind, the
+/// lattice, the phases, and the positions of the sites where the tile knows them.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_msh(tile, "tile.msh")) {

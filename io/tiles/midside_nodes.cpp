@@ -91,7 +91,19 @@ void require_middle_positions(const FileTileBuilder& file, const std::vector<Mid
     }
 }
 
-/// Each pair of middle nodes is a translation, each one on the boundary belongs to one pair.
+/// Whether both ends of an edge lie on one wall.
+bool is_on_wall(const FileTileBuilder& file, const MidsideNode& edge, const Lattice& lattice,
+                double tolerance) {
+    const auto is_on = [&](const WallSideRow& row) {
+        if (!has_walls_across(file.notes.walls, row.axis)) return false;
+        const double line = wall_line(row.side, lattice);
+        return std::abs(file.points[edge.low][row.axis] - line) <= tolerance &&
+               std::abs(file.points[edge.high][row.axis] - line) <= tolerance;
+    };
+    return std::any_of(kWallSides.begin(), kWallSides.end(), is_on);
+}
+
+/// Each pair of middle nodes is a translation, each one on the seam belongs to one pair.
 void require_pairs(const FileTileBuilder& file, const std::vector<MidsideNode>& edges,
                    const Lattice& lattice, double tolerance) {
     std::vector<const MidsideNode*> edge_of(file.points.size(), nullptr);
@@ -111,11 +123,13 @@ void require_pairs(const FileTileBuilder& file, const std::vector<MidsideNode>& 
         paired[pair.v] = paired[pair.w] = true;
     }
     for (const MidsideNode& edge : edges) {
-        if ((edge.n_faces == 1) == paired[edge.node]) continue;
+        const bool is_wall = edge.n_faces == 1 && is_on_wall(file, edge, lattice, tolerance);
+        if ((edge.n_faces == 1 && !is_wall) == paired[edge.node]) continue;
         throw_bad_file(file, edge.line,
                        node_name(file, edge.node) +
-                           (edge.n_faces == 1 ? " lies on the boundary, but has no partner"
-                                              : " lies inside, but has a partner") +
+                           (is_wall             ? " lies on a wall, but has a partner"
+                            : edge.n_faces == 1 ? " lies on the boundary, but has no partner"
+                                                : " lies inside, but has a partner") +
                            "; write the file again with pcvt");
     }
 }

@@ -79,6 +79,9 @@ MidsideNodes midside_nodes(const Tile& tile) {
         nodes.points[link.w - tile.n_vertices()] =
             nodes.points[link.v - tile.n_vertices()] + tile.lattice.translation(link.offset);
     }
+    for (const WallEdge& wall : tile.wall_edges) {
+        nodes.of_wall_edge.push_back(node_between(edges, nodes, wall.v0, wall.v1));
+    }
     cancellable_sort(nodes.pairs.begin(), nodes.pairs.end(),
                      [](const VertexPair& p, const VertexPair& q) {
                          return std::tie(p.w, p.v) < std::tie(q.w, q.v);

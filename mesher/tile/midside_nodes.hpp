@@ -20,11 +20,13 @@ struct MidsideNodes {
     std::vector<int> of_corner;
     /// For each edge pair of the tile the nodes on v0 v1 and on w0 w1.
     std::vector<std::array<int, 2>> of_edge_pair;
+    /// For each wall edge of the tile the node on it.
+    std::vector<int> of_wall_edge;
     /// As Tile::vertex_pairs: one pair for each node w that is not the representative v.
     std::vector<VertexPair> pairs;
 };
 
-/// @pre the edge pairs of the tile are filled.
+/// @pre the edge pairs and the wall edges of the tile are filled.
 MidsideNodes midside_nodes(const Tile& tile);
 
 }  // namespace pcvt

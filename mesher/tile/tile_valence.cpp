@@ -27,6 +27,14 @@ std::vector<int> vertex_valences(const Tile& triangles) {
     // A triangle that meets an orbit at two of its corners lies there twice.
     std::vector<int> valence(triangles.n_vertices(), 0);
     for (const int v : triangles.faces.corners) ++valence[v];
+    // On a wall the triangles count with their mirror images.
+    for (const WallSideRow& row : kWallSides) {
+        if (!has_walls_across(triangles.walls, row.axis)) continue;
+        const double line = wall_line(row.side, triangles.lattice);
+        for (int v = 0; v < triangles.n_vertices(); ++v) {
+            if (triangles.points[v][row.axis] == line) valence[v] *= 2;
+        }
+    }
     for (const VertexPair& pair : triangles.vertex_pairs) valence[pair.v] += valence[pair.w];
     for (const VertexPair& pair : triangles.vertex_pairs) valence[pair.w] = valence[pair.v];
     return valence;

@@ -11,7 +11,7 @@ namespace pcvt {
 std::vector<int> cell_sides(const Tile& cells);
 
 /// For each vertex of a tile of Delaunay triangles the number of triangles at its orbit: the
-/// valence of the site.
+/// valence of the site. On a wall their mirror images count as well.
 std::vector<int> vertex_valences(const Tile& triangles);
 
 }  // namespace pcvt

@@ -10,6 +10,7 @@
 #include "mesher/tile/tile_builder.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -81,6 +82,46 @@ TEST(SeamSegments, AParallelogramHasFourWithTheTileOnTheirLeft) {
     EXPECT_EQ(runs[0].offset, (Offset{0, 1}));
     EXPECT_EQ(seam_name(runs[1].offset), "seam_-1_0");
     EXPECT_EQ(runs[1].partner, 3);
+}
+
+TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        for (const Tile& tile : testing::walled_tiles(walls)) {
+            const MidsideNodes middles = tile.order == 2 ? midside_nodes(tile) : MidsideNodes{};
+            const auto runs = seam_segments(tile, middles);
+            std::set<WallEdge> edges;
+            for (std::size_t r = 0; r < runs.size(); ++r) {
+                const SeamSegment& next = runs[(r + 1) % runs.size()];
+                EXPECT_TRUE(runs[r].wall != next.wall || runs[r].offset != next.offset);
+                if (!runs[r].wall) {
+                    EXPECT_EQ(runs.at(runs[r].partner).partner, static_cast<int>(r));
+                    continue;
+                }
+                EXPECT_EQ(runs[r].offset, Offset{});
+                EXPECT_EQ(runs[r].partner, -1);
+                const int axis = wall_side_row(*runs[r].wall).axis;
+                for (std::size_t k = 0; k + 1 < runs[r].vertices.size(); ++k) {
+                    edges.insert({*runs[r].wall, runs[r].vertices[k], runs[r].vertices[k + 1]});
+                }
+                for (const int v : runs[r].middles) {
+                    EXPECT_EQ(middles.points.at(v - tile.n_vertices())[axis],
+                              wall_line(*runs[r].wall, tile.lattice));
+                }
+                EXPECT_EQ(runs[r].middles.size() + 1,
+                          tile.order == 2 ? runs[r].vertices.size() : 1);
+            }
+            EXPECT_EQ(edges, std::set(tile.wall_edges.begin(), tile.wall_edges.end()));
+        }
+    }
+}
+
+TEST(SeamSegments, ABoxHasFourWalls) {
+    for (const Tile& tile : testing::walled_tiles(Walls::kXY)) {
+        std::multiset<WallSide> sides;
+        for (const SeamSegment& run : seam_segments(tile, {})) sides.insert(run.wall.value());
+        EXPECT_THAT(sides, ::testing::ElementsAre(WallSide::kLeft, WallSide::kRight,
+                                                  WallSide::kBottom, WallSide::kTop));
+    }
 }
 
 TEST(SeamSegments, ABoundaryThatIsNoLoopIsOurFault) {

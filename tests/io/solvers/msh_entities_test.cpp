@@ -11,6 +11,7 @@
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/solver_tiles.hpp"
 #include "tests/support/tile_equality.hpp"
+#include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -32,6 +33,9 @@ std::vector<Tile> tiles() {
         all.push_back(tile_of(n, {.kind = MeshKind::kDelaunay}));
         all.push_back(tile_of(n, {.kind = MeshKind::kGrains, .order = 2, .columns = 2}));
         all.push_back(tile_of(n, {.kind = MeshKind::kGrains, .outline = Outline::kBox}));
+    }
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        for (const Tile& tile : testing::walled_tiles(walls)) all.push_back(tile);
     }
     return all;
 }
@@ -67,7 +71,7 @@ TEST(MshEntities, Law1EdgesBetweenCellsAndNoOthersAreOnCurves) {
             const bool is_boundary = faces.size() == 1;
             ASSERT_EQ(found != curves.end(), is_boundary || !cells.same(faces[0], faces[1]));
             if (found == curves.end()) continue;
-            EXPECT_EQ(found->second->is_seam(), is_boundary);
+            EXPECT_EQ(found->second->bounds_tile(), is_boundary);
             std::multiset<SiteId> sites{entities.surfaces[found->second->left].site};
             if (!is_boundary) sites.insert(entities.surfaces[found->second->right].site);
             std::multiset<SiteId> wanted;
@@ -86,6 +90,13 @@ TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
             for (const int v : curve.vertices) {
                 const bool is_end = v == curve.vertices.front() || v == curve.vertices.back();
                 ASSERT_EQ(points.contains(v), is_end);
+            }
+            if (curve.wall) {
+                const int axis = wall_side_row(*curve.wall).axis;
+                for (const int v : curve.vertices) {
+                    EXPECT_EQ(tile.points[v][axis], wall_line(*curve.wall, tile.lattice));
+                }
+                EXPECT_EQ(curve.partner, -1);
             }
             if (!curve.is_seam()) continue;
             const MshCurve& partner = entities.curves[curve.partner];
