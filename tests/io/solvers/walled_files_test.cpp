@@ -92,10 +92,10 @@ TEST(WalledMsh, WallsAreGroupsAndTheSeamAloneIsPeriodic) {
         EXPECT_THAT(text, Not(HasSubstr(name)));
     }
     // Every link translates by the width.
+    const std::string links = text.substr(text.find("$Periodic"));
     std::size_t n_links = 0;
-    for (std::size_t at = 0; (at = text.find("\n16 ", at) + 1) > 0; ++n_links) {
-        EXPECT_EQ(text.substr(at, 39),
-                  "16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n" + text.substr(at + 35, 4));
+    for (std::size_t at = 0; (at = links.find("\n16 ", at) + 1) > 0; ++n_links) {
+        EXPECT_TRUE(links.substr(at).starts_with("16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n"));
     }
     EXPECT_GE(n_links, 3U);
 }
