@@ -27,7 +27,8 @@ bool is_the_same(const TileFile& file, const Tile& proved) {
     return file.precision == Precision::kDouble && same_geometry(file.tile, proved) &&
            same_site_notes(file.tile, proved) &&
            (!file.has_vertex_pairs || file.tile.vertex_pairs == proved.vertex_pairs) &&
-           (!file.has_edge_pairs || sorted(file.tile.edge_pairs) == sorted(proved.edge_pairs));
+           (!file.has_edge_pairs || sorted(file.tile.edge_pairs) == sorted(proved.edge_pairs)) &&
+           (!file.has_wall_edges || file.tile.wall_edges == proved.wall_edges);
 }
 
 /// The groups of a file are those of its sites.
@@ -53,6 +54,7 @@ ProvedLabels prove_labels(const TileFile& file) {
     TileProof proof = prove_tile(file.tile, file.precision);
     if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
     if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
+    if (file.has_wall_edges) compare_wall_edges(file.tile, proof);
     FaceImages cells = prove_sites(file.tile, proof);
     return {std::move(proof), std::move(cells)};
 }
@@ -61,7 +63,8 @@ ProvedLabels prove_labels(const TileFile& file) {
 void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& files,
                   const TileFile& file, const ProvedLabels& proved) {
     const FileOptions options{.materials = file.materials.empty() ? nullptr : &file.materials,
-                              .site_orbits = file.site_orbits};
+                              .site_orbits = file.site_orbits,
+                              .thickness = file.thickness};
     Tile tile = file.tile;
     tile.vertex_pairs = proved.proof.vertex_pairs;
     tile.edge_pairs = proved.proof.edge_pairs;
@@ -137,6 +140,10 @@ void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& 
         }
         if (!has_orbits(format, file, options)) {
             throw BadFile(path + ": the orbits of the sites are others");
+        }
+        if (format.takes_thickness && options.thickness > 0 &&
+            file.thickness != options.thickness) {
+            throw BadFile(path + ": the thickness is another");
         }
         if (!is_the_same(file, original)) prove_file(format, files, file);
     } catch (const NotATile& error) {

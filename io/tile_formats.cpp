@@ -134,6 +134,11 @@ std::vector<EncodedFile> write_vtu(const Tile& tile, const FileOptions& options,
     return encode_vtu(tile, path, options.site_orbits);
 }
 
+std::vector<EncodedFile> write_foam(const Tile& tile, const FileOptions& options,
+                                    const std::string& path) {
+    return encode_foam(tile, path, options.thickness);
+}
+
 constexpr std::array<TileFormat, 17> kFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
@@ -221,13 +226,14 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .takes_phases = true},
     {.extension = ".foam",
      .description = "OpenFOAM, a case folder that icoFoam runs",
-     .write = encode_foam,
+     .write = write_foam,
      .read = decode_foam,
      .fields = foam_fields,
      .holds_sites = false,
      .paths = foam_paths,
      .is_folder = true,
-     .check = require_whole_cells},
+     .check = require_whole_cells,
+     .takes_thickness = true},
     {.extension = ".nc",
      .description =
          "MPAS mesh of the whole torus, which is rectangular, with .graph.info beside it",

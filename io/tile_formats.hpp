@@ -114,6 +114,7 @@ struct TileFormat {
     bool takes_cut_width = false;
     bool takes_element = false;
     bool takes_job = false;
+    bool takes_thickness = false;
     bool takes_colouring = false;
     bool takes_background = false;
     bool takes_phases = false;

@@ -51,10 +51,9 @@ interpolationSchemes { default skewCorrected linear; }
 snGradSchemes        { default corrected; }
 )";
 
-// All patches are cyclic or empty, so p and Phi are determined up to a constant, which the
-// reference cells fix.
-// The line between the centres of two grains may lie 50 degrees off the normal of their edge. With
-// one corrector for such edges the flow can grow without bound.
+// Neither cyclic patches nor walls determine p and Phi, except up to a constant, which the
+// reference cells fix. The line between the centres of two grains may lie 50 degrees off the normal
+// of their edge. With one corrector for such edges the flow can grow without bound.
 constexpr const char* kSolution = R"(solvers
 {
     p
@@ -110,11 +109,15 @@ SIMPLE
 }
 )";
 
-std::string boundary_field(const ExtrudedMesh& extruded) {
+/// @param at_walls  the condition on walls.
+std::string boundary_field(const ExtrudedMesh& extruded, const std::string& at_walls) {
     std::string text = "boundaryField\n{\n";
     for (const ExtrudedPatch& patch : extruded.patches) {
-        text +=
-            "    " + patch.name + " { type " + (patch.partner < 0 ? "empty" : "cyclic") + "; }\n";
+        text += "    " + patch.name + " { type " +
+                (patch.wall          ? at_walls
+                 : patch.partner < 0 ? "empty"
+                                     : "cyclic") +
+                "; }\n";
     }
     return text + "}\n";
 }
@@ -145,10 +148,13 @@ std::string foam_solution() {
 }
 
 std::string foam_transport(const DecayingFlow& flow, const CellFlow& cells) {
-    const char* const comment =
-        cells.at_rest ? "// The cells are too large for the decaying flow, so U and T start as 0.\n"
-                      : "// U, and T of scalarTransportFoam, fall as exp(-$RATE nu t): to 1/e at "
-                        "the end of the run.\n";
+    const char* comment =
+        "// U, and T of scalarTransportFoam, fall as exp(-$RATE nu t): to 1/e at the end of the "
+        "run.\n";
+    if (!flow.keeps_shape()) comment = "// U begins to fall as exp(-$RATE nu t).\n";
+    if (cells.at_rest) {
+        comment = "// The cells are too large for the decaying flow, so U and T start as 0.\n";
+    }
     const double diffusivity = 1 / (flow.rate() * flow.turn_time());
     return foam_header("dictionary", "constant", "transportProperties") +
            foam_fill(std::string(comment) +
@@ -169,12 +175,13 @@ std::string foam_velocity(const CellFlow& cells, const ExtrudedMesh& extruded) {
         append_foam_vector(text, {u.x(), u.y(), 0});
         text += '\n';
     }
-    return text + ");\n" + boundary_field(extruded);
+    return text + ");\n" + boundary_field(extruded, "noSlip");
 }
 
 std::string foam_pressure(const ExtrudedMesh& extruded) {
     return foam_header("volScalarField", "0", "p") +
-           "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\n" + boundary_field(extruded);
+           "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\n" +
+           boundary_field(extruded, "zeroGradient");
 }
 
 std::string foam_tracer(const CellFlow& cells, const ExtrudedMesh& extruded) {
@@ -183,7 +190,7 @@ std::string foam_tracer(const CellFlow& cells, const ExtrudedMesh& extruded) {
         append_number(text, value);
         text += '\n';
     }
-    return text + ");\n" + boundary_field(extruded);
+    return text + ");\n" + boundary_field(extruded, "zeroGradient");
 }
 
 }  // namespace pcvt

@@ -11,10 +11,11 @@ namespace pcvt {
 /// Return the files of an OpenFOAM case beside its mesh. icoFoam and pimpleFoam start from the
 /// velocity of `cells`, with the viscosity at which the flow falls to 1/e within its turn_time();
 /// scalarTransportFoam carries the tracer, with the same diffusivity; potentialFoam starts from any
-/// velocity. The largest Courant number of the first step is at most 0.5.
+/// velocity. On walls the velocity is 0, and p and T have no gradient. The largest Courant number
+/// of the first step is at most 0.5.
 ///
 /// Example usage:
-///     const DecayingFlow flow(tile.lattice);
+///     const DecayingFlow flow(tile.lattice, tile.walls);
 ///     const CellFlow cells = cell_flow(flow, tile, extruded);
 ///     files.push_back({"tile.foam/system/controlDict", foam_control(flow, cells)});
 ///     files.push_back({"tile.foam/0/U", foam_velocity(cells, extruded)});

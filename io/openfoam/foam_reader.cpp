@@ -70,6 +70,13 @@ std::optional<Offset> named_offset(const std::string& name) {
     }
 }
 
+std::optional<WallSide> named_wall(const std::string& name) {
+    for (const WallSideRow& row : kWallSides) {
+        if (name == row.word) return row.side;
+    }
+    return std::nullopt;
+}
+
 Vec2 read_separation(FoamScanner& scanner) {
     scanner.expect("(");
     const double x = scanner.number();
@@ -100,15 +107,17 @@ std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner) {
         if (key == "separationVector") patch.separation = read_separation(scanner);
         scanner.skip_entry();
     }
-    // A patch is empty, or cyclic with an offset in its name.
-    if (type == "empty" && partner.empty()) return {patch, partner};
+    // A patch is a wall with a known name, empty, or cyclic with an offset in its name.
+    patch.wall = named_wall(patch.name);
+    if (partner.empty() && type == (patch.wall ? "wall" : "empty")) return {patch, partner};
     const std::optional<Offset> offset = named_offset(patch.name);
     const auto fits = [](int k) { return k >= -kLargestOffset && k <= kLargestOffset; };
     if (type != "cyclic" || partner.empty() || !offset || !fits(offset->i) || !fits(offset->j)) {
         scanner.throw_bad_file(
             "patch " + in_quotes(patch.name) +
-            " is neither an empty one nor one side of a seam; name the cyclic ones "
-            "seam_I_J and give each a neighbourPatch");
+            " is neither an empty one, a wall nor one side of a seam; name the walls wall_left, "
+            "wall_right, wall_bottom and wall_top, name the cyclic ones seam_I_J, and give each of "
+            "these a neighbourPatch");
     }
     patch.offset = *offset;
     return {patch, partner};
@@ -156,6 +165,21 @@ FileTileBuilder read_comments(const EncodedFile& file) {
     return comments;
 }
 
+/// Gives the tile its sites and their notes. The patches state its walls, with which the note must
+/// agree.
+void give_notes(const EncodedFile& boundary, FileTileBuilder comments, Tile& tile) {
+    const Walls walls = tile.walls;
+    std::vector<WallEdge> wall_edges = std::move(tile.wall_edges);
+    give_sites(std::move(comments), tile);
+    const bool states_notes = !tile.site_positions.empty() || tile.walls != Walls::kNone;
+    if (states_notes && tile.walls != walls) {
+        throw BadFile(boundary.path + ": the comment on walls means " + walls_row(tile.walls).word +
+                      ", but the patches " + walls_row(walls).word + "; correct the comment");
+    }
+    tile.walls = walls;
+    tile.wall_edges = std::move(wall_edges);
+}
+
 }  // namespace
 
 TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
@@ -176,12 +200,14 @@ TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<
     read_boundary(boundary, extruded);
     const bool states_lattice = comments.lattice.has_value();
     Tile tile = extruded_base(extruded);
-    give_sites(std::move(comments), tile);
+    give_notes(boundary, std::move(comments), tile);
     return {.tile = std::move(tile),
             .precision = Precision::kDouble,
             .has_vertex_pairs = false,
             .has_edge_pairs = true,
-            .states_lattice = states_lattice};
+            .has_wall_edges = true,
+            .states_lattice = states_lattice,
+            .thickness = extruded.points.back().z()};
 }
 
 }  // namespace pcvt

@@ -78,9 +78,11 @@ std::string encode_labels(const ExtrudedMesh& extruded, const std::string& name,
 
 void append_patch(std::string& text, const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
     text += "    " + patch.name + "\n    {\n        type            " +
-            (patch.partner < 0 ? "empty" : "cyclic") + ";\n        nFaces          " +
-            std::to_string(patch.n_faces) + ";\n        startFace       " +
-            std::to_string(patch.first_face) + ";\n";
+            (patch.wall          ? "wall"
+             : patch.partner < 0 ? "empty"
+                                 : "cyclic") +
+            ";\n        nFaces          " + std::to_string(patch.n_faces) +
+            ";\n        startFace       " + std::to_string(patch.first_face) + ";\n";
     if (patch.partner >= 0) {
         text +=
             "        matchTolerance  1e-06;\n        transform       translational;\n"
@@ -137,10 +139,11 @@ std::vector<std::string> foam_paths(const std::string& folder) {
     return paths;
 }
 
-std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder) {
+std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder,
+                                     double thickness) {
     require_finite(tile);
-    const ExtrudedMesh extruded = extruded_mesh(tile);
-    const DecayingFlow flow(tile.lattice);
+    const ExtrudedMesh extruded = extruded_mesh(tile, thickness);
+    const DecayingFlow flow(tile.lattice, tile.walls);
     const CellFlow cells = cell_flow(flow, tile, extruded);
     // The contents have the order of foam_paths().
     std::vector<std::string> contents = {encode_points(extruded),

@@ -13,9 +13,9 @@ std::vector<std::string> foam_paths(const std::string& folder);
 
 /// Encodes a tile as a case folder for OpenFOAM that icoFoam, pimpleFoam, potentialFoam and
 /// scalarTransportFoam run without further input: one layer of cells with a pair of cyclic patches
-/// for each translation, empty patches at back and front, and a CellFlow as the initial state,
-/// which falls to 1/e by the end of the run. An empty file with the name of the folder opens the
-/// case in ParaView.
+/// for each translation, a wall patch for each wall, empty patches at back and front, and a
+/// CellFlow as the initial state, which falls to 1/e by the end of the run. An empty file with the
+/// name of the folder opens the case in ParaView.
 ///
 /// Cell i is face i of the tile; in a tile of cells without repetition it is the cell of site i.
 /// Comments in the boundary file hold the kind of the faces, the period vectors, the site of each
@@ -28,7 +28,9 @@ std::vector<std::string> foam_paths(const std::string& folder);
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
+/// @param thickness  of the layer, length units; 0: as extruded_mesh() chooses it.
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder);
+std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder,
+                                     double thickness = 0);
 
 }  // namespace pcvt

@@ -54,6 +54,8 @@ struct FileOptions {
     PlaneElement element = PlaneElement::kStrain;
     /// Inputs of solvers that can hold more than the mesh.
     SolverJob job = SolverJob::kNone;
+    /// Of one layer of prisms, length units; 0: the mean distance of the cells.
+    double thickness = 0;
 };
 
 }  // namespace pcvt

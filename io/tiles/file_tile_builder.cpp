@@ -199,9 +199,13 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
         sites.empty() ? 0 : 1 + std::int64_t{*std::max_element(sites.begin(), sites.end())};
     require_materials(name, materials, n_sites);
     require_orbits(name, site_orbits);
-    return {std::move(tile),       precision,      has_vertex_pairs,
-            has_edge_pairs,        states_lattice, std::move(materials),
-            std::move(site_orbits)};
+    return {.tile = std::move(tile),
+            .precision = precision,
+            .has_vertex_pairs = has_vertex_pairs,
+            .has_edge_pairs = has_edge_pairs,
+            .states_lattice = states_lattice,
+            .materials = std::move(materials),
+            .site_orbits = std::move(site_orbits)};
 }
 
 }  // namespace pcvt

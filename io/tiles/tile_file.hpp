@@ -26,6 +26,8 @@ struct TileFile {
     /// False where the file carries no pairing; tile.vertex_pairs and edge_pairs are empty then.
     bool has_vertex_pairs;
     bool has_edge_pairs;
+    /// The file names the edges on walls; else tile.wall_edges follow from the positions.
+    bool has_wall_edges = false;
     /// The file states its lattice, as pcvt writes it; then all of its fields follow from the tile.
     bool states_lattice = false;
     /// Of the sites of one period; empty where the file states none.
@@ -33,6 +35,8 @@ struct TileFile {
     /// The orbit of each site of one period under the symmetry of the run, -1 for a site that has
     /// no element; empty where the file states none.
     std::vector<int> site_orbits = {};
+    /// Of a file of prisms: their height, length units; else 0.
+    double thickness = 0;
 };
 
 }  // namespace pcvt

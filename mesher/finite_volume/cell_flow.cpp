@@ -67,6 +67,7 @@ class Dissipation {
             add(f, extruded.neighbour[f], Vec2(0, 0));
         }
         for (const ExtrudedPatch& patch : extruded.patches) {
+            if (patch.wall) add_wall(patch);
             if (patch.offset < Offset{} || patch.partner < 0) continue;
             const int shift = extruded.patches[patch.partner].first_face - patch.first_face;
             for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
@@ -75,19 +76,33 @@ class Dissipation {
         }
     }
 
-    /// Returns the sum over the walls of length |u - u'|^2 / distance of the centroids; the sum of
-    /// area |u|^2 times the rate approximates it.
+    /// Returns the sum over the upright faces of length |u - u'|^2 / distance of the centroids, on
+    /// walls length |u|^2 / distance of the centroid; the sum of area |u|^2 times the rate
+    /// approximates it.
     double sum() const { return sum_; }
 
    private:
-    /// Adds the wall f to `cell`, whose image less `separation` lies in front of it. The wall's
-    /// first two points lie at the back.
+    /// The first two points of an upright face lie at the back.
+    double length(int f) const {
+        const std::span<const int> face = extruded_.faces[f];
+        return (extruded_.points[face[1]] - extruded_.points[face[0]]).norm();
+    }
+
+    /// Adds the face f towards `cell`, whose image less `separation` lies in front of it.
     void add(int f, int cell, const Vec2& separation) {
         const int owner = extruded_.owner[f];
-        const std::span<const int> wall = extruded_.faces[f];
-        const double length = (extruded_.points[wall[1]] - extruded_.points[wall[0]]).norm();
         const Vec2 across = shapes_.centroids[cell] - separation - shapes_.centroids[owner];
-        sum_ += length / across.norm() * (velocity_[cell] - velocity_[owner]).squaredNorm();
+        sum_ += length(f) / across.norm() * (velocity_[cell] - velocity_[owner]).squaredNorm();
+    }
+
+    void add_wall(const ExtrudedPatch& patch) {
+        const int axis = wall_side_row(*patch.wall).axis;
+        const double line = wall_line(*patch.wall, extruded_.lattice);
+        for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
+            const int owner = extruded_.owner[f];
+            const double distance = std::abs(line - shapes_.centroids[owner][axis]);
+            sum_ += length(f) / distance * velocity_[owner].squaredNorm();
+        }
     }
 
     const ExtrudedMesh& extruded_;
@@ -106,7 +121,7 @@ CellFlow cell_flow(const DecayingFlow& flow, const Tile& tile, const ExtrudedMes
         cells.velocity.push_back(flow.velocity(p));
         cells.tracer.push_back(flow.stream(p) / flow.largest_stream());
     }
-    subtract_mean(shapes.areas, Vec2(0, 0), cells.velocity);
+    if (tile.walls == Walls::kNone) subtract_mean(shapes.areas, Vec2(0, 0), cells.velocity);
     subtract_mean(shapes.areas, 0.0, cells.tracer);
     // Compare the damping on the cells with the exact rate.
     double energy = 0;

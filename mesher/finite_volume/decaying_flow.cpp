@@ -1,5 +1,6 @@
 #include "mesher/finite_volume/decaying_flow.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,37 +11,72 @@ namespace {
 /// error of the reduction, which may magnify the error of a decimal input by 10^6.
 constexpr double kRightAngle = 1e-9;
 
+double square(double value) { return value * value; }
+
 }  // namespace
 
-DecayingFlow::DecayingFlow(const Lattice& lattice) {
+DecayingFlow::DecayingFlow(const Lattice& lattice, Walls walls) {
+    if (walls == Walls::kNone) {
+        choose_periodic(lattice);
+    } else {
+        choose_between(lattice, walls);
+    }
+}
+
+void DecayingFlow::choose_periodic(const Lattice& lattice) {
     const Lattice basis = reduce(lattice).reduced;
     const Vec2& a = basis.a();
     const Vec2& b = basis.b();
     const double per_area = 2 * std::numbers::pi / basis.area();
     g1_ = per_area * Vec2(b.y(), -b.x());
     g2_ = per_area * Vec2(-a.y(), a.x());
-    rectangular_ = std::abs(a.normalized().dot(b.normalized())) < kRightAngle;
-    rate_ = rectangular_ ? g1_.squaredNorm() + g2_.squaredNorm() : g2_.squaredNorm();
-    fastest_ = rectangular_ ? g1_.norm() : g2_.norm();
+    const bool rectangular = std::abs(a.normalized().dot(b.normalized())) < kRightAngle;
+    shape_ = rectangular ? Shape::kVortices : Shape::kShear;
+    fastest_ = rectangular ? g1_.norm() : g2_.norm();
+}
+
+void DecayingFlow::choose_between(const Lattice& domain, Walls walls) {
+    g1_ = Vec2(std::numbers::pi / side_length(domain, 0), 0);
+    g2_ = Vec2(0, std::numbers::pi / side_length(domain, 1));
+    shape_ = walls == Walls::kXY ? Shape::kBox : Shape::kShear;
+    if (walls == Walls::kX) g2_ = g1_;
+    if (walls == Walls::kY) sign_ = -1;
+    fastest_ = shape_ == Shape::kBox ? std::max(g1_.norm(), g2_.norm()) : g2_.norm();
 }
 
 Vec2 DecayingFlow::velocity(const Vec2& p) const {
+    const double first = g1_.dot(p);
     const double second = g2_.dot(p);
     Vec2 gradient = -std::sin(second) * g2_;
-    if (rectangular_) {
-        const double first = g1_.dot(p);
+    if (shape_ == Shape::kVortices) {
         gradient =
             -std::sin(first) * std::cos(second) * g1_ - std::cos(first) * std::sin(second) * g2_;
+    } else if (shape_ == Shape::kBox) {
+        gradient = std::sin(2 * first) * square(std::sin(second)) * g1_ +
+                   square(std::sin(first)) * std::sin(2 * second) * g2_;
     }
-    return Vec2(gradient.y(), -gradient.x()) / fastest_;
+    return sign_ * Vec2(gradient.y(), -gradient.x()) / fastest_;
 }
 
 double DecayingFlow::stream(const Vec2& p) const {
-    return (rectangular_ ? std::cos(g1_.dot(p)) : 1) * std::cos(g2_.dot(p)) / fastest_;
+    double value = std::cos(g2_.dot(p));
+    if (shape_ == Shape::kVortices) value *= std::cos(g1_.dot(p));
+    if (shape_ == Shape::kBox) value = square(std::sin(g1_.dot(p)) * std::sin(g2_.dot(p)));
+    return sign_ * value / fastest_;
 }
 
 double DecayingFlow::mean_square_speed() const {
-    return rate_ / ((rectangular_ ? 4 : 2) * fastest_ * fastest_);
+    const double both = (g1_.squaredNorm() + g2_.squaredNorm()) / square(fastest_);
+    if (shape_ == Shape::kBox) return 3.0 / 16 * both;
+    return shape_ == Shape::kVortices ? both / 4 : 0.5;
+}
+
+double DecayingFlow::rate() const {
+    const double first = g1_.squaredNorm();
+    const double second = g2_.squaredNorm();
+    if (shape_ == Shape::kShear) return second;
+    if (shape_ == Shape::kVortices) return first + second;
+    return 4 * (first * first + second * second + 2.0 / 3 * first * second) / (first + second);
 }
 
 double DecayingFlow::turn_time() const { return std::numbers::pi / 2 / fastest_; }

@@ -18,6 +18,7 @@ using std::to_string;
 const char* const kPlanes = "(1) of extruded meshes, planes";
 const char* const kOrder = "(2) of extruded meshes, faces";
 const char* const kSeams = "(3) of extruded meshes, seam";
+const char* const kWallPatches = "(4) of extruded meshes, walls";
 
 /// A stored translation must agree with the lattice up to this many ulps.
 constexpr double kUlps = 4;
@@ -160,15 +161,15 @@ void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
     }
 }
 
-/// The side of the tile under a wall. It runs from v to w with the wall's owner on its left.
-/// `from_v` states whether the wall's first point is v rather than w.
-struct WallFoot {
+/// The side of the tile under an upright face. It runs from v to w with the face's owner on its
+/// left. `from_v` states whether the face's first point is v rather than w.
+struct Foot {
     int v;
     int w;
     bool from_v;
 };
 
-WallFoot wall_foot(const ExtrudedMesh& extruded, int f) {
+Foot foot_of(const ExtrudedMesh& extruded, int f) {
     const int above = extruded.n_points() / 2;
     if (extruded.face_size(f) == 4) {
         std::array<int, 4> p{};
@@ -181,20 +182,21 @@ WallFoot wall_foot(const ExtrudedMesh& extruded, int f) {
         }
     }
     throw_violation(kPlanes,
-                    "face " + to_string(f) + " is not an upright wall that begins at the back");
+                    "face " + to_string(f) + " is not an upright face that begins at the back");
 }
 
-/// Records which sides of the tile have a wall above them.
-class SideWalls {
+/// Records which sides of the tile have a face above them.
+class CoveredSides {
    public:
-    explicit SideWalls(const Tile& tile) : tile_(tile), built_(tile.faces.corners.size(), false) {}
+    explicit CoveredSides(const Tile& tile)
+        : tile_(tile), covered_(tile.faces.corners.size(), false) {}
 
-    /// @param f  the face of the wall, for the message.
-    void build(int cell, int v, int w, int f) {
+    /// @param f  the face above the side, for the message.
+    void cover(int cell, int v, int w, int f) {
         int from = tile_.faces[cell].back();
         for (int c = tile_.faces.begin[cell]; c < tile_.faces.begin[cell + 1]; ++c) {
-            if (from == v && tile_.faces.corners[c] == w && !built_[c]) {
-                built_[c] = true;
+            if (from == v && tile_.faces.corners[c] == w && !covered_[c]) {
+                covered_[c] = true;
                 return;
             }
             from = tile_.faces.corners[c];
@@ -204,15 +206,15 @@ class SideWalls {
     }
 
     void require_all() const {
-        const auto missing = std::find(built_.begin(), built_.end(), false);
-        if (missing == built_.end()) return;
+        const auto missing = std::find(covered_.begin(), covered_.end(), false);
+        if (missing == covered_.end()) return;
         throw_violation(kOrder, "a cell is open: no face lies on the side that ends at point " +
-                                    to_string(tile_.faces.corners[missing - built_.begin()]));
+                                    to_string(tile_.faces.corners[missing - covered_.begin()]));
     }
 
    private:
     const Tile& tile_;
-    std::vector<bool> built_;
+    std::vector<bool> covered_;
 };
 
 void require_translation(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
@@ -238,8 +240,8 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
     require_translation(extruded, patch);
     if (patch.offset < Offset{}) return;
     for (int k = 0; k < patch.n_faces; ++k) {
-        const WallFoot here = wall_foot(extruded, patch.first_face + k);
-        const WallFoot there = wall_foot(extruded, partner.first_face + k);
+        const Foot here = foot_of(extruded, patch.first_face + k);
+        const Foot there = foot_of(extruded, partner.first_face + k);
         if (here.from_v == there.from_v) {
             throw_violation(kSeams, "faces " + to_string(patch.first_face + k) + " and " +
                                         to_string(partner.first_face + k) +
@@ -248,6 +250,41 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
         tile.edge_pairs.push_back(
             {.v0 = here.v, .v1 = here.w, .w0 = there.w, .w1 = there.v, .offset = patch.offset});
     }
+}
+
+/// Appends the edges under a patch of a wall, which lie there exactly.
+void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& tile) {
+    const WallSideRow& row = wall_side_row(*patch.wall);
+    if (patch.name != row.word || patch.partner >= 0) {
+        throw_violation(kWallPatches, "patch " + patch.name + " is not the wall " + row.word);
+    }
+    if (!is_upright(tile.lattice)) {
+        throw_violation(kWallPatches, "walls need the period vectors (width, 0) and (0, height)");
+    }
+    const double line = wall_line(row.side, tile.lattice);
+    for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
+        const Foot foot = foot_of(extruded, f);
+        if (tile.points[foot.v][row.axis] != line || tile.points[foot.w][row.axis] != line) {
+            throw_violation(kWallPatches,
+                            "face " + to_string(f) + " lies off its patch " + patch.name);
+        }
+        tile.wall_edges.push_back({row.side, foot.v, foot.w});
+    }
+}
+
+/// Returns the walls on which edges lie, and sorts these.
+Walls walls_of(Tile& tile) {
+    std::sort(tile.wall_edges.begin(), tile.wall_edges.end());
+    std::array<bool, kWallSides.size()> found{};
+    for (const WallEdge& edge : tile.wall_edges) found[static_cast<std::size_t>(edge.side)] = true;
+    for (const WallsRow& row : kWalls) {
+        if (std::all_of(kWallSides.begin(), kWallSides.end(), [&](const WallSideRow& side) {
+                return found[static_cast<std::size_t>(side.side)] == row.across[side.axis];
+            })) {
+            return row.walls;
+        }
+    }
+    throw_violation(kWallPatches, "there is a wall without the one opposite to it");
 }
 
 }  // namespace
@@ -263,23 +300,28 @@ Tile extruded_base(const ExtrudedMesh& extruded) {
     for (int v = 0; v < extruded.n_points() / 2; ++v)
         tile.points.emplace_back(extruded.points[v].head<2>());
     read_faces(extruded, tile);
-    // Match each wall with a side of a face, and read the seam.
-    SideWalls walls(tile);
+    // Match each upright face with a side of the tile, and read the seam and the walls.
+    CoveredSides sides(tile);
     for (int f = 0; f < extruded.n_inner_faces(); ++f) {
         checkpoint_each(f);
-        const WallFoot foot = wall_foot(extruded, f);
-        walls.build(extruded.owner[f], foot.v, foot.w, f);
-        walls.build(extruded.neighbour[f], foot.w, foot.v, f);
+        const Foot foot = foot_of(extruded, f);
+        sides.cover(extruded.owner[f], foot.v, foot.w, f);
+        sides.cover(extruded.neighbour[f], foot.w, foot.v, f);
     }
     for (const ExtrudedPatch& patch : extruded.patches) {
-        if (patch.partner < 0) continue;
+        if (patch.partner < 0 && !patch.wall) continue;
         for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
-            const WallFoot foot = wall_foot(extruded, f);
-            walls.build(extruded.owner[f], foot.v, foot.w, f);
+            const Foot foot = foot_of(extruded, f);
+            sides.cover(extruded.owner[f], foot.v, foot.w, f);
         }
-        read_seam(extruded, patch, tile);
+        if (patch.wall) {
+            read_wall(extruded, patch, tile);
+        } else {
+            read_seam(extruded, patch, tile);
+        }
     }
-    walls.require_all();
+    sides.require_all();
+    tile.walls = walls_of(tile);
     return tile;
 }
 

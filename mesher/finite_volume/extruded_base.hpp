@@ -5,16 +5,18 @@
 namespace pcvt {
 
 /// Reconstructs the tile below an extruded mesh: the faces from the patch "back", the edge pairs
-/// from the patches of the seam. It inverts extruded_mesh, except that the vertex pairs are left
-/// empty.
+/// from the patches of the seam, and the walls with their edges from theirs. It inverts
+/// extruded_mesh, except that the vertex pairs are left empty.
 ///
 /// Example usage:
 ///   const Tile tile = extruded_base(extruded);
-///   compare_edge_pairs(tile, prove_tile(tile, Precision::kDouble));
+///   const TileProof proof = prove_tile(tile, Precision::kDouble);
+///   compare_edge_pairs(tile, proof);
+///   compare_wall_edges(tile, proof);
 ///
 /// The function trusts nothing in `extruded`. It proves that indices are valid and that the laws of
-/// ExtrudedMesh hold, under their numbers. prove_tile and compare_edge_pairs then prove that the
-/// faces are a tile and the edge pairs its seam.
+/// ExtrudedMesh hold, under their numbers. The others then prove that the faces are a tile, the
+/// edge pairs its seam, and the edges on walls all of them.
 /// @throws NotATile naming the law and the face, point or patch (from 0).
 Tile extruded_base(const ExtrudedMesh& extruded);
 

@@ -78,11 +78,13 @@ class ExtrudedFaces {
     explicit ExtrudedFaces(ExtrudedMesh& extruded)
         : mesh_(extruded), above_(extruded.n_points() / 2) {}
 
-    /// Adds the wall over v -> w; its normal points to the right of v -> w.
-    void add_wall(int v, int w, int owner) { add({v, w, w + above_, v + above_}, owner); }
-    /// Adds the same wall with its points listed from w, so that it matches the wall w' -> v' of
-    /// the partner.
-    void add_answering_wall(int v, int w, int owner) { add({w, w + above_, v + above_, v}, owner); }
+    /// Adds the upright face over v -> w; its normal points to the right of v -> w.
+    void add_upright(int v, int w, int owner) { add({v, w, w + above_, v + above_}, owner); }
+    /// Adds the same face with its points listed from w, so that it matches the face over w' -> v'
+    /// of the partner.
+    void add_answering_upright(int v, int w, int owner) {
+        add({w, w + above_, v + above_, v}, owner);
+    }
 
     void add_lids(const Tile& tile, bool front) {
         for (int f = 0; f < tile.n_faces(); ++f) {
@@ -107,8 +109,8 @@ class ExtrudedFaces {
     int above_;
 };
 
-void add_points(const Tile& tile, ExtrudedMesh& extruded) {
-    const double thickness = std::sqrt(tile.lattice.area() / tile.n_faces());
+void add_points(const Tile& tile, double thickness, ExtrudedMesh& extruded) {
+    if (thickness == 0) thickness = std::sqrt(tile.lattice.area() / tile.n_faces());
     for (const double z : {0.0, thickness}) {
         for (const Vec2& p : tile.points) extruded.points.emplace_back(p.x(), p.y(), z);
     }
@@ -129,7 +131,7 @@ void add_seam(const std::vector<EdgePair>& pairs, std::size_t begin, std::size_t
                                 .offset = offset,
                                 .separation = translation});
     for (std::size_t k = begin; k < end; ++k) {
-        faces.add_wall(pairs[k].v0, pairs[k].v1, face_beside(sides, pairs[k].v0, pairs[k].v1));
+        faces.add_upright(pairs[k].v0, pairs[k].v1, face_beside(sides, pairs[k].v0, pairs[k].v1));
     }
     extruded.patches.push_back({.name = seam_name(-offset),
                                 .first_face = extruded.n_faces(),
@@ -138,8 +140,8 @@ void add_seam(const std::vector<EdgePair>& pairs, std::size_t begin, std::size_t
                                 .offset = -offset,
                                 .separation = -translation});
     for (std::size_t k = begin; k < end; ++k) {
-        faces.add_answering_wall(pairs[k].w1, pairs[k].w0,
-                                 face_beside(sides, pairs[k].w1, pairs[k].w0));
+        faces.add_answering_upright(pairs[k].w1, pairs[k].w0,
+                                    face_beside(sides, pairs[k].w1, pairs[k].w0));
     }
 }
 
@@ -159,18 +161,37 @@ void add_seams(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& e
     }
 }
 
+/// Adds one patch for each wall, whose edges follow each other in the tile.
+void add_walls(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
+    ExtrudedFaces faces(extruded);
+    for (const WallEdge& edge : tile.wall_edges) {
+        if (extruded.patches.empty() || extruded.patches.back().wall != edge.side) {
+            extruded.patches.push_back({.name = wall_side_row(edge.side).word,
+                                        .first_face = extruded.n_faces(),
+                                        .n_faces = 0,
+                                        .partner = -1,
+                                        .offset = {},
+                                        .separation = Vec2(0, 0),
+                                        .wall = edge.side});
+        }
+        faces.add_upright(edge.v0, edge.v1, face_beside(sides, edge.v0, edge.v1));
+        ++extruded.patches.back().n_faces;
+    }
+}
+
 }  // namespace
 
-ExtrudedMesh extruded_mesh(const Tile& tile) {
+ExtrudedMesh extruded_mesh(const Tile& tile, double thickness) {
     ExtrudedMesh extruded{.lattice = tile.lattice, .kind = tile.kind};
-    add_points(tile, extruded);
+    add_points(tile, thickness, extruded);
     const std::vector<Side> sides = sides_by_edge(tile);
     ExtrudedFaces faces(extruded);
     for (const InnerEdge& edge : inner_edges(sides, tile.n_faces())) {
-        faces.add_wall(edge.v, edge.w, edge.owner);
+        faces.add_upright(edge.v, edge.w, edge.owner);
         extruded.neighbour.push_back(edge.neighbour);
     }
     add_seams(tile, sides, extruded);
+    add_walls(tile, sides, extruded);
     for (const bool front : {false, true}) {
         extruded.patches.push_back({.name = front ? "front" : "back",
                                     .first_face = extruded.n_faces(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,18 +8,20 @@
 
 namespace pcvt {
 
-/// A run of boundary faces of an extruded mesh: one side of a seam, the back or the front.
+/// A run of boundary faces of an extruded mesh: one side of a seam, a wall, the back or the front.
 struct ExtrudedPatch {
-    /// "seam_I_J", or "back" (z = 0) and "front".
+    /// "seam_I_J", the word of a WallSideRow, or "back" (z = 0) and "front".
     std::string name;
     int first_face;
     int n_faces;
-    /// The patch whose face i matches face i of this patch; -1 for back and front.
+    /// The patch whose face i matches face i of this patch; -1 for the others.
     int partner;
     /// (I, J): the partner's faces are the faces of this patch plus the translation.
     Offset offset;
     /// The stored value of that translation, length units.
     Vec2 separation;
+    /// Of walls.
+    std::optional<WallSide> wall = {};
 };
 
 /// A tile extruded to one layer of prisms, with faces in the order that finite-volume solvers
@@ -32,6 +35,8 @@ struct ExtrudedPatch {
 ///       the mesh.
 ///   (3) Each patch of a seam matches its partner face by face, and point by point if one face is
 ///       traversed forwards and the other backwards from its first point.
+///   (4) Each wall of the tile is one patch with its name. Its faces are those above the edges on
+///       that wall.
 struct ExtrudedMesh {
     Lattice lattice;
     MeshKind kind;
@@ -50,14 +55,14 @@ struct ExtrudedMesh {
     int face_size(int f) const { return faces.size(f); }
 };
 
-/// Extrudes `tile` by one mean spacing sqrt(area / n_faces).
+/// Extrudes `tile` by `thickness`; 0: by one mean spacing sqrt(area / n_faces).
 ///
 /// Example usage:
 ///   const ExtrudedMesh extruded = extruded_mesh(tile);
 ///   for (const ExtrudedPatch& patch : extruded.patches) std::cout << patch.name << "\n";
 ///
 /// The seam becomes one pair of patches per translation, "seam_I_J" before "seam_-I_-J", where (I,
-/// J) > 0. The patches "back" and "front" follow.
-ExtrudedMesh extruded_mesh(const Tile& tile);
+/// J) > 0. The patches of the walls follow in the order of kWallSides, then "back" and "front".
+ExtrudedMesh extruded_mesh(const Tile& tile, double thickness = 0);
 
 }  // namespace pcvt

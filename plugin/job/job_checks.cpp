@@ -222,6 +222,8 @@ constexpr FileChoice kFileChoices[] = {
      [](const Job& job) { return job.file_options.element != PlaneElement::kStrain; }},
     {"a job of a solver", &TileFormat::takes_job,
      [](const Job& job) { return job.file_options.job != SolverJob::kNone; }},
+    {"a thickness", &TileFormat::takes_thickness,
+     [](const Job& job) { return job.file_options.thickness != 0; }},
     {"a colouring", &TileFormat::takes_colouring,
      [](const Job& job) { return job.file_options.colouring.has_value(); }},
     {"a background", &TileFormat::takes_background,

@@ -55,6 +55,9 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                    "the file as it is; elastic: the homogenised stiffness; edit the\n"
                    "constants of each *MATERIAL [the mesh alone, to *INCLUDE in a job]")
         ->type_name(listed_words(kSolverJobs, "|", "|"));
+    app.add_option("--thickness", choices.thickness,
+                   "of .foam: height of the layer of cells along z [sqrt(area / faces)]")
+        ->type_name("T");
 }
 
 FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
@@ -79,6 +82,9 @@ FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
     }
     if (app.count("--job") > 0) {
         options.job = chosen_row("--job", choices.job, kSolverJobs).job;
+    }
+    if (app.count("--thickness") > 0) {
+        options.thickness = positive_number("--thickness", choices.thickness);
     }
     return options;
 }

@@ -21,6 +21,7 @@ struct FileChoices {
     std::string cut;
     std::string element;
     std::string job;
+    std::string thickness;
 };
 
 /// Adds the options to `app`; parsing fills `choices`.

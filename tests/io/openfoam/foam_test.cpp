@@ -147,7 +147,7 @@ TEST(Foam, FaultsNameTheirFileAndLine) {
     EXPECT_THAT(fault_with("constant/polyMesh/faces", "\n(\n4(", "\n(\n9999(\n"),
                 HasSubstr("does not fit the file; give the whole file"));
     EXPECT_THAT(fault_with("constant/polyMesh/boundary", "cyclic", "wall"),
-                HasSubstr("'seam_0_1' is neither an empty one nor one side of a seam; "));
+                HasSubstr("'seam_0_1' is neither an empty one, a wall nor one side of a seam; "));
     EXPECT_THAT(fault_with("constant/polyMesh/boundary", "Patch  seam_0_-1", "Patch  other"),
                 HasSubstr("there is no patch 'other'; "));
     auto files = example();

@@ -122,7 +122,7 @@ TEST(ExtrudedMesh, BrokenPlanesAreRefused) {
                 HasSubstr("law (1) of extruded meshes"));
     EXPECT_THAT(
         fault_after([](ExtrudedMesh& s) { std::swap(s.faces.corners[1], s.faces.corners[2]); }),
-        HasSubstr("not an upright wall"));
+        HasSubstr("not an upright face"));
     EXPECT_THAT(fault_after([](ExtrudedMesh& s) { s.faces.corners.back() = s.faces.corners[0]; }),
                 HasSubstr("not a prism"));
 }
