@@ -97,7 +97,8 @@ struct Sizes {
     }
 };
 
-Sizes sizes_of(const StudyTable& runs, const StudiedLaw& law, int n) {
+/// @throws InvalidInput if the bins of a damaged table do not hold the cells of all runs.
+Sizes sizes_of(const StudyTable& runs, const StudiedLaw& law, int n, int n_runs) {
     Sizes sizes;
     for (const StudyRow& row : rows_of(runs, n)) {
         if (row[runs.column("law")] != law.word) continue;
@@ -106,6 +107,14 @@ Sizes sizes_of(const StudyTable& runs, const StudiedLaw& law, int n) {
         sizes.wanted[bin] += runs.number(row, "wanted");
         sizes.reached[bin] += runs.number(row, "reached");
         sizes.largest_error = std::max(sizes.largest_error, runs.number(row, "largest_error"));
+    }
+    for (const auto* counts : {&sizes.wanted, &sizes.reached}) {
+        const double sum = std::accumulate(counts->begin(), counts->end(), 0.0);
+        const bool is_whole = sum == double(n) * n_runs && (*counts)[0] != sum &&
+                              *std::min_element(counts->begin(), counts->end()) >= 0;
+        if (is_whole) continue;
+        throw InvalidInput(std::string("the bins of ") + law.word + " do not hold " +
+                           std::to_string(n) + " cells a run; the table is damaged, make it again");
     }
     return sizes;
 }
@@ -165,7 +174,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
                   .series = {}};
         for (std::size_t k = 0; k < study.sites.size(); ++k) {
             const int n = study.sites[k];
-            const Sizes sizes = sizes_of(runs, law, n);
+            const Sizes sizes = sizes_of(runs, law, n, study.runs);
             table.rows.push_back(
                 {law.word, std::to_string(n), std::to_string(study.runs),
                  rounded(spread_of(sizes.wanted), 4), rounded(spread_of(sizes.reached), 4),

@@ -15,6 +15,7 @@
 #include "io/tile_formats.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/cvt/cvt.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/proof/generated_tile.hpp"
@@ -152,10 +153,12 @@ std::vector<std::string> seam_seeds() {
 void read_site_text(const std::string& bytes) {
     const SiteFile file = parse_sites("sites.txt", bytes);
     if (file.points.cols() > kMostMeshedSites) return;
-    Sites sites(oblique(), file.points);
-    const PeriodicDelaunay delaunay(std::move(sites));
+    // As every run of the command, it refuses sites that nearly coincide.
+    CvtOptions options;
+    options.max_iterations = 0;
+    const CvtResult result = compute_cvt(oblique(), file.points, options);
     for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
-        verify_generated_tile(build_tile(delaunay, {.outline = outline}).tile);
+        verify_generated_tile(build_tile(result.delaunay, {.outline = outline}).tile);
     }
 }
 

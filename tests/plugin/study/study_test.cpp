@@ -232,5 +232,18 @@ TEST(StudyTable, CsvReadsBackAndNamesTheLineOfAFault) {
     EXPECT_THROW(encode_csv({"", {}, {}, {"a"}, {{"1,2"}}}), InternalError);
 }
 
+TEST(Study, SizesOfADamagedTableAreRefused) {
+    const Study study{"sizes", {5}, 2, 0};
+    const StudyTable runs = all_runs(study);
+    EXPECT_NO_THROW(conclude_study(study, runs));
+    for (const char* column : {"wanted", "reached"}) {
+        for (const char* count : {"0", "-1", "1e300"}) {
+            StudyTable damaged = runs;
+            for (StudyRow& row : damaged.rows) row[damaged.column(column)] = count;
+            EXPECT_THROW(conclude_study(study, damaged), InvalidInput) << column << " " << count;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace pcvt
