@@ -15,6 +15,7 @@
 namespace pcvt {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -95,7 +96,9 @@ TEST(WalledMsh, WallsAreGroupsAndTheSeamAloneIsPeriodic) {
     const std::string links = text.substr(text.find("$Periodic"));
     std::size_t n_links = 0;
     for (std::size_t at = 0; (at = links.find("\n16 1 0 0 ", at) + 1) > 0; ++n_links) {
-        EXPECT_TRUE(links.substr(at).starts_with("16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n"));
+        const std::string link = links.substr(at, links.find('\n', at) - at);
+        EXPECT_THAT(link, AnyOf("16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1",
+                                "16 1 0 0 -2 0 1 0 0 0 0 1 0 0 0 0 1"));
     }
     EXPECT_GE(n_links, 3U);
 }
