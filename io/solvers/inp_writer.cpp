@@ -40,8 +40,9 @@ constexpr const char* kPeriodicTile = "a periodic tile";
 constexpr const char* kBetweenWalls = "a tile between walls";
 /// Of a tile between walls.
 constexpr const char* kWallSets =
-    "** WALL_LEFT and so on are the nodes of a wall, WALL_LEFT_SIDES the sides of elements "
-    "there.\n";
+    "** WALL_LEFT and so on are the nodes of a wall, but for tied ones; WALL_LEFT_SIDES the sides "
+    "of\n"
+    "** elements there.\n";
 /// Of a box, which has no equations.
 constexpr const char* kBoxExplanation =
     " No node is tied to another.\n"
@@ -225,7 +226,9 @@ class InpText {
         for (const auto& [offset, ids] : seams) {
             append_node_set(seam_name(offset), {ids.begin(), ids.end()});
         }
-        for (const auto& [wall, ids] : walls) {
+        for (auto& [wall, ids] : walls) {
+            // Solvers refuse boundary conditions on nodes that an equation determines.
+            for (const VertexPair& pair : nodes_.pairs) ids.erase(pair.w);
             append_node_set(upper_case(wall_side_row(wall).word), {ids.begin(), ids.end()});
         }
         if (!is_box()) text_ += "*NSET,NSET=FIXED\n1\n";

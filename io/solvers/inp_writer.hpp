@@ -19,7 +19,8 @@ namespace pcvt {
 /// that owns no Delaunay triangle has the triangles at its site, which their owners have as well.
 /// Node sets: `NALL`; `GRAIN_BOUNDARY` and `TRIPLE_POINTS`, the nodes at which two or three cells
 /// meet, or more (cell_contacts()); `seam_I_J`, the nodes that I a + J b takes to their partners;
-/// `WALL_LEFT`, `WALL_RIGHT`, `WALL_BOTTOM` and `WALL_TOP`, the nodes on walls;
+/// `WALL_LEFT`, `WALL_RIGHT`, `WALL_BOTTOM` and `WALL_TOP`, the nodes on walls that no
+/// equation ties, for boundary conditions;
 /// `FIXED`, one representative, which holds the tile; `CONTROL_1` and `CONTROL_2`, two nodes
 /// outside of the mesh whose displacements are the mean strain: node 1 carries e_xx and e_xy, node
 /// 2 carries e_yy in its second component.

@@ -10,6 +10,7 @@
 #include "mesher/tile/site_classes.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -84,6 +85,24 @@ TEST(HtmlPage, Law1TheDataGivesTheTileBackExactly) {
             expect_same_tile(json, tile);
         }
     }
+}
+
+TEST(HtmlPage, EdgesOnWallsNameTheirWall) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        for (const Tile& tile : testing::walled_tiles(walls)) {
+            const nlohmann::json json = parsed_data(html(tile));
+            expect_same_tile(json, tile);
+            EXPECT_EQ(json["walls"][0] == 1, has_walls_across(walls, 0));
+            EXPECT_EQ(json["walls"][1] == 1, has_walls_across(walls, 1));
+            ASSERT_EQ(json["wall_edges"].size(), tile.wall_edges.size());
+            for (std::size_t k = 0; k < tile.wall_edges.size(); ++k) {
+                const WallEdge& edge = tile.wall_edges[k];
+                const nlohmann::json wanted{edge.v0, edge.v1, wall_side_row(edge.side).word};
+                EXPECT_EQ(json["wall_edges"][k], wanted);
+            }
+        }
+    }
+    EXPECT_FALSE(parsed_data(html(grid_tile(Lattice::rectangle(1, 1), 2, 2))).contains("walls"));
 }
 
 TEST(HtmlPage, OrbitsHaveNumbersOfSitesAndColoursOfFaces) {

@@ -70,6 +70,17 @@ TEST(FileMidsideNodes, FaultsNameTheirLine) {
                 HasSubstr("node 0 and node 6 are paired, but are not translates; "));
 }
 
+TEST(FileMidsideNodes, NodesOnWallsHaveNoPartner) {
+    // Walls at the bottom and at the top.
+    FileTileBuilder file = two_triangles();
+    file.notes.walls = Walls::kY;
+    EXPECT_THAT(fault_of(file), HasSubstr(" lies on a wall, but has a partner; "));
+    std::erase(file.vertex_pairs, VertexPair{4, 7, {0, 1}});
+    EXPECT_EQ(fault_of(file), "");
+    file.notes.walls = Walls::kX;
+    EXPECT_THAT(fault_of(file), HasSubstr("node 5 lies on a wall, but has a partner; "));
+}
+
 /// The pieces of a text exchanged, one after the other.
 std::string exchanged(std::string text, const std::string& piece, const std::string& other) {
     EXPECT_NE(text.find(piece), std::string::npos) << piece;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -9,6 +10,8 @@
 #include "mesher/proof/generated_tile.hpp"
 #include "mesher/proof/validate.hpp"
 #include "mesher/tile/build_tile.hpp"
+#include "mesher/tile/mirrored_tile.hpp"
+#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -121,6 +124,39 @@ TEST(WalledTile, HalfCellsMakeEveryKindOfMesh) {
                     }
                 }
             }
+        }
+    }
+}
+
+TEST(WalledTile, ValencesOnWallsCountTheMirrorImages) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        const WalledCvt cvt = walled(Lattice::rectangle(2, 1), walls, WallCells::kHalf, 40, 3, -1);
+        const Tile tile =
+            build_tile(cvt.torus.delaunay, {.kind = MeshKind::kDelaunay, .walled = cvt.domain})
+                .tile;
+        const Tile torus = mirrored_tile(tile);
+        const std::vector<int> valence = vertex_valences(tile);
+        std::vector<int> wanted(torus.points.size(), 0);
+        const TileProof proof = prove_cover(torus, Precision::kDouble);
+        for (const int v : torus.faces.corners) ++wanted[v];
+        for (const VertexPair& pair : proof.vertex_pairs) wanted[pair.v] += wanted[pair.w];
+        for (const VertexPair& pair : proof.vertex_pairs) wanted[pair.w] = wanted[pair.v];
+        for (int v = 0; v < tile.n_vertices(); ++v) EXPECT_EQ(valence[v], wanted[v]);
+    }
+}
+
+TEST(WalledTile, MirrorImagesOfTheFirstFaceOfASiteAreTheFirst) {
+    const WalledCvt cvt = walled(Lattice::rectangle(2, 1), Walls::kX, WallCells::kWhole, 30, 3, 30);
+    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
+        const Tile tile = build_tile(cvt.torus.delaunay,
+                                     {.kind = kind, .outline = Outline::kBox, .walled = cvt.domain})
+                              .tile;
+        const Tile torus = mirrored_tile(tile);
+        const auto first = [](const Tile& of, SiteId site) {
+            return std::find(of.face_site.begin(), of.face_site.end(), site) - of.face_site.begin();
+        };
+        for (SiteId site = 0; site < 30; ++site) {
+            EXPECT_EQ(first(torus, site + 30), first(torus, site) + tile.n_faces());
         }
     }
 }
