@@ -90,8 +90,8 @@ AreaSummary area_summary(const Tessellation& tessellation);
 /// The sites, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
 Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin);
 
-/// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. The cells of
-/// sites on walls count as what lies between the walls.
+/// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. The cells
+/// of sites on walls count as what lies between the walls.
 double energy_bound(const Tessellation& tessellation);
 
 /// Whether the sites are at a minimum of the energy, according to its Hessian; `nullopt` if the run
