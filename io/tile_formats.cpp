@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "io/cutting/dxf_writer.hpp"
@@ -41,8 +42,20 @@
 namespace pcvt {
 namespace {
 
+/// The thickness of a layer over the mean distance of the sites. checkMesh finds faults at 1e-8
+/// and 1e8.
+constexpr double kLeastThickness = 1e-3;
+constexpr double kLargestThickness = 1e3;
+
 /// Pieces of cells are slivers where the box cuts a cell near its corner.
-void require_whole_cells(const FormatRequest& request) {
+void require_prisms(const FormatRequest& request) {
+    const double h = std::sqrt(request.lattice.area() / (request.n_sites * request.n_periods));
+    const double layers = request.files.thickness / h;
+    if (layers != 0 && !(layers >= kLeastThickness && layers <= kLargestThickness)) {
+        throw InvalidInput(
+            "the thickness is not between 0.001 and 1000 times the mean distance of the sites, "
+            "sqrt(area / n); take one nearer to it");
+    }
     if (request.outline == Outline::kWhole || request.kind != MeshKind::kVoronoi) return;
     throw InvalidInput(
         "cells that the box cuts are too thin for finite volumes; take the whole outline, or the "
@@ -232,7 +245,7 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .holds_sites = false,
      .paths = foam_paths,
      .is_folder = true,
-     .check = require_whole_cells,
+     .check = require_prisms,
      .takes_thickness = true},
     {.extension = ".nc",
      .description =

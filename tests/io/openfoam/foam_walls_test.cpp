@@ -145,6 +145,24 @@ TEST(FoamWalls, ThicknessesAreReadBack) {
     EXPECT_THROW(prove_tile_files(format, files, tile, {0, 0}, {.thickness = 0.25}), InternalError);
 }
 
+TEST(FoamWalls, LayersOfAnotherScaleThanTheCellsAreRefused) {
+    const TileFormat& format = *find_tile_format("t.foam");
+    FormatRequest request{.lattice = Lattice::rectangle(2, 1),
+                          .kind = MeshKind::kVoronoi,
+                          .outline = Outline::kWhole,
+                          .short_edges = 0,
+                          .n_sites = 200};
+    for (const auto& [thickness, is_held] :
+         {std::pair(0.0, true), {1.01e-4, true}, {99.0, true}, {9.9e-5, false}, {101.0, false}}) {
+        request.files.thickness = thickness;
+        if (is_held) {
+            EXPECT_NO_THROW(format.check(request)) << thickness;
+        } else {
+            EXPECT_THROW(format.check(request), InvalidInput) << thickness;
+        }
+    }
+}
+
 TEST(FoamWalls, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(5);
     const Files sound = example(Walls::kXY);
