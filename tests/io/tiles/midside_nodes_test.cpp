@@ -77,8 +77,9 @@ TEST(FileMidsideNodes, NodesOnWallsHaveNoPartner) {
     EXPECT_THAT(fault_of(file), HasSubstr(" lies on a wall, but has a partner; "));
     std::erase(file.vertex_pairs, VertexPair{4, 7, {0, 1}});
     EXPECT_EQ(fault_of(file), "");
+    file = two_triangles();
     file.notes.walls = Walls::kX;
-    EXPECT_THAT(fault_of(file), HasSubstr("node 5 lies on a wall, but has a partner; "));
+    EXPECT_THAT(fault_of(file), HasSubstr("node 8 lies on a wall, but has a partner; "));
 }
 
 /// The pieces of a text exchanged, one after the other.

@@ -9,8 +9,8 @@
 #include "mesher/cvt/walled_cvt.hpp"
 #include "mesher/proof/generated_tile.hpp"
 #include "mesher/proof/validate.hpp"
+#include "mesher/proof/validate_walls.hpp"
 #include "mesher/tile/build_tile.hpp"
-#include "mesher/tile/mirrored_tile.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
