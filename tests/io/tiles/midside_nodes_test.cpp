@@ -79,7 +79,7 @@ TEST(FileMidsideNodes, NodesOnWallsHaveNoPartner) {
     EXPECT_EQ(fault_of(file), "");
     file = two_triangles();
     file.notes.walls = Walls::kX;
-    EXPECT_THAT(fault_of(file), HasSubstr(" lies on a wall, but has a partner; "));
+    EXPECT_THAT(fault_of(file), HasSubstr("node 8 lies on a wall, but has a partner; "));
 }
 
 /// The pieces of a text exchanged, one after the other.
