@@ -9,6 +9,8 @@
 #include "mesher/finite_volume/extruded_base.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/validate.hpp"
+#include "mesher/tile/tile_edges.hpp"
+#include "tests/support/grid_tile.hpp"
 #include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
@@ -124,7 +126,7 @@ TEST(ExtrudedWalls, FalseWallsAreRefused) {
 }
 
 TEST(ExtrudedWalls, AWallOnAnInnerLineIsNoWall) {
-    // Both halves of a rectangle 2 x 1 whose seam across x is declared as two walls.
+    // The upper wall lies at y = 1, not at the height.
     ExtrudedMesh extruded = extruded_mesh(walled_tile(Walls::kXY, WallCells::kWhole, 12, {}));
     extruded.lattice = Lattice::rectangle(2, 1.5);
     EXPECT_THROW(extruded_base(extruded), NotATile);
@@ -203,6 +205,17 @@ TEST(WalledFlow, OnCellsItKeepsItsMeanAndRests) {
     const Tile coarse = walled_tile(Walls::kY, WallCells::kWhole, 1, {});
     EXPECT_TRUE(cell_flow(DecayingFlow(coarse.lattice, coarse.walls), coarse, extruded_mesh(coarse))
                     .at_rest);
+}
+
+TEST(WalledFlow, WallsDampIt) {
+    // Both rows of squares have one speed; only the walls take up momentum.
+    Tile tile = testing::grid_tile(Lattice::rectangle(2, 1), 4, 2);
+    std::erase_if(tile.edge_pairs, [](const EdgePair& pair) { return pair.offset.j != 0; });
+    tile.walls = Walls::kY;
+    tile.wall_edges = edges_on_walls(tile);
+    EXPECT_EQ(tile.wall_edges.size(), 8);
+    const DecayingFlow flow(tile.lattice, tile.walls);
+    EXPECT_FALSE(cell_flow(flow, tile, extruded_mesh(tile)).at_rest);
 }
 
 TEST(WalledFlow, OnSmallCellsOfAnyKindItMoves) {
