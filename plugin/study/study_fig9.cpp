@@ -42,6 +42,7 @@ PlotSeries series_of(const StudyTable& runs, const std::vector<StudyRow>& rows,
 }
 
 /// The plot with F / F_hex - 1 in place of F.
+/// @throws InvalidInput if an energy of a damaged table is not above F_hex.
 Plot excess_plot(int n, const Plot& energies) {
     Plot plot{std::to_string(n) + " sites, above the hexagonal bound",
               {"iteration", false},
@@ -49,7 +50,13 @@ Plot excess_plot(int n, const Plot& energies) {
               {}};
     for (const PlotSeries& series : energies.series) {
         plot.series.push_back(series);
-        for (Vec2& point : plot.series.back().points) point.y() = point.y() / f_hex(n) - 1;
+        for (Vec2& point : plot.series.back().points) {
+            point.y() = point.y() / f_hex(n) - 1;
+            if (point.y() > 0) continue;
+            throw InvalidInput("an energy of " + std::to_string(n) +
+                               " sites is not above the hexagonal bound; the table is damaged, "
+                               "make it again");
+        }
     }
     return plot;
 }
