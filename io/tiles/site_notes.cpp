@@ -75,6 +75,20 @@ void take_weights(std::span<const double> numbers, SiteNotes& notes) {
     notes.weights.insert(notes.weights.end(), numbers.begin(), numbers.end());
 }
 
+SiteNote note_of_walls() {
+    return {.parts = "across_x across_y",
+            .n_parts = 2,
+            .comment = "walls",
+            .member = "walls",
+            .array = "Walls",
+            .property = "pcvt_walls",
+            .meaning = "1: the sides across that axis are walls, at 0 and at the period",
+            .numbers = walls,
+            .take = take_walls,
+            .usual = {0, 0},
+            .of_integers = true};
+}
+
 const std::array<SiteNote, 6>& rows() {
     static const std::array<SiteNote, 6> kRows{
         {{.parts = "columns rows",
@@ -110,17 +124,7 @@ const std::array<SiteNote, 6>& rows() {
           .numbers = metric,
           .take = take_metric,
           .usual = {1, 0}},
-         {.parts = "across_x across_y",
-          .n_parts = 2,
-          .comment = "walls",
-          .member = "walls",
-          .array = "Walls",
-          .property = "pcvt_walls",
-          .meaning = "1: the sides across that axis are walls, at 0 and at the period",
-          .numbers = walls,
-          .take = take_walls,
-          .usual = {0, 0},
-          .of_integers = true},
+         note_of_walls(),
          {.parts = "x y",
           .n_parts = 2,
           .comment = "site",

@@ -141,6 +141,19 @@ class WallCut {
     std::map<int, int> crossings_;
 };
 
+/// Puts the vertices of walls on their lines to the last bit.
+void put_on_lines(PeriodicMesh& between, const WalledDomain& domain) {
+    for (int c = 0; c < between.n_corners(); ++c) {
+        checkpoint_each(c);
+        if (between.opposite[c] >= 0) continue;
+        const WallSide side = wall_side_of(between, c, domain);
+        for (const int end : {c, between.next(c)}) {
+            between.vertices[between.corner_vertex[end]][wall_side_row(side).axis] =
+                wall_line(side, domain.lattice);
+        }
+    }
+}
+
 /// The translation that moves a coordinate between the walls of a torus of two sides.
 int shift_between_walls(double coordinate, double side) {
     return -static_cast<int>(std::floor(coordinate / (2 * side)));
@@ -237,15 +250,7 @@ PeriodicMesh mesh_between_walls(const PeriodicMesh& mesh,
         checkpoint_each(c);
         if (new_corner[c] >= 0) part.opposite.push_back(new_corner[mesh.opposite[c]]);
     }
-    // Put the vertices of walls on their lines to the last bit.
-    for (int c = 0; c < part.n_corners(); ++c) {
-        if (part.opposite[c] >= 0) continue;
-        const WallSide side = wall_side_of(part, c, domain);
-        for (const int end : {c, part.next(c)}) {
-            part.vertices[part.corner_vertex[end]][wall_side_row(side).axis] =
-                wall_line(side, domain.lattice);
-        }
-    }
+    put_on_lines(part, domain);
     return part;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -126,24 +127,24 @@ class Mirror {
 
     /// Whether each site lies on the wall, as far as positions tell.
     std::vector<bool> sites_on_wall(std::size_t n) const {
-        std::vector<bool> on_wall_(n, false);
+        std::vector<bool> found(n, false);
         const std::vector<Vec2> positions = site_positions(tile_);
         for (std::size_t s = 0; s < std::min(n, positions.size()); ++s) {
-            on_wall_[s] = on_wall(positions[s]);
+            found[s] = on_wall(positions[s]);
         }
-        if (tile_.kind != MeshKind::kDelaunay) return on_wall_;
+        if (tile_.kind != MeshKind::kDelaunay) return found;
         for (std::size_t v = 0; v < tile_.vertex_site.size(); ++v) {
             const SiteId site = tile_.vertex_site[v];
             const bool known = site >= 0 && static_cast<std::size_t>(site) < n;
-            if (known && on_wall(tile_.points[v])) on_wall_[static_cast<std::size_t>(site)] = true;
+            if (known && on_wall(tile_.points[v])) found[static_cast<std::size_t>(site)] = true;
         }
-        return on_wall_;
+        return found;
     }
 
     void number_sites() {
         SiteId last = -1;
         for (const SiteId site : tile_.sites()) last = std::max(last, site);
-        const auto n = static_cast<std::size_t>(last + 1);
+        const auto n = static_cast<std::size_t>(std::int64_t{last} + 1);
         // Wrong ids of a file may be very large; the proof refuses them in the tile itself.
         if (n > tile_.sites().size() + tile_.site_positions.size()) return;
         const std::vector<bool> own = sites_on_wall(n);
