@@ -19,6 +19,13 @@ struct MeshCornerImage {
 /// The nearest wall or image of one, as a multiple of the domain's side.
 double nearest_line(double coordinate, double side) { return std::round(coordinate / side) * side; }
 
+/// The axis (0: x, 1: y) across which the wall of an edge lies.
+int wall_axis(const Vec2& p, const Vec2& q, Walls walls) {
+    if (walls != Walls::kXY) return walls == Walls::kX ? 0 : 1;
+    const bool is_upright_edge = std::abs(q.x() - p.x()) < std::abs(q.y() - p.y());
+    return is_upright_edge ? 0 : 1;
+}
+
 Vec2 middle_of(const PeriodicMesh& mesh, int f) {
     Vec2 sum(0, 0);
     for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) sum += mesh.point(c);
@@ -59,11 +66,12 @@ class WallCut {
     /// Whether the site of a cell lies on a wall.
     bool on_wall(int f) const {
         const double at = cells_.site_points[f][axis_];
-        return std::abs(at - nearest_line(at, side_)) <= kSameVertex * side_ * 1e-3;
+        return std::abs(at - nearest_line(at, side_)) <= kRounding * side_;
     }
 
-    /// Finds the side on which the corners of a cell on a wall lie. Cells on walls are symmetric,
-    /// so a corner on the wall is one by at most rounding errors.
+    /// Finds on which side of the wall each corner of a cell lies whose site is on the wall. Such
+    /// cells are symmetric, so that rounding errors alone move a corner off the wall.
+    /// @returns whether the site lies on a wall.
     bool classify(int f) {
         if (!on_wall(f)) return false;
         const double line = nearest_line(cells_.site_points[f][axis_], side_);
@@ -128,6 +136,8 @@ class WallCut {
         result_.site_points.push_back(cells_.site_points[f]);
     }
 
+    /// Bounds the rounding of a site on a wall, in units of the domain's side.
+    static constexpr double kRounding = 1e-12;
     /// Corners nearer to the wall than this lie on it, in units of the cell's reach.
     static constexpr double kOnLine = 1e-7;
 
@@ -198,8 +208,7 @@ void move_onto_walls(PeriodicMesh& mesh, const std::vector<std::optional<Offset>
         if (places[mesh.corner_face[mesh.opposite[c]]]) continue;
         const Vec2 p = mesh.point(c);
         const Vec2 q = mesh.point(mesh.next(c));
-        const bool upright = std::abs(q.x() - p.x()) < std::abs(q.y() - p.y());
-        const int axis = domain.walls == Walls::kXY ? !upright : domain.walls == Walls::kY;
+        const int axis = wall_axis(p, q, domain.walls);
         const double side = side_length(domain.lattice, axis);
         const double line = nearest_line((p[axis] + q[axis]) / 2, side);
         for (const int end : {c, mesh.next(c)}) {
@@ -304,8 +313,7 @@ PeriodicMesh mirrored_mesh(PeriodicMesh between, const WalledDomain& domain) {
 WallSide wall_side_of(const PeriodicMesh& mesh, int c, const WalledDomain& domain) {
     const Vec2 p = mesh.point(c);
     const Vec2 q = mesh.point(mesh.next(c));
-    const bool upright = std::abs(q.x() - p.x()) < std::abs(q.y() - p.y());
-    const int axis = domain.walls == Walls::kXY ? !upright : domain.walls == Walls::kY;
+    const int axis = wall_axis(p, q, domain.walls);
     const bool at_end = p[axis] + q[axis] > side_length(domain.lattice, axis);
     return find_row(kWallSides,
                     [axis, at_end](const WallSideRow& row) {
