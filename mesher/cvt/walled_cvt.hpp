@@ -29,7 +29,7 @@ Points points_between_walls(const PeriodicDelaunay& torus, const WalledDomain& d
 /// Half cells: the sites whose cells touch a wall move onto it, and the run is repeated until only
 /// cells of sites on walls touch one. Counts are those of all these runs.
 /// @param domain   upright.
-/// @param points   2 x n, between the walls; also where sites are cocircular.
+/// @param points   2 x n, length units, between the walls.
 /// @param options  a density is that of the domain. numbering and progress mean sites and energies
 ///                 of the domain.
 /// @throws InvalidInput  a point lies beyond a wall; half cells do not come about.

@@ -175,7 +175,7 @@ void require_whole_cells(const Tile& tile, const Tile& torus) {
     const auto n_ids = [](const std::vector<SiteId>& sites) {
         return sites.empty() ? 0 : 1 + *std::max_element(sites.begin(), sites.end());
     };
-    const int n_images = tile.walls == Walls::kXY ? 4 : 2;
+    const int n_images = WalledDomain{.walls = tile.walls}.n_images();
     if (n_ids(torus.face_site) == n_images * n_ids(tile.face_site)) return;
     throw InvalidInput(
         "cells whose sites lie on walls are cut there; ask for the Voronoi property of a tile of "
