@@ -10,6 +10,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/output_error.hpp"
+#include "io/outputs/disk_write.hpp"
 #include "io/outputs/writable_paths.hpp"
 
 namespace pcvt {
@@ -149,10 +150,7 @@ int OutputSet::create(const std::string& path) {
 }
 
 void OutputSet::stage(const std::string& path, const std::string& bytes) {
-    const int file = create(path);
-    int error = write_all(file, bytes);
-    if (error == 0) error = sync_file(file);
-    if (::close(file) != 0 && error == 0) error = errno;
+    const int error = write_to_disk(create(path), bytes);
     if (error != 0) throw_unwritable(path, reason_of(error));
 }
 

@@ -41,8 +41,8 @@ class OutputSet {
     /// Declares that files staged later below `folder` belong to it.
     /// @throws OutputError with path and reason.
     void stage_folder(const std::string& folder);
-    /// Writes `bytes` to the temporary file of `path`.
-    /// @throws OutputError with path and reason.
+    /// Writes `bytes` to the temporary file of `path`, piece by piece with checkpoints.
+    /// @throws OutputError with path and reason; Cancelled.
     void stage(const std::string& path, const std::string& bytes);
     /// Returns whether the temporary file of `path`, which is staged, holds exactly these bytes.
     /// @throws OutputError if it cannot be read.

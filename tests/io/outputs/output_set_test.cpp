@@ -5,9 +5,12 @@
 #include <sys/stat.h>
 
 #include <csignal>
+#include <filesystem>
+#include <iterator>
 
 #include "io/bytes/output_error.hpp"
 #include "io/outputs/writable_paths.hpp"
+#include "mesher/base/checkpoint.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {
@@ -81,6 +84,43 @@ TEST(Output, FilesThatAreNotCommittedAreRemoved) {
         set.stage(folder / "a", "x");
     }
     EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+/// Ends the work at the third checkpoint.
+class ThirdCheckpoint final : public Client {
+   public:
+    void pass() override {
+        if (++n_passes_ == 3) throw Cancelled{};
+    }
+
+   private:
+    int n_passes_ = 0;
+};
+
+std::ptrdiff_t n_open_files() {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+}
+
+TEST(Output, ALargeFileIsCancelledBetweenItsPieces) {
+    const TemporaryFolder folder;
+    const std::ptrdiff_t n_open = n_open_files();
+    ThirdCheckpoint client;
+    {
+        OutputSet set;
+        const ClientScope scope(&client);
+        EXPECT_THROW(set.stage(folder / "a", std::string(std::size_t{20} << 20, 'x')), Cancelled);
+    }
+    EXPECT_EQ(n_open_files(), n_open);
+    EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(Output, AFileOfManyPiecesIsWrittenWhole) {
+    const TemporaryFolder folder;
+    std::string bytes((std::size_t{150} << 20) + 1, '\0');
+    for (std::size_t k = 0; k < bytes.size(); k += 4099) bytes[k] = static_cast<char>(k % 251);
+    OutputSet set;
+    set.stage(folder / "a", bytes);
+    EXPECT_TRUE(set.holds(folder / "a", bytes));
 }
 
 TEST(Output, ExistingFilesStayWithoutForce) {
