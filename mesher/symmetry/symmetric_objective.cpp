@@ -136,8 +136,10 @@ void SymmetricObjective::reject() {
 
 /// g lies in the range of E, so g = E E^T g / c.
 Evaluation SymmetricObjective::expanded(const Evaluation& evaluation) const {
-    Evaluation all = evaluation;
-    all.preconditioned.resize(0);
+    Evaluation all{.value = evaluation.value,
+                   .gradient = {},
+                   .residual = evaluation.residual,
+                   .rms_residual = evaluation.rms_residual};
     expand(evaluation.gradient, all.gradient);
     all.gradient /= embedding_.order;
     return all;
