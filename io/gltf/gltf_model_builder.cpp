@@ -83,6 +83,7 @@ int ModelBuilder::add_view(const void* data, std::size_t size, int target) {
     view.byteLength = size;
     view.target = target;
     const auto* begin = static_cast<const unsigned char*>(data);
+    checkpoint();
     bytes.insert(bytes.end(), begin, begin + size);
     bytes.resize((bytes.size() + 3) / 4 * 4);
     return static_cast<int>(model_.bufferViews.size()) - 1;

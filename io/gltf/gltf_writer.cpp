@@ -151,7 +151,9 @@ std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points)
         }
     }
     bucket_sort(edges, static_cast<int>(points.size()), [](const auto& edge) { return edge[0]; });
+    checkpoint();
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    checkpoint();
     std::vector<int> ends;
     ends.reserve(2 * edges.size());
     for (const auto& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
@@ -167,7 +169,9 @@ void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builde
         const auto [least, most] = std::minmax_element(points.begin(), points.end(), less);
         size = std::max(size, (*most)[k] - (*least)[k]);
     }
+    checkpoint();
     const std::vector<int> ends = edge_ends(tile, points);
+    checkpoint();
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_LINE;
     primitive.attributes["POSITION"] =

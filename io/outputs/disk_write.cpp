@@ -13,7 +13,7 @@ namespace {
 
 /// The bytes between two checkpoints, and the most for which one synchronisation waits.
 constexpr std::size_t kPiece = std::size_t{4} << 20;
-constexpr std::size_t kMostUnsynchronised = std::size_t{64} << 20;
+constexpr std::size_t kMostUnsynchronised = std::size_t{16} << 20;
 
 /// A file that is closed on every way out.
 class OpenFile {

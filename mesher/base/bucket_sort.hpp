@@ -11,6 +11,11 @@
 
 namespace pcvt {
 
+namespace detail {
+/// Items that are counted or scattered between two checkpoints.
+inline constexpr long kScattered = 1 << 14;
+}  // namespace detail
+
 /// Sorts `items` by `less`, as std::sort does: a counting sort into buckets, then std::sort within
 /// each bucket.
 ///
@@ -31,7 +36,10 @@ void bucket_sort(std::vector<Item>& items, int n_keys, Key key, Less less = {}) 
     for (const Item& item : items) ++begin[static_cast<std::size_t>(key(item)) + 2];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<Item> sorted(items.size());
-    for (const Item& item : items) sorted[begin[static_cast<std::size_t>(key(item)) + 1]++] = item;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        checkpoint_each(static_cast<long>(k), detail::kScattered);
+        sorted[begin[static_cast<std::size_t>(key(items[k])) + 1]++] = items[k];
+    }
     for (std::size_t k = 0; k < static_cast<std::size_t>(n_keys); ++k) {
         checkpoint_each(static_cast<long>(k));
         if (begin[k + 1] - begin[k] < 2) continue;
@@ -54,10 +62,16 @@ template <class Key, class Visit>
 void for_each_bucket(int n_items, int n_keys, const Key& key, const Visit& visit) {
     // As above, the counts are shifted by two entries.
     std::vector<int> begin(static_cast<std::size_t>(n_keys) + 2, 0);
-    for (int k = 0; k < n_items; ++k) ++begin[static_cast<std::size_t>(key(k)) + 2];
+    for (int k = 0; k < n_items; ++k) {
+        checkpoint_each(k, detail::kScattered);
+        ++begin[static_cast<std::size_t>(key(k)) + 2];
+    }
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<int> items(static_cast<std::size_t>(n_items));
-    for (int k = 0; k < n_items; ++k) items[begin[static_cast<std::size_t>(key(k)) + 1]++] = k;
+    for (int k = 0; k < n_items; ++k) {
+        checkpoint_each(k, detail::kScattered);
+        items[begin[static_cast<std::size_t>(key(k)) + 1]++] = k;
+    }
     for (std::size_t k = 0; k < static_cast<std::size_t>(n_keys); ++k) {
         checkpoint_each(static_cast<long>(k));
         if (begin[k] == begin[k + 1]) continue;
