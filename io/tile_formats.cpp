@@ -149,7 +149,7 @@ std::vector<EncodedFile> write_vtu(const Tile& tile, const FileOptions& options,
 
 std::vector<EncodedFile> write_foam(const Tile& tile, const FileOptions& options,
                                     const std::string& path) {
-    return encode_foam(tile, path, options.thickness);
+    return encode_foam(tile, path, options.thickness, options.materials);
 }
 
 constexpr std::array<TileFormat, 17> kFormats{{
@@ -246,7 +246,9 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .paths = foam_paths,
      .is_folder = true,
      .check = require_prisms,
-     .takes_thickness = true},
+     .takes_thickness = true,
+     .takes_phases = true,
+     .states_materials = true},
     {.extension = ".nc",
      .description =
          "MPAS mesh of the whole torus, which is rectangular, with .graph.info beside it",

@@ -7,6 +7,7 @@
 
 #include "io/openfoam/foam_scanner.hpp"
 #include "io/tiles/file_tile_builder.hpp"
+#include "io/tiles/material_words.hpp"
 #include "mesher/finite_volume/extruded_base.hpp"
 
 namespace pcvt {
@@ -160,6 +161,7 @@ FileTileBuilder read_comments(const EncodedFile& file) {
         if (words.size() < 3 || words[0] != "//" || words[1] != "pcvt") continue;
         const std::vector<std::string_view> values(words.begin() + 3, words.end());
         if (comments.take_comment(scanner, words[2], values)) continue;
+        if (take_material(scanner, words[2], values, comments.materials)) continue;
         scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
     }
     return comments;
@@ -200,13 +202,17 @@ TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<
     read_boundary(boundary, extruded);
     const bool states_lattice = comments.lattice.has_value();
     Tile tile = extruded_base(extruded);
+    CellMaterials materials = std::move(comments.materials);
+    if (!materials.empty()) file_named(files, "cellZones");
     give_notes(boundary, std::move(comments), tile);
+    require_materials(boundary.path, materials, n_stated_sites(tile));
     return {.tile = std::move(tile),
             .precision = Precision::kDouble,
             .has_vertex_pairs = false,
             .has_edge_pairs = true,
             .has_wall_edges = true,
             .states_lattice = states_lattice,
+            .materials = std::move(materials),
             .thickness = extruded.points.back().z()};
 }
 

@@ -7,6 +7,7 @@
 #include "io/openfoam/foam_case.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/tiles/finite.hpp"
+#include "io/tiles/material_words.hpp"
 #include "io/tiles/site_notes.hpp"
 
 namespace pcvt {
@@ -105,7 +106,37 @@ void append_sites(std::string& text, const Tile& tile) {
     if (!sites.empty()) text += '\n';
 }
 
-std::string encode_boundary(const Tile& tile, const ExtrudedMesh& extruded) {
+/// The phases of the cells alone, which are all that a case states of materials.
+CellMaterials held_phases(const CellMaterials* materials) {
+    if (materials == nullptr) return {};
+    return {.phase_names = materials->phase_names, .site_phase = materials->site_phase};
+}
+
+/// Returns the zones of the cells, one for each phase.
+std::string encode_zones(const Tile& tile, const CellMaterials& materials) {
+    std::vector<std::vector<int>> zones(materials.phase_names.size());
+    if (!zones.empty()) {
+        for (int f = 0; f < tile.n_faces(); ++f) {
+            zones[materials.site_phase[tile.face_site[f]]].push_back(f);
+        }
+    }
+    std::string text = foam_header("regIOobject", kMeshFolder, "cellZones") +
+                       count_line(static_cast<int>(zones.size()));
+    for (std::size_t p = 0; p < zones.size(); ++p) {
+        text += "phase_" + materials.phase_names[p] +
+                "\n{\n    type            cellZone;\n    cellLabels      List<label>\n" +
+                count_line(static_cast<int>(zones[p].size()));
+        for (const int cell : zones[p]) {
+            append_number(text, cell);
+            text += '\n';
+        }
+        text += ")\n;\n}\n";
+    }
+    return text + ")\n";
+}
+
+std::string encode_boundary(const Tile& tile, const ExtrudedMesh& extruded,
+                            const CellMaterials& materials) {
     std::string text = foam_header("polyBoundaryMesh", kMeshFolder, "boundary") +
                        "// A periodic tile, written by pcvt: seam_I_J is answered at + I a + J b\n"
                        "// pcvt kind " +
@@ -119,6 +150,7 @@ std::string encode_boundary(const Tile& tile, const ExtrudedMesh& extruded) {
     text += '\n';
     append_note_comments(text, "// pcvt ", tile);
     append_sites(text, tile);
+    append_materials(text, "// pcvt ", materials);
     text += count_line(static_cast<int>(extruded.patches.size()));
     for (const ExtrudedPatch& patch : extruded.patches) append_patch(text, extruded, patch);
     return text + ")\n";
@@ -131,26 +163,29 @@ std::vector<std::string> foam_paths(const std::string& folder) {
     for (const char* name :
          {"constant/polyMesh/points", "constant/polyMesh/faces", "constant/polyMesh/owner",
           "constant/polyMesh/neighbour", "constant/polyMesh/boundary",
-          "constant/transportProperties", "constant/turbulenceProperties", "system/controlDict",
-          "system/fvSchemes", "system/fvSolution", "0/U", "0/p", "0/T"}) {
+          "constant/polyMesh/cellZones", "constant/transportProperties",
+          "constant/turbulenceProperties", "system/controlDict", "system/fvSchemes",
+          "system/fvSolution", "0/U", "0/p", "0/T"}) {
         paths.push_back(folder + "/" + name);
     }
     paths.push_back(folder + "/" + std::filesystem::path(folder).filename().string());
     return paths;
 }
 
-std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder,
-                                     double thickness) {
+std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder, double thickness,
+                                     const CellMaterials* materials) {
     require_finite(tile);
     const ExtrudedMesh extruded = extruded_mesh(tile, thickness);
     const DecayingFlow flow(tile.lattice, tile.walls);
     const CellFlow cells = cell_flow(flow, tile, extruded);
+    const CellMaterials phases = held_phases(materials);
     // The contents have the order of foam_paths().
     std::vector<std::string> contents = {encode_points(extruded),
                                          encode_faces(extruded),
                                          encode_labels(extruded, "owner", extruded.owner),
                                          encode_labels(extruded, "neighbour", extruded.neighbour),
-                                         encode_boundary(tile, extruded),
+                                         encode_boundary(tile, extruded, phases),
+                                         encode_zones(tile, phases),
                                          foam_transport(flow, cells),
                                          foam_turbulence(),
                                          foam_control(flow, cells),

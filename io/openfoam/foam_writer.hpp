@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
+#include "mesher/materials/cell_materials.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -19,7 +20,8 @@ std::vector<std::string> foam_paths(const std::string& folder);
 ///
 /// Cell i is face i of the tile; in a tile of cells without repetition it is the cell of site i.
 /// Comments in the boundary file hold the kind of the faces, the period vectors, the site of each
-/// cell and the notes of the sites (io/tiles/site_notes.hpp).
+/// cell, the notes of the sites (io/tiles/site_notes.hpp) and the phases. The cells of each phase
+/// are the zone phase_NAME.
 ///
 /// Example usage:
 ///     OutputSet output;
@@ -29,8 +31,10 @@ std::vector<std::string> foam_paths(const std::string& folder);
 ///     }
 ///
 /// @param thickness  of the layer, length units; 0: as extruded_mesh() chooses it.
+/// @param materials  of the sites of one period, for faces that have sites; null: none.
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder,
-                                     double thickness = 0);
+                                     double thickness = 0,
+                                     const CellMaterials* materials = nullptr);
 
 }  // namespace pcvt

@@ -167,6 +167,11 @@ void give_sites(FileTileBuilder file, Tile& tile) {
     (of_faces ? tile.face_site : tile.vertex_site) = std::move(file.sites);
 }
 
+std::int64_t n_stated_sites(const Tile& tile) {
+    const std::vector<SiteId>& sites = tile.sites();
+    return sites.empty() ? 0 : 1 + std::int64_t{*std::max_element(sites.begin(), sites.end())};
+}
+
 TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Precision precision) {
     const bool states_lattice = file.lattice.has_value();
     resolve_numbers(file, lattice);
@@ -194,10 +199,7 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
     std::vector<int> site_orbits = std::move(file.site_orbits);
     const std::string name = file.name;
     give_sites(std::move(file), tile);
-    const std::vector<SiteId>& sites = tile.sites();
-    const std::int64_t n_sites =
-        sites.empty() ? 0 : 1 + std::int64_t{*std::max_element(sites.begin(), sites.end())};
-    require_materials(name, materials, n_sites);
+    require_materials(name, materials, n_stated_sites(tile));
     require_orbits(name, site_orbits);
     return {.tile = std::move(tile),
             .precision = precision,

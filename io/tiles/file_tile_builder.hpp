@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -63,6 +64,9 @@ struct FileTileBuilder {
 /// @throws BadFile if there is not one site for each owner; there are positions of sites without
 ///         sites or without a kind, or not one weight for each position.
 void give_sites(FileTileBuilder builder, Tile& tile);
+
+/// The number of sites that the faces, or the vertices, of a tile name: the largest one plus 1.
+std::int64_t n_stated_sites(const Tile& tile);
 
 /// Gives numbered items their indices, checks the laws that every tile needs and returns the tile.
 /// A file that does not state its kind holds triangles if all of its faces have three corners, else

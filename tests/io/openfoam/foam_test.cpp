@@ -163,6 +163,43 @@ TEST(Foam, CommentsAndOneLineListsAreRead) {
     EXPECT_EQ(fault_of(files), "");
 }
 
+const CellMaterials& two_phases() {
+    static const CellMaterials phases{.phase_names = {"1st", "b"},
+                                      .site_phase = {0, 1, 1, 0, 1, 1}};
+    return phases;
+}
+
+std::vector<EncodedFile> phase_example() {
+    return encode_foam(testing::grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam", 0,
+                       &two_phases());
+}
+
+TEST(Foam, CellsOfAPhaseAreAZone) {
+    auto files = phase_example();
+    EXPECT_THAT(file_named(files, "constant/polyMesh/cellZones").bytes,
+                HasSubstr("2\n(\nphase_1st\n{\n    type            cellZone;\n    cellLabels      "
+                          "List<label>\n2\n(\n0\n3\n)\n;\n}\nphase_b\n"));
+    EXPECT_EQ(decode_foam(files, {}).materials, two_phases());
+    auto without = example();
+    EXPECT_THAT(file_named(without, "constant/polyMesh/cellZones").bytes, HasSubstr("0\n(\n)\n"));
+}
+
+TEST(Foam, FalsePhasesAreRefused) {
+    const auto fault = [](const std::string& piece, const std::string& other) {
+        auto files = phase_example();
+        std::string& text = file_named(files, "constant/polyMesh/boundary").bytes;
+        const std::size_t at = text.find(piece);
+        EXPECT_NE(at, std::string::npos) << piece;
+        text.replace(at, piece.size(), other);
+        return fault_of(files);
+    };
+    EXPECT_THAT(fault("site_phases 0 1 1 0 1 1", "site_phases 0 1 1 0 1"), HasSubstr("phases"));
+    EXPECT_THAT(fault("site_phases 0", "site_phases 2"), HasSubstr("t.foam"));
+    auto files = phase_example();
+    std::erase_if(files, [](const EncodedFile& f) { return f.path.ends_with("cellZones"); });
+    EXPECT_THAT(fault_of(files), HasSubstr("there is no constant/polyMesh/cellZones beside it"));
+}
+
 TEST(Foam, NonFiniteCoordinatesAreInternalErrors) {
     Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), 1, 1);
     tile.points[0].x() = std::nan("");
