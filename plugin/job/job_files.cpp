@@ -4,7 +4,7 @@
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/elements/triangle_elements.hpp"
-#include "plugin/job/distinct_paths.hpp"
+#include "io/outputs/distinct_paths.hpp"
 
 namespace pcvt {
 namespace {

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <string_view>
 
+#include "io/outputs/distinct_paths.hpp"
 #include "io/outputs/output_set.hpp"
 #include "io/page/study_page.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "plugin/job/distinct_paths.hpp"
 #include "plugin/job/job_files.hpp"
 
 namespace pcvt {

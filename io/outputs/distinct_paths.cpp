@@ -1,4 +1,4 @@
-#include "plugin/job/distinct_paths.hpp"
+#include "io/outputs/distinct_paths.hpp"
 
 #include <algorithm>
 #include <filesystem>
