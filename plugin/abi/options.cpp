@@ -202,11 +202,21 @@ void check_struct_size(const char* name, std::size_t size, std::size_t known) {
     }
 }
 
+void throw_unknown_fields(const char* name) {
+    throw AbiMismatch(std::string(name) +
+                      " has fields that this pcvt does not know; take a newer one");
+}
+
+bool uses_reserved_fields(const pcvt_options& options) {
+    return options.reserved != 0 || options.reserved2 != 0;
+}
+
+bool uses_reserved_fields(const pcvt_write_options& options) { return options.reserved != 0; }
+
 void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known) {
     const char* bytes = static_cast<const char*>(begin);
     if (std::any_of(bytes + known, bytes + size, [](char byte) { return byte != 0; })) {
-        throw AbiMismatch(std::string(name) +
-                          " has fields that this pcvt does not know; take a newer one");
+        throw_unknown_fields(name);
     }
 }
 

@@ -15,9 +15,15 @@ void check_struct_size(const char* name, std::size_t size, std::size_t known);
 /// @throws AbiMismatch unless all bytes of a struct after the first `known` ones are zero.
 void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known);
 
+/// Whether a host has set a field that later versions may use.
+bool uses_reserved_fields(const pcvt_options& options);
+bool uses_reserved_fields(const pcvt_write_options& options);
+/// @throws AbiMismatch
+[[noreturn]] void throw_unknown_fields(const char* name);
+
 /// The struct of the host, in this library's version.
 ///   const pcvt_options options = read_struct("pcvt_options", given);
-/// @throws AbiMismatch as the two above; InvalidInput for a null pointer.
+/// @throws AbiMismatch as the functions above; InvalidInput for a null pointer.
 template <class Struct>
 Struct read_struct(const char* name, const Struct* given) {
     if (given == nullptr) throw InvalidInput(std::string(name) + " is a null pointer");
@@ -25,6 +31,7 @@ Struct read_struct(const char* name, const Struct* given) {
     std::memcpy(&size, given, sizeof size);
     check_struct_size(name, size, sizeof(Struct));
     check_tail(name, given, size, sizeof(Struct));
+    if (uses_reserved_fields(*given)) throw_unknown_fields(name);
     return *given;
 }
 

@@ -43,6 +43,23 @@ static void a_longer_struct_is_accepted_if_its_tail_is_zero(void) {
     REFUSED(&newer.known, PCVT_ERROR_ABI, "does not know");
 }
 
+static void reserved_fields_are_zero(void) {
+    pcvt_options options = options_for(10);
+    pcvt_write_options how;
+    pcvt_result* result = generated(&options);
+    memset(&how, 0, sizeof how);
+    how.struct_size = sizeof how;
+    how.reserved = 1;
+    CHECK(pcvt_write(result, "reserved.obj", &how) == PCVT_ERROR_ABI);
+    CHECK(strstr(pcvt_last_error(), "does not know") != NULL);
+    pcvt_free(result);
+    options.reserved = 1;
+    REFUSED(&options, PCVT_ERROR_ABI, "does not know");
+    options.reserved = 0;
+    options.reserved2 = 1;
+    REFUSED(&options, PCVT_ERROR_ABI, "does not know");
+}
+
 static void views_have_the_size_that_the_host_states(void) {
     struct newer_view {
         pcvt_sites known;
@@ -400,6 +417,7 @@ int main(void) {
     sizes_and_versions_that_do_not_fit_are_refused();
     the_interface_has_the_version_of_the_library();
     a_longer_struct_is_accepted_if_its_tail_is_zero();
+    reserved_fields_are_zero();
     views_have_the_size_that_the_host_states();
     null_pointers_are_refused();
     numbers_that_are_not_finite_are_refused();
