@@ -68,6 +68,17 @@ std::vector<StudyRow> first_run(const StudyTable& runs, int n) {
     return rows;
 }
 
+/// The row at which a method ended.
+const StudyRow& last_row(const StudyTable& runs, const std::vector<StudyRow>& rows, int n,
+                         const char* method) {
+    const auto last = std::find_if(rows.rbegin(), rows.rend(), [&](const StudyRow& row) {
+        return row[runs.column("method")] == method;
+    });
+    if (last != rows.rend()) return *last;
+    throw InvalidInput("run 0 of " + std::to_string(n) + " sites has no row of the method " +
+                       method + "; the table is damaged, make it again");
+}
+
 /// A remark: at how many of the common iterations the periodic energy is the smaller one.
 std::string comparison(int n, const PlotSeries& standard, const PlotSeries& periodic) {
     std::size_t below = 0;
@@ -95,14 +106,12 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         plot.series = {series_of(runs, rows, "standard", kPlotOrange),
                        series_of(runs, rows, "periodic", kPlotBlue)};
         for (const char* method : {"standard", "periodic"}) {
-            const auto last = std::find_if(rows.rbegin(), rows.rend(), [&](const StudyRow& row) {
-                return row[runs.column("method")] == method;
-            });
-            const double energy = runs.number(*last, "energy");
-            table.rows.push_back({std::to_string(n), method, (*last)[runs.column("iteration")],
-                                  (*last)[runs.column("evaluations")], rounded(energy, 8),
+            const StudyRow& last = last_row(runs, rows, n, method);
+            const double energy = runs.number(last, "energy");
+            table.rows.push_back({std::to_string(n), method, last[runs.column("iteration")],
+                                  last[runs.column("evaluations")], rounded(energy, 8),
                                   rounded(energy / f_hex(n), 8),
-                                  rounded(runs.number(*last, "residual"), 3)});
+                                  rounded(runs.number(last, "residual"), 3)});
         }
         table.remarks.push_back(comparison(n, plot.series[0], plot.series[1]));
         excess.push_back(excess_plot(n, plot));

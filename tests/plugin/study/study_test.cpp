@@ -245,5 +245,17 @@ TEST(Study, SizesOfADamagedTableAreRefused) {
     }
 }
 
+TEST(Study, EnergiesByIterationNeedBothMethods) {
+    const Study study{"fig9", {5}, 1, 0};
+    const StudyTable runs = all_runs(study);
+    EXPECT_NO_THROW(conclude_study(study, runs));
+    for (const char* method : {"standard", "periodic"}) {
+        StudyTable damaged = runs;
+        std::erase_if(damaged.rows,
+                      [&](const StudyRow& row) { return row[damaged.column("method")] == method; });
+        EXPECT_THROW(conclude_study(study, damaged), InvalidInput) << method;
+    }
+}
+
 }  // namespace
 }  // namespace pcvt
