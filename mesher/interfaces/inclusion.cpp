@@ -182,6 +182,18 @@ EllipseAxes ellipse_axes(const Ellipse& ellipse) {
     return {ellipse.centre, turned_left(along), ellipse.b, ellipse.a};
 }
 
+std::vector<Inclusion> circular_inclusions(const std::vector<Circle>& circles, int tag) {
+    std::vector<Inclusion> inclusions;
+    for (const Circle& circle : circles) {
+        Inclusion inclusion;
+        inclusion.shape = circle;
+        inclusion.tag = tag;
+        inclusion.line = static_cast<int>(inclusions.size()) + 1;
+        inclusions.push_back(std::move(inclusion));
+    }
+    return inclusions;
+}
+
 double shape_area(const Shape& shape) {
     return std::visit(
         Overloaded{[](const Polygon& polygon) { return std::abs(polygon_area(polygon)); },

@@ -36,6 +36,9 @@ struct Inclusion {
     int line = 0;
 };
 
+/// Circles as inclusions with one tag, on the lines 1, 2, ...
+std::vector<Inclusion> circular_inclusions(const std::vector<Circle>& circles, int tag);
+
 double shape_area(const Shape& shape);
 
 /// The distance of p from the curve, negative inside of it.
