@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "mesher/base/error.hpp"
 #include "mesher/delaunay/periodic_delaunay.hpp"
@@ -25,8 +26,11 @@ constexpr int kSitesPerTask = 1 << 14;
 /// triangulation, so the optimiser's products and thresholds do not depend on the user's unit.
 class CvtObjective final : public Objective {
    public:
-    CvtObjective(MovingDelaunay& delaunay, Workers& workers)
-        : delaunay_(delaunay), workers_(workers), pass_(delaunay, workers) {}
+    CvtObjective(MovingDelaunay& delaunay, Workers& workers, const SiteConstraints& constraints)
+        : delaunay_(delaunay),
+          workers_(workers),
+          constraints_(constraints),
+          pass_(delaunay, workers) {}
 
     Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
 
@@ -35,19 +39,20 @@ class CvtObjective final : public Objective {
         const bool defined = undo_step() && try_step(direction, t);
         energy_.gradient.swap(evaluation.gradient);
         if (!defined) return false;
+        constraints_.fixed.clear(evaluation.gradient);
         const auto [largest, rms] =
             residuals(evaluation.gradient, energy_.mass, delaunay_.spacing(), workers_);
         evaluation.value = energy_.value;
         evaluation.residual = largest;
-        evaluation.rms_residual = rms;
-        if (long_waves_) long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        evaluation.rms_residual = constraints_.fixed.rms_factor() * rms;
+        if (long_waves_) apply_long_waves(evaluation);
         return true;
     }
 
     bool precondition(Evaluation& evaluation) override {
         if (delaunay_.n_sites() < kFewestForLongWaves) return false;
         long_waves_ = std::make_unique<LongWaves>(delaunay_, workers_);
-        long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        apply_long_waves(evaluation);
         return true;
     }
 
@@ -61,9 +66,15 @@ class CvtObjective final : public Objective {
     bool has_hessian() const override { return true; }
     void hessian(BlockMatrix& hessian) const override {
         assemble_hessian(delaunay_, workers_, hessian);
+        constraints_.fixed.restrict_hessian(hessian);
     }
 
    private:
+    void apply_long_waves(Evaluation& evaluation) {
+        long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        constraints_.fixed.clear(evaluation.preconditioned);
+    }
+
     /// Restores the triangulation after a trial that was not accepted.
     bool undo_step() {
         if (delaunay_.settled()) return true;
@@ -72,12 +83,16 @@ class CvtObjective final : public Objective {
     }
 
     bool try_step(const Eigen::VectorXf& direction, double t) {
-        if (t != 0 && !delaunay_.step(direction, t, workers_)) return false;
+        if (t != 0) {
+            if (!delaunay_.step(direction, t, workers_)) return false;
+            if (!constraints_.admit(delaunay_)) return false;
+        }
         return pass_.evaluate(energy_);
     }
 
     MovingDelaunay& delaunay_;
     Workers& workers_;
+    const SiteConstraints& constraints_;
     EnergyPass pass_;
     Energy energy_;
     std::unique_ptr<LongWaves> long_waves_;
@@ -92,6 +107,27 @@ OptimizerOptions optimizer_options(const MovingDelaunay& delaunay, const CvtOpti
                 solver_row(options.solver).preconditions ? options.precondition_below : 0};
 }
 
+SiteConstraints constraints_of(const MovingDelaunay& delaunay, const CvtOptions& options) {
+    SiteConstraints constraints{{}, options.guard};
+    if (options.fixed.empty()) return constraints;
+    if (options.numbering != Numbering::kAsGiven) {
+        throw InvalidInput("fixed sites need the numbering of the input");
+    }
+    const auto n = static_cast<std::size_t>(delaunay.n_sites());
+    std::vector<bool> is_fixed(n, false);
+    for (const SiteId id : options.fixed) {
+        if (id < 0 || id >= delaunay.n_sites()) {
+            throw InvalidInput("site " + std::to_string(id) + " shall be fixed, but there are " +
+                               std::to_string(n) + " sites");
+        }
+        is_fixed[id] = true;
+    }
+    std::vector<bool> ordered(n, false);
+    for (SiteId s = 0; s < delaunay.n_sites(); ++s) ordered[s] = is_fixed[delaunay.original_id(s)];
+    constraints.fixed = FixedPairs(std::move(ordered));
+    return constraints;
+}
+
 /// Minimises the energy of a density and fills in `figures`.
 RunStatistics minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
                        const CvtOptions& options, const OrbitEmbedding* orbits,
@@ -101,7 +137,8 @@ RunStatistics minimize(MovingDelaunay& delaunay, const Lattice& lattice, const D
         minimize_density_energy(delaunay, workers, lattice, density,
                                 {.minimize = solver_row(options.solver).minimize_density,
                                  .optimizer = optimizer_options(delaunay, options),
-                                 .orbits = orbits});
+                                 .orbits = orbits,
+                                 .constraints = constraints_of(delaunay, options)});
     figures = result.figures;
     return result.run;
 }
@@ -110,7 +147,8 @@ RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options,
                        const OrbitEmbedding* orbits) {
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.n_threads, n_tasks));
-    CvtObjective all(delaunay, workers);
+    const SiteConstraints constraints = constraints_of(delaunay, options);
+    CvtObjective all(delaunay, workers, constraints);
     std::optional<SymmetricObjective> symmetric;
     if (orbits != nullptr) symmetric.emplace(all, *orbits);
     Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;
@@ -156,6 +194,11 @@ CvtResult minimized(MovingDelaunay delaunay, const Lattice& lattice, const Densi
 
 CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options) {
     return minimized(triangulate(lattice, std::move(points), options.numbering), lattice,
+                     options.density ? &*options.density : nullptr, nullptr, options);
+}
+
+CvtResult compute_cvt(const Sites& start, const CvtOptions& options) {
+    return minimized(MovingDelaunay(start, options.numbering), start.lattice(),
                      options.density ? &*options.density : nullptr, nullptr, options);
 }
 

@@ -24,6 +24,11 @@ struct CvtOptions {
     Numbering numbering = Numbering::kAsGiven;
     /// `nullopt`: rho = 1.
     std::optional<Density> density = {};
+    /// Ids of sites that stay where they are, to the last bit; residuals and the tolerance are
+    /// those of the others. In any order; repetitions count once.
+    std::vector<SiteId> fixed = {};
+    /// nullptr: all positions are admitted. Must outlive the run.
+    SiteGuard* guard = nullptr;
     ProgressCallback progress;
 };
 
@@ -47,10 +52,14 @@ struct CvtResult {
 ///   const PeriodicMesh cells = cell_mesh(result.delaunay);
 ///
 /// @param points  2 x n, length units; need not be wrapped.
+/// @throws InvalidInput  an id of a fixed site is none, or the numbering with fixed sites is not
+///         as given.
 /// @throws BadDensity as minimize_density_energy does.
 /// @throws InvalidInput and DuplicateSites as Sites does; DuplicateSites also if two sites are
 ///         nearer to each other than kSameVertex h (sites.hpp).
 CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options);
+/// The same from sites with exact coordinates.
+CvtResult compute_cvt(const Sites& start, const CvtOptions& options);
 
 /// Moves sites to a periodic CVT with the symmetry of their plane group: orbits remain orbits to
 /// the last bit, sites on mirrors stay there, and so do sites at centres of rotation. The result is
@@ -61,7 +70,8 @@ CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& o
 ///   const OrbitPlan plan = distribute(group, special_positions(group), 240);
 ///   const CvtResult result = compute_cvt(random_sites(group, plan, 1), {});
 ///
-/// @param options  the numbering is that of the sites; a density is folded (folded_density.hpp).
+/// @param options  the numbering is that of the sites; without fixed sites; a density is folded
+/// (folded_density.hpp).
 /// @throws as the function above does.
 CvtResult compute_cvt(const SymmetricSites& start, const CvtOptions& options);
 

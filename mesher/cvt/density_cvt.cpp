@@ -54,9 +54,11 @@ double accuracy_for(double residual) {
 class DensityObjective final : public Objective {
    public:
     DensityObjective(MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice,
-                     const Density& density, double density_unit, bool has_hessian)
+                     const Density& density, double density_unit, bool has_hessian,
+                     const SiteConstraints& constraints)
         : delaunay_(delaunay),
           workers_(workers),
+          constraints_(constraints),
           pass_(delaunay, workers, lattice, density, density_unit),
           has_hessian_(has_hessian),
           scale_(Eigen::VectorXd::Ones(delaunay.n_sites())) {}
@@ -90,6 +92,7 @@ class DensityObjective final : public Objective {
 
     MovingDelaunay& delaunay_;
     Workers& workers_;
+    const SiteConstraints& constraints_;
     mutable DensityPass pass_;
     bool has_hessian_;
     Energy energy_;
@@ -122,6 +125,7 @@ bool DensityObjective::precondition(Evaluation& evaluation) {
 void DensityObjective::apply_long_waves(Evaluation& evaluation) {
     long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
     evaluation.preconditioned /= static_cast<float>(stiffness_);
+    constraints_.fixed.clear(evaluation.preconditioned);
 }
 
 bool DensityObjective::try_step(const Eigen::VectorXf& direction, double t) {
@@ -132,8 +136,11 @@ bool DensityObjective::try_step(const Eigen::VectorXf& direction, double t) {
                 direction.segment<2>(2 * s) / static_cast<float>(scale_[s]);
         }
         if (!delaunay_.step(direction_, t, workers_)) return false;
+        if (!constraints_.admit(delaunay_)) return false;
     }
-    return pass_.evaluate(energy_);
+    if (!pass_.evaluate(energy_)) return false;
+    constraints_.fixed.clear(energy_.gradient);
+    return true;
 }
 
 void DensityObjective::measure(Evaluation& evaluation) const {
@@ -145,7 +152,7 @@ void DensityObjective::measure(Evaluation& evaluation) const {
         residuals(energy_.gradient, energy_.mass, delaunay_.spacing(), workers_);
     evaluation.value = energy_.value;
     evaluation.residual = largest;
-    evaluation.rms_residual = rms;
+    evaluation.rms_residual = constraints_.fixed.rms_factor() * rms;
 }
 
 void DensityObjective::lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const {
@@ -166,6 +173,7 @@ void DensityObjective::hessian(BlockMatrix& hessian) const {
             for (float& number : hessian.block[k]) number *= factor;
         }
     }
+    constraints_.fixed.restrict_hessian(hessian);
 }
 
 void DensityObjective::begin_round(double accuracy) {
@@ -265,7 +273,8 @@ DensityCvtResult minimize_density_energy(MovingDelaunay& delaunay, Workers& work
     const double h = delaunay.spacing() * delaunay.unit();
     const Density cut = cut_for(lattice, density, h);
     const auto [cut_u, cut_v] = short_periods(lattice, h);
-    DensityObjective objective(delaunay, workers, lattice, cut, unit, !cut_u && !cut_v);
+    DensityObjective objective(delaunay, workers, lattice, cut, unit, !cut_u && !cut_v,
+                               options.constraints);
     std::optional<SymmetricObjective> symmetric;
     if (options.orbits != nullptr) symmetric.emplace(objective, *options.orbits);
     Objective& minimized = symmetric ? static_cast<Objective&>(*symmetric) : objective;

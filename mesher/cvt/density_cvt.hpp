@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesher/cvt/site_constraints.hpp"
 #include "mesher/cvt/solvers.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/density/density.hpp"
@@ -37,6 +38,7 @@ struct DensityCvtOptions {
     OptimizerOptions optimizer;
     /// nullptr: none. Of tie_orbits(), for a density with the symmetry of the orbits.
     const OrbitEmbedding* orbits = nullptr;
+    SiteConstraints constraints = {};
 };
 
 struct DensityCvtResult {

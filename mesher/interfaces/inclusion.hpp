@@ -1,0 +1,67 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "mesher/lattice/polygon.hpp"
+
+namespace pcvt {
+
+struct Circle {
+    Vec2 centre;
+    double radius;
+};
+
+/// The semi-axis a lies at `degrees` from x.
+struct Ellipse {
+    Vec2 centre;
+    double a;
+    double b;
+    double degrees;
+};
+
+/// One image of a closed curve; a polygon is simple. Length units.
+using Shape = std::variant<Circle, Ellipse, Polygon>;
+
+/// A shape on the torus and the number of its material.
+///
+/// Example usage:
+///
+///     const Inclusion fibre{.shape = Circle{{0.95, 0.5}, 0.2}, .tag = 1, .line = 3};
+struct Inclusion {
+    Shape shape;
+    /// At least 1; 0 is the matrix. Inclusions may share a tag.
+    int tag = 1;
+    /// Where the inclusion was read, for messages.
+    int line = 0;
+};
+
+/// Circles as inclusions with one tag, on the lines 1, 2, ...
+std::vector<Inclusion> circular_inclusions(const std::vector<Circle>& circles, int tag);
+
+double shape_area(const Shape& shape);
+
+/// The distance of p from the curve, negative inside of it.
+double signed_distance(const Shape& shape, const Vec2& p);
+
+/// Whether the second shape, translated, meets the first: whether their curves touch or one
+/// contains the other.
+bool shapes_meet(const Shape& first, const Shape& second, const Vec2& translation);
+
+/// A circle that contains the shape.
+Circle bounding_circle(const Shape& shape);
+
+/// An ellipse with the unit vector along its first semi-axis; a >= b. A circle is one as well.
+struct EllipseAxes {
+    Vec2 centre;
+    Vec2 along;
+    double a;
+    double b;
+
+    /// The point at a cos t along the first axis and b sin t along the second.
+    Vec2 at_degrees(double t) const;
+};
+EllipseAxes ellipse_axes(const Circle& circle);
+EllipseAxes ellipse_axes(const Ellipse& ellipse);
+
+}  // namespace pcvt

@@ -1,0 +1,146 @@
+#include "mesher/interfaces/inclusion_set.hpp"
+
+#include <string>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/lattice/sites.hpp"
+
+namespace pcvt {
+namespace {
+
+/// In units of the longer reduced period: a longer shape would have too many images to compare.
+constexpr double kLongest = 8;
+
+[[noreturn]] void refuse(const Inclusion& inclusion, const std::string& what) {
+    throw InvalidInput("line " + std::to_string(inclusion.line) + ": " + what);
+}
+
+void require_polygon(Inclusion& inclusion, Polygon& polygon) {
+    for (const Vec2& corner : polygon) {
+        if (!corner.allFinite()) refuse(inclusion, "a coordinate is not finite");
+    }
+    if (polygon.size() < 3) refuse(inclusion, "a polygon needs at least three corners");
+    const double perimeter = polygon_perimeter(polygon);
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2& next = polygon[(k + 1) % polygon.size()];
+        if ((next - polygon[k]).norm() <= kSameVertex * perimeter) {
+            refuse(inclusion, "corner " + std::to_string(k + 1) +
+                                  " of the polygon repeats the next one; remove it");
+        }
+    }
+    const double area = polygon_area(polygon);
+    if (!(std::abs(area) > kSameVertex * perimeter * perimeter)) {
+        refuse(inclusion, "the polygon has no area");
+    }
+    if (area < 0) std::reverse(polygon.begin(), polygon.end());
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        for (std::size_t j = i + 1; j < polygon.size(); ++j) {
+            const bool adjacent = j == i + 1 || (i == 0 && j + 1 == polygon.size());
+            const Polygon first{polygon[i], polygon[i + 1]};
+            const Polygon second{polygon[j], polygon[(j + 1) % polygon.size()]};
+            const bool touches = !adjacent && shapes_meet(first, second, Vec2(0, 0));
+            if (touches) refuse(inclusion, "the polygon crosses or touches itself");
+        }
+    }
+}
+
+void require_shape(Inclusion& inclusion) {
+    if (inclusion.tag < 1) refuse(inclusion, "the tag must be at least 1");
+    if (auto* circle = std::get_if<Circle>(&inclusion.shape)) {
+        if (!circle->centre.allFinite()) refuse(inclusion, "a coordinate is not finite");
+        if (!(circle->radius > 0)) refuse(inclusion, "the radius must be positive");
+    } else if (auto* ellipse = std::get_if<Ellipse>(&inclusion.shape)) {
+        if (!ellipse->centre.allFinite()) refuse(inclusion, "a coordinate is not finite");
+        if (!std::isfinite(ellipse->degrees)) refuse(inclusion, "the angle is not finite");
+        if (!(ellipse->a > 0 && ellipse->b > 0)) {
+            refuse(inclusion, "both semi-axes must be positive");
+        }
+    } else {
+        require_polygon(inclusion, std::get<Polygon>(inclusion.shape));
+    }
+}
+
+}  // namespace
+
+InclusionSet::InclusionSet(const Lattice& lattice, std::vector<Inclusion> inclusions)
+    : lattice_(lattice), reduction_(reduce(lattice)), inclusions_(std::move(inclusions)) {
+    const Lattice& reduced = reduction_.reduced;
+    grid_.emplace(reduced, size());
+    for (Inclusion& inclusion : inclusions_) {
+        require_shape(inclusion);
+        const Circle bounds = bounding_circle(inclusion.shape);
+        const bool is_larger = !(shape_area(inclusion.shape) < lattice.area());
+        if (is_larger || !(bounds.radius < kLongest / 2 * reduced.b().norm())) {
+            refuse(inclusion, "the shape is larger than the domain; make it smaller");
+        }
+        const Vec2 u = reduced.to_lattice(bounds.centre);
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) {
+            refuse(inclusion, "the shape lies more than 2^30 periods away; move it");
+        }
+        const Wrapped x = wrap(u.x());
+        const Wrapped y = wrap(u.y());
+        grid_->add(static_cast<int>(bounds_.size()), {x.fraction, y.fraction});
+        whole_.push_back({x.whole, y.whole});
+        bounds_.push_back(bounds);
+        largest_radius_ = std::max(largest_radius_, bounds.radius);
+    }
+    require_apart();
+}
+
+/// Calls visit(k, translation) for each image of each inclusion that may lie within `distance` of
+/// p; the image is inclusion k translated.
+template <class Visit>
+void InclusionSet::visit_images(const Vec2& p, double distance, const Visit& visit) const {
+    const Lattice& reduced = reduction_.reduced;
+    const Vec2 u = reduced.to_lattice(p);
+    const Wrapped x = wrap(u.x());
+    const Wrapped y = wrap(u.y());
+    const Offset here{x.whole, y.whole};
+    grid_->visit({x.fraction, y.fraction}, distance + largest_radius_, [&](int k, Offset offset) {
+        const Vec2 translation = reduced.translation(offset + here - whole_[k]);
+        const double apart = (bounds_[k].centre + translation - p).norm();
+        if (apart < bounds_[k].radius + distance) visit(k, translation);
+    });
+}
+
+void InclusionSet::require_apart() const {
+    for (int i = 0; i < size(); ++i) {
+        checkpoint();
+        int other = size();
+        const auto compare = [&](int j, const Vec2& translation) {
+            if (j < i || j >= other || (j == i && translation.isZero(0))) return;
+            if (shapes_meet(inclusions_[i].shape, inclusions_[j].shape, translation)) other = j;
+        };
+        visit_images(bounds_[i].centre, bounds_[i].radius * (1 + kSameVertex), compare);
+        if (other == i) {
+            refuse(inclusions_[i], "the shape meets an image of itself; make it smaller");
+        }
+        if (other < size()) {
+            throw InvalidInput("line " + std::to_string(inclusions_[i].line) + " and line " +
+                               std::to_string(inclusions_[other].line) +
+                               " overlap; move one of the shapes");
+        }
+    }
+}
+
+int InclusionSet::containing(const Vec2& p) const {
+    int found = -1;
+    visit_images(p, 0, [&](int k, const Vec2& translation) {
+        if (signed_distance(inclusions_[k].shape, p - translation) < 0) found = k;
+    });
+    return found;
+}
+
+double InclusionSet::distance_to_others(int own, const Vec2& p, double reach) const {
+    double least = reach;
+    visit_images(p, reach, [&](int k, const Vec2& translation) {
+        if (k == own && translation.isZero(0)) return;
+        const Vec2 there = p - translation;
+        if ((there - bounds_[k].centre).norm() - bounds_[k].radius >= least) return;
+        least = std::min(least, std::abs(signed_distance(inclusions_[k].shape, there)));
+    });
+    return least;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,345 @@
+#include "mesher/interfaces/interface_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The radius of a circle over the length of its chords. The seeds then lie half a chord from it.
+const double kRadiusPerChord = std::sqrt(0.5);
+/// The longest chord over the width of a gap, in which two rows of seeds face each other.
+constexpr double kChordPerGap = 0.6;
+/// Over the radius of the largest circle inside that touches there.
+constexpr double kChordPerCurve = 1.0;
+constexpr double kFewestChords = 6;
+/// How fast the length of chords changes along the curve and with the distance from a limit.
+constexpr double kGrading = 0.4;
+/// Up to this distance from a limit, in chords, it holds without growth.
+constexpr double kPlateau = 2;
+/// Samples per chord, and the largest step in degrees.
+constexpr double kSamples = 4;
+constexpr double kLargestStep = 10;
+constexpr std::size_t kMostSamples = 10'000'000;
+/// A corner with a smaller angle on one side gets a seed on its bisector there: 115 degrees, as the
+/// tangent of the half.
+const double kSharp = 1.57;
+/// The longest chord at a sharp corner over its side, and the longest chord in its wedge over the
+/// distance from the tip and the tangent of half of the angle.
+constexpr double kTipPerSide = 0.36;
+constexpr double kChordPerWedge = 1.5;
+/// Rounds up the number of chords on a side of a polygon only from this part of a chord on.
+constexpr double kSpareChord = 0.25;
+
+/// A point of the curve: its parameter, its distance along the curve, and the longest chord there.
+struct Sample {
+    double parameter;
+    double along;
+    double size;
+};
+
+/// Sizes at points of one curve.
+class CurveSizes {
+   public:
+    CurveSizes(const InclusionSet& set, int k, const InterfaceSizing& sizing)
+        : set_(set), k_(k), sizing_(sizing) {}
+
+    /// @param most  a bound from the curve itself.
+    double at(const Vec2& p, double most) const {
+        const double size = std::min({most, sizing_.spacing(p), size_at(sizing_.limits[k_], p)});
+        return kChordPerGap * set_.distance_to_others(k_, p, size / kChordPerGap);
+    }
+
+    void require_few(std::size_t n_samples) const {
+        checkpoint_each(static_cast<long>(n_samples));
+        if (n_samples < kMostSamples) return;
+        throw InvalidInput("line " + std::to_string(set_[k_].line) +
+                           ": a gap beside the shape is too narrow; move the shapes apart");
+    }
+
+   private:
+    const InclusionSet& set_;
+    int k_;
+    const InterfaceSizing& sizing_;
+};
+
+/// Bounds how fast sizes change along a closed curve, whose last sample is the first one again.
+void grade(std::vector<Sample>& samples) {
+    const auto bound = [](Sample& sample, const Sample& neighbour) {
+        const double step = std::abs(sample.along - neighbour.along);
+        sample.size = std::min(sample.size, neighbour.size + kGrading * step);
+    };
+    for (int round = 0; round < 2; ++round) {
+        for (std::size_t k = 1; k < samples.size(); ++k) bound(samples[k], samples[k - 1]);
+        samples.front().size = std::min(samples.front().size, samples.back().size);
+        for (std::size_t k = samples.size() - 1; k-- > 0;) bound(samples[k], samples[k + 1]);
+        samples.back().size = std::min(samples.front().size, samples.back().size);
+    }
+}
+
+/// The number of chords up to each sample: the integral of 1 / size along the curve.
+std::vector<double> chord_counts(const std::vector<Sample>& samples) {
+    std::vector<double> counts{0};
+    for (std::size_t k = 1; k < samples.size(); ++k) {
+        const double step = samples[k].along - samples[k - 1].along;
+        counts.push_back(counts.back() +
+                         step * (1 / samples[k].size + 1 / samples[k - 1].size) / 2);
+    }
+    return counts;
+}
+
+/// The parameter at `to`, where `from` runs through the counts of the samples.
+template <class From, class To>
+double interpolated(double at, const std::vector<Sample>& samples, const From& from, const To& to) {
+    std::size_t low = 0;
+    std::size_t high = samples.size() - 1;
+    while (high - low > 1) {
+        const std::size_t middle = (low + high) / 2;
+        (from(middle) <= at ? low : high) = middle;
+    }
+    const double width = from(high) - from(low);
+    const double share = width > 0 ? (at - from(low)) / width : 0;
+    return to(low) + std::clamp(share, 0.0, 1.0) * (to(high) - to(low));
+}
+
+/// Sets the radii of nodes that have none from their two chords.
+void set_radii(std::vector<InterfaceNode>& nodes) {
+    const std::size_t n = nodes.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        if (nodes[k].radius > 0) continue;
+        const double before = (nodes[k].point - nodes[(k + n - 1) % n].point).norm();
+        const double after = (nodes[(k + 1) % n].point - nodes[k].point).norm();
+        nodes[k].radius = kRadiusPerChord * std::sqrt(before * after);
+    }
+}
+
+// ---- ellipses ----
+
+std::vector<Sample> ellipse_samples(const EllipseAxes& ellipse, const CurveSizes& sizes) {
+    std::vector<Sample> samples;
+    double degrees = 0;
+    double along = 0;
+    Vec2 before = ellipse.at_degrees(0);
+    for (;;) {
+        const Vec2 p = ellipse.at_degrees(degrees);
+        const Vec2 d = p - ellipse.centre;
+        const double x = d.dot(ellipse.along) / ellipse.a;
+        const double y = cross(ellipse.along, d) / ellipse.b;
+        // dp / dt; times b / a it is the radius of the largest circle inside that touches at p.
+        const double speed = Vec2(ellipse.a * y, ellipse.b * x).norm();
+        const double inner = speed * ellipse.b / ellipse.a;
+        along += (p - before).norm();
+        samples.push_back({degrees, along, sizes.at(p, kChordPerCurve * inner)});
+        sizes.require_few(samples.size());
+        if (degrees == 360) return samples;
+        const double step = samples.back().size / kSamples / speed * (180 / std::numbers::pi);
+        degrees = std::min(360.0, degrees + std::min(step, kLargestStep));
+        before = p;
+    }
+}
+
+std::vector<InterfaceNode> ellipse_nodes(const EllipseAxes& ellipse, const CurveSizes& sizes) {
+    std::vector<Sample> samples = ellipse_samples(ellipse, sizes);
+    grade(samples);
+    const std::vector<double> counts = chord_counts(samples);
+    const auto n = static_cast<std::size_t>(std::max(kFewestChords, std::ceil(counts.back())));
+    std::vector<InterfaceNode> nodes;
+    Polygon chords;
+    for (std::size_t k = 0; k < n; ++k) {
+        const double at = counts.back() * static_cast<double>(k) / static_cast<double>(n);
+        const double degrees = interpolated(
+            at, samples, [&](std::size_t m) { return counts[m]; },
+            [&](std::size_t m) { return samples[m].parameter; });
+        chords.push_back(ellipse.at_degrees(degrees) - ellipse.centre);
+    }
+    const double area = std::numbers::pi * ellipse.a * ellipse.b;
+    const double scale = std::sqrt(area / polygon_area(chords));
+    for (const Vec2& p : chords) nodes.push_back({ellipse.centre + scale * p, 0});
+    set_radii(nodes);
+    return nodes;
+}
+
+// ---- polygons ----
+
+/// Twice the radius of the smallest circle that touches the line through p with the normal n at p
+/// and the segment, on either side of the line.
+double touching_width(const Vec2& p, const Vec2& n, const Vec2& from, const Vec2& to) {
+    double width = std::numeric_limits<double>::infinity();
+    for (const Vec2& end : {from, to}) {
+        width = std::min(width, (end - p).squaredNorm() / std::abs(n.dot(end - p)));
+    }
+    const Vec2 side = (to - from).normalized();
+    Vec2 m(-side.y(), side.x());
+    if (m.dot(from - p) < 0) m = -m;
+    for (const Vec2& normal : {n, Vec2(-n)}) {
+        const double radius = m.dot(from - p) / (1 + normal.dot(m));
+        if (!(radius < width / 2)) continue;
+        const double at = side.dot(p + radius * (normal + m) - from);
+        if (at >= 0 && at <= (to - from).norm()) width = 2 * radius;
+    }
+    return width;
+}
+
+/// The chords at a corner of a polygon.
+struct CornerPlan {
+    double size;
+    /// Tangent of half of the sharper angle, and on which side it is: 0 if it is not sharp.
+    double slope;
+    int shared_side = 0;
+    /// Of a sharp corner: the radius, the length of both chords and the radius at their other ends.
+    double radius = 0;
+    double chord = 0;
+    double next_radius = 0;
+};
+
+class PolygonNodes {
+   public:
+    PolygonNodes(const Polygon& polygon, const CurveSizes& sizes)
+        : polygon_(polygon), sizes_(sizes) {}
+
+    std::vector<InterfaceNode> nodes() {
+        for (std::size_t k = 0; k < n(); ++k) plans_.push_back(plan_of(k));
+        sample();
+        grade(samples_);
+        std::vector<InterfaceNode> nodes;
+        for (std::size_t k = 0; k < n(); ++k) add_side(k, nodes);
+        set_radii(nodes);
+        return nodes;
+    }
+
+   private:
+    std::size_t n() const { return polygon_.size(); }
+    const Vec2& corner(std::size_t k) const { return polygon_[k % n()]; }
+    const CornerPlan& plan(std::size_t k) const { return plans_[k % n()]; }
+    Vec2 side(std::size_t k) const { return corner(k + 1) - corner(k); }
+
+    /// kChordPerGap times the least touching_width at a point of side k to sides that are not
+    /// beside it.
+    double size_of_gap(std::size_t k, const Vec2& p) const {
+        const Vec2 along = side(k).normalized();
+        const Vec2 normal(-along.y(), along.x());
+        double width = std::numeric_limits<double>::infinity();
+        for (std::size_t m = k + 2; m + 1 < k + n(); ++m) {
+            width = std::min(width, touching_width(p, normal, corner(m), corner(m + 1)));
+        }
+        return kChordPerGap * width;
+    }
+
+    CornerPlan plan_of(std::size_t k) const {
+        const Vec2 before = side(k + n() - 1);
+        const Vec2 after = side(k);
+        const double shorter = std::min(before.norm(), after.norm());
+        const double bound = std::min(
+            {shorter, size_of_gap(k, corner(k)), size_of_gap((k + n() - 1) % n(), corner(k))});
+        CornerPlan plan{sizes_.at(corner(k), bound), 0};
+        // The angle between the directions away from the corner.
+        const Vec2 p = -before.normalized();
+        const Vec2 q = after.normalized();
+        const double slope = std::sqrt(std::max(0.0, (1 - p.dot(q)) / (1 + p.dot(q))));
+        if (!(slope < kSharp)) return plan;
+        // The seed on the bisector lies a foot along both sides from the corner.
+        plan.slope = slope;
+        plan.shared_side = cross(before, after) > 0 ? 1 : -1;
+        const double excess = std::min(1.0, slope / 2 + 2 * slope * slope);
+        const double wide = std::max(1.0, std::sqrt((1 + slope * slope) / 2));
+        const double foot = std::min(plan.size / (2 * wide), kTipPerSide * shorter / (1 + excess));
+        plan.radius = foot * std::sqrt(1 + slope * slope);
+        plan.chord = foot * (1 + excess);
+        plan.next_radius = foot * std::sqrt(excess * excess + slope * slope);
+        return plan;
+    }
+
+    double size_on_side(std::size_t k, double from_start) const {
+        const double length = side(k).norm();
+        const Vec2 p = corner(k) + from_start / length * side(k);
+        double bound = size_of_gap(k, p);
+        const auto wedge = [&](const CornerPlan& plan, double from_tip) {
+            if (plan.shared_side == 0) return;
+            bound = std::min(bound, kChordPerWedge * plan.slope * std::max(from_tip, plan.chord));
+        };
+        wedge(plan(k), from_start);
+        wedge(plan(k + 1), length - from_start);
+        return sizes_.at(p, bound);
+    }
+
+    void sample() {
+        double start = 0;
+        for (std::size_t k = 0; k < n(); ++k) {
+            first_.push_back(samples_.size());
+            const double length = side(k).norm();
+            samples_.push_back({0, start, plan(k).size});
+            for (double at = 0; at < length;) {
+                const double step = samples_.back().size / kSamples;
+                at = at + step < length ? at + step : length;
+                const double size = at < length ? size_on_side(k, at) : plan(k + 1).size;
+                samples_.push_back({at, start + at, size});
+                sizes_.require_few(samples_.size());
+            }
+            start += length;
+        }
+        first_.push_back(samples_.size());
+    }
+
+    /// Adds the nodes from corner k up to the next corner, which is left out.
+    void add_side(std::size_t k, std::vector<InterfaceNode>& nodes) const {
+        const double length = side(k).norm();
+        const Vec2 along = side(k) / length;
+        const double from = plan(k).chord;
+        const double to = length - plan(k + 1).chord;
+        nodes.push_back({corner(k), plan(k).radius, plan(k).shared_side});
+        if (from > 0) nodes.push_back({corner(k) + from * along, plan(k).next_radius});
+        // Divide what is between the chords of sharp corners.
+        const std::vector<Sample> samples(samples_.begin() + static_cast<long>(first_[k]),
+                                          samples_.begin() + static_cast<long>(first_[k + 1]));
+        const std::vector<double> counts = chord_counts(samples);
+        const auto count = [&](std::size_t m) { return counts[m]; };
+        const auto place = [&](std::size_t m) { return samples[m].parameter; };
+        const double first = interpolated(from, samples, place, count);
+        const double last = interpolated(to, samples, place, count);
+        const double n_chords = std::max(1.0, std::ceil(last - first - kSpareChord));
+        for (double m = 1; m < n_chords; ++m) {
+            const double at =
+                interpolated(first + (last - first) * m / n_chords, samples, count, place);
+            nodes.push_back({corner(k) + at * along, 0});
+        }
+        if (to < length) nodes.push_back({corner(k) + to * along, plan(k + 1).next_radius});
+    }
+
+    const Polygon& polygon_;
+    const CurveSizes& sizes_;
+    std::vector<CornerPlan> plans_;
+    std::vector<Sample> samples_;
+    /// Of each side.
+    std::vector<std::size_t> first_;
+};
+
+}  // namespace
+
+double size_at(const std::vector<SizeLimit>& limits, const Vec2& p) {
+    double size = std::numeric_limits<double>::infinity();
+    for (const SizeLimit& limit : limits) {
+        const double beyond = (p - limit.point).norm() - kPlateau * limit.size;
+        size = std::min(size, limit.size + kGrading * std::max(0.0, beyond));
+    }
+    return size;
+}
+
+std::vector<InterfaceNode> interface_nodes(const InclusionSet& set, int k,
+                                           const InterfaceSizing& sizing) {
+    const CurveSizes sizes(set, k, sizing);
+    const Shape& shape = set[k].shape;
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) {
+        return PolygonNodes(*polygon, sizes).nodes();
+    }
+    const auto* circle = std::get_if<Circle>(&shape);
+    return ellipse_nodes(circle ? ellipse_axes(*circle) : ellipse_axes(std::get<Ellipse>(shape)),
+                         sizes);
+}
+
+}  // namespace pcvt
