@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "mesher/mesh/walled_mesh.hpp"
 
 namespace pcvt {
@@ -20,10 +22,13 @@ namespace pcvt {
 ///   (3) A vertex moves only if it lies on a removed edge.
 ///   (4) A vertex of k cells lies at the mean of the circumcentres of the k - 2 Delaunay triangles
 ///       that join their sites.
+///   (5) No vertex at which cells of different tags meet lies on a removed edge.
 ///
 /// @param cells     whole cells (`kVoronoi`).
 /// @param shortest  length units; 0 leaves the mesh as it is.
-PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest);
+/// @param tags      one for each face, of cells beside interfaces; empty: all cells are alike.
+PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest,
+                                 std::span<const int> tags = {});
 
 /// The same for a mesh between walls (mesh_between_walls()), as if its mirror images lost the same
 /// edges at the same time: vertices on walls stay there. The `opposite` of the result is empty.

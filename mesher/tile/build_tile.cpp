@@ -42,9 +42,10 @@ struct LaidOut {
     bool is_placed(int f) const { return between_walls.empty() || between_walls[f].has_value(); }
 };
 
-/// How far the outline moves vertices, length units.
+/// How far the outline moves vertices, length units. Interfaces stay where they are.
 double snap_distance(const TileOptions& options, double h) {
-    return options.kind == MeshKind::kGrains ? kGrainSnap * h : 0;
+    const bool moves = options.kind == MeshKind::kGrains && options.site_tags.empty();
+    return moves ? kGrainSnap * h : 0;
 }
 
 LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, const Vec2& corner, double h,
@@ -163,7 +164,11 @@ PeriodicMesh without_shortest(PeriodicMesh cells, const TileOptions& options, do
     if (!(shortest > 0)) return cells;
     // Cells of grains keep the number of sides that they had before.
     if (options.kind == MeshKind::kGrains) cells.whole_sides = cell_sides(cells);
-    return without_short_edges(cells, shortest * h);
+    std::vector<int> tags;
+    if (!options.site_tags.empty()) {
+        for (const SiteId s : cells.site) tags.push_back(options.site_tags[s]);
+    }
+    return without_short_edges(cells, shortest * h, tags);
 }
 
 /// The cells or triangles of one domain.

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mesher/delaunay/periodic_delaunay.hpp"
@@ -39,6 +40,9 @@ struct TileOptions {
     /// of the domain. Excludes weights, elongation, finds_origin, copies across walls, and an
     /// origin off the walls.
     std::optional<WalledDomain> walled = {};
+    /// Of cells beside interfaces: a tag for each site. Edges with an end where cells of different
+    /// tags meet are not removed. Empty: all cells are alike. Excludes weights and walls.
+    std::span<const int> site_tags = {};
     /// Called now and then with the share that is done, about, from 0 to 1; what it throws ends the
     /// building.
     std::function<void(double)> progress = {};
