@@ -9,6 +9,7 @@
 #include "io/run_files/area_reader.hpp"
 #include "io/run_files/density_expression.hpp"
 #include "io/run_files/density_image.hpp"
+#include "io/run_files/inclusion_reader.hpp"
 #include "io/run_files/orientation_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
@@ -17,6 +18,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
+#include "mesher/interfaces/inclusion_set.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/proof/generated_tile.hpp"
 #include "mesher/tile/build_tile.hpp"
@@ -171,6 +173,18 @@ std::vector<std::string> area_seeds() {
     return {"1\n2.5 # comment\n\n3e-1\r\n", "diameter\n1\n\t2\n"};
 }
 
+void read_inclusion_text(const std::string& bytes) {
+    const InclusionFile file = parse_inclusions("inclusions.txt", bytes);
+    InclusionSet(Lattice({1, 0}, {0.3, 0.9}), file.inclusions);
+}
+
+std::vector<std::string> inclusion_seeds() {
+    return {
+        "# shapes\ncircle a 0.1 0.9 0.2\r\nellipse b 0.5 0.4 0.2 1e-1 30\n"
+        "polygon a 0.7,0.1 0.8 0.1 0.75 0.2\n",
+        "polygon c 0.7 0.1 0.8 0.1 0.75 0.2 0.72 0.15\ncircle d 0 0 .1\n"};
+}
+
 void read_angles(const std::string& bytes) { parse_orientations("angles.txt", bytes); }
 
 std::vector<std::string> angle_seeds() { return {"# angles\n10 20 30\r\n-0.5,90,\t360\n"}; }
@@ -257,6 +271,7 @@ std::vector<FuzzTarget> make_targets() {
     targets.push_back({"material", read_materials, material_seeds});
     targets.push_back({"areas", read_areas_text, area_seeds});
     targets.push_back({"angles", read_angles, angle_seeds});
+    targets.push_back({"inclusions", read_inclusion_text, inclusion_seeds});
     targets.push_back({"txt", read_site_text, site_seeds});
     targets.push_back({"csv", read_csv, csv_seeds});
     targets.push_back({"png", read_png, png_seeds});

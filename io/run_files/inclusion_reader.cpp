@@ -1,0 +1,118 @@
+#include "io/run_files/inclusion_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "io/bytes/input_file.hpp"
+#include "io/bytes/text.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/materials/phase_fractions.hpp"
+
+namespace pcvt {
+namespace {
+
+using Numbers = std::span<const double>;
+
+Shape circle(Numbers x) { return Circle{{x[0], x[1]}, x[2]}; }
+
+Shape ellipse(Numbers x) { return Ellipse{{x[0], x[1]}, x[2], x[3], x[4]}; }
+
+Shape polygon(Numbers x) {
+    Polygon corners;
+    for (std::size_t k = 0; k + 1 < x.size(); k += 2) corners.emplace_back(x[k], x[k + 1]);
+    return corners;
+}
+
+/// One kind of shape in a file.
+struct ShapeRow {
+    const char* word;
+    const char* article;
+    /// What follows the tag, for messages.
+    const char* form;
+    std::size_t fewest;
+    /// With more than `fewest`, there may be any number of pairs.
+    bool takes_more_pairs;
+    Shape (*make)(Numbers);
+};
+
+constexpr std::array kShapes{
+    ShapeRow{"circle", "a ", "x y r", 3, false, circle},
+    ShapeRow{"ellipse", "an ", "x y a b degrees", 5, false, ellipse},
+    ShapeRow{"polygon", "a ", "x1 y1 x2 y2 x3 y3 ...", 6, true, polygon},
+};
+
+constexpr const char* kForms =
+    "write \"circle TAG x y r\", \"ellipse TAG x y a b degrees\" or \"polygon TAG x1 y1 x2 y2 x3 "
+    "y3 ...\"";
+
+const ShapeRow& shape_row(const LineScanner& scanner, std::string_view word) {
+    for (const ShapeRow& row : kShapes) {
+        if (row.word == word) return row;
+    }
+    scanner.throw_bad_file(in_quotes(word) + " is no shape; " + kForms);
+}
+
+/// The number of a tag, which counts from 1 and is added to `tags` if it is new.
+int tag_number(const LineScanner& scanner, std::string_view word, std::vector<std::string>& tags) {
+    const auto known = std::find(tags.begin(), tags.end(), word);
+    const auto number = static_cast<int>(known - tags.begin()) + 1;
+    if (known != tags.end()) return number;
+    try {
+        require_phase_names({kMatrixTag, std::string(word)});
+    } catch (const InvalidInput& fault) {
+        scanner.throw_bad_file("the tag " + in_quotes(word) + ": " + fault.what());
+    }
+    tags.emplace_back(word);
+    return number;
+}
+
+/// Requires that the tags differ by more than their case, and are not too many.
+void require_distinct_tags(const std::string& name, const std::vector<std::string>& tags) {
+    try {
+        require_phase_names(tags);
+    } catch (const InvalidInput& fault) {
+        throw BadFile(name + ": " + fault.what());
+    }
+}
+
+Shape parse_shape(const LineScanner& scanner, const ShapeRow& row,
+                  std::span<const std::string_view> words) {
+    const bool fits = row.takes_more_pairs
+                          ? words.size() >= row.fewest && words.size() % 2 == row.fewest % 2
+                          : words.size() == row.fewest;
+    if (!fits) {
+        scanner.throw_bad_file(std::string(row.article) + row.word + " has not " +
+                               std::to_string(words.size()) + " numbers; write \"" + row.word +
+                               " TAG " + row.form + "\"");
+    }
+    std::vector<double> numbers;
+    for (const std::string_view word : words) numbers.push_back(scanner.number(word));
+    return row.make(numbers);
+}
+
+}  // namespace
+
+InclusionFile parse_inclusions(const std::string& name, std::string_view text) {
+    refuse_binary(name, text, "give a text with one inclusion a line");
+    LineScanner scanner(name, text);
+    InclusionFile file{.name = name, .inclusions = {}, .tags = {}};
+    while (scanner.next()) {
+        const std::vector<std::string_view> words = scanner.words_before_comment();
+        if (words.empty()) continue;
+        const ShapeRow& row = shape_row(scanner, words[0]);
+        if (words.size() < 2) scanner.throw_bad_file(std::string("a tag is missing; ") + kForms);
+        const int tag = tag_number(scanner, words[1], file.tags);
+        Shape shape = parse_shape(scanner, row, std::span(words).subspan(2));
+        file.inclusions.push_back({.shape = std::move(shape), .tag = tag, .line = scanner.line()});
+    }
+    if (file.inclusions.empty()) throw BadFile(name + ": holds no inclusion; " + kForms);
+    require_distinct_tags(name, file.tags);
+    return file;
+}
+
+InclusionFile read_inclusions(const std::string& path) {
+    return parse_inclusions(path, read_whole_file(path, kSiteInput));
+}
+
+}  // namespace pcvt

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesher/interfaces/inclusion.hpp"
+
+namespace pcvt {
+
+/// The tag of the cells that lie in no inclusion.
+inline constexpr const char* kMatrixTag = "matrix";
+
+/// The inclusions in a text file.
+///
+/// Example usage:
+///     const InclusionFile file = read_inclusions("fibres.txt");
+///     const InclusionSet set(lattice, file.inclusions);
+///     const std::string& material = file.tags[file.inclusions[0].tag - 1];
+struct InclusionFile {
+    /// The file's name, for messages and reports.
+    std::string name;
+    /// Inclusion::line counts from 1.
+    std::vector<Inclusion> inclusions;
+    /// The words of the tags 1, 2, ... in the order in which they first occur.
+    std::vector<std::string> tags;
+};
+
+/// Reads one inclusion a line; lengths are those of the period vectors:
+///
+///   circle TAG x y r
+///   ellipse TAG x y a b degrees       the semi-axis a lies at so many degrees from x
+///   polygon TAG x1 y1 x2 y2 x3 y3 ...
+///
+/// A tag consists of letters, digits, _ and -, and is not `matrix`. Accepts blank lines, comments
+/// after a #, CRLF, a byte order mark and tabs.
+/// @throws BadFile with the line for any other text, and for a text without an inclusion.
+InclusionFile parse_inclusions(const std::string& name, std::string_view text);
+
+/// Reads a regular file. @throws BadFile, LimitExceeded
+InclusionFile read_inclusions(const std::string& path);
+
+}  // namespace pcvt

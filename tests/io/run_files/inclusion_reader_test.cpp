@@ -1,0 +1,68 @@
+#include "io/run_files/inclusion_reader.hpp"
+
+#include <gmock/gmock.h>
+
+#include "io/bytes/bad_file.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string fault_of(std::string_view text) {
+    try {
+        parse_inclusions("i.txt", text);
+    } catch (const BadFile& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+TEST(InclusionReader, ShapesTagsAndLinesAreRead) {
+    const InclusionFile file = parse_inclusions(
+        "i.txt",
+        "# head\ncircle glass 0.5 -0.25 1e-1\r\n\nellipse carbon 1 2 0.3 0.2 45 # tail\n"
+        "polygon glass 0 0 1 0 0.5 1\n");
+    EXPECT_THAT(file.tags, ElementsAre("glass", "carbon"));
+    ASSERT_EQ(file.inclusions.size(), 3U);
+    const auto& circle = std::get<Circle>(file.inclusions[0].shape);
+    EXPECT_EQ(circle.centre, Vec2(0.5, -0.25));
+    EXPECT_EQ(circle.radius, 0.1);
+    const auto& ellipse = std::get<Ellipse>(file.inclusions[1].shape);
+    EXPECT_EQ(ellipse.centre, Vec2(1, 2));
+    EXPECT_THAT((std::array{ellipse.a, ellipse.b, ellipse.degrees}), ElementsAre(0.3, 0.2, 45));
+    EXPECT_THAT(std::get<Polygon>(file.inclusions[2].shape),
+                ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1)));
+    std::vector<int> tags;
+    std::vector<int> lines;
+    for (const Inclusion& inclusion : file.inclusions) {
+        tags.push_back(inclusion.tag);
+        lines.push_back(inclusion.line);
+    }
+    EXPECT_THAT(tags, ElementsAre(1, 2, 1));
+    EXPECT_THAT(lines, ElementsAre(2, 4, 5));
+}
+
+TEST(InclusionReader, EachFaultNamesItsLineAndARemedy) {
+    EXPECT_THAT(fault_of("# a\nsquare a 1 2 3\n"),
+                StartsWith("i.txt:2: 'square' is no shape; write \"circle TAG x y r\""));
+    EXPECT_THAT(fault_of("circle\n"), StartsWith("i.txt:1: a tag is missing; write"));
+    EXPECT_EQ(fault_of("circle a 1 2\n"),
+              "i.txt:1: a circle has not 2 numbers; write \"circle TAG x y r\"");
+    EXPECT_THAT(fault_of("ellipse a 1 2 3 4 5 6\n"), HasSubstr("an ellipse has not 6 numbers"));
+    for (const char* numbers : {"", "0 0 1 0", "0 0 1 0 1", "0 0 1 0 1 1 2"}) {
+        EXPECT_THAT(fault_of("polygon a " + std::string(numbers)),
+                    HasSubstr("write \"polygon TAG x1 y1 x2 y2 x3 y3 ...\""));
+    }
+    EXPECT_THAT(fault_of("circle a 1 2 r\n"), StartsWith("i.txt:1: 'r' is not a number"));
+    EXPECT_THAT(fault_of("circle a! 1 2 3\n"), StartsWith("i.txt:1: the tag 'a!': "));
+    EXPECT_THAT(fault_of("circle Matrix 1 2 3\n"), StartsWith("i.txt:1: the tag 'Matrix': "));
+    EXPECT_THAT(fault_of("circle a 1 2 3\ncircle A 1 2 3\n"), HasSubstr("case does not matter"));
+    EXPECT_THAT(fault_of("# nothing\n"), StartsWith("i.txt: holds no inclusion; write"));
+    EXPECT_THAT(fault_of(std::string_view("circle\0a", 8)), HasSubstr("binary"));
+}
+
+}  // namespace
+}  // namespace pcvt
