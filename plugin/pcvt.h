@@ -231,6 +231,17 @@ typedef struct pcvt_options {
     int32_t wall_cells; /**< PCVT_WALL_CELLS_...; Delaunay triangles need halves
                            [PCVT_WALL_CELLS_WHOLE] */
     int32_t reserved2;
+    const char* inclusions; /**< shapes whose outlines no cell crosses, one a line: "circle TAG x y
+                               r", "ellipse TAG x y a b DEGREES" or "polygon TAG x1 y1 x2 y2 ...";
+                               images are implied; the tags are the phases of the cells, after
+                               "matrix"; excludes `sites`, phases, areas, aspect, symmetry, walls
+                               and starts other than PCVT_START_RANDOM [NULL] */
+    const double* fixed_sites; /**< n_fixed_sites pairs x, y that stay where they are; they are the
+                                  first of n_sites, the others are drawn; excludes `sites`, areas,
+                                  symmetry, walls, inclusions and starts other than
+                                  PCVT_START_RANDOM [NULL] */
+    int32_t n_fixed_sites;     /**< at most n_sites; 0 where `fixed_sites` is NULL [0] */
+    int32_t reserved3;
 } pcvt_options;
 
 /** The optimised sites. */

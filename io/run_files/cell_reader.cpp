@@ -109,9 +109,10 @@ bool is_row_of(const RowScanner& scanner, const CellRows& rows, SiteId s) {
     row.number(cells.equivalent_diameter(s));
     row.number(cells.n_sides(s));
     row.number(cells.circularity(s));
-    const bool has_phase = !materials.site_phase.empty();
-    row.text(has_phase ? materials.phase_names[materials.site_phase[s]] : std::string());
-    row.text("");
+    const std::string phase =
+        materials.site_phase.empty() ? "" : materials.phase_names[materials.site_phase[s]];
+    row.text(phase);
+    row.text(rows.phases_are_tags ? phase : "");
     if (materials.site_orientation.empty()) {
         for (int k = 0; k < 3; ++k) row.text("");
     } else {

@@ -33,9 +33,9 @@ std::string encode_cells(const CellRows& rows) {
         append(cells.equivalent_diameter(s));
         append(cells.n_sides(s));
         append(cells.circularity(s));
-        if (!materials.site_phase.empty()) text += materials.phase_names[materials.site_phase[s]];
-        // No tag.
-        text += ",,";
+        const std::string phase =
+            materials.site_phase.empty() ? "" : materials.phase_names[materials.site_phase[s]];
+        text += phase + ',' + (rows.phases_are_tags ? phase : "") + ',';
         if (materials.site_orientation.empty()) {
             text += ",,,";
         } else {

@@ -17,6 +17,8 @@ struct CellRows {
     /// length^2, one a site; empty without weights.
     Eigen::VectorXd weights = {};
     CellMaterials materials = {};
+    /// Whether the phases are the tags of inclusions.
+    bool phases_are_tags = false;
     /// The orbit of each site under the symmetry of the run; empty without one.
     std::vector<int> orbits = {};
 };

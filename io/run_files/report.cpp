@@ -96,6 +96,14 @@ std::string word(const Report::Symmetry& symmetry) {
            ", \"orbits\": " + std::to_string(symmetry.orbits) + "}";
 }
 
+std::string word(const Report::Inclusions& inclusions) {
+    return "{\"file\": " + word(inclusions.name) +
+           ", \"shapes\": " + std::to_string(inclusions.shapes) +
+           ", \"chords\": " + std::to_string(inclusions.chords) +
+           ", \"fixed_sites\": " + std::to_string(inclusions.fixed_sites) +
+           ", \"held_sites\": " + std::to_string(inclusions.held_sites) + "}";
+}
+
 std::string word(const Report::Walls& walls) {
     return "{\"sides\": " + word(walls.sides) + ", \"cells\": " + word(walls.cells) +
            ", \"sites\": " + std::to_string(walls.sites) + "}";
@@ -157,6 +165,7 @@ std::string encode_report(const Report& report) {
     if (report.areas) entries.emplace_back("areas", word(*report.areas));
     if (report.aspect) entries.emplace_back("aspect", word(*report.aspect));
     if (report.symmetry) entries.emplace_back("symmetry", word(*report.symmetry));
+    if (report.inclusions) entries.emplace_back("inclusions", word(*report.inclusions));
     if (report.walls) entries.emplace_back("walls", word(*report.walls));
     if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
     // One key per line.

@@ -95,6 +95,15 @@ struct Report {
         int orbits;
     };
 
+    /// The file of the inclusions, the number of shapes, of the chords that replace their outlines,
+    /// of the sites beside them, and of those that they stopped.
+    struct Inclusions {
+        std::string name;
+        int shapes;
+        int chords;
+        int fixed_sites;
+        int held_sites;
+    };
     /// The sides that are walls, the cells beside them, and the number of sites on them.
     struct Walls {
         std::string sides;
@@ -151,6 +160,7 @@ struct Report {
     /// Runs without a symmetry, without walls, or without phases, leave these keys out.
     std::optional<Symmetry> symmetry = {};
     std::optional<Walls> walls = {};
+    std::optional<Inclusions> inclusions = {};
     std::vector<Phase> phases = {};
 };
 

@@ -181,15 +181,30 @@ MaterialChoices materials(const pcvt_options& options) {
     return choices;
 }
 
-Points given_sites(const pcvt_options& options) {
-    if (options.sites == nullptr) return Points(2, 0);
-    const Eigen::Map<const Points> sites(options.sites, 2, options.n_sites);
-    for (Eigen::Index s = 0; s < sites.cols(); ++s) {
-        if (!sites.col(s).allFinite()) {
-            throw InvalidInput("site " + std::to_string(s) + " is not finite; give finite numbers");
+/// @param name  of one of them in messages.
+Points finite_points(const std::string& name, const double* numbers, std::int32_t n) {
+    if (n < 0) throw InvalidInput("the number of sites is negative; take 0 or more");
+    const Eigen::Map<const Points> points(numbers, 2, n);
+    for (Eigen::Index s = 0; s < n; ++s) {
+        if (!points.col(s).allFinite()) {
+            throw InvalidInput(name + " " + std::to_string(s) +
+                               " is not finite; give finite numbers");
         }
     }
-    return sites;
+    return points;
+}
+
+Points given_sites(const pcvt_options& options) {
+    if (options.sites == nullptr) return Points(2, 0);
+    return finite_points("site", options.sites, options.n_sites);
+}
+
+Points fixed_sites(const pcvt_options& options) {
+    if (options.fixed_sites != nullptr) {
+        return finite_points("fixed site", options.fixed_sites, options.n_fixed_sites);
+    }
+    if (options.n_fixed_sites == 0) return Points(2, 0);
+    throw InvalidInput("n_fixed_sites is not 0, but fixed_sites is a null pointer; give both");
 }
 
 }  // namespace
@@ -313,6 +328,10 @@ Job make_job(const pcvt_options& options) {
     job.walls = chosen_row("walls", options.walls, kWalls).walls;
     job.wall_cells = chosen_row("wall_cells", options.wall_cells, kWallCells).cells;
     job.materials = materials(options);
+    job.fixed = fixed_sites(options);
+    if (options.inclusions != nullptr) {
+        job.inclusions = parse_inclusions("inclusions", options.inclusions);
+    }
     return job;
 }
 

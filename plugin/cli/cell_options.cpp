@@ -7,6 +7,8 @@
 
 #include "io/bytes/text.hpp"
 #include "io/run_files/area_reader.hpp"
+#include "io/run_files/inclusion_reader.hpp"
+#include "io/run_files/site_reader.hpp"
 #include "mesher/areas/target_areas.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/options/option_values.hpp"
@@ -95,6 +97,13 @@ void add_cell_options(CLI::App& app, CellOptions& options) {
         "and H, xy all round");
     add("--wall-cells", options.wall_cells, "whole|half",
         "cells beside walls: whole, or half, whose sites lie on the wall\n[whole]");
+    add("--fixed", options.fixed, "FILE",
+        "sites that stay where they are, \"x y\" a line; --sites counts them\n"
+        "too, and the others are drawn");
+    add("--inclusions", options.inclusions, "FILE",
+        "shapes whose outlines no cell crosses, one a line: circle TAG x y r,\n"
+        "ellipse TAG x y a b DEGREES, polygon TAG x1 y1 x2 y2 ...; images are\n"
+        "implied; the tags are the phases of the cells");
 }
 
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
@@ -108,6 +117,14 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     }
     if (app.count("--wall-cells") > 0) {
         job.wall_cells = chosen_row("--wall-cells", options.wall_cells, kWallCells).cells;
+    }
+    if (app.count("--fixed") > 0) {
+        job.fixed = read_sites(options.fixed).points;
+        job.inputs.push_back(options.fixed);
+    }
+    if (app.count("--inclusions") > 0) {
+        job.inclusions = read_inclusions(options.inclusions);
+        job.inputs.push_back(options.inclusions);
     }
     read_density(app, options, job);
 }

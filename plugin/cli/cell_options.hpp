@@ -20,6 +20,8 @@ struct CellOptions {
     std::string aspect;
     std::string walls;
     std::string wall_cells;
+    std::string fixed;
+    std::string inclusions;
 };
 
 /// Adds the options to `app`; parsing fills `options`.

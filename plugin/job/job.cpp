@@ -10,6 +10,7 @@
 #include "mesher/mesh/valence.hpp"
 #include "mesher/symmetry/folded_density.hpp"
 #include "plugin/job/job_checks.hpp"
+#include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_report.hpp"
@@ -67,6 +68,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     if (cells.areas) summary.areas = area_summary(cells);
     summary.n_orbits = cells.n_orbits();
     if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
+    summary.interfaces = cells.interfaces;
     summary.phases = computation.phases;
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
@@ -123,6 +125,13 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
 void add_materials(const Job& job, Computation& computation) {
     const CellTable cells = cell_table(plane_mesh(computation.cells, MeshKind::kVoronoi));
     computation.materials = choose_materials(job.materials, cells, job.seed);
+    if (job.inclusions) {
+        CellMaterials tags = tag_materials(*job.inclusions, computation.cells);
+        computation.phases = tag_figures(job, tags, cells);
+        computation.materials.phase_names = std::move(tags.phase_names);
+        computation.materials.site_phase = std::move(tags.site_phase);
+        return;
+    }
     computation.phases = phase_figures(job.materials, computation.materials, cells);
 }
 
@@ -149,7 +158,7 @@ Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
     Computation computation{.cells = std::move(cells),
                             .start = std::move(start.figures),
                             .site_densities = std::move(densities)};
-    if (!job.materials.empty()) add_materials(job, computation);
+    if (!job.materials.empty() || job.inclusions) add_materials(job, computation);
     watch.stop(&JobSeconds::build);
     computation.seconds = watch.seconds();
     return computation;

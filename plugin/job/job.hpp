@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/areas/target_areas.hpp"
 #include "mesher/base/error.hpp"
@@ -94,6 +95,14 @@ struct Job {
     /// copies across walls.
     Walls walls = Walls::kNone;
     WallCells wall_cells = WallCells::kWhole;
+    /// Sites that stay where they are, 2 x k, length units; they are the first k of the n_sites,
+    /// and the others are drawn. Excludes given sites, areas, symmetry, walls, inclusions, the
+    /// stability, and starts that are not random.
+    Points fixed;
+    /// Inclusions, of which each cell lies inside or outside; their tags are the phases of the
+    /// cells. Some of the sites are placed in pairs along the outlines. Excludes given sites, other
+    /// phases, areas, aspect, symmetry, walls, the stability, and starts that are not random.
+    std::optional<InclusionFile> inclusions;
 
     /// Voronoi edges shorter than this are removed from cells and grains, units of h. 0: none,
     /// except the shortest ones of grains (mesher/grains/grains.hpp).
@@ -195,6 +204,8 @@ struct RunSummary {
     int n_orbits = 0;
     /// Of jobs with walls: the sites that lie on them.
     int n_on_walls = 0;
+    /// Of jobs with inclusions.
+    std::optional<InterfaceFigures> interfaces;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;
     /// One entry for each mesh of the job.

@@ -6,6 +6,7 @@
 
 #include "mesher/base/choices.hpp"
 #include "mesher/symmetry/special_positions.hpp"
+#include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_start.hpp"
 
 namespace pcvt {
@@ -265,7 +266,8 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
     if (colouring && colouring_row(*colouring).needs_density && !job.density) {
         throw InvalidInput("there is no density to show in colours; give one, or colour by size");
     }
-    if (colouring && colouring_row(*colouring).needs_phases && job.materials.phases.empty()) {
+    if (colouring && colouring_row(*colouring).needs_phases && job.materials.phases.empty() &&
+        !job.inclusions) {
         throw InvalidInput("there are no phases to show in colours; give some, or colour by size");
     }
     if (colouring && colouring_row(*colouring).needs_orbits && !job.symmetry) {
@@ -323,6 +325,7 @@ void check_job(const Job& job) {
     if (n < 1) throw InvalidInput("no sites; give at least one");
     check_symmetry(job);
     check_walls(job);
+    check_constraints(job);
     if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
     if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
         throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");

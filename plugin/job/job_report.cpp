@@ -94,6 +94,16 @@ std::optional<Report::Walls> report_walls(const Job& job, const RunSummary& summ
                          summary.n_on_walls};
 }
 
+std::optional<Report::Inclusions> report_inclusions(const Job& job, const RunSummary& summary) {
+    if (!summary.interfaces) return std::nullopt;
+    const InterfaceFigures& figures = *summary.interfaces;
+    return Report::Inclusions{.name = job.inclusions->name,
+                              .shapes = static_cast<int>(job.inclusions->inclusions.size()),
+                              .chords = figures.n_chords,
+                              .fixed_sites = figures.n_fixed,
+                              .held_sites = figures.n_held};
+}
+
 std::vector<Report::Phase> report_phases(const RunSummary& summary) {
     std::vector<Report::Phase> phases;
     for (const PhaseFigures& phase : summary.phases) {
@@ -138,6 +148,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .aspect = report_aspect(job),
         .symmetry = report_symmetry(job, summary),
         .walls = report_walls(job, summary),
+        .inclusions = report_inclusions(job, summary),
         .phases = report_phases(summary),
     });
 }

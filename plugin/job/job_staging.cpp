@@ -59,6 +59,7 @@ class FileEncoder {
                 .cells = cell_table(plane_mesh(result_.cells, MeshKind::kVoronoi)),
                 .weights = result_.cells.delaunay.weights(),
                 .materials = materials(),
+                .phases_are_tags = job_.inclusions.has_value(),
                 .orbits = result_.cells.site_orbits};
     }
     FileOptions tile_options() const {
@@ -66,6 +67,8 @@ class FileEncoder {
         options.site_densities = result_.site_densities;
         options.site_orbits = result_.cells.site_orbits;
         if (!tile_materials().empty()) options.materials = &tile_materials();
+        // The materials and groups of files are the tags.
+        if (job_.inclusions && !options.colouring) options.colouring = Colouring::kPhase;
         return options;
     }
     const CellMaterials& materials() const { return result_.materials; }

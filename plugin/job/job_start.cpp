@@ -100,9 +100,25 @@ SymmetricSites symmetric_start(const Job& job) {
     return numbered_by_columns(random_sites(group, plan, job.seed, density));
 }
 
+/// The fixed sites, then random ones.
+JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callback) {
+    Job others = job;
+    others.n_sites -= static_cast<int>(job.fixed.cols());
+    JobStart start;
+    if (others.n_sites > 0) start = random_start(others, callback);
+    Points points(2, job.n_sites);
+    points.leftCols(job.fixed.cols()) = job.fixed;
+    points.rightCols(others.n_sites) = start.points;
+    start.points = std::move(points);
+    start.numbering = Numbering::kAsGiven;
+    return start;
+}
+
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
-    if (job.symmetry || job.walls != Walls::kNone) return Start::kRandom;
+    const bool is_free =
+        !job.symmetry && job.walls == Walls::kNone && !job.inclusions && job.fixed.cols() == 0;
+    if (!is_free) return Start::kRandom;
     // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
     // cells know nothing of prescribed areas.
     const bool alike = !job.density && !job.areas;
@@ -119,7 +135,11 @@ const StartRow& start_row(Start start) { return kStarts[static_cast<std::size_t>
 JobStart job_start(const Job& job, const ProgressCallback& callback) {
     Eigen::VectorXd areas = target_areas(job);
     JobStart start;
-    if (job.symmetry) {
+    if (job.inclusions) {
+        start.numbering = Numbering::kAsGiven;
+    } else if (job.fixed.cols() > 0) {
+        start = start_after_fixed_sites(job, callback);
+    } else if (job.symmetry) {
         start.symmetric = symmetric_start(job);
     } else if (job.points.cols() > 0) {
         start.points = job.points;

@@ -23,6 +23,7 @@ BuiltTile built_tile(const Job& job, const Tessellation& cells, MeshKind kind,
                                        .finds_origin = job.finds_origin,
                                        .elongation = cells.elongation,
                                        .walled = cells.walled,
+                                       .site_tags = cells.site_tags,
                                        .progress = progress});
 }
 

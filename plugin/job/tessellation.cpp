@@ -13,6 +13,7 @@
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/mesh/walled_mesh.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_start.hpp"
 
 namespace pcvt {
@@ -39,11 +40,14 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
     options.n_threads = job.n_threads;
     options.numbering = start.numbering;
     options.density = job.density;
+    options.fixed.resize(static_cast<std::size_t>(job.fixed.cols()));
+    std::iota(options.fixed.begin(), options.fixed.end(), 0);
     options.progress = [&, first = true](const Progress& progress) mutable {
         // The first call comes once the first triangulation is built and evaluated.
         if (std::exchange(first, false)) built();
         return monitor.iteration(progress);
     };
+    if (job.inclusions) return compute_cells_with_inclusions(job, options);
     if (job.walls != Walls::kNone) {
         WalledCvt walled = compute_walled_cvt(job.lattice, job.walls, job.wall_cells,
                                               std::move(start.points), options);
@@ -105,6 +109,7 @@ Job in_round_space(const Job& job, const Metric& metric) {
     Job round = job;
     round.lattice = metric.to_round(job.lattice);
     round.points = metric.to_round(job.points);
+    round.fixed = metric.to_round(job.fixed);
     if (job.density) round.density = fixed_to_lattice(*job.density, job.lattice);
     return round;
 }

@@ -18,6 +18,15 @@ struct Job;
 struct JobStart;
 class JobMonitor;
 
+/// The numbers of a run with inclusions.
+struct InterfaceFigures {
+    int n_chords = 0;
+    /// Sites in pairs beside the chords, which do not move.
+    int n_fixed = 0;
+    /// Sites that ended at a circle round the end of a chord, where they would have moved on.
+    int n_held = 0;
+};
+
 /// The tessellation of a run: Voronoi cells, or power cells of prescribed areas, in the plane or in
 /// a metric. Meshes and positions that follow from it lie in the plane of the user.
 ///
@@ -42,6 +51,9 @@ struct Tessellation {
     /// Of a run with a symmetry: the orbit of each site. Orbits are counted from 0 in the order of
     /// their first sites.
     std::vector<int> site_orbits = {};
+    /// Of a run with inclusions: the tag of each site, 0 for the matrix.
+    std::vector<int> site_tags = {};
+    std::optional<InterfaceFigures> interfaces = {};
 
     /// That of the user.
     const Lattice& lattice() const {

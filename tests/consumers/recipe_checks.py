@@ -88,6 +88,13 @@ def check_stresses(folder, _):
     require(1 / 0.73 < mean < 3.7, f"the mean conductivity is {mean}")
 
 
+def check_fibres(folder, _):
+    require_files(folder, "shapes.svg", "shapes.obj")
+    require({"phase_fibre", "phase_carbon", "phase_steel"} <= set(re.findall(
+        r"^usemtl (\S+)$", (folder / "shapes.obj").read_text(), re.M)), "a tag has no material")
+    require_near(float((folder / "mean.txt").read_text().split()[-1]), 3.080, 1e-3, "the mean conductivity")
+
+
 def count_boundary(folder):
     """Returns the numbers of points of tile.vtu, and of those that are an image of another one."""
     text = (folder / "tile.vtu").read_text()
@@ -228,6 +235,7 @@ ROWS = {
     ("Samples", "Materials"): Row(check_grains),
     ("Samples", "CalculiX and Abaqus"): Row(check_calculix, programs=("ccx",)),
     ("Samples", "A law of grain sizes"): Row(check_sizes),
+    ("Samples", "Fibres and other inclusions"): Row(check_fibres, programs=("gmsh", "getdp")),
     ("Samples", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx", "gmsh", "getdp")),
     ("Samples", "Gmsh"): Row(check_gmsh, modules=("gmsh",)),
     ("Samples", "GetDP"): Row(check_getdp, programs=("gmsh", "getdp")),

@@ -146,6 +146,30 @@ def _set_materials(options, phases, orientations):
     return array
 
 
+def _set_fixed(options, fixed):
+    """Returns the array that must stay alive as long as the options are used, or None."""
+    if fixed is None:
+        return None
+    points = _doubles("fixed", fixed, len(fixed), 2)
+    _set_integers(options, n_fixed_sites=len(points))
+    options.fixed_sites = points.ctypes.data
+    return points
+
+
+def _shape_line(shape):
+    """The line of a shape: (word, tag, numbers...), or (word, tag, array of corners)."""
+    word, tag, *numbers = shape
+    return f"{word} {tag} " + " ".join(repr(float(x)) for part in numbers for x in np.ravel(part))
+
+
+def _set_inclusions(options, inclusions):
+    if inclusions is None:
+        return
+    if not isinstance(inclusions, str):
+        inclusions = "\n".join(map(_shape_line, inclusions))
+    options.inclusions = _text("inclusions", inclusions)
+
+
 def _set_functions(options, density, callbacks):
     options.progress = _library.ProgressCallback(callbacks.show_progress)
     if callable(density):
@@ -158,7 +182,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, aspect=1.0, phases=None,
-         orientations=None, symmetry=None, walls="none", wall_cells="whole"):
+         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -197,6 +221,12 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     pgg, cmm, p4, p4m, p4g, p3, p3m1, p31m, p6 or p6m; sites counts those of one period
     walls           straight walls at 0 and at the period in place of periods: x (across x), y, xy, none
     wall_cells      cells beside walls: whole, or half, whose sites lie on the wall; triangles need half
+    fixed           sites that stay where they are, shape (k, 2): the first k of the sites; the others are
+                    drawn
+    inclusions      shapes whose outlines no cell crosses, which may cross the sides of the domain:
+                    ("circle", tag, x, y, r), ("ellipse", tag, x, y, a, b, degrees) or ("polygon", tag,
+                    corners of shape (k, 2)) each; or text with one a line. The tags become the
+                    phases of the cells, after "matrix". See Result.phases
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -208,6 +238,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     # Alive while the library reads them.
     _points, _areas = _set_sites(options, sites), _set_areas(options, areas)
     _angles = _set_materials(options, phases, orientations)
+    _fixed = _set_fixed(options, fixed)
+    _set_inclusions(options, inclusions)
     columns, rows = repeat
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "mesher/cvt/cvt.hpp"
+#include "mesher/mesh/cell_table.hpp"
+#include "plugin/job/job.hpp"
+
+namespace pcvt {
+
+/// Checks the fixed sites and the inclusions of a job, if it has some, alone and against its other
+/// choices.
+/// @throws InvalidInput naming the file and the line of a shape.
+void check_constraints(const Job& job);
+
+/// Computes cells of which each lies inside of an inclusion or outside of all, and proves that.
+///
+/// Example usage:
+///     if (job.inclusions) return compute_cells_with_inclusions(job, options);
+///
+/// @param options  as compute_interface_cvt() takes them.
+/// @throws InvalidInput  there are too few sites for the shapes.
+/// @throws InternalError  an outline is no edge of the cells: a fault of pcvt.
+Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options);
+
+/// The tags of a run with inclusions as the phases of its cells, in the order matrix, 1, 2, ...
+CellMaterials tag_materials(const InclusionFile& inclusions, const Tessellation& cells);
+
+/// One entry a tag; wanted are the areas of the shapes.
+std::vector<PhaseFigures> tag_figures(const Job& job, const CellMaterials& materials,
+                                      const CellTable& cells);
+
+}  // namespace pcvt

@@ -1,0 +1,62 @@
+"""Inclusions and fixed sites in Python: areas by tag, the two forms of shapes, positions, and refusals."""
+
+import math
+import unittest
+
+from support.cli import main
+from support.python_package import pcvt
+
+import numpy as np
+
+CORNERS = np.array([(0.2, 0.3), (0.4, 0.3), (0.3, 0.6)])
+SHAPES = (("circle", "glass", 0.95, 0.9, 0.15), ("ellipse", "steel", 0.7, 0.4, 0.2, 0.1, 30.0),
+          ("polygon", "glass", CORNERS))
+AREAS = {"glass": math.pi * 0.15**2 + 0.03, "steel": math.pi * 0.02}
+TEXT = ("circle glass 0.95 0.9 0.15\nellipse steel 0.7 0.4 0.2 0.1 30\n"
+        "polygon glass 0.2 0.3 0.4 0.3 0.3 0.6\n")
+
+
+def mesh(sites=600, **arguments):
+    return pcvt.mesh(sites, tolerance=1e-3, **arguments)
+
+
+class Inclusions(unittest.TestCase):
+    def test_tags_are_phases_with_the_areas_of_their_shapes(self):
+        result = mesh(inclusions=SHAPES)
+        self.assertEqual(result.phase_names, ("matrix", "glass", "steel"))
+        for tag, area in AREAS.items():
+            cells = result.cells["area"][result.phases == result.phase_names.index(tag)]
+            self.assertAlmostEqual(cells.sum(), area, delta=1e-12)
+
+    def test_text_gives_the_same_sites(self):
+        np.testing.assert_array_equal(mesh(inclusions=SHAPES).sites, mesh(inclusions=TEXT).sites)
+
+    def test_refusals_name_the_line(self):
+        for shapes, words in ((TEXT + "circle b 0.95 0.9 0.1", "line 1 and line 4 overlap"),
+                              ("circle b 0 0", "inclusions:1: a circle has not 2 numbers"),
+                              ("circle b 0 0 0.7", "line 1: the shape is larger than the domain")):
+            with self.assertRaisesRegex(pcvt.ArgumentError, words):
+                mesh(inclusions=shapes)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "leave the walls out"):
+            mesh(inclusions=TEXT, walls="y")
+
+
+class FixedSites(unittest.TestCase):
+    def test_they_come_first_and_stay(self):
+        points = np.array([(0.125, 0.25), (0.5, 0.75), (-0.25, 1.5)])
+        result = mesh(40, fixed=points)
+        np.testing.assert_array_equal(result.sites[:3], points % 1)
+        self.assertEqual(result.statistics.stop, "converged")
+        self.assertEqual(len(result.sites), 40)
+
+    def test_all_sites_may_be_fixed(self):
+        points = np.random.default_rng(1).random((7, 2)).round(2)
+        np.testing.assert_allclose(mesh(7, fixed=points).sites, points, atol=1e-15)
+
+    def test_more_fixed_sites_than_sites_are_refused(self):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "3 fixed sites, more than all sites"):
+            mesh(2, fixed=np.eye(3)[:, :2])
+
+
+if __name__ == "__main__":
+    main()
