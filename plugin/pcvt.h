@@ -236,6 +236,9 @@ typedef struct pcvt_options {
                                images are implied; the tags are the phases of the cells, after
                                "matrix"; excludes `sites`, phases, areas, aspect, symmetry, walls
                                and starts other than PCVT_START_RANDOM [NULL] */
+    const char* fibres; /**< "FRACTION,N" or "FRACTION,N,GAP": in place of inclusions, N circles of
+                           the tag "fibre" with this part of the area, at random places by `seed`,
+                           not nearer than GAP [NULL] */
     const double* fixed_sites; /**< n_fixed_sites pairs x, y that stay where they are; they are the
                                   first of n_sites, the others are drawn; excludes `sites`, areas,
                                   symmetry, walls, inclusions and starts other than

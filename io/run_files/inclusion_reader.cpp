@@ -111,6 +111,22 @@ InclusionFile parse_inclusions(const std::string& name, std::string_view text) {
     return file;
 }
 
+RandomCircles parse_fibres(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        words.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    if (words.size() != 2 && words.size() != 3) {
+        throw InvalidInput(in_quotes(text) +
+                           " are no fibres; write FRACTION,N or FRACTION,N,GAP, such as 0.5,30");
+    }
+    RandomCircles fibres{.fraction = parse_number(words[0]), .n = parse_integer(words[1])};
+    if (words.size() == 3) fibres.gap = parse_number(words[2]);
+    return fibres;
+}
+
 InclusionFile read_inclusions(const std::string& path) {
     return parse_inclusions(path, read_whole_file(path, kSiteInput));
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/interfaces/inclusion.hpp"
+#include "mesher/interfaces/random_circles.hpp"
 
 namespace pcvt {
 
@@ -39,5 +40,9 @@ InclusionFile parse_inclusions(const std::string& name, std::string_view text);
 
 /// Reads a regular file. @throws BadFile, LimitExceeded
 InclusionFile read_inclusions(const std::string& path);
+
+/// Reads "FRACTION,N" or "FRACTION,N,GAP", such as 0.5,30.
+/// @throws InvalidInput with the remedy.
+RandomCircles parse_fibres(std::string_view text);
 
 }  // namespace pcvt

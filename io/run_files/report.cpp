@@ -97,7 +97,7 @@ std::string word(const Report::Symmetry& symmetry) {
 }
 
 std::string word(const Report::Inclusions& inclusions) {
-    return "{\"file\": " + word(inclusions.name) +
+    return "{\"source\": " + word(inclusions.source) +
            ", \"shapes\": " + std::to_string(inclusions.shapes) +
            ", \"chords\": " + std::to_string(inclusions.chords) +
            ", \"fixed_sites\": " + std::to_string(inclusions.fixed_sites) +

@@ -95,10 +95,10 @@ struct Report {
         int orbits;
     };
 
-    /// The file of the inclusions, the number of shapes, of the chords that replace their outlines,
-    /// of the sites beside them, and of those that they stopped.
+    /// The file of the inclusions or `fibres`, the number of shapes, of the chords that replace
+    /// their outlines, of the sites beside them, and of those that they stopped.
     struct Inclusions {
-        std::string name;
+        std::string source;
         int shapes;
         int chords;
         int fixed_sites;

@@ -223,7 +223,7 @@ void throw_unknown_fields(const char* name) {
 }
 
 bool uses_reserved_fields(const pcvt_options& options) {
-    return options.reserved != 0 || options.reserved2 != 0;
+    return options.reserved != 0 || options.reserved2 != 0 || options.reserved3 != 0;
 }
 
 bool uses_reserved_fields(const pcvt_write_options& options) { return options.reserved != 0; }
@@ -332,6 +332,7 @@ Job make_job(const pcvt_options& options) {
     if (options.inclusions != nullptr) {
         job.inclusions = parse_inclusions("inclusions", options.inclusions);
     }
+    if (options.fibres != nullptr) job.fibres = parse_fibres(options.fibres);
     return job;
 }
 

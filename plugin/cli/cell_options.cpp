@@ -104,6 +104,9 @@ void add_cell_options(CLI::App& app, CellOptions& options) {
         "shapes whose outlines no cell crosses, one a line: circle TAG x y r,\n"
         "ellipse TAG x y a b DEGREES, polygon TAG x1 y1 x2 y2 ...; images are\n"
         "implied; the tags are the phases of the cells");
+    add("--fibres", options.fibres, "FRACTION,N[,GAP]",
+        "in place of --inclusions, N equal circles of the tag fibre with this\n"
+        "part of the area, at random places by --seed, not nearer than GAP");
 }
 
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
@@ -125,6 +128,13 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     if (app.count("--inclusions") > 0) {
         job.inclusions = read_inclusions(options.inclusions);
         job.inputs.push_back(options.inclusions);
+    }
+    if (app.count("--fibres") > 0) {
+        try {
+            job.fibres = parse_fibres(options.fibres);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("--fibres " + std::string(error.what()));
+        }
     }
     read_density(app, options, job);
 }

@@ -22,6 +22,7 @@ struct CellOptions {
     std::string wall_cells;
     std::string fixed;
     std::string inclusions;
+    std::string fibres;
 };
 
 /// Adds the options to `app`; parsing fills `options`.

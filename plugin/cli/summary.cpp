@@ -137,9 +137,8 @@ std::string area_lines(const Job& job, const AreaSummary& areas) {
                               figure(areas.circularity_std) + ", of a regular hexagon 0.952");
 }
 
-std::string inclusion_text(const Job& job, const InterfaceFigures& figures) {
-    const int n = static_cast<int>(job.inclusions->inclusions.size());
-    std::string text = std::to_string(n) + (n == 1 ? " shape, " : " shapes, ") +
+std::string inclusion_text(const InterfaceFigures& figures) {
+    std::string text = counted(figures.n_shapes, "shape") + ", " +
                        counted(figures.n_chords, "chord") + ", " +
                        counted(figures.n_fixed, "site") + " in pairs beside them";
     if (figures.n_held > 0) text += ", " + counted(figures.n_held, "site") + " stopped at them";
@@ -202,7 +201,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
                                   wall_cells_row(job.wall_cells).word + " cells" +
                                   (summary.n_on_walls > 0 ? ", " + on_walls : ""));
     }
-    if (summary.interfaces) text += line("inclusions", inclusion_text(job, *summary.interfaces));
+    if (summary.interfaces) text += line("inclusions", inclusion_text(*summary.interfaces));
     text += phase_lines(summary);
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += line("recovered", words);

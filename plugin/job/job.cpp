@@ -125,9 +125,9 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
 void add_materials(const Job& job, Computation& computation) {
     const CellTable cells = cell_table(plane_mesh(computation.cells, MeshKind::kVoronoi));
     computation.materials = choose_materials(job.materials, cells, job.seed);
-    if (job.inclusions) {
-        CellMaterials tags = tag_materials(*job.inclusions, computation.cells);
-        computation.phases = tag_figures(job, tags, cells);
+    if (job.has_inclusions()) {
+        CellMaterials tags = tag_materials(computation.cells);
+        computation.phases = tag_figures(computation.cells, cells);
         computation.materials.phase_names = std::move(tags.phase_names);
         computation.materials.site_phase = std::move(tags.site_phase);
         return;
@@ -158,7 +158,7 @@ Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
     Computation computation{.cells = std::move(cells),
                             .start = std::move(start.figures),
                             .site_densities = std::move(densities)};
-    if (!job.materials.empty() || job.inclusions) add_materials(job, computation);
+    if (!job.materials.empty() || job.has_inclusions()) add_materials(job, computation);
     watch.stop(&JobSeconds::build);
     computation.seconds = watch.seconds();
     return computation;

@@ -103,6 +103,11 @@ struct Job {
     /// cells. Some of the sites are placed in pairs along the outlines. Excludes given sites, other
     /// phases, areas, aspect, symmetry, walls, the stability, and starts that are not random.
     std::optional<InclusionFile> inclusions;
+    /// Circular inclusions of the tag `fibre` in random places, drawn by `seed`; in place of
+    /// `inclusions`, with the same exclusions.
+    std::optional<RandomCircles> fibres;
+
+    bool has_inclusions() const { return inclusions || fibres; }
 
     /// Voronoi edges shorter than this are removed from cells and grains, units of h. 0: none,
     /// except the shortest ones of grains (mesher/grains/grains.hpp).

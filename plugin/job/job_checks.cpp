@@ -267,7 +267,7 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
         throw InvalidInput("there is no density to show in colours; give one, or colour by size");
     }
     if (colouring && colouring_row(*colouring).needs_phases && job.materials.phases.empty() &&
-        !job.inclusions) {
+        !job.has_inclusions()) {
         throw InvalidInput("there are no phases to show in colours; give some, or colour by size");
     }
     if (colouring && colouring_row(*colouring).needs_orbits && !job.symmetry) {

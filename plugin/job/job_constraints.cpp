@@ -35,6 +35,8 @@ constexpr std::array kExclusions{
 };
 
 constexpr std::array kInclusionExclusions{
+    Exclusion{[](const Job& job) { return job.inclusions && job.fibres; },
+              "fibres are inclusions in random places; leave one of the two out"},
     Exclusion{[](const Job& job) { return job.fixed.cols() > 0; },
               "inclusions have fixed sites of their own; leave one of the two out"},
     Exclusion{[](const Job& job) { return job.aspect.has_value(); },
@@ -49,71 +51,91 @@ void require_none(std::span<const Exclusion> exclusions, const Job& job) {
     }
 }
 
-InclusionSet inclusion_set(const Job& job) {
+/// The inclusions of the user, or random fibres.
+InclusionFile inclusions_of(const Job& job) {
+    if (job.inclusions) return *job.inclusions;
+    RandomCircles wanted = *job.fibres;
+    wanted.seed = job.seed;
+    return {.name = "fibres",
+            .inclusions = circular_inclusions(random_circles(job.lattice, wanted), 1),
+            .tags = {"fibre"}};
+}
+
+/// Calls `work`, whose refusals get the name of the file.
+template <class Work>
+auto named(const InclusionFile& file, const Work& work) {
     try {
-        return {job.lattice, job.inclusions->inclusions};
+        return work();
     } catch (const InvalidInput& error) {
-        throw InvalidInput(job.inclusions->name + ": " + error.what());
+        throw InvalidInput(file.name + ": " + error.what());
+    }
+}
+
+/// Sets the tags of the matrix and of the inclusions.
+void set_tags(const InclusionFile& file, Tessellation& cells) {
+    cells.tag_names = {kMatrixTag};
+    cells.tag_names.insert(cells.tag_names.end(), file.tags.begin(), file.tags.end());
+    cells.tag_areas.assign(cells.tag_names.size(), 0);
+    cells.tag_areas[0] = cells.lattice().area();
+    for (const Inclusion& inclusion : file.inclusions) {
+        const double area = shape_area(inclusion.shape);
+        cells.tag_areas[inclusion.tag] += area;
+        cells.tag_areas[0] -= area;
     }
 }
 
 }  // namespace
 
 void check_constraints(const Job& job) {
-    if (job.fixed.cols() > 0 || job.inclusions) require_none(kExclusions, job);
+    if (job.fixed.cols() > 0 || job.has_inclusions()) require_none(kExclusions, job);
     if (job.fixed.cols() > job.n_sites) {
         throw InvalidInput("there are " + std::to_string(job.fixed.cols()) +
                            " fixed sites, more than all sites; take more sites in all");
     }
-    if (!job.inclusions) return;
+    if (!job.has_inclusions()) return;
     require_none(kInclusionExclusions, job);
-    inclusion_set(job);
+    if (job.inclusions) {
+        named(*job.inclusions,
+              [&] { return InclusionSet(job.lattice, job.inclusions->inclusions); });
+    }
 }
 
 Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options) {
-    InterfaceCvt result = [&] {
-        try {
-            return compute_interface_cvt(inclusion_set(job), job.n_sites, job.seed, options);
-        } catch (const InvalidInput& error) {
-            throw InvalidInput(job.inclusions->name + ": " + error.what());
-        }
-    }();
+    const InclusionFile file = inclusions_of(job);
+    InterfaceCvt result = named(file, [&] {
+        const InclusionSet set(job.lattice, file.inclusions);
+        return compute_interface_cvt(set, job.n_sites, job.seed, options);
+    });
     const PeriodicMesh cells = cell_mesh(result.cvt.delaunay);
     if (const auto wrong = interface_violation(cells, result.interfaces, result.inclusion)) {
         throw InternalError(*wrong);
     }
-    const InterfaceFigures figures{.n_chords = static_cast<int>(result.interfaces.chords.size()),
+    const InterfaceFigures figures{.source = file.name,
+                                   .n_shapes = static_cast<int>(file.inclusions.size()),
+                                   .n_chords = static_cast<int>(result.interfaces.chords.size()),
                                    .n_fixed = result.interfaces.n_seeds(),
                                    .n_held = static_cast<int>(result.held.size())};
-    return {.delaunay = std::move(result.cvt.delaunay),
-            .run = result.cvt.run,
-            .counts = result.cvt.counts,
-            .density = result.cvt.density,
-            .site_tags = std::move(result.tag),
-            .interfaces = figures};
+    Tessellation tessellation{.delaunay = std::move(result.cvt.delaunay),
+                              .run = result.cvt.run,
+                              .counts = result.cvt.counts,
+                              .density = result.cvt.density,
+                              .site_tags = std::move(result.tag),
+                              .interfaces = figures};
+    set_tags(file, tessellation);
+    return tessellation;
 }
 
-CellMaterials tag_materials(const InclusionFile& inclusions, const Tessellation& cells) {
-    CellMaterials materials{.phase_names = {kMatrixTag}, .site_phase = cells.site_tags};
-    materials.phase_names.insert(materials.phase_names.end(), inclusions.tags.begin(),
-                                 inclusions.tags.end());
-    return materials;
+CellMaterials tag_materials(const Tessellation& tessellation) {
+    return {.phase_names = tessellation.tag_names, .site_phase = tessellation.site_tags};
 }
 
-std::vector<PhaseFigures> tag_figures(const Job& job, const CellMaterials& materials,
-                                      const CellTable& cells) {
-    std::vector<double> wanted(materials.phase_names.size());
-    wanted[0] = 1;
-    for (const Inclusion& inclusion : job.inclusions->inclusions) {
-        const double share = shape_area(inclusion.shape) / job.lattice.area();
-        wanted[inclusion.tag] += share;
-        wanted[0] -= share;
-    }
+std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells) {
     MaterialChoices tags;
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
-        tags.phases.push_back({materials.phase_names[k], wanted[k]});
+    for (std::size_t k = 0; k < tessellation.tag_names.size(); ++k) {
+        const double share = tessellation.tag_areas[k] / tessellation.lattice().area();
+        tags.phases.push_back({tessellation.tag_names[k], share});
     }
-    return phase_figures(tags, materials, cells);
+    return phase_figures(tags, tag_materials(tessellation), cells);
 }
 
 }  // namespace pcvt

@@ -22,10 +22,9 @@ void check_constraints(const Job& job);
 Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options);
 
 /// The tags of a run with inclusions as the phases of its cells, in the order matrix, 1, 2, ...
-CellMaterials tag_materials(const InclusionFile& inclusions, const Tessellation& cells);
+CellMaterials tag_materials(const Tessellation& tessellation);
 
 /// One entry a tag; wanted are the areas of the shapes.
-std::vector<PhaseFigures> tag_figures(const Job& job, const CellMaterials& materials,
-                                      const CellTable& cells);
+std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells);
 
 }  // namespace pcvt

@@ -48,7 +48,7 @@ void check_format(const Job& job, const TileFormat& format, MeshKind kind,
             throw InvalidInput("-o " + path + ": " + error.what());
         }
     }
-    if (format.states_materials && (job.inclusions || !job.materials.empty()) &&
+    if (format.states_materials && (job.has_inclusions() || !job.materials.empty()) &&
         !mesh_kind_row(kind).faces_have_sites) {
         throw InvalidInput("-o " + path +
                            ": Delaunay triangles are no cells, which phases and orientations "

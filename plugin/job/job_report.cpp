@@ -94,11 +94,11 @@ std::optional<Report::Walls> report_walls(const Job& job, const RunSummary& summ
                          summary.n_on_walls};
 }
 
-std::optional<Report::Inclusions> report_inclusions(const Job& job, const RunSummary& summary) {
+std::optional<Report::Inclusions> report_inclusions(const RunSummary& summary) {
     if (!summary.interfaces) return std::nullopt;
     const InterfaceFigures& figures = *summary.interfaces;
-    return Report::Inclusions{.name = job.inclusions->name,
-                              .shapes = static_cast<int>(job.inclusions->inclusions.size()),
+    return Report::Inclusions{.source = figures.source,
+                              .shapes = figures.n_shapes,
                               .chords = figures.n_chords,
                               .fixed_sites = figures.n_fixed,
                               .held_sites = figures.n_held};
@@ -148,7 +148,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .aspect = report_aspect(job),
         .symmetry = report_symmetry(job, summary),
         .walls = report_walls(job, summary),
-        .inclusions = report_inclusions(job, summary),
+        .inclusions = report_inclusions(summary),
         .phases = report_phases(summary),
     });
 }

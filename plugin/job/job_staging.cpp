@@ -59,7 +59,7 @@ class FileEncoder {
                 .cells = cell_table(plane_mesh(result_.cells, MeshKind::kVoronoi)),
                 .weights = result_.cells.delaunay.weights(),
                 .materials = materials(),
-                .phases_are_tags = job_.inclusions.has_value(),
+                .phases_are_tags = job_.has_inclusions(),
                 .orbits = result_.cells.site_orbits};
     }
     FileOptions tile_options() const {
@@ -68,7 +68,7 @@ class FileEncoder {
         options.site_orbits = result_.cells.site_orbits;
         if (!tile_materials().empty()) options.materials = &tile_materials();
         // The materials and groups of files are the tags.
-        if (job_.inclusions && !options.colouring) options.colouring = Colouring::kPhase;
+        if (job_.has_inclusions() && !options.colouring) options.colouring = Colouring::kPhase;
         return options;
     }
     const CellMaterials& materials() const { return result_.materials; }

@@ -116,8 +116,8 @@ JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callbac
 
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
-    const bool is_free =
-        !job.symmetry && job.walls == Walls::kNone && !job.inclusions && job.fixed.cols() == 0;
+    const bool is_free = !job.symmetry && job.walls == Walls::kNone && !job.has_inclusions() &&
+                         job.fixed.cols() == 0;
     if (!is_free) return Start::kRandom;
     // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
     // cells know nothing of prescribed areas.
@@ -135,7 +135,7 @@ const StartRow& start_row(Start start) { return kStarts[static_cast<std::size_t>
 JobStart job_start(const Job& job, const ProgressCallback& callback) {
     Eigen::VectorXd areas = target_areas(job);
     JobStart start;
-    if (job.inclusions) {
+    if (job.has_inclusions()) {
         start.numbering = Numbering::kAsGiven;
     } else if (job.fixed.cols() > 0) {
         start = start_after_fixed_sites(job, callback);

@@ -47,7 +47,7 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
         if (std::exchange(first, false)) built();
         return monitor.iteration(progress);
     };
-    if (job.inclusions) return compute_cells_with_inclusions(job, options);
+    if (job.has_inclusions()) return compute_cells_with_inclusions(job, options);
     if (job.walls != Walls::kNone) {
         WalledCvt walled = compute_walled_cvt(job.lattice, job.walls, job.wall_cells,
                                               std::move(start.points), options);

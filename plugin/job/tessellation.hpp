@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mesher/areas/area_newton.hpp"
@@ -20,6 +21,9 @@ class JobMonitor;
 
 /// The numbers of a run with inclusions.
 struct InterfaceFigures {
+    /// The file of the shapes, or their law.
+    std::string source;
+    int n_shapes = 0;
     int n_chords = 0;
     /// Sites in pairs beside the chords, which do not move.
     int n_fixed = 0;
@@ -51,8 +55,11 @@ struct Tessellation {
     /// Of a run with a symmetry: the orbit of each site. Orbits are counted from 0 in the order of
     /// their first sites.
     std::vector<int> site_orbits = {};
-    /// Of a run with inclusions: the tag of each site, 0 for the matrix.
+    /// Of a run with inclusions: the tag of each site, 0 for the matrix, and for each tag its word
+    /// and the area of its shapes, length^2.
     std::vector<int> site_tags = {};
+    std::vector<std::string> tag_names = {};
+    std::vector<double> tag_areas = {};
     std::optional<InterfaceFigures> interfaces = {};
 
     /// That of the user.

@@ -162,7 +162,9 @@ def _shape_line(shape):
     return f"{word} {tag} " + " ".join(repr(float(x)) for part in numbers for x in np.ravel(part))
 
 
-def _set_inclusions(options, inclusions):
+def _set_inclusions(options, inclusions, fibres):
+    if fibres is not None:
+        options.fibres = ",".join(map(repr, fibres)).encode()
     if inclusions is None:
         return
     if not isinstance(inclusions, str):
@@ -182,7 +184,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, aspect=1.0, phases=None,
-         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None):
+         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -227,6 +229,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     ("circle", tag, x, y, r), ("ellipse", tag, x, y, a, b, degrees) or ("polygon", tag,
                     corners of shape (k, 2)) each; or text with one a line. The tags become the
                     phases of the cells, after "matrix". See Result.phases
+    fibres          (fraction, n) or (fraction, n, gap): in place of inclusions, n circles of the tag
+                    "fibre" with this part of the area, at random places by `seed`, not nearer than gap
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -239,7 +243,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     _points, _areas = _set_sites(options, sites), _set_areas(options, areas)
     _angles = _set_materials(options, phases, orientations)
     _fixed = _set_fixed(options, fixed)
-    _set_inclusions(options, inclusions)
+    _set_inclusions(options, inclusions, fibres)
     columns, rows = repeat
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,

@@ -72,7 +72,7 @@ class Options(ctypes.Structure):
                 ("aspect_degrees", c_double), ("phases", c_char_p), ("orientations", c_void_p),
                 ("n_orientations", c_int32), ("random_orientations", c_int32),
                 ("symmetry", c_int32), ("walls", c_int32),
-                ("wall_cells", c_int32), ("reserved2", c_int32), ("inclusions", c_char_p),
+                ("wall_cells", c_int32), ("reserved2", c_int32), ("inclusions", c_char_p), ("fibres", c_char_p),
                 ("fixed_sites", c_void_p), ("n_fixed_sites", c_int32), ("reserved3", c_int32)]
 
 

@@ -136,6 +136,11 @@ static void print_options(void) {
     FIELD(pcvt_options, walls);
     FIELD(pcvt_options, wall_cells);
     FIELD(pcvt_options, reserved2);
+    FIELD(pcvt_options, inclusions);
+    FIELD(pcvt_options, fibres);
+    FIELD(pcvt_options, fixed_sites);
+    FIELD(pcvt_options, n_fixed_sites);
+    FIELD(pcvt_options, reserved3);
 }
 
 static void print_sites(void) {

@@ -58,6 +58,9 @@ static void reserved_fields_are_zero(void) {
     options.reserved = 0;
     options.reserved2 = 1;
     REFUSED(&options, PCVT_ERROR_ABI, "does not know");
+    options.reserved2 = 0;
+    options.reserved3 = 1;
+    REFUSED(&options, PCVT_ERROR_ABI, "does not know");
 }
 
 static void views_have_the_size_that_the_host_states(void) {
@@ -188,6 +191,9 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(walls, PCVT_WALLS_XY + 1, "walls 4 is unknown");
     FIELD_REFUSED(wall_cells, 2, "wall_cells 2 is unknown");
     FIELD_REFUSED(wall_cells, PCVT_WALL_CELLS_HALF, "there are none; give the walls");
+    FIELD_REFUSED(inclusions, "circle", "inclusions:1: a tag is missing");
+    FIELD_REFUSED(fibres, "0.5", "write FRACTION,N");
+    FIELD_REFUSED(n_fixed_sites, 1, "fixed_sites is a null pointer");
     options.orientations = angles;
     options.n_orientations = 2;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_orientations");

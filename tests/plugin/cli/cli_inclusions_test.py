@@ -51,7 +51,7 @@ class Inclusions(CliTest):
         text = self.mesh("--report", "r.json")
         report = json.loads(self.path("r.json").read_text())
         stated = report["inclusions"]
-        self.assertEqual((stated["file"], stated["shapes"]), ("shapes.txt", 3))
+        self.assertEqual((stated["source"], stated["shapes"]), ("shapes.txt", 3))
         self.assertRegex(text, rf"(?m)^inclusions 3 shapes, {stated['chords']} chords, {stated['fixed_sites']} sites in ")
         for phase in report["phases"]:
             self.assertAlmostEqual(phase["reached"], phase["wanted"], delta=1e-12)
@@ -70,6 +70,24 @@ class Inclusions(CliTest):
             for threads in (2, 4):
                 self.mesh("--quiet", *options, "--threads", threads, *outputs("obj", "txt"))
                 self.assertEqual(self.contents(), one)
+
+    def test_fibres_have_their_number_and_their_area(self):
+        for seed in (1, 2):
+            self.succeed("mesh", "--sites", 1500, "--fibres", "0.4,12", "--seed", seed, "--lattice", "1,0,0.3,0.9",
+                         "--tolerance", "1e-2", "--report", "r.json", "-o", f"f{seed}.obj", "--force")
+            report = json.loads(self.path("r.json").read_text())
+            self.assertEqual((report["inclusions"]["source"], report["inclusions"]["shapes"]), ("fibres", 12))
+            self.assertAlmostEqual(report["phases"][1]["reached"], 0.4, delta=1e-12)
+        self.succeed("check", "f1.obj", "f2.obj")
+        self.assertNotEqual(self.path("f1.obj").read_text(), self.path("f2.obj").read_text())
+
+    def test_bad_fibres_are_refused(self):
+        for text, words in (("0.5", r"write FRACTION,N"), ("0.5,x", "not a"), ("1.5,3", "fraction must be between"),
+                            ("0.5,0", "number of circles"), ("0.8,30,0.1", "no place was found"),
+                            ("0.3,3,-1", "must be positive")):
+            self.refuse(2, words, "mesh", "--sites", 900, "--fibres", text)
+        self.path("shapes.txt").write_text(SHAPES)
+        self.refuse(2, "leave one of the two", "mesh", "--sites", 900, "--fibres", "0.3,3", "--inclusions", "shapes.txt")
 
     def test_bad_shapes_are_refused_with_file_and_line(self):
         for pattern, shapes in ((r"shapes\.txt:2: 'square' is no shape", "# a\nsquare a 1 2 3\n"),

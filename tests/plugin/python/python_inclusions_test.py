@@ -31,6 +31,11 @@ class Inclusions(unittest.TestCase):
     def test_text_gives_the_same_sites(self):
         np.testing.assert_array_equal(mesh(inclusions=SHAPES).sites, mesh(inclusions=TEXT).sites)
 
+    def test_fibres_have_their_area(self):
+        result = mesh(1500, fibres=(0.4, 12), seed=3)
+        self.assertEqual(result.phase_names, ("matrix", "fibre"))
+        self.assertAlmostEqual(result.cells["area"][result.phases == 1].sum(), 0.4, delta=1e-12)
+
     def test_refusals_name_the_line(self):
         for shapes, words in ((TEXT + "circle b 0.95 0.9 0.1", "line 1 and line 4 overlap"),
                               ("circle b 0 0", "inclusions:1: a circle has not 2 numbers"),
