@@ -33,7 +33,7 @@
 #include "io/solvers/msh_fields.hpp"
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
-#include "io/solvers/vtu_fields.hpp"
+#include "io/solvers/vtu_arrays.hpp"
 #include "io/solvers/vtu_reader.hpp"
 #include "io/solvers/vtu_writer.hpp"
 #include "io/voxels/vti_writer.hpp"
@@ -144,7 +144,8 @@ std::vector<EncodedFile> write_msh(const Tile& tile, const FileOptions& options,
 
 std::vector<EncodedFile> write_vtu(const Tile& tile, const FileOptions& options,
                                    const std::string& path) {
-    return encode_vtu(tile, path, options.site_orbits);
+    return encode_vtu(tile, path, options.site_orbits,
+                      options.materials == nullptr ? CellMaterials{} : *options.materials);
 }
 
 std::vector<EncodedFile> write_foam(const Tile& tile, const FileOptions& options,
@@ -213,6 +214,8 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .read = decode_vtu,
      .fields = vtu_fields,
      .highest_order = 2,
+     .takes_phases = true,
+     .states_materials = true,
      .states_orbits = true},
     {.extension = ".svg",
      .description = "a picture, or with --cut lines for cutters",

@@ -97,8 +97,14 @@ std::string word(const Report::Symmetry& symmetry) {
 }
 
 std::string word(const Report::Inclusions& inclusions) {
+    std::string fibres;
+    for (const auto& [x, y, radius] : inclusions.fibres) {
+        fibres +=
+            (fibres.empty() ? "[" : ", [") + word(x) + ", " + word(y) + ", " + word(radius) + "]";
+    }
     return "{\"source\": " + word(inclusions.source) +
            ", \"shapes\": " + std::to_string(inclusions.shapes) +
+           (fibres.empty() ? "" : ", \"fibres\": [" + fibres + "]") +
            ", \"chords\": " + std::to_string(inclusions.chords) +
            ", \"fixed_sites\": " + std::to_string(inclusions.fixed_sites) +
            ", \"held_sites\": " + std::to_string(inclusions.held_sites) + "}";

@@ -100,6 +100,8 @@ struct Report {
     struct Inclusions {
         std::string source;
         int shapes;
+        /// x, y and radius of each drawn fibre.
+        std::vector<std::array<double, 3>> fibres;
         int chords;
         int fixed_sites;
         int held_sites;

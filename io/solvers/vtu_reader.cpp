@@ -2,155 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "io/bytes/xml_scanner.hpp"
-#include "io/solvers/vtu_fields.hpp"
+#include "io/solvers/vtu_arrays.hpp"
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
 #include "io/tiles/site_notes.hpp"
+#include "mesher/materials/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
 
-using Event = XmlScanner::Event;
-
 constexpr int kVtkTriangle = 5;
 constexpr int kVtkPolygon = 7;
 constexpr int kVtkQuadraticTriangle = 22;
-
-/// A DataArray that the tile needs.
-struct Array {
-    int line;
-    std::string type;
-    /// 1 if the file gives no number.
-    int n_components = 1;
-    std::vector<double> values = {};
-    /// The line of each value.
-    std::vector<int> lines = {};
-
-    std::size_t size() const { return values.size(); }
-    int integer(std::size_t k) const { return static_cast<int>(values[k]); }
-    bool is_real() const { return type == "Float32" || type == "Float64"; }
-};
-
-/// The arrays of a file and the counts of its piece.
-class VtuArrays {
-   public:
-    VtuArrays(const std::string& name, std::string_view text) : scanner_(name, text) {
-        if (scanner_.next() != Event::kBegin || scanner_.element() != "VTKFile" ||
-            scanner_.attribute("type") != "UnstructuredGrid") {
-            throw BadFile(name + ": is not a VTKFile with an UnstructuredGrid; give a VTU");
-        }
-        std::string section;
-        for (Event event = scanner_.next(); event != Event::kNothing; event = scanner_.next()) {
-            if (event == Event::kEnd) continue;
-            if (scanner_.element() == "Piece") {
-                read_piece();
-            } else if (scanner_.element() == "DataArray") {
-                read_array(section);
-            } else {
-                section = std::string(scanner_.element());
-            }
-        }
-        if (n_points_ < 0) throw BadFile(name + ": holds no Piece; give a VTU with a grid");
-    }
-
-    int n_points() const { return n_points_; }
-    int n_cells() const { return n_cells_; }
-
-    /// Returns an array; nullptr if the file lacks it.
-    const Array* find(const std::string& key) const {
-        const auto found = arrays_.find(key);
-        return found == arrays_.end() ? nullptr : &found->second;
-    }
-
-    /// Returns an array of `n_tuples` tuples with `n_components` values each; `n_tuples` below 0
-    /// permits any number of tuples.
-    const Array& get(const std::string& key, int n_tuples, int n_components,
-                     bool of_integers) const {
-        const Array* array = find(key);
-        if (array == nullptr) {
-            throw BadFile(scanner_.name() + ": lacks the array " + key +
-                          "; export the file with it");
-        }
-        const auto wanted = static_cast<std::size_t>(std::max(n_tuples, 0)) *
-                            static_cast<std::size_t>(n_components);
-        if (array->n_components != n_components || (n_tuples >= 0 && array->size() != wanted) ||
-            (of_integers && array->is_real())) {
-            scanner_.throw_bad_file(array->line, "the array " + key +
-                                                     " has not the size or type of " +
-                                                     "its kind; write the file again");
-        }
-        return *array;
-    }
-
-    const XmlScanner& scanner() const { return scanner_; }
-
-   private:
-    int count(std::string_view key) const {
-        const auto word = scanner_.attribute(key);
-        if (!word)
-            scanner_.throw_bad_file(scanner_.line(),
-                                    "the Piece lacks " + std::string(key) + "; add it");
-        const int n = integer(*word, scanner_.line());
-        if (n < 0) scanner_.throw_bad_file(scanner_.line(), "a count is negative; correct it");
-        return n;
-    }
-
-    int integer(std::string_view word, int line) const {
-        try {
-            return parse_integer(word);
-        } catch (const InvalidInput& fault) {
-            scanner_.throw_bad_file(line, fault.what());
-        }
-    }
-
-    void read_piece() {
-        if (n_points_ >= 0)
-            scanner_.throw_bad_file(scanner_.line(), "there is a second Piece; merge the pieces");
-        n_points_ = count("NumberOfPoints");
-        n_cells_ = count("NumberOfCells");
-    }
-
-    void read_array(const std::string& section) {
-        // The array of points may have any name.
-        const std::string name(scanner_.attribute("Name").value_or(""));
-        const std::string key = section + "/" + (section == "Points" ? "Points" : name);
-        if (!is_vtu_array(key)) return;
-        if (scanner_.attribute("format").value_or("ascii") != "ascii") {
-            scanner_.throw_bad_file(scanner_.line(),
-                                    "the array " + key + " is binary; export it as ASCII");
-        }
-        Array array{.line = scanner_.line(),
-                    .type = std::string(scanner_.attribute("type").value_or(""))};
-        const auto components = scanner_.attribute("NumberOfComponents");
-        if (components) array.n_components = integer(*components, scanner_.line());
-        // VTK may nest elements with ranges in an array; its numbers are its own text alone.
-        scanner_.for_each_word(
-            [&](std::string_view word, int line) { add_value(word, line, array); });
-        if (!arrays_.emplace(key, std::move(array)).second) {
-            scanner_.throw_bad_file(scanner_.line(),
-                                    "the array " + key + " is there twice; remove one");
-        }
-    }
-
-    void add_value(std::string_view word, int line, Array& array) const {
-        try {
-            array.values.push_back(array.is_real() ? parse_number(word) : parse_integer(word));
-        } catch (const InvalidInput& fault) {
-            scanner_.throw_bad_file(line, fault.what());
-        }
-        array.lines.push_back(line);
-    }
-
-    XmlScanner scanner_;
-    std::map<std::string, Array> arrays_;
-    int n_points_ = -1;
-    int n_cells_ = -1;
-};
 
 /// Turns the arrays into a tile.
 class VtuTile {
@@ -161,12 +27,13 @@ class VtuTile {
     FileTileBuilder make(const std::optional<Lattice>& lattice, Precision precision) {
         take_points();
         take_faces();
-        if (const Array* periods = arrays_.find("FieldData/PeriodicLattice"))
+        if (const VtuArray* periods = arrays_.find("FieldData/PeriodicLattice"))
             take_lattice(*periods);
         if (arrays_.find("FieldData/SitePositions")) take_site_notes();
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
         if (!file_.sites.empty() && arrays_.find("CellData/Orbit")) take_site_orbits();
+        if (!file_.sites.empty() && arrays_.find("FieldData/SitePhases")) take_phases();
         if (type_ == kVtkQuadraticTriangle) remove_midside_nodes(file_, lattice, precision);
         return std::move(file_);
     }
@@ -177,7 +44,7 @@ class VtuTile {
     }
 
     void take_points() {
-        const Array& points = arrays_.get("Points/Points", arrays_.n_points(), 3, false);
+        const VtuArray& points = arrays_.get("Points/Points", arrays_.n_points(), 3, false);
         for (std::size_t k = 0; k < points.size(); k += 3) {
             if (points.values[k + 2] != 0) {
                 throw_bad_file(points.lines[k + 2], "z is not 0; move the tile to the plane z = 0");
@@ -188,9 +55,9 @@ class VtuTile {
 
     void take_faces() {
         // The offsets are the ends of the faces in the connectivity.
-        const Array& corners = arrays_.get("Cells/connectivity", -1, 1, true);
-        const Array& ends = arrays_.get("Cells/offsets", arrays_.n_cells(), 1, true);
-        const Array& types = arrays_.get("Cells/types", arrays_.n_cells(), 1, true);
+        const VtuArray& corners = arrays_.get("Cells/connectivity", -1, 1, true);
+        const VtuArray& ends = arrays_.get("Cells/offsets", arrays_.n_cells(), 1, true);
+        const VtuArray& types = arrays_.get("Cells/types", arrays_.n_cells(), 1, true);
         std::size_t begin = 0;
         for (std::size_t f = 0; f < ends.size(); ++f) {
             const auto end = static_cast<std::size_t>(std::max(ends.integer(f), 0));
@@ -238,7 +105,7 @@ class VtuTile {
         }
     }
 
-    void take_lattice(const Array& array) {
+    void take_lattice(const VtuArray& array) {
         arrays_.get("FieldData/PeriodicLattice", 2, 2, false);
         const std::vector<double>& n = array.values;
         try {
@@ -254,7 +121,7 @@ class VtuTile {
             if (!note.always_in_arrays && arrays_.find(key) == nullptr) continue;
             const int n_tuples = note.of_each_site ? -1 : static_cast<int>(note.n_parts);
             const int width = note.of_each_site ? static_cast<int>(note.n_parts) : 1;
-            const Array& array = arrays_.get(key, n_tuples, width, note.of_integers);
+            const VtuArray& array = arrays_.get(key, n_tuples, width, note.of_integers);
             try {
                 take_note(note, array.values, file_.notes);
             } catch (const InvalidInput& fault) {
@@ -265,8 +132,8 @@ class VtuTile {
 
     void take_orbits() {
         const int n = arrays_.n_points();
-        const Array& orbits = arrays_.get("PointData/PeriodicPointIds", n, 1, true);
-        const Array& offsets = arrays_.get("PointData/PeriodicOffset", n, 2, true);
+        const VtuArray& orbits = arrays_.get("PointData/PeriodicPointIds", n, 1, true);
+        const VtuArray& offsets = arrays_.get("PointData/PeriodicOffset", n, 2, true);
         for (int v = 0; v < n; ++v) {
             const auto k = static_cast<std::size_t>(v);
             const int orbit = orbits.integer(k);
@@ -295,15 +162,15 @@ class VtuTile {
         const bool owned = faces_have_sites(*file_.kind);
         const std::string key = owned ? "CellData/CellId" : "PointData/CellId";
         if (arrays_.find(key) == nullptr || !file_.lattice) return;
-        const Array& sites =
+        const VtuArray& sites =
             arrays_.get(key, owned ? arrays_.n_cells() : arrays_.n_points(), 1, true);
         for (std::size_t k = 0; k < sites.size(); ++k) file_.sites.push_back(sites.integer(k));
     }
 
     /// Turns the orbits of elements into those of sites.
     void take_site_orbits() {
-        const Array& orbits = arrays_.get("CellData/Orbit", arrays_.n_cells(), 1, true);
-        const Array& cells = arrays_.get("CellData/CellId", arrays_.n_cells(), 1, true);
+        const VtuArray& orbits = arrays_.get("CellData/Orbit", arrays_.n_cells(), 1, true);
+        const VtuArray& cells = arrays_.get("CellData/CellId", arrays_.n_cells(), 1, true);
         std::vector<int>& of_site = file_.site_orbits;
         // A site has a cell, or is a point of the Delaunay triangles.
         const int most = std::max(arrays_.n_cells(), arrays_.n_points());
@@ -324,6 +191,46 @@ class VtuTile {
         }
     }
 
+    /// Reads the codes of strings that 0 ends.
+    std::vector<std::string> strings(const VtuArray& array) const {
+        std::vector<std::string> strings(1);
+        for (std::size_t k = 0; k < array.size(); ++k) {
+            const int code = array.integer(k);
+            if (code == 0) {
+                strings.emplace_back();
+            } else if (code > ' ' && code <= '~') {
+                strings.back() += static_cast<char>(code);
+            } else {
+                throw_bad_file(array.lines[k],
+                               "a name holds a character that is none; write the file again");
+            }
+        }
+        if (!strings.back().empty()) {
+            throw_bad_file(array.line, "a name does not end with 0; write the file again");
+        }
+        strings.pop_back();
+        return strings;
+    }
+
+    void take_phases() {
+        CellMaterials& materials = file_.materials;
+        const VtuArray& names = arrays_.get("FieldData/PhaseNames", -1, 1, true);
+        materials.phase_names = strings(names);
+        try {
+            require_phase_names(materials.phase_names);
+        } catch (const InvalidInput& fault) {
+            throw_bad_file(names.line, fault.what());
+        }
+        const VtuArray& phases = arrays_.get("FieldData/SitePhases", -1, 1, true);
+        const auto n_phases = static_cast<int>(materials.phase_names.size());
+        for (std::size_t k = 0; k < phases.size(); ++k) {
+            materials.site_phase.push_back(phases.integer(k));
+            if (phases.integer(k) >= 0 && phases.integer(k) < n_phases) continue;
+            throw_bad_file(phases.lines[k],
+                           "a site has a phase without a name; write the file again");
+        }
+    }
+
     const VtuArrays& arrays_;
     FileTileBuilder file_;
     std::optional<int> type_;
@@ -335,7 +242,7 @@ TileFile decode_vtu(const std::vector<EncodedFile>& files, const std::optional<L
     const EncodedFile& vtu = files.front();
     refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
     const VtuArrays arrays(vtu.path, vtu.bytes);
-    const Array* points = arrays.find("Points/Points");
+    const VtuArray* points = arrays.find("Points/Points");
     const bool single = points != nullptr && points->type == "Float32";
     const Precision precision = single ? Precision::kSingle : Precision::kDouble;
     return finish(VtuTile(vtu.path, arrays).make(lattice, precision), lattice, precision);

@@ -72,8 +72,34 @@ void append_note(std::string& text, const StatedNote& stated) {
     close_array(text);
 }
 
-void append_field_data(std::string& text, const Tile& tile) {
+/// Appends strings as VTK's text files hold them: the codes of their characters, each string ended
+/// by 0.
+void append_strings(std::string& text, const char* name, const std::vector<std::string>& strings) {
+    open_array(text, "String", name, " NumberOfTuples=\"" + std::to_string(strings.size()) + '"');
+    for (const std::string& string : strings) {
+        for (const char c : string) append_word(text, int{c});
+        append_word(text, 0);
+        end_line(text);
+    }
+    close_array(text);
+}
+
+void append_site_phases(std::string& text, const std::vector<int>& phases) {
+    open_array(text, "Int32", "SitePhases",
+               " NumberOfTuples=\"" + std::to_string(phases.size()) + '"');
+    for (const int phase : phases) {
+        append_word(text, phase);
+        end_line(text);
+    }
+    close_array(text);
+}
+
+void append_field_data(std::string& text, const Tile& tile, const CellMaterials& materials) {
     text += "<FieldData>\n";
+    if (!materials.site_phase.empty()) {
+        append_strings(text, "PhaseNames", materials.phase_names);
+        append_site_phases(text, materials.site_phase);
+    }
     append_vectors(text, "PeriodicLattice", {tile.lattice.a(), tile.lattice.b()});
     for (const StatedNote& stated : stated_notes(tile, true)) append_note(text, stated);
     text += "</FieldData>\n";
@@ -147,34 +173,42 @@ void append_cells(std::string& text, const Tile& tile, const SolverNodes& nodes)
     text += "</Cells>\n";
 }
 
-void append_cell_data(std::string& text, const Tile& tile, std::span<const int> site_orbits) {
-    std::vector<int> cells = element_cells(tile);
+/// Appends a number of each site as that of its elements.
+void append_numbers_of_sites(std::string& text, const char* name, std::vector<int> cells,
+                             std::span<const int> of_site) {
+    if (of_site.empty()) return;
+    // Of a file under proof, the numbers are those of its own cells.
+    const auto is_known = [&](int cell) { return std::cmp_less(cell, of_site.size()); };
+    for (int& cell : cells) cell = is_known(cell) ? of_site[cell] : -1;
+    append_integers(text, "Int32", name, cells);
+}
+
+void append_cell_data(std::string& text, const Tile& tile, std::span<const int> site_orbits,
+                      const CellMaterials& materials) {
+    const std::vector<int> cells = element_cells(tile);
     text += "<CellData>\n";
     append_integers(text, "Int32", "CellId", cells);
-    if (!site_orbits.empty()) {
-        // Of a file under proof, whose orbits are those of its own cells.
-        const auto is_known = [&](int cell) { return std::cmp_less(cell, site_orbits.size()); };
-        for (int& cell : cells) cell = is_known(cell) ? site_orbits[cell] : -1;
-        append_integers(text, "Int32", "Orbit", cells);
-    }
+    append_numbers_of_sites(text, "Orbit", cells, site_orbits);
+    append_numbers_of_sites(text, "Phase", cells, materials.site_phase);
     text += "</CellData>\n";
 }
 
 }  // namespace
 
 std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path,
-                                    std::span<const int> site_orbits) {
+                                    std::span<const int> site_orbits,
+                                    const CellMaterials& materials) {
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);
     std::string text =
         "<?xml version=\"1.0\"?>\n<!-- A periodic tile, written by pcvt -->\n"
         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
         "<UnstructuredGrid>\n";
-    append_field_data(text, tile);
+    append_field_data(text, tile, materials);
     text += "<Piece NumberOfPoints=\"" + std::to_string(nodes.n_nodes()) + "\" NumberOfCells=\"" +
             std::to_string(tile.n_faces()) + "\">\n";
     append_point_data(text, tile, nodes);
-    append_cell_data(text, tile, site_orbits);
+    append_cell_data(text, tile, site_orbits, materials);
     append_points(text, nodes.points);
     append_cells(text, tile, nodes);
     text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";

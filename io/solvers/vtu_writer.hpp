@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
+#include "mesher/materials/cell_materials.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -19,12 +20,14 @@ namespace pcvt {
 ///              the site of each vertex, and -1 for a midside node.
 ///   CellData   `CellId`, the site of each cell, and element_cells() for triangles; for runs with a
 ///              symmetry `Orbit`, that of the site: orbits are counted from 0 in the order of their
-///              first sites.
+///              first sites; for runs with phases or inclusions `Phase`, that of the site, an
+///              index into `PhaseNames`.
 ///   FieldData  `PeriodicLattice`, the vectors a and b; where the tile knows its sites, `Periods`,
 ///              the numbers of periods along both, `SitePositions`, and `ShortEdges`, the length
 ///              below which edges of cells were removed, in units of h; for elongated cells
 ///              `Metric`, ratio and degrees, for power cells `SiteWeights`
-///              (io/tiles/site_notes.hpp).
+///              (io/tiles/site_notes.hpp); with phases `PhaseNames`, a String array,
+///              and `SitePhases`, that of each site.
 ///
 /// The arrays are ASCII, because the shortest decimals that round-trip are exact, take no more room
 /// than raw binary arrays (12.7 MB for the triangles of 1e5 sites, against 12.6 MB), and let a
@@ -36,8 +39,10 @@ namespace pcvt {
 ///     }
 ///
 /// @param site_orbits  of the sites of one period; empty: none.
+/// @param materials    of the sites of one period; the phases are written.
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path,
-                                    std::span<const int> site_orbits = {});
+                                    std::span<const int> site_orbits = {},
+                                    const CellMaterials& materials = {});
 
 }  // namespace pcvt

@@ -110,8 +110,15 @@ Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& opt
     if (const auto wrong = interface_violation(cells, result.interfaces, result.inclusion)) {
         throw InternalError(*wrong);
     }
+    std::vector<Circle> fibres;
+    if (job.fibres) {
+        for (const Inclusion& fibre : file.inclusions) {
+            fibres.push_back(std::get<Circle>(fibre.shape));
+        }
+    }
     const InterfaceFigures figures{.source = file.name,
                                    .n_shapes = static_cast<int>(file.inclusions.size()),
+                                   .fibres = std::move(fibres),
                                    .n_chords = static_cast<int>(result.interfaces.chords.size()),
                                    .n_fixed = result.interfaces.n_seeds(),
                                    .n_held = static_cast<int>(result.held.size())};

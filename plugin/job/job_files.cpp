@@ -5,6 +5,7 @@
 #include "io/bytes/nearest_word.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/outputs/distinct_paths.hpp"
+#include "plugin/job/job_checks.hpp"
 
 namespace pcvt {
 namespace {
@@ -48,8 +49,11 @@ void check_format(const Job& job, const TileFormat& format, MeshKind kind,
             throw InvalidInput("-o " + path + ": " + error.what());
         }
     }
+    // Beside a mesh of cells, the file of the triangles may lack what belongs to cells.
+    const bool needs_cells =
+        !format.holds_polygons || !has_mesh(job, &MeshKindRow::faces_have_sites);
     if (format.states_materials && (job.has_inclusions() || !job.materials.empty()) &&
-        !mesh_kind_row(kind).faces_have_sites) {
+        !mesh_kind_row(kind).faces_have_sites && needs_cells) {
         throw InvalidInput("-o " + path +
                            ": Delaunay triangles are no cells, which phases and orientations "
                            "belong to; take the mesh grains");

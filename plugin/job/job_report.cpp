@@ -97,8 +97,13 @@ std::optional<Report::Walls> report_walls(const Job& job, const RunSummary& summ
 std::optional<Report::Inclusions> report_inclusions(const RunSummary& summary) {
     if (!summary.interfaces) return std::nullopt;
     const InterfaceFigures& figures = *summary.interfaces;
+    std::vector<std::array<double, 3>> fibres;
+    for (const auto& [centre, radius] : figures.fibres) {
+        fibres.push_back({centre.x(), centre.y(), radius});
+    }
     return Report::Inclusions{.source = figures.source,
                               .shapes = figures.n_shapes,
+                              .fibres = std::move(fibres),
                               .chords = figures.n_chords,
                               .fixed_sites = figures.n_fixed,
                               .held_sites = figures.n_held};

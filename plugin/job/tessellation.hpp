@@ -9,6 +9,7 @@
 #include "mesher/areas/area_newton.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/energy/stability.hpp"
+#include "mesher/interfaces/inclusion.hpp"
 #include "mesher/lattice/walls.hpp"
 #include "mesher/mesh/elongated_mesh.hpp"
 #include "mesher/search/lattice_pattern.hpp"
@@ -24,6 +25,8 @@ struct InterfaceFigures {
     /// The file of the shapes, or their law.
     std::string source;
     int n_shapes = 0;
+    /// The fibres that were drawn.
+    std::vector<Circle> fibres = {};
     int n_chords = 0;
     /// Sites in pairs beside the chords, which do not move.
     int n_fixed = 0;

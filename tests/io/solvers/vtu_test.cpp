@@ -143,6 +143,37 @@ TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
     EXPECT_TRUE(read(one_cell()).site_orbits.empty());
 }
 
+std::string with_phases(const Tile& tile) {
+    return encode_vtu(tile, "t.vtu", {},
+                      {.phase_names = {"soft", "2nd"}, .site_phase = {0, 1, 1, 0}})[0]
+        .bytes;
+}
+
+TEST(Vtu, PhasesReadBackFromCellsAndGrains) {
+    for (const Tile& tile :
+         {testing::grid_tile(kSquare, 2, 2), testing::grain_grid_tile(kSquare, 2, 2)}) {
+        const CellMaterials found = read(with_phases(tile)).materials;
+        EXPECT_THAT(found.phase_names, ::testing::ElementsAre("soft", "2nd"));
+        EXPECT_THAT(found.site_phase, ::testing::ElementsAre(0, 1, 1, 0));
+    }
+    EXPECT_TRUE(read(one_cell()).materials.empty());
+}
+
+TEST(Vtu, PhasesThatAreNoneAreRefused) {
+    const std::string cells = with_phases(testing::grid_tile(kSquare, 2, 2));
+    const auto fault = [&](const std::string& piece, const std::string& other) {
+        return fault_of(testing::exchanged(cells, piece, other));
+    };
+    const std::string phases = "SitePhases\" NumberOfTuples=\"4\" format=\"ascii\">\n0\n1\n1\n0\n";
+    EXPECT_THAT(fault(phases, testing::exchanged(phases, "\n0\n1", "\n0\n2")),
+                HasSubstr("without a name"));
+    EXPECT_THAT(fault(phases, testing::exchanged(phases, "1\n0\n", "1\n")), HasSubstr("phases"));
+    EXPECT_THAT(fault("115 111 102 116 0", "33 111 102 116 0"), HasSubstr("is no name of a phase"));
+    EXPECT_THAT(fault("50 110 100 0", "50 110 100"), HasSubstr("does not end with 0"));
+    EXPECT_THAT(fault("50 110 100 0", "50 110 10 0"), HasSubstr("a character that is none"));
+    EXPECT_THAT(fault("PhaseNames", "Names"), HasSubstr("lacks the array FieldData/PhaseNames"));
+}
+
 TEST(Vtu, OrbitsThatAreNoneAreRefused) {
     const std::string cells = with_orbits(testing::grid_tile(kSquare, 2, 2));
     const std::string orbits = "\n0\n1\n1\n0\n</DataArray>\n</CellData>";

@@ -10,7 +10,8 @@ from support.cli import CliTest, main
 
 CASE = {f"t.foam/{name}" for name in (
     "constant/polyMesh/points", "constant/polyMesh/faces", "constant/polyMesh/owner",
-    "constant/polyMesh/neighbour", "constant/polyMesh/boundary", "constant/transportProperties",
+    "constant/polyMesh/neighbour", "constant/polyMesh/boundary", "constant/polyMesh/cellZones",
+    "constant/transportProperties",
     "constant/turbulenceProperties", "system/controlDict", "system/fvSchemes", "system/fvSolution",
     "0/U", "0/p", "0/T", "t.foam")}
 

@@ -1,0 +1,182 @@
+#include "io/solvers/vtu_arrays.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "io/bytes/bad_file.hpp"
+#include "io/bytes/text.hpp"
+#include "io/tiles/site_notes.hpp"
+
+namespace pcvt {
+namespace {
+
+using Event = XmlScanner::Event;
+
+/// SECTION/NAME of the arrays. The array of points may have any name.
+constexpr std::array<std::string_view, 14> kArrays{"FieldData/PeriodicLattice",
+                                                   "FieldData/PhaseNames",
+                                                   "FieldData/SitePhases",
+                                                   "PointData/GlobalIds",
+                                                   "PointData/PeriodicPointIds",
+                                                   "PointData/PeriodicOffset",
+                                                   "PointData/CellId",
+                                                   "CellData/CellId",
+                                                   "CellData/Orbit",
+                                                   "CellData/Phase",
+                                                   "Points/Points",
+                                                   "Cells/connectivity",
+                                                   "Cells/offsets",
+                                                   "Cells/types"};
+
+/// The numbers of 32 and 64 bits with a sign, which hold all ids and offsets, count as one type.
+std::string_view type_class(std::string_view type) {
+    return type == "Int32" || type == "Int64" ? "integers" : type;
+}
+
+/// Appends the fields of the array that begins here, and advances to its end.
+void append_array(XmlScanner& scanner, bool with_values, std::vector<FileWord>& words) {
+    words.push_back({type_class(scanner.attribute("type").value_or("")), scanner.line()});
+    words.push_back({scanner.attribute("format").value_or("no format"), scanner.line()});
+    words.push_back({scanner.attribute("NumberOfComponents").value_or("1"), scanner.line()});
+    if (const auto tuples = scanner.attribute("NumberOfTuples")) {
+        words.push_back({*tuples, scanner.line()});
+    }
+    scanner.for_each_word([&](std::string_view word, int line) {
+        if (with_values) words.push_back({word, line});
+    });
+}
+
+/// Whether SECTION/NAME is an array that encode_vtu() writes.
+bool is_vtu_array(std::string_view key) {
+    constexpr std::string_view kFieldData = "FieldData/";
+    for (const SiteNote& note : site_notes()) {
+        if (key.starts_with(kFieldData) && key.substr(kFieldData.size()) == note.array) return true;
+    }
+    return std::find(kArrays.begin(), kArrays.end(), key) != kArrays.end();
+}
+
+}  // namespace
+
+VtuArrays::VtuArrays(const std::string& name, std::string_view text) : scanner_(name, text) {
+    if (scanner_.next() != Event::kBegin || scanner_.element() != "VTKFile" ||
+        scanner_.attribute("type") != "UnstructuredGrid") {
+        throw BadFile(name + ": is not a VTKFile with an UnstructuredGrid; give a VTU");
+    }
+    std::string section;
+    for (Event event = scanner_.next(); event != Event::kNothing; event = scanner_.next()) {
+        if (event == Event::kEnd) continue;
+        if (scanner_.element() == "Piece") {
+            read_piece();
+        } else if (scanner_.element() == "DataArray") {
+            read_array(section);
+        } else {
+            section = std::string(scanner_.element());
+        }
+    }
+    if (n_points_ < 0) throw BadFile(name + ": holds no Piece; give a VTU with a grid");
+}
+
+const VtuArray* VtuArrays::find(const std::string& key) const {
+    const auto found = arrays_.find(key);
+    return found == arrays_.end() ? nullptr : &found->second;
+}
+
+const VtuArray& VtuArrays::get(const std::string& key, int n_tuples, int n_components,
+                               bool of_integers) const {
+    const VtuArray* array = find(key);
+    if (array == nullptr) {
+        throw BadFile(scanner_.name() + ": lacks the array " + key + "; export the file with it");
+    }
+    const auto wanted =
+        static_cast<std::size_t>(std::max(n_tuples, 0)) * static_cast<std::size_t>(n_components);
+    if (array->n_components != n_components || (n_tuples >= 0 && array->size() != wanted) ||
+        (of_integers && array->is_real())) {
+        scanner_.throw_bad_file(array->line, "the array " + key + " has not the size or type of " +
+                                                 "its kind; write the file again");
+    }
+    return *array;
+}
+
+int VtuArrays::count(std::string_view key) const {
+    const auto word = scanner_.attribute(key);
+    if (!word)
+        scanner_.throw_bad_file(scanner_.line(),
+                                "the Piece lacks " + std::string(key) + "; add it");
+    const int n = integer(*word, scanner_.line());
+    if (n < 0) scanner_.throw_bad_file(scanner_.line(), "a count is negative; correct it");
+    return n;
+}
+
+int VtuArrays::integer(std::string_view word, int line) const {
+    try {
+        return parse_integer(word);
+    } catch (const InvalidInput& fault) {
+        scanner_.throw_bad_file(line, fault.what());
+    }
+}
+
+void VtuArrays::read_piece() {
+    if (n_points_ >= 0)
+        scanner_.throw_bad_file(scanner_.line(), "there is a second Piece; merge the pieces");
+    n_points_ = count("NumberOfPoints");
+    n_cells_ = count("NumberOfCells");
+}
+
+void VtuArrays::read_array(const std::string& section) {
+    // The array of points may have any name.
+    const std::string name(scanner_.attribute("Name").value_or(""));
+    const std::string key = section + "/" + (section == "Points" ? "Points" : name);
+    if (!is_vtu_array(key)) return;
+    if (scanner_.attribute("format").value_or("ascii") != "ascii") {
+        scanner_.throw_bad_file(scanner_.line(),
+                                "the array " + key + " is binary; export it as ASCII");
+    }
+    VtuArray array{.line = scanner_.line(),
+                   .type = std::string(scanner_.attribute("type").value_or(""))};
+    const auto components = scanner_.attribute("NumberOfComponents");
+    if (components) array.n_components = integer(*components, scanner_.line());
+    // VTK may nest elements with ranges in an array; its numbers are its own text alone.
+    scanner_.for_each_word([&](std::string_view word, int line) { add_value(word, line, array); });
+    if (!arrays_.emplace(key, std::move(array)).second) {
+        scanner_.throw_bad_file(scanner_.line(),
+                                "the array " + key + " is there twice; remove one");
+    }
+}
+
+void VtuArrays::add_value(std::string_view word, int line, VtuArray& array) const {
+    try {
+        array.values.push_back(array.is_real() ? parse_number(word) : parse_integer(word));
+    } catch (const InvalidInput& fault) {
+        scanner_.throw_bad_file(line, fault.what());
+    }
+    array.lines.push_back(line);
+}
+
+std::optional<FileFields> vtu_fields(const std::string& name, std::string_view text) {
+    FileFields fields{.name = name};
+    XmlScanner scanner(name, text);
+    std::string section;
+    for (Event event = scanner.next(); event != Event::kNothing; event = scanner.next()) {
+        if (event == Event::kEnd) continue;
+        if (scanner.element() == "Piece") {
+            for (const char* key : {"NumberOfPoints", "NumberOfCells"}) {
+                fields.parts["the Piece"].push_back(
+                    {scanner.attribute(key).value_or(""), scanner.line()});
+            }
+        } else if (scanner.element() == "DataArray") {
+            const bool of_points = section == "Points";
+            const std::string array(scanner.attribute("Name").value_or(""));
+            const std::string key = section + "/" + (of_points ? "Points" : array);
+            if (!is_vtu_array(key)) continue;
+            append_array(scanner, !of_points, fields.parts[key]);
+        } else {
+            section = std::string(scanner.element());
+            if (const auto ids = scanner.attribute("GlobalIds")) {
+                fields.parts["the ids of " + section].push_back({*ids, scanner.line()});
+            }
+        }
+    }
+    return fields;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/bytes/xml_scanner.hpp"
+#include "io/tiles/file_fields.hpp"
+
+namespace pcvt {
+
+/// A DataArray that a tile needs.
+struct VtuArray {
+    int line;
+    std::string type;
+    /// 1 if the file gives no number.
+    int n_components = 1;
+    std::vector<double> values = {};
+    /// The line of each value.
+    std::vector<int> lines = {};
+
+    std::size_t size() const { return values.size(); }
+    int integer(std::size_t k) const { return static_cast<int>(values[k]); }
+    bool is_real() const { return type == "Float32" || type == "Float64"; }
+};
+
+/// The arrays of a VTU that encode_vtu() writes, by SECTION/NAME, and the counts of its piece.
+///
+/// Example usage:
+///     const VtuArrays arrays(path, text);
+///     const VtuArray& points = arrays.get("Points/Points", arrays.n_points(), 3, false);
+class VtuArrays {
+   public:
+    /// @throws BadFile  the text is no VTKFile with one piece of an UnstructuredGrid and arrays in
+    ///         ASCII; an array is there twice.
+    VtuArrays(const std::string& name, std::string_view text);
+
+    int n_points() const { return n_points_; }
+    int n_cells() const { return n_cells_; }
+
+    /// Returns an array; nullptr if the file lacks it.
+    const VtuArray* find(const std::string& key) const;
+    /// Returns an array of `n_tuples` tuples with `n_components` values each; `n_tuples` below 0
+    /// permits any number of tuples.
+    /// @throws BadFile  the file lacks it, or it has another size or type.
+    const VtuArray& get(const std::string& key, int n_tuples, int n_components,
+                        bool of_integers) const;
+
+    const XmlScanner& scanner() const { return scanner_; }
+
+   private:
+    int count(std::string_view key) const;
+    int integer(std::string_view word, int line) const;
+    void read_piece();
+    void read_array(const std::string& section);
+    void add_value(std::string_view word, int line, VtuArray& array) const;
+
+    XmlScanner scanner_;
+    std::map<std::string, VtuArray> arrays_;
+    int n_points_ = -1;
+    int n_cells_ = -1;
+};
+
+/// Returns the fields of a VTU: the counts of its piece, and for each array that encode_vtu()
+/// writes its type, the numbers of its components and tuples, and its values. The positions of
+/// points are left out, because they are proved as those of the tile, and so are arrays of other
+/// programs.
+///
+/// Example usage:
+///     compare_fields(*vtu_fields(path, text), *vtu_fields(path, expected_text));
+///
+/// @throws BadFile  if the text is not XML.
+std::optional<FileFields> vtu_fields(const std::string& name, std::string_view text);
+
+}  // namespace pcvt
