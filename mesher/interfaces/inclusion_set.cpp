@@ -12,6 +12,10 @@ namespace {
 /// In units of the longer reduced period: a longer shape would have too many images to compare.
 constexpr double kLongest = 8;
 
+/// Corners of polygons are not sharper, on either side: chords would become ever shorter there. The
+/// cosine of 3 degrees.
+constexpr double kSharpestCosine = 0.99863;
+
 [[noreturn]] void refuse(const Inclusion& inclusion, const std::string& what) {
     throw InvalidInput("line " + std::to_string(inclusion.line) + ": " + what);
 }
@@ -28,6 +32,13 @@ void require_polygon(Inclusion& inclusion, Polygon& polygon) {
             refuse(inclusion, "corner " + std::to_string(k + 1) +
                                   " of the polygon repeats the next one; remove it");
         }
+    }
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2 before = polygon[(k + polygon.size() - 1) % polygon.size()] - polygon[k];
+        const Vec2 after = polygon[(k + 1) % polygon.size()] - polygon[k];
+        if (before.dot(after) <= kSharpestCosine * before.norm() * after.norm()) continue;
+        refuse(inclusion, "corner " + std::to_string(k + 1) +
+                              " of the polygon is sharper than 3 degrees; cut it off");
     }
     const double area = polygon_area(polygon);
     if (!(std::abs(area) > kSameVertex * perimeter * perimeter)) {

@@ -23,7 +23,8 @@ class InclusionSet {
     /// @param inclusions  anywhere in the plane; images are implied. Polygons in either
     /// orientation.
     /// @throws InvalidInput naming the lines: a size or a tag is not positive, a number not finite,
-    ///         a polygon has fewer than three corners or crosses itself; a shape is larger than the
+    ///         a polygon has fewer than three corners, one sharper than 3 degrees, or crosses
+    ///         itself; a shape is larger than the
     ///         domain or meets an image of itself; two shapes meet.
     InclusionSet(const Lattice& lattice, std::vector<Inclusion> inclusions);
 
