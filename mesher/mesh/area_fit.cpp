@@ -2,6 +2,8 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,6 +27,15 @@ constexpr int kRemembered = 12;
 constexpr int kMostSteps = 100;
 /// The iteration ends after this number of steps in a row that do not lower the error.
 constexpr int kMostVainSteps = 15;
+/// The cells are cut along the box at most this number of times.
+constexpr int kMostCuts = 6;
+/// The factor by which the snapping distance is reduced where no weights give the areas.
+constexpr double kLessSnap = 4;
+/// Corners that move less far, in units of h, do not change the areas.
+constexpr double kLeastSnap = 1e-9;
+
+/// Returns the area of each site in the mesh that is made of some cells; nothing if there is none.
+using AreaMeasure = std::function<std::optional<Eigen::VectorXd>(const PeriodicMesh&)>;
 
 Polygon polygon_of(const PeriodicMesh& mesh, int f) {
     Polygon polygon;
@@ -165,22 +176,12 @@ bool are_simple(const PeriodicMesh& mesh) {
     return true;
 }
 
-}  // namespace
-
-Eigen::VectorXd areas_by_site(const PeriodicMesh& mesh, int n_sites) {
-    Eigen::VectorXd areas = Eigen::VectorXd::Zero(n_sites);
-    for (int f = 0; f < mesh.n_faces(); ++f) {
-        checkpoint_each(f);
-        areas[mesh.site[f]] += polygon_area(polygon_of(mesh, f));
-    }
-    return areas;
-}
-
-FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
-                      const Eigen::VectorXd& weights, const AreaMeasure& measure) {
+/// @pre `joined` has areas in the measure.
+FittedCells fit_measured(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
+                         const Eigen::VectorXd& weights, const AreaMeasure& measure) {
     const Eigen::VectorXd wanted = areas_by_site(cells, cells.n_faces());
     const double enough = kShareOfTolerance * area_tolerance(cells.n_faces());
-    Eigen::VectorXd areas = measure(joined);
+    Eigen::VectorXd areas = measure(joined).value();
     FittedCells best{joined, weights, largest_error(areas, wanted)};
     if (best.largest_relative_error <= enough) return best;
     // Find the weights.
@@ -196,7 +197,9 @@ FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metr
         if (!vertices) break;
         joined.vertices = std::move(*vertices);
         if (!are_simple(joined)) break;
-        areas = measure(joined);
+        auto measured = measure(joined);
+        if (!measured) break;
+        areas = std::move(*measured);
         const double error = largest_error(areas, wanted);
         if (!(error < best.largest_relative_error)) continue;
         best = {joined, here, error};
@@ -204,6 +207,65 @@ FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metr
         vain = 0;
     }
     return best;
+}
+
+/// Returns the pieces of the copies of the cells in a box; their areas may still be others.
+FittedCells fit_with_snap(const PeriodicMesh& cells, const PeriodicMesh& joined,
+                          const Metric& metric, const Eigen::VectorXd& weights,
+                          const BoxOfCopies& box) {
+    const int n = cells.n_faces();
+    const auto copies = [&](const PeriodicMesh& mesh) {
+        return repeated(mesh, box.columns, box.rows);
+    };
+    const auto areas = [&](const BoxCut& cut) -> Eigen::VectorXd {
+        return areas_by_site(cut.pieces, n) / (box.columns * box.rows);
+    };
+    FittedCells fitted{joined, weights, 0};
+    BoxCut cut = cut_along_box(copies(joined), box.corner, box.snap);
+    for (int k = 1; k < kMostCuts; ++k) {
+        const auto measure = [&](const PeriodicMesh& mesh) -> std::optional<Eigen::VectorXd> {
+            const auto trial = cut_along_box_as_before(copies(mesh), box.corner, cut.snaps);
+            if (!trial) return std::nullopt;
+            return areas(*trial);
+        };
+        fitted = fit_measured(cells, std::move(fitted.cells), metric, fitted.weights, measure);
+        BoxCut next = cut_along_box(copies(fitted.cells), box.corner, box.snap, cut.snaps);
+        const bool is_settled = next.snaps == cut.snaps;
+        cut = std::move(next);
+        if (is_settled) break;
+    }
+    fitted.largest_relative_error = largest_error(areas(cut), areas_by_site(cells, n));
+    fitted.cut = std::move(cut);
+    return fitted;
+}
+
+}  // namespace
+
+Eigen::VectorXd areas_by_site(const PeriodicMesh& mesh, int n_sites) {
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(n_sites);
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        checkpoint_each(f);
+        areas[mesh.site[f]] += polygon_area(polygon_of(mesh, f));
+    }
+    return areas;
+}
+
+FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
+                      const Eigen::VectorXd& weights) {
+    const int n = cells.n_faces();
+    return fit_measured(cells, std::move(joined), metric, weights,
+                        [n](const PeriodicMesh& mesh) { return areas_by_site(mesh, n); });
+}
+
+FittedCells fit_areas_in_box(const PeriodicMesh& cells, const PeriodicMesh& joined,
+                             const Metric& metric, const Eigen::VectorXd& weights,
+                             BoxOfCopies box) {
+    const double enough = area_tolerance(cells.n_faces());
+    const double least_snap = kLeastSnap * std::sqrt(cells.lattice.area() / cells.n_faces());
+    for (;; box.snap /= kLessSnap) {
+        FittedCells fitted = fit_with_snap(cells, joined, metric, weights, box);
+        if (fitted.largest_relative_error <= enough || box.snap < least_snap) return fitted;
+    }
 }
 
 }  // namespace pcvt

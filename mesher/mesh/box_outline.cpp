@@ -30,8 +30,13 @@ double least_snap(const PeriodicMesh& cells) {
 
 class BoxCutter {
    public:
-    BoxCutter(const PeriodicMesh& cells, const Vec2& origin, double snap)
-        : cells_(cells), lattice_(cells.lattice), origin_(origin), snap_(snap), lines_(lattice_) {
+    BoxCutter(const PeriodicMesh& cells, const Vec2& origin, const SnapReach& reach,
+              const BoxSnaps& earlier)
+        : cells_(cells),
+          lattice_(cells.lattice),
+          origin_(origin),
+          snapper_(lattice_, reach, earlier),
+          lines_(lattice_) {
         for (int v = 0; v < cells.n_vertices(); ++v) add_cell_vertex(v);
     }
 
@@ -58,23 +63,15 @@ class BoxCutter {
     ///          or lie there in another order than on the boundary of their cell.
     std::optional<BoxCut> cut() {
         cut_edges();
-        const std::vector<int> sides = cell_sides(cells_);
-        BoxCut box{{.lattice = lattice_, .kind = MeshKind::kVoronoi}, 0};
-        for (int f = 0; f < cells_.n_faces(); ++f) {
-            checkpoint_each(f);
-            for (const BoxPolygon& piece : pieces_of(f)) {
-                if (!is_polygon(piece)) return std::nullopt;
-                add_piece(f, piece, box.pieces);
-                box.pieces.whole_sides.push_back(sides[f]);
-            }
-        }
-        for (int v = 0; v < lines_.n_vertices(); ++v) box.pieces.vertices.push_back(position(v));
+        BoxCut box{{.lattice = lattice_, .kind = MeshKind::kVoronoi}, 0, {}};
         try {
+            if (!add_pieces(box.pieces)) return std::nullopt;
             link_faces(box.pieces);
         } catch (const InternalError&) {
             return std::nullopt;
         }
         box.shortest_edge = shortest_edge(box.pieces);
+        box.snaps = snaps_;
         return box;
     }
 
@@ -107,29 +104,17 @@ class BoxCutter {
         if (!lines_.on_line(v, 1)) p += lines_.vertex(v)[1] * lattice_.b();
         return p;
     }
-    /// Returns the distance between neighbouring lines of a family.
-    double line_spacing(int axis) const {
-        return lattice_.area() / (axis == 0 ? lattice_.b() : lattice_.a()).norm();
-    }
-
     void add_cell_vertex(int v) {
         Vec2 u = lattice_.to_lattice(cells_.vertices[v] - origin_);
-        Vec2 nearest = u.array().round();
-        const bool at_corner = lattice_.to_plane(u - nearest).norm() < snap_;
-        std::array<double, 2> distance;
+        const OnLines on = snapper_.lines_near(v, u);
         for (const int axis : BoxLines::kAxes) {
-            distance[axis] = std::abs(u[axis] - nearest[axis]) * line_spacing(axis);
+            if (on[axis]) u[axis] = std::round(u[axis]);
         }
-        // If the lines meet at a small angle, both may be near although the corner is not.
-        const int nearer = distance[1] < distance[0] ? 1 : 0;
-        for (const int axis : BoxLines::kAxes) {
-            const bool snaps = at_corner || (distance[axis] < snap_ && axis == nearer);
-            if (snaps) u[axis] = nearest[axis];
-        }
+        snaps_.vertices.push_back(on);
         const Vec2 floor = u.array().floor();
         moved_.push_back({static_cast<int>(floor.x()), static_cast<int>(floor.y())});
         lines_.add_vertex(u - floor);
-        n_at_corner_ += at_corner;
+        n_at_corner_ += on[0] && on[1];
     }
 
     BoxNode corner_node(int c) const {
@@ -143,8 +128,8 @@ class BoxCutter {
         BoxNode node;
     };
 
-    /// Returns the box corners through which the edge p q passes.
-    std::vector<Crossing> corners_between(const Vec2& p, const Vec2& q, const BoxNode& from,
+    /// Returns the box corners through which the edge p q, which corner c leaves, passes.
+    std::vector<Crossing> corners_between(int c, const Vec2& p, const Vec2& q, const BoxNode& from,
                                           const BoxNode& to) {
         std::vector<Crossing> found;
         const Vec2 way = lattice_.to_plane(q - p);
@@ -156,9 +141,9 @@ class BoxCutter {
                 corner[axis] = k;
                 const Vec2 from_p = lattice_.to_plane(corner - p);
                 const double at = from_p.dot(way) / way.squaredNorm();
-                if (std::abs(cross(way, from_p)) > snap_ * way.norm() || at <= 0 || at >= 1)
-                    continue;
                 const Offset offset{static_cast<int>(corner.x()), static_cast<int>(corner.y())};
+                const double distance = std::abs(cross(way, from_p)) / way.norm();
+                if (at <= 0 || at >= 1 || !snapper_.is_bent({c, offset}, distance)) continue;
                 const bool known = std::any_of(found.begin(), found.end(), [&](const Crossing& x) {
                     return x.node.offset == offset;
                 });
@@ -179,10 +164,11 @@ class BoxCutter {
         const Vec2 q = lines_.coordinates(to);
         // The edge bends at the box corners near it, and is straight between them. From here on,
         // the fraction t counts the straight parts.
-        std::vector<Crossing> crossings = corners_between(p, q, from, to);
+        std::vector<Crossing> crossings = corners_between(c, p, q, from, to);
         std::sort(crossings.begin(), crossings.end(), comes_first);
         std::vector<Vec2> path{p};
         for (Crossing& corner : crossings) {
+            snaps_.bends.push_back({c, corner.node.offset});
             corner.t = static_cast<double>(path.size());
             path.push_back(lines_.coordinates(corner.node));
         }
@@ -247,6 +233,21 @@ class BoxCutter {
         return lines_.split(polygon);
     }
 
+    /// Returns whether all pieces are polygons.
+    bool add_pieces(PeriodicMesh& pieces) {
+        const std::vector<int> sides = cell_sides(cells_);
+        for (int f = 0; f < cells_.n_faces(); ++f) {
+            checkpoint_each(f);
+            for (const BoxPolygon& piece : pieces_of(f)) {
+                if (!is_polygon(piece)) return false;
+                add_piece(f, piece, pieces);
+                pieces.whole_sides.push_back(sides[f]);
+            }
+        }
+        for (int v = 0; v < lines_.n_vertices(); ++v) pieces.vertices.push_back(position(v));
+        return true;
+    }
+
     /// Whether the piece has three nodes or more, each once.
     static bool is_polygon(const BoxPolygon& piece) {
         const auto before = [](const BoxNode& p, const BoxNode& q) {
@@ -288,7 +289,8 @@ class BoxCutter {
     const PeriodicMesh& cells_;
     const Lattice& lattice_;
     Vec2 origin_;
-    double snap_;
+    BoxSnapper snapper_;
+    BoxSnaps snaps_;
     /// Holds the vertices of the cells first, then the vertices that the cut adds.
     BoxLines lines_;
     /// For each vertex of the cells, the offset of the box that contained it.
@@ -314,18 +316,25 @@ bool are_polygons(const PeriodicMesh& mesh) {
 
 }  // namespace
 
-BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap) {
+BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap,
+                     const BoxSnaps& earlier) {
     const double least = least_snap(cells);
     for (; snap > least; snap /= kLessSnap) {
-        BoxCutter cutter(cells, origin, snap);
+        BoxCutter cutter(cells, origin, reach_after(earlier, snap), earlier);
         if (!cutter.keeps_cells()) continue;
         std::optional<BoxCut> box = cutter.cut();
         if (!box || !cutter.passes_corner_once() || !cutter.has_distinct_vertices()) continue;
         if (are_polygons(box->pieces)) return std::move(*box);
     }
-    std::optional<BoxCut> box = BoxCutter(cells, origin, least).cut();
+    std::optional<BoxCut> box = BoxCutter(cells, origin, {least, least}, earlier).cut();
     if (!box) throw InternalError("the cells could not be cut along the box");
     return std::move(*box);
+}
+
+std::optional<BoxCut> cut_along_box_as_before(const PeriodicMesh& cells, const Vec2& origin,
+                                              const BoxSnaps& earlier) {
+    const SnapReach reach{least_snap(cells), std::numeric_limits<double>::infinity()};
+    return BoxCutter(cells, origin, reach, earlier).cut();
 }
 
 }  // namespace pcvt

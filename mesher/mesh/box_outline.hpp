@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "mesher/mesh/box_snaps.hpp"
 #include "mesher/mesh/periodic_mesh.hpp"
 
 namespace pcvt {
@@ -11,6 +14,8 @@ struct BoxCut {
     PeriodicMesh pieces;
     /// The length of the shortest edge that lies on the cut or ends on it, length units.
     double shortest_edge;
+    /// What was moved.
+    BoxSnaps snaps;
 };
 
 /// Computes the `box` outline: cuts each cell along the lines origin + k a + t b and origin + l b +
@@ -28,11 +33,21 @@ struct BoxCut {
 ///   (2) A vertex on the left or lower side, corners included, is the representative of its orbit;
 ///       the vertex on the opposite side is its translate.
 ///   (3) The pieces of a cell, each moved back by a lattice vector, make up the cell up to `snap`.
+///   (4) After an earlier cut, what that cut moved is moved again within kHeldSnap snap of the box,
+///       and all else only within snap / 3, so that the same few are moved.
 ///
 /// @param cells   whole cells (`kVoronoi`); they need not be convex.
 /// @param origin  corner of the box, length units.
 /// @param snap    length units; at least kSameVertex h is used. A distance that would tear a cell
 ///                is reduced.
-BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap = 0);
+/// @param earlier what an earlier cut moved, of cells of the same topology.
+BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap = 0,
+                     const BoxSnaps& earlier = {});
+
+/// Computes the cut of cells that moves the same vertices and edges as the cut of other cells of
+/// the same topology, so that the areas of the pieces are continuous functions of the vertices.
+/// @returns nothing if a piece has no area. Pieces may cross themselves.
+std::optional<BoxCut> cut_along_box_as_before(const PeriodicMesh& cells, const Vec2& origin,
+                                              const BoxSnaps& earlier);
 
 }  // namespace pcvt

@@ -31,7 +31,7 @@ constexpr double kUlps = 2;
 /// In grains, edges shorter than this are removed from cells, and corners nearer to the box than
 /// this are moved onto it, in units of h.
 constexpr double kRemovedFromGrains = 0.02;
-constexpr double kSnappedGrains = 0.03;
+constexpr double kSnappedGrains = 0.04;
 
 /// Law (1). @returns the number of sites.
 int require_all_ids(const Tile& tile) {

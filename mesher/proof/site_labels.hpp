@@ -30,8 +30,8 @@ namespace pcvt {
 /// and (6), these laws hold instead (moved_cells.hpp):
 ///   (7) A vertex at which k > 2 cells meet lies at the mean of the circumcentres of the k - 2
 ///       Delaunay triangles of their sites (dual_mean.hpp). In grains with a box outline, a vertex
-///       on a side of the box may have been moved onto it along a period vector, by less than 0.03
-///       h from the side, and at a corner of the box freely by 0.03 h.
+///       on a side of the box may have been moved onto it along a period vector, by less than 0.04
+///       h from the side, and at a corner of the box freely by 0.04 h.
 ///   (8) Where two cells meet, the edge between them is straight, but for the corners of the box.
 ///   (9) The faces of a site form no more parts than the tile has periods.
 /// They need no bound for the distance by which corners were moved. Tile::short_edges matters

@@ -48,23 +48,6 @@ double snap_distance(const TileOptions& options, double h) {
     return moves ? kGrainSnap * h : 0;
 }
 
-LaidOut lay_out(const TileOptions& options, PeriodicMesh mesh, const Vec2& corner, double h,
-                TileFigures& figures) {
-    if (options.outline == Outline::kWhole) {
-        const Domain domain(mesh.lattice, options.origin);
-        figures.domain_corner = domain.corner();
-        figures.opposite_corner = domain.opposite_corner();
-        std::vector<Offset> placement = whole_outline(mesh, options.origin);
-        return {std::move(mesh), std::move(placement)};
-    }
-    figures.domain_corner = corner;
-    figures.opposite_corner = figures.domain_corner + mesh.lattice.a() + mesh.lattice.b();
-    BoxCut box = cut_along_box(mesh, figures.domain_corner, snap_distance(options, h));
-    figures.box_shortest_edge = box.shortest_edge / h;
-    std::vector<Offset> placement(static_cast<std::size_t>(box.pieces.n_faces()));
-    return {std::move(box.pieces), std::move(placement)};
-}
-
 /// The domain of the tile: columns x rows domains between walls.
 WalledDomain walled_domain(const TileOptions& options) {
     return options.walled->repeated(options.columns, options.rows);
@@ -194,6 +177,8 @@ struct TorusMesh {
     Vec2 corner = Vec2::Zero();
     /// Empty without weights.
     Eigen::VectorXd weights = {};
+    /// The cut of the mesh along the box, if it is made already.
+    std::optional<BoxCut> cut = {};
 };
 
 TorusMesh torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) {
@@ -217,21 +202,35 @@ TorusMesh walled_torus_mesh(const TileOptions& options, PeriodicMesh domain, dou
 /// Power cells, which keep their areas without their short edges, and at the sides of a box.
 TorusMesh power_torus_mesh(const TileOptions& options, PeriodicMesh cells, double h,
                            const Eigen::VectorXd& weights, TileFigures& figures) {
-    const int n = cells.n_faces();
-    const auto copies = [&](PeriodicMesh mesh) {
-        return repeated(std::move(mesh), options.columns, options.rows);
-    };
     PeriodicMesh joined = without_shortest(cells, options, h);
-    const Vec2 corner = corner_of_domain(options, copies(joined));
-    const AreaMeasure measure = [&](const PeriodicMesh& mesh) -> Eigen::VectorXd {
-        if (options.outline == Outline::kWhole) return areas_by_site(mesh, n);
-        const BoxCut box = cut_along_box(copies(mesh), corner, snap_distance(options, h));
-        return areas_by_site(box.pieces, n) / (options.columns * options.rows);
-    };
+    const Vec2 corner = corner_of_domain(options, repeated(joined, options.columns, options.rows));
     const Metric metric = options.elongation ? options.elongation->metric : Metric();
-    FittedCells fitted = fit_areas(cells, std::move(joined), metric, weights, measure);
+    FittedCells fitted =
+        options.outline == Outline::kWhole
+            ? fit_areas(cells, std::move(joined), metric, weights)
+            : fit_areas_in_box(cells, joined, metric, weights,
+                               {options.columns, options.rows, corner, snap_distance(options, h)});
     figures.area_error = fitted.largest_relative_error;
-    return {copies(std::move(fitted.cells)), corner, std::move(fitted.weights)};
+    return {repeated(std::move(fitted.cells), options.columns, options.rows), corner,
+            std::move(fitted.weights), std::move(fitted.cut)};
+}
+
+LaidOut lay_out(const TileOptions& options, TorusMesh torus, double h, TileFigures& figures) {
+    PeriodicMesh& mesh = torus.mesh;
+    if (options.outline == Outline::kWhole) {
+        const Domain domain(mesh.lattice, options.origin);
+        figures.domain_corner = domain.corner();
+        figures.opposite_corner = domain.opposite_corner();
+        std::vector<Offset> placement = whole_outline(mesh, options.origin);
+        return {std::move(mesh), std::move(placement)};
+    }
+    figures.domain_corner = torus.corner;
+    figures.opposite_corner = torus.corner + mesh.lattice.a() + mesh.lattice.b();
+    BoxCut box = torus.cut ? std::move(*torus.cut)
+                           : cut_along_box(mesh, torus.corner, snap_distance(options, h));
+    figures.box_shortest_edge = box.shortest_edge / h;
+    std::vector<Offset> placement(static_cast<std::size_t>(box.pieces.n_faces()));
+    return {std::move(box.pieces), std::move(placement)};
 }
 
 }  // namespace
@@ -249,16 +248,16 @@ BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& option
     } else {
         torus = torus_mesh(options, std::move(domain), h);
     }
-    if (!is_power) torus.weights = delaunay.weights();
+    const Eigen::VectorXd weights = is_power ? torus.weights : delaunay.weights();
     report(options, kGrainsBegin);
     LaidOut laid_out = options.walled
                            ? lay_out_between_walls(options, std::move(torus.mesh), h, figures)
-                           : lay_out(options, std::move(torus.mesh), torus.corner, h, figures);
+                           : lay_out(options, std::move(torus), h, figures);
     if (options.kind == MeshKind::kGrains) laid_out = mesh_cells(options, laid_out, h, figures);
     report(options, kGrainsEnd);
     Tile tile = tile_of(options, laid_out);
     if (options.elongation) tile.metric = options.elongation->metric;
-    tile.site_weights.assign(torus.weights.begin(), torus.weights.end());
+    tile.site_weights.assign(weights.begin(), weights.end());
     tile.grain_site_points = std::move(laid_out.grain_site_points);
     tile.columns = options.columns;
     tile.rows = options.rows;

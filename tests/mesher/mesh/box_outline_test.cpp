@@ -126,6 +126,83 @@ TEST(BoxOutline, EdgesNearACornerOfTheBoxAreBentThroughIt) {
     }
 }
 
+/// The cells with each vertex moved by at most `distance` in each coordinate.
+PeriodicMesh shaken(PeriodicMesh cells, double distance, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform(-distance, distance);
+    for (Vec2& p : cells.vertices) p += Vec2(uniform(random), uniform(random));
+    return cells;
+}
+
+Eigen::VectorXd areas_of(const PeriodicMesh& pieces, int n) {
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
+    for (int f = 0; f < pieces.n_faces(); ++f) {
+        areas[pieces.site[f]] += polygon_area(face(pieces, f));
+    }
+    return areas;
+}
+
+/// How many vertices a cut has moved, and how many edges it has bent.
+int n_moved(const BoxSnaps& snaps) {
+    const auto is_moved = [](const OnLines& on) { return on[0] || on[1]; };
+    return int(std::count_if(snaps.vertices.begin(), snaps.vertices.end(), is_moved)) +
+           int(snaps.bends.size());
+}
+
+// A box through a vertex, or through the middle of an edge, of cells that are cut in many ways.
+TEST(BoxOutline, ACutAsBeforeChangesAreasContinuously) {
+    constexpr int kSites = 60;
+    int n_other = 0;
+    for (const auto& [name, lattice] : lattices()) {
+        const double h = std::sqrt(lattice.area() / kSites);
+        const PeriodicMesh cells = without_short_edges(
+            cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, kSites, 4)))),
+            0.02 * h);
+        for (int v = 0; v < 12; ++v) {
+            SCOPED_TRACE(name + " vertex " + std::to_string(v));
+            const Vec2 edge = cells.point(cells.next(v)) - cells.point(v);
+            const Vec2 corner = cells.point(v) + (v % 2) * 0.5 * edge + Vec2(0.004, 0.003) * h;
+            const BoxCut cut = cut_along_box(cells, corner, 0.03 * h);
+            EXPECT_GT(n_moved(cut.snaps), 0);
+            const auto same = cut_along_box_as_before(cells, corner, cut.snaps).value();
+            EXPECT_EQ(same.snaps, cut.snaps);
+            EXPECT_EQ(same.pieces.vertices, cut.pieces.vertices);
+            const Eigen::VectorXd before = areas_of(cut.pieces, kSites);
+            for (const double distance : {1e-3, 1e-5, 1e-7}) {
+                const PeriodicMesh moved = shaken(cells, distance * h, v);
+                const auto again = cut_along_box_as_before(moved, corner, cut.snaps).value();
+                EXPECT_EQ(again.snaps, cut.snaps);
+                const Eigen::VectorXd areas = areas_of(again.pieces, kSites);
+                EXPECT_LE((areas - before).cwiseAbs().maxCoeff(), 60 * distance * h * h);
+                n_other += cut_along_box(moved, corner, 0.03 * h).snaps != cut.snaps;
+            }
+        }
+    }
+    EXPECT_GT(n_other, 0);
+}
+
+// Law 4.
+TEST(BoxOutline, MovedVerticesStayOnTheCutLongerThanOthers) {
+    const Lattice lattice = Lattice::rectangle(1, 1);
+    const PeriodicMesh cells =
+        cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, 30, 9))));
+    const Vec2 p = cells.vertices[0];
+    const auto snaps_at = [&](double distance, const BoxSnaps& earlier) {
+        // The vertex lies right of the line x = 0.
+        const Vec2 corner = p - Vec2(distance, 0.31);
+        return cut_along_box(cells, corner, 1e-3, earlier).snaps;
+    };
+    const BoxSnaps none = snaps_at(0.5e-3 * 30, {});
+    ASSERT_FALSE(none.vertices[0][0]);
+    const BoxSnaps on = snaps_at(0.9e-3, {});
+    ASSERT_TRUE(on.vertices[0][0]);
+    EXPECT_FALSE(snaps_at(1.1e-3, {}).vertices[0][0]);
+    EXPECT_TRUE(snaps_at(1.3e-3, on).vertices[0][0]);
+    EXPECT_FALSE(snaps_at(1.4e-3, on).vertices[0][0]);
+    EXPECT_FALSE(snaps_at(0.4e-3, none).vertices[0][0]);
+    EXPECT_TRUE(snaps_at(0.3e-3, none).vertices[0][0]);
+}
+
 TEST(BoxOutline, CutsCellsThatAreNotConvex) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     std::mt19937_64 random(3);

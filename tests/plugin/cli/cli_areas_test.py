@@ -178,9 +178,10 @@ class CheckedAreas(AreaTest):
             self.refuse(2, words, "check", "t.obj", "--areas", "b.txt")
 
     def test_grains_have_the_areas_of_their_cells(self):
-        for seed in range(3):
+        for seed in range(6):
             report = self.report("--sites", 200, "--seed", seed, "--areas", "lognormal:0.42", "--max-iterations", 5,
-                                 "--mesh", "grains", "-o", "t.inp", "--cells", "t.csv")
+                                 "--mesh", "grains", "--outline", ("whole", "box")[seed % 2], "-o", "t.inp", "--cells",
+                                 "t.csv")
             self.assertLessEqual(report["areas"]["largest_relative_mesh_error"], 1e-10)
             meshed = self.areas_of_elements("t.inp")
             for row in self.table("t.csv"):
@@ -204,14 +205,12 @@ class CheckedAreas(AreaTest):
                 areas[site] = areas.get(site, 0) + sum(elements[w] for w in words)
         return areas
 
-    def test_the_largest_error_of_a_box_is_reported_and_checked(self):
+    def test_boxes_are_checked(self):
         for seed in range(8):
             report = self.report("--sites", 60, "--seed", seed, "--areas", "a.txt", "--max-iterations", 3, "--mesh",
                                  "grains", "--outline", "box", "-o", "t.obj")
-            error = report["areas"]["largest_relative_mesh_error"]
-            self.assertLess(error, 0.1)
-            done = self.run_pcvt("check", "t.obj", "--areas", "a.txt")
-            self.assertEqual(done.returncode, 0 if error < 1e-9 else 2, (seed, error))
+            self.assertLess(report["areas"]["largest_relative_mesh_error"], 1e-10)
+            self.succeed("check", "t.obj", "--areas", "a.txt")
 
     def test_the_summary_states_the_error_of_the_mesh(self):
         output = self.succeed("mesh", "--sites", 200, "--areas", "lognormal:0.42", "--max-iterations", 5, "--mesh",

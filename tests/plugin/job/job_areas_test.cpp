@@ -100,16 +100,12 @@ Eigen::VectorXd wished(const Job& job) {
                         job.n_sites, job.lattice.area());
 }
 
-/// Expects that the faces of each site have its area, but for short edges that were removed.
+/// Expects that the faces of each site have its area, also without short edges and in a box.
 void expect_areas(const Job& job, const BuiltTile& built) {
-    const double grains = built.figures.kind == MeshKind::kGrains ? kShortGrainEdge : 0;
-    const double h = std::sqrt(job.lattice.area() / job.n_sites);
-    // No cell has a perimeter of more than some 40 h.
-    const double change = std::max({1e-8, grains, job.short_edges}) * h * 40 * h;
     const std::vector<double> areas = areas_by_site(built.tile, job.n_sites);
     const Eigen::VectorXd targets = wished(job);
     for (int s = 0; s < job.n_sites; ++s) {
-        EXPECT_NEAR(areas[s] / (job.columns * job.rows), targets[s], change);
+        EXPECT_NEAR(areas[s] / (job.columns * job.rows) / targets[s], 1, 1e-7);
     }
 }
 
