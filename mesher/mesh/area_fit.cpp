@@ -31,6 +31,8 @@ constexpr int kMostVainSteps = 15;
 constexpr int kMostCuts = 6;
 /// The factor by which the snapping distance is reduced where no weights give the areas.
 constexpr double kLessSnap = 4;
+/// Rounding adds at most this many times the error of the cells without a box.
+constexpr double kOverRounding = 4;
 /// Corners that move less far, in units of h, do not change the areas.
 constexpr double kLeastSnap = 1e-9;
 
@@ -260,12 +262,18 @@ FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metr
 FittedCells fit_areas_in_box(const PeriodicMesh& cells, const PeriodicMesh& joined,
                              const Metric& metric, const Eigen::VectorXd& weights,
                              BoxOfCopies box) {
-    const double enough = area_tolerance(cells.n_faces());
+    FittedCells fitted = fit_with_snap(cells, joined, metric, weights, box);
+    const double tolerance = area_tolerance(cells.n_faces());
+    if (fitted.largest_relative_error <= tolerance) return fitted;
+    // Rounding may prevent the tolerance for any snapping distance.
+    const double without_box = fit_areas(cells, joined, metric, weights).largest_relative_error;
+    const double enough = std::max(tolerance, kOverRounding * without_box);
     const double least_snap = kLeastSnap * std::sqrt(cells.lattice.area() / cells.n_faces());
-    for (;; box.snap /= kLessSnap) {
-        FittedCells fitted = fit_with_snap(cells, joined, metric, weights, box);
-        if (fitted.largest_relative_error <= enough || box.snap < least_snap) return fitted;
+    while (fitted.largest_relative_error > enough && box.snap > least_snap) {
+        box.snap /= kLessSnap;
+        fitted = fit_with_snap(cells, joined, metric, weights, box);
     }
+    return fitted;
 }
 
 }  // namespace pcvt

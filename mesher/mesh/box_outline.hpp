@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "mesher/mesh/box_snaps.hpp"
+#include "mesher/mesh/box_lines.hpp"
 #include "mesher/mesh/periodic_mesh.hpp"
 
 namespace pcvt {

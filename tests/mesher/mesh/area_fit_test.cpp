@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mesher/areas/target_areas.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/short_edges.hpp"
@@ -82,6 +84,32 @@ TEST(AreaFit, CellsInABoxHaveThemWhereverItLies) {
             expect_areas(built(lattice, cells, kRound, options), 40, seed, kRound);
         }
     }
+}
+
+// Weights are found for the usual snapping distance: no corner lies near the box but not on it.
+TEST(AreaFit, CornersNearABoxLieOnIt) {
+    const Lattice lattice = Lattice::rectangle(1, 1);
+    int n_moved = 0;
+    for (int seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE(seed);
+        const AreaCvtResult cells = testing::power_cells(lattice, 200, seed, kRound, 4);
+        const PeriodicMesh joined =
+            without_short_edges(cell_mesh(cells.delaunay), 0.02 / std::sqrt(200));
+        const double snap = 0.03 / std::sqrt(200);
+        const FittedCells fitted = fit_areas_in_box(cell_mesh(cells.delaunay), joined, Metric(),
+                                                    cells.delaunay.weights(), {.snap = snap});
+        EXPECT_LE(fitted.largest_relative_error, 1e-10);
+        for (std::size_t v = 0; v < fitted.cells.vertices.size(); ++v) {
+            const Vec2 off =
+                (fitted.cells.vertices[v].array() - fitted.cells.vertices[v].array().round()).abs();
+            const OnLines on = fitted.cut->snaps.vertices[v];
+            n_moved += on[0] || on[1];
+            EXPECT_TRUE(on[0] || on[1] || off.minCoeff() > snap / 3 - 1e-15);
+            if (on[0] == on[1]) continue;
+            EXPECT_LT(off[on[1] ? 1 : 0], kHeldSnap * snap);
+        }
+    }
+    EXPECT_GT(n_moved, 20);
 }
 
 // Law 1.
