@@ -203,6 +203,21 @@ TEST(BoxOutline, MovedVerticesStayOnTheCutLongerThanOthers) {
     EXPECT_TRUE(snaps_at(0.3e-3, none).vertices[0][0]);
 }
 
+// In a flat parallelogram, both lines are near a point that is far from their corner.
+TEST(BoxOutline, AVertexStaysOnItsLineAlsoWhereAnotherIsNearer) {
+    const Lattice flat({1, 0}, {7, 1});
+    // 0.0005 from the line u = 0, and 0.001 from v = 0.
+    const Vec2 u(0.0005 * flat.b().norm(), 0.001);
+    const SnapReach reach{0.002, 0.003};
+    const auto lines = [&](const OnLines& earlier) {
+        const BoxSnaps snaps{.vertices = {earlier}};
+        return BoxSnapper(flat, reach, snaps).lines_near(0, u);
+    };
+    EXPECT_EQ(lines({false, false}), (OnLines{true, false}));
+    EXPECT_EQ(lines({true, false}), (OnLines{true, false}));
+    EXPECT_EQ(lines({false, true}), (OnLines{false, true}));
+}
+
 TEST(BoxOutline, CutsCellsThatAreNotConvex) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     std::mt19937_64 random(3);
