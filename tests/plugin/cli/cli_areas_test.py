@@ -87,7 +87,29 @@ class PrescribedAreas(AreaTest):
         self.assertNotEqual(self.areas("a.csv"), self.areas("c.csv"))
         self.refuse(2, "--seed", "mesh", "--input", "s.txt", "--areas", "equal", "--seed", 1)
 
-    def test_the_same_bytes_for_any_number_of_threads(self):
+    def test_every_format_has_the_same_bytes_for_any_number_of_threads(self):
+        cells = ("obj", "ply", "glb", "gltf", "om", "vtu", "svg", "png", "dxf", "html", "foam", "vti", "csv", "txt")
+        triangles = ("obj", "ply", "glb", "gltf", "om", "vtu", "svg", "png", "dxf", "html", "foam", "msh", "inp")
+        materials = ("--phases", "a:0.3,b:0.7", "--orientations", "random")
+        jobs = {"cells": (cells, "--mesh", "voronoi", *materials),
+                "cut": (cells[:10], "--mesh", "voronoi", "--outline", "box", "--aspect", "2,30"),
+                "triangles": (triangles, "--mesh", "delaunay"),
+                "grains": (triangles, "--mesh", "grains", *materials, "--job", "elastic"),
+                "boxed": (triangles, "--mesh", "grains", "--outline", "box", "--repeat", "2x1")}
+        found = {}
+        for threads in (1, 2, 4):
+            for name, (formats, *options) in jobs.items():
+                outputs = [word for extension in formats for word in ("-o", f"{name}.{extension}")]
+                self.succeed("mesh", "--sites", 120, "--areas", "lognormal:0.42", "--max-iterations", 2, "--quiet",
+                             "--force", "--threads", threads, *options, *outputs, "--cells", f"{name}-table.csv")
+            found[threads] = self.contents()
+        self.assertGreater(len(found[1]), 60)
+        for threads in (2, 4):
+            self.assertEqual(list(found[threads]), list(found[1]))
+            for name, data in found[1].items():
+                self.assertTrue(found[threads][name] == data, (threads, name))
+
+    def test_large_runs_have_the_same_bytes_for_any_number_of_threads(self):
         for threads in (1, 3):
             self.report("--sites", 2000, "--areas", "gamma:0.3", "--aspect", "2,30", "--max-iterations", 1, "--threads",
                         threads, "-o", f"{threads}.csv", "-o", f"{threads}.svg", "-o", f"{threads}.txt")
