@@ -77,7 +77,7 @@ constexpr double kBesideAnother = 0.5;
 /// A pixel of a picture that one colours.
 constexpr double kPixel = 3;
 /// A voxel of an image of cells.
-constexpr double kVoxel = 20;
+constexpr double kVoxel = 11;
 /// The number of pixels of a side where the job gives none.
 constexpr double kDefaultPixels = 500;
 /// The part of these bytes that depends on the sites and not on their copies in a repeated tile.

@@ -53,6 +53,8 @@ class Large(CliTest):
             "a case": ["--sites", 60_000, *fixed, "--mesh", "delaunay", "-o", "t.foam"],
             "copies": ["--sites", 10_000, *quick, "--repeat", "3x3", "-o", "t.ply"],
             "two meshes": ["--sites", 50_000, *quick, *both, "-o", "t.obj", "-o", "t.glb"],
+            "voxels of few cells": ["--sites", 100, *fixed, "--voxels", "2000,2000", "-o", "t.vti"],
+            "voxels of many cells": ["--sites", 50_000, *fixed, "--voxels", "3000,3000", "-o", "t.vti"],
             "a picture": ["--sites", 100, *quick, "--pixels", 4000, "-o", "t.png"],
         }
         for name, options in jobs.items():
