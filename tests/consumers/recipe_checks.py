@@ -3,10 +3,15 @@
 import csv
 import json
 import math
+import pathlib
 import re
 import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from support.vti import read_vti  # noqa: E402
 
 
 @dataclass
@@ -57,6 +62,21 @@ def check_sizes(folder, _):
     require_files(folder, "grains.svg", "grains.csv")
     roundness = json.loads((folder / "grains.json").read_text())["areas"]["circularity_mean"]
     require_near(roundness, 0.90, 0.005, "the mean circularity")
+
+
+def check_voxels(folder, text):
+    require(re.search(r"^grains\.vti: ", text, re.M), "check does not accept grains.vti")
+    counts, _, _, materials = read_vti((folder / "grains.vti").read_text())
+    require(counts == [256, 256, 1], "the image has other counts of voxels")
+    entries = re.findall(r"^      - phase: (\w+)$", (folder / "grains.material.yaml").read_text(), re.M)
+    require(sorted(set(materials)) == list(range(len(entries))) == list(range(200)), "a grain has no voxel")
+    hard = sum(entries[m] == "martensite" for m in materials) / len(materials)
+    require(abs(hard - 0.2) < 0.01, f"martensite takes {hard} of the voxels, not 0.2")
+    load = (folder / "load.yaml").read_text()
+    # Each component of the mean deformation or of the mean stress is given, never both.
+    rates, stresses = (re.findall(r"[\w.-]+", re.search(rf"^ +{key}: (.*)$", load, re.M)[1]) for key in ("dot_F", "P"))
+    require(len(rates) == len(stresses) == 9, "the load has no 3 x 3 components")
+    require(all((r == "x") != (p == "x") for r, p in zip(rates, stresses)), "a component of the load is given twice, or not")
 
 
 def check_graded(folder, text):
@@ -236,6 +256,7 @@ ROWS = {
     ("Samples", "CalculiX and Abaqus"): Row(check_calculix, programs=("ccx",)),
     ("Samples", "A law of grain sizes"): Row(check_sizes),
     ("Samples", "Fibres and other inclusions"): Row(check_fibres, programs=("gmsh", "getdp")),
+    ("Samples", "Voxels for DAMASK"): Row(check_voxels),
     ("Samples", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx", "gmsh", "getdp")),
     ("Samples", "Gmsh"): Row(check_gmsh, modules=("gmsh",)),
     ("Samples", "GetDP"): Row(check_getdp, programs=("gmsh", "getdp")),
