@@ -4,10 +4,13 @@ Runs inside Blender: imports each file and checks that
   its faces lie upright and cover the area of the period parallelogram,
   with "Merge Vertices" on, a .glb of one node is one mesh whose boundary edges are those of the tile,
   at each corner u a + v b is the position, so that a picture lies upright on the tile,
-  a .glb has one object for each cell or one for all.
+  a .glb has one object for each cell or one for all,
+  where FILE.csv lists the cells, each object has the area of its cell.
 """
 
+import csv
 import json
+import re
 import struct
 import sys
 from collections import Counter
@@ -17,6 +20,8 @@ import bpy
 import numpy as np
 
 SINGLE = 2e-6
+# Of the areas of cells, of positions in single precision.
+SAME_AREA = 1e-5
 
 
 def require(holds, complaint):
@@ -82,6 +87,21 @@ def require_texture(item, lattice):
     return sum(polygon.area for polygon in mesh.polygons)
 
 
+def check_areas(path, items, areas):
+    """Returns how well the areas of the objects agree with those of the table of cells, in words."""
+    table = path.with_suffix(".csv")
+    if not table.exists():
+        return ""
+    with open(table, encoding="utf-8") as lines:
+        rows = csv.DictReader(line for line in lines if not line.startswith("#"))
+        wanted = {int(row["site"]): float(row["area"]) for row in rows}
+    found = {int(re.search(r"cell_(\d+)", item.name)[1]): area for item, area in zip(items, areas)}
+    require(found.keys() == wanted.keys(), "the objects are not the cells of the table")
+    error = max(abs(found[site] / area - 1) for site, area in wanted.items())
+    require(error < SAME_AREA, f"the area of a cell is off by {error:.1e}")
+    return f", areas within {error:.1e}"
+
+
 def check(path):
     items = load(path)
     if path.suffix == ".obj":
@@ -92,10 +112,11 @@ def check(path):
         faces = corners.reshape(-1, 3).tolist()
         expected = sum("cell_" in item.name for item in bpy.data.objects) or 1
     require(len(items) == expected, f"{len(items)} objects in place of {expected}")
-    area = sum(require_texture(item, lattice) for item in items)
+    areas = [require_texture(item, lattice) for item in items]
+    area = sum(areas)
     require(abs(area - abs(np.linalg.det(lattice))) < 1e-5 * area, f"the area is {area}")
     if expected > 1:
-        print(f"{path}: {expected} objects")
+        print(f"{path}: {expected} objects{check_areas(path, items, areas)}")
         return
     found = n_boundary_edges([list(polygon.vertices) for polygon in items[0].data.polygons])
     wanted = n_boundary_edges(faces)
