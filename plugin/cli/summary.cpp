@@ -74,7 +74,8 @@ std::string tile_lines(const RunSummary& summary) {
                 line("box", "shortest edge of the cut " + figure(*tile.box_shortest_edge) + " h");
         }
         if (tile.grains) text += line("grains", grain_text(*tile.grains));
-        if (tile.area_error) {
+        // Without joined corners, each cell has the area that the line "areas" states.
+        if (tile.area_error && *tile.area_error > 0) {
             text += line("meshed", std::string(mesh_kind_row(tile.kind).word) +
                                        ", areas off by at most " + figure(*tile.area_error));
         }

@@ -238,6 +238,9 @@ class CheckedAreas(AreaTest):
         output = self.succeed("mesh", "--sites", 200, "--areas", "lognormal:0.42", "--max-iterations", 5, "--mesh",
                               "grains")
         self.assertRegex(output, r"meshed +grains, areas off by at most \S+e-1\d\n")
+        # Whole cells have their areas exactly as they were fitted.
+        output = self.succeed("mesh", "--sites", 200, "--areas", "lognormal:0.42", "--max-iterations", 5)
+        self.assertNotIn("meshed", output)
 
 
 class ElongatedCells(AreaTest):
