@@ -89,10 +89,13 @@ TEST(AreaReader, TheCountIsThatOfTheSites) {
               "a.txt:3: the last of 2 areas, but there are 3 sites; give one area for each site");
     EXPECT_EQ(fault_of("1\n2\n#\n3", 2),
               "a.txt:4: area 3, but there are 2 sites; give one area for each site");
+    EXPECT_THAT(fault_of("1\n2\n3\n4\n5", 2), StartsWith("a.txt:3: area 3, but"));
 }
 
 TEST(AreaReader, AnAreaFarBelowTheMeanIsRefused) {
     EXPECT_EQ(fault_of("1\n1.1e-6\n1", 3), "");
+    // Below 1e-6 of the largest, but not of the mean.
+    EXPECT_EQ(fault_of("1\n5e-7\n1e-3", 3), "");
     EXPECT_EQ(fault_of("1\n1\n6e-7", 3),
               "a.txt:3: the area is below 1e-6 of the mean; give a larger one");
     // Areas whose sum is beyond the range of numbers are relative all the same.
