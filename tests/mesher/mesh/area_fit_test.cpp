@@ -129,6 +129,30 @@ TEST(AreaFit, TopologyAndFramesStay) {
     EXPECT_NEAR(areas_by_site(fitted.cells, 100).sum(), lattice.area(), 1e-12);
 }
 
+// Law 1, where so many edges are removed that no weights may give the areas.
+TEST(AreaFit, CellsStaySimpleWhereAreasAreNotReached) {
+    const Lattice lattice = Lattice::rectangle(1, 1);
+    int n_missed = 0;
+    for (int seed = 0; seed < 30; ++seed) {
+        SCOPED_TRACE(seed);
+        const AreaCvtResult result = testing::power_cells(lattice, 100, seed, kRound, 4);
+        const PeriodicMesh cells = cell_mesh(result.delaunay);
+        const PeriodicMesh joined = without_short_edges(cells, 0.035);
+        const FittedCells fitted = fit_areas(cells, joined, Metric(), result.delaunay.weights());
+        n_missed += fitted.largest_relative_error > 1e-10;
+        const PeriodicMesh& mesh = fitted.cells;
+        for (int f = 0; f < mesh.n_faces(); ++f) {
+            Polygon polygon;
+            for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+                polygon.push_back(mesh.point(c));
+            }
+            EXPECT_GT(polygon_area(polygon), 0);
+            EXPECT_FALSE(crosses_itself(polygon, 0));
+        }
+    }
+    EXPECT_GT(n_missed, 0);
+}
+
 TEST(AreaFit, CellsWithTheirAreasStayAsTheyAre) {
     const Lattice lattice = Lattice::rectangle(2, 1);
     const AreaCvtResult result = testing::power_cells(lattice, 30, 2, kRound, 2);
