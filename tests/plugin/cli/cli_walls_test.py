@@ -61,6 +61,16 @@ class Walls(CliTest):
                          *outputs("obj", "glb"))
             self.succeed("check", "--cvt", "t.obj")
 
+    def test_half_cells_are_a_centroidal_tessellation(self):
+        half = ("--sites", 40, "--period", "2,1", "--wall-cells", "half", "--force", "--quiet")
+        for walls in ("x", "y", "xy"):
+            self.succeed("mesh", *half, "--walls", walls, *outputs("obj", "glb", "vtu"))
+            said = self.succeed("check", "--cvt", "t.obj", "t.glb", "t.vtu")
+            self.assertEqual(said.count("centroidal Voronoi within"), 3)
+            self.succeed("mesh", *half, "--walls", walls, "--density", "1 + 4 * v", *outputs("obj"))
+            self.succeed("check", "--cvt", "--density", "1 + 4 * v", "t.obj")
+            self.refuse(2, "law of Voronoi: a corner of the edge", "check", "--cvt", "t.obj")
+
     def test_report_and_summary_state_the_walls(self):
         text = self.mesh("--walls", "y", "--report", "r.json")
         self.assertRegex(text, r"(?m)^walls +y, whole cells$")
