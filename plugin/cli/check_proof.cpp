@@ -235,6 +235,12 @@ std::string sites_text(const Tile& tile) {
     return ", " + std::to_string(tile.site_positions.size()) + " sites agree" + shape_text(tile);
 }
 
+std::string orbits_text(const TileFile& file) {
+    if (file.site_orbits.empty()) return "";
+    const int last = *std::max_element(file.site_orbits.begin(), file.site_orbits.end());
+    return ", " + std::to_string(last + 1) + " orbits agree";
+}
+
 /// The proof of an MPAS file as a line.
 std::string prove_grid(GridReader* read, const TileFormat& format, const std::string& path,
                        const Question& question) {
@@ -301,13 +307,14 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
     content = content_of(file.tile.walls);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
     const TileProof proof = prove_file(format, files, file);
-    std::string line =
-        path + ": " + described(file.tile.walls) + std::to_string(proof.n_vertices) +
-        " vertices, " + std::to_string(proof.n_faces) + " faces, " +
-        std::to_string(proof.n_boundary_edges) + " boundary edges in " +
-        std::to_string(proof.edge_pairs.size()) + " pairs, " + glued_text(file.tile, proof) + ", " +
-        "area " + figure(proof.area) + " (tolerance " + figure(proof.tolerance) + "), " +
-        std::to_string(proof.n_merged) + " merged" + pairs_text(file) + sites_text(file.tile);
+    std::string line = path + ": " + described(file.tile.walls) + std::to_string(proof.n_vertices) +
+                       " vertices, " + std::to_string(proof.n_faces) + " faces, " +
+                       std::to_string(proof.n_boundary_edges) + " boundary edges in " +
+                       std::to_string(proof.edge_pairs.size()) + " pairs, " +
+                       glued_text(file.tile, proof) + ", " + "area " + figure(proof.area) +
+                       " (tolerance " + figure(proof.tolerance) + "), " +
+                       std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
+                       sites_text(file.tile) + orbits_text(file);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
     if (question.areas) line += prove_tile_areas(path, file, proof, *question.areas);
     return line + "\n";
