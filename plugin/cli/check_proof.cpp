@@ -235,10 +235,10 @@ std::string sites_text(const Tile& tile) {
     return ", " + std::to_string(tile.site_positions.size()) + " sites agree" + shape_text(tile);
 }
 
-std::string orbits_text(const TileFile& file) {
-    if (file.site_orbits.empty()) return "";
-    const int last = *std::max_element(file.site_orbits.begin(), file.site_orbits.end());
-    return ", " + std::to_string(last + 1) + " orbits agree";
+std::string orbits_text(const std::vector<int>& orbits) {
+    if (orbits.empty()) return "";
+    const int n = 1 + *std::max_element(orbits.begin(), orbits.end());
+    return ", " + std::to_string(n) + " orbits agree";
 }
 
 /// The proof of an MPAS file as a line.
@@ -314,16 +314,10 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
                        glued_text(file.tile, proof) + ", " + "area " + figure(proof.area) +
                        " (tolerance " + figure(proof.tolerance) + "), " +
                        std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
-                       sites_text(file.tile) + orbits_text(file);
+                       sites_text(file.tile) + orbits_text(file.site_orbits);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
     if (question.areas) line += prove_tile_areas(path, file, proof, *question.areas);
     return line + "\n";
-}
-
-/// The thing that a file of this format should hold.
-std::string content_of(const TileFormat& format) {
-    if (format.reads_voxels()) return "a voxel image";
-    return format.reads_grid() ? "an MPAS mesh" : content_of(Walls::kNone);
 }
 
 }  // namespace
@@ -334,7 +328,9 @@ std::string prove(const std::string& path, const Question& question) {
         throw BadFile(path + ": a run ended before it had written all files of its set (" +
                       *journal + "); run pcvt again in that folder, which finishes the set");
     }
-    std::string content = content_of(format);
+    std::string content = format.reads_voxels() ? "a voxel image"
+                          : format.reads_grid() ? "an MPAS mesh"
+                                                : content_of(Walls::kNone);
     try {
         if (const auto* read = std::get_if<GridReader*>(&format.read)) {
             return prove_grid(*read, format, path, question);
