@@ -59,11 +59,10 @@ std::vector<WalledShape> walled_shapes() {
     const TileOptions box{.kind = MeshKind::kVoronoi, .outline = Outline::kBox};
     const TileOptions triangles{.kind = MeshKind::kDelaunay};
     const TileOptions grains{.kind = MeshKind::kGrains, .grain_per_edge = 1};
-    return {{{"voronoi walled", cells}, Walls::kY, WallCells::kWhole, kSites},
+    return {{{"voronoi walled", cells}, Walls::kXY, WallCells::kWhole, kSites},
             {{"voronoi walled box", box}, Walls::kX, WallCells::kWhole, kSites},
-            {{"voronoi walled half", cells}, Walls::kXY, WallCells::kHalf, 2 * kSites},
             {{"delaunay walled half", triangles}, Walls::kY, WallCells::kHalf, 2 * kSites},
-            {{"grains walled", grains}, Walls::kXY, WallCells::kWhole, kSites}};
+            {{"grains walled", grains}, Walls::kY, WallCells::kWhole, kSites}};
 }
 
 /// A symmetric start of kSites sites: three pairs and a centre of rotation.
@@ -176,7 +175,9 @@ std::vector<BaseFile> base_files(const TileFormat& format) {
         const CellShape cells = cell_shapes().back();
         add_tiles(format, power_tile(lattice, kSites, 5, cells, shape.options), shape, bases);
     }
-    for (const auto& [shape, walls, cells, n] : walled_shapes()) {
+    // The formats of solvers name the walls.
+    for (const auto& [shape, walls, cells, n] :
+         format.fields == nullptr ? std::vector<WalledShape>{} : walled_shapes()) {
         add_tile(format, walled_tile(walls, cells, n, shape.options), shape, {}, bases);
     }
     if (!format.states_orbits) return bases;
