@@ -1,13 +1,16 @@
 #include "io/file_proof.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "io/bytes/output_error.hpp"
+#include "io/bytes/text.hpp"
 #include "io/mpas/mpas_graph.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/generated_tile.hpp"
 #include "mesher/proof/site_labels.hpp"
 #include "mesher/tile/round_tile.hpp"
@@ -84,6 +87,35 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
     }
 }
 
+/// Requires that the cells of each orbit have one area, which the symmetry gives them. Triangles,
+/// and cells without their short edges, need not have it.
+void require_equal_areas(const TileFile& file, const TileProof& proof) {
+    constexpr double kTolerance = 1e-6;
+    const Tile& tile = file.tile;
+    if (tile.kind != MeshKind::kVoronoi || tile.short_edges > 0) return;
+    const std::size_t n = file.site_orbits.size();
+    std::vector<double> area(n, 0);
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        Polygon polygon;
+        for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
+        area[tile.face_site[f]] += polygon_area(polygon);
+    }
+    const double mean = tile.lattice.area() / static_cast<double>(n);
+    const double tolerance = kTolerance * mean + std::sqrt(mean) * proof.tolerance;
+    std::vector<std::size_t> first;
+    for (std::size_t s = 0; s < n; ++s) {
+        const auto orbit = static_cast<std::size_t>(file.site_orbits[s]);
+        if (orbit == first.size()) first.push_back(s);
+        const std::size_t other = first[orbit];
+        if (std::abs(area[s] - area[other]) <= tolerance) continue;
+        std::string ratio;
+        append_number(ratio, area[s] / area[other]);
+        throw NotATile("law of the orbits: the cells of sites " + std::to_string(other) + " and " +
+                       std::to_string(s) + " are on orbit " + std::to_string(orbit) +
+                       ", but the second one has " + ratio + " times the area of the first");
+    }
+}
+
 /// The part of the materials that a format states.
 CellMaterials held_materials(const TileFormat& format, const FileOptions& options) {
     if (!format.states_materials || options.materials == nullptr) return {};
@@ -121,6 +153,7 @@ TileProof prove_tile_file(const TileFile& file) { return prove_labels(file).proo
 TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
                      const TileFile& file) {
     const ProvedLabels proved = prove_labels(file);
+    if (!file.site_orbits.empty()) require_equal_areas(file, proved.proof);
     const bool exact = file.states_lattice && file.precision == Precision::kDouble;
     if (exact && format.fields != nullptr && proved.cells.are_clear) {
         prove_fields(format, files, file, proved);

@@ -139,7 +139,7 @@ std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
 
 std::vector<EncodedFile> write_msh(const Tile& tile, const FileOptions& options,
                                    const std::string& path) {
-    return encode_msh(tile, path, options.materials);
+    return encode_msh(tile, path, options.materials, options.site_orbits);
 }
 
 std::vector<EncodedFile> write_vtu(const Tile& tile, const FileOptions& options,
@@ -160,7 +160,8 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .read = decode_obj,
      .paths = obj_paths,
      .takes_colouring = true,
-     .takes_phases = true},
+     .takes_phases = true,
+     .states_orbits = true},
     {.extension = ".ply",
      .description = "PLY, ASCII with double coordinates, or float with --float32",
      .write = encode_ply,
@@ -194,7 +195,8 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .holds_polygons = false,
      .highest_order = 2,
      .takes_phases = true,
-     .states_materials = true},
+     .states_materials = true,
+     .states_orbits = true},
     {.extension = ".inp",
      .description = "Abaqus and CalculiX with *EQUATION, triangles only",
      .write = encode_inp,
@@ -207,7 +209,8 @@ constexpr std::array<TileFormat, 17> kFormats{{
      .takes_job = true,
      .takes_phases = true,
      .takes_orientations = true,
-     .states_materials = true},
+     .states_materials = true,
+     .states_orbits = true},
     {.extension = ".vtu",
      .description = "VTK unstructured grid, ASCII, with double coordinates",
      .write = write_vtu,

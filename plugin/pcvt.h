@@ -370,6 +370,7 @@ typedef struct pcvt_write_options {
     int32_t voxels[2];      /**< of .vti, along x and y [0, 0: about 16 along h] */
     int32_t job;            /**< of .inp: PCVT_JOB_... [PCVT_JOB_NONE] */
     int32_t reserved;
+    double thickness; /**< of .foam: height of the layer of cells along z [0: sqrt(area / faces)] */
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */

@@ -10,6 +10,7 @@
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/site_notes.hpp"
+#include "io/tiles/site_orbits.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/tile/texture_coordinates.hpp"
@@ -31,6 +32,8 @@ constexpr const char* kExplanation =
     "#   vertex_pair v w i j        vertex w lies at vertex v + i a + j b\n"
     "#   edge_pair v0 v1 w0 w1 i j  boundary edge v0 v1 + i a + j b is boundary edge w0 w1\n"
     "#   sites s ...                the site of each face (or vertex of triangles), in order\n";
+constexpr const char* kOrbitExplanation =
+    "#   site_orbits k ...          the orbit of site 0, 1, ... under the symmetry\n";
 
 template <class Number>
 void append_words(std::string& text, std::initializer_list<Number> numbers) {
@@ -99,8 +102,8 @@ void append_seam(std::string& text, const Tile& tile) {
     append_note_comments(text, "# pcvt ", tile);
 }
 
-std::string obj_text(const Tile& tile, const TileColours& colours,
-                     const std::string& material_file) {
+std::string obj_text(const Tile& tile, const TileColours& colours, const std::string& material_file,
+                     std::span<const int> site_orbits) {
     const std::vector<int>& material = colours.class_of;
     // Memory that is reserved and not used costs nothing, in contrast to a text that is moved.
     std::string text;
@@ -109,8 +112,10 @@ std::string obj_text(const Tile& tile, const TileColours& colours,
                  (2 * tile.faces.corners.size() + tile.faces.begin.size()) * kLongestInteger);
     text += kExplanation;
     append_note_meanings(text, "#   ");
+    if (!site_orbits.empty()) text += kOrbitExplanation;
     text += "# Vertices count from 1, sites from 0.\n";
     append_seam(text, tile);
+    append_site_orbits(text, "# pcvt ", site_orbits);
     text += "mtllib " + material_file + "\n";
     for (const Vec2& p : tile.points) {
         text += 'v';
@@ -169,7 +174,8 @@ std::vector<EncodedFile> encode_obj(const Tile& tile, const FileOptions& options
     std::sort(material.begin(), material.end());
     const std::vector<std::string> paths = obj_paths(path);
     const std::string material_file = std::filesystem::path(paths[1]).filename().string();
-    std::vector<EncodedFile> files = only_file(paths[0], obj_text(sorted, colours, material_file));
+    std::vector<EncodedFile> files =
+        only_file(paths[0], obj_text(sorted, colours, material_file, options.site_orbits));
     files.push_back({paths[1], mtl_text(colours)});
     files.push_back({paths[2], encode_seam(sorted)});
     return files;

@@ -108,7 +108,8 @@ void append_pixels(std::span<const PackedColour> samples, std::vector<unsigned c
 
 }  // namespace
 
-PeriodicCanvas::PeriodicCanvas(int width, int height) : width_(width), height_(height) {}
+PeriodicCanvas::PeriodicCanvas(int width, int height, Walls walls)
+    : width_(width), height_(height), walls_(walls) {}
 
 void PeriodicCanvas::add_polygon(std::span<const Vec2> corners, PackedColour colour) {
     shapes_.push_back({corners_.size(), corners.size(), -1, colour});
@@ -134,9 +135,12 @@ void PeriodicCanvas::paint_row(const Shape& shape, double y, std::span<PackedCol
         find_crossings(corners[0], corners[1], shape.radius, y, crossings);
     }
     const int n = kSamples * width_;
+    const bool has_walls = has_walls_across(walls_, 0);
     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
-        const std::int64_t begin = first_sample(crossings[k]);
-        const std::int64_t end = std::min(first_sample(crossings[k + 1]), begin + n);
+        std::int64_t begin = first_sample(crossings[k]);
+        if (has_walls) begin = std::max<std::int64_t>(begin, 0);
+        const std::int64_t most = has_walls ? n : begin + n;
+        const std::int64_t end = std::min(first_sample(crossings[k + 1]), most);
         int at = wrapped(begin, n);
         for (std::int64_t left = end - begin; left > 0; --left) {
             samples[at] = shape.colour;
@@ -160,6 +164,7 @@ std::vector<std::vector<PeriodicCanvas::Touch>> PeriodicCanvas::touches() const 
              ++row) {
             const int place = wrapped(row, height_);
             const auto period = static_cast<int>((row - place) / height_);
+            if (has_walls_across(walls_, 1) && period != 0) continue;
             rows[place].push_back({static_cast<int>(s), period});
         }
     }

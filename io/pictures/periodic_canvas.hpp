@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mesher/lattice/lattice.hpp"
+#include "mesher/lattice/walls.hpp"
 
 namespace pcvt {
 
@@ -18,10 +18,11 @@ struct RgbImage {
 /// A colour as 0xrrggbb.
 using PackedColour = std::uint32_t;
 
-/// A canvas whose left edge continues at its right edge, and its top at its bottom.
+/// A canvas whose left edge continues at its right edge, and its top at its bottom, unless these
+/// edges are walls.
 ///
 /// Example usage:
-///     PeriodicCanvas canvas(256, 128);
+///     PeriodicCanvas canvas(256, 128, Walls::kNone);
 ///     canvas.add_polygon(corners, 0xf3efe4);
 ///     canvas.add_stroke(corners[0], corners[1], 1.5, 0x565c68);
 ///     const RgbImage image = canvas.render();
@@ -30,9 +31,11 @@ using PackedColour = std::uint32_t;
 /// earlier ones. Each pixel is the mean of 4 x 4 samples. Laws, tested by number:
 ///   (1) Shapes moved by a whole number of pixels give the image rolled by that number.
 ///   (2) Shapes moved by whole widths and heights give the same image.
+///   (3) The parts of shapes beyond a wall do not show.
+/// Laws (1) and (2) hold for moves that cross no wall.
 class PeriodicCanvas {
    public:
-    PeriodicCanvas(int width, int height);
+    PeriodicCanvas(int width, int height, Walls walls);
 
     /// Adds a polygon, filled by the even-odd rule.
     void add_polygon(std::span<const Vec2> corners, PackedColour colour);
@@ -64,6 +67,7 @@ class PeriodicCanvas {
 
     int width_;
     int height_;
+    Walls walls_;
     std::vector<Shape> shapes_;
     std::vector<Vec2> corners_;
 };

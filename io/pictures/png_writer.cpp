@@ -62,7 +62,7 @@ bool is_cell_edge(const Tile& tile, const TileEdge& edge) {
 class PeriodPainter {
    public:
     PeriodPainter(const Tile& tile, int width, int height)
-        : tile_(tile), size_(width, height), canvas_(width, height) {
+        : tile_(tile), size_(width, height), canvas_(width, height, tile.walls) {
         const double side = std::sqrt(size_.x() * size_.y());
         scale_ = side / kPictureSide;
         spacing_ = kPictureSide / std::sqrt(count_sites(tile));

@@ -16,6 +16,9 @@ constexpr std::array<std::string_view, 9> kSets{"CELL_",          "SEAM_",      
 constexpr std::array<std::string_view, 3> kMaterialCards{"*ELSET,ELSET=PHASE_", "*ORIENTATION,",
                                                          "*SOLIDSECTION,"};
 
+/// The beginning of the cards that follow from the orbits of a file, where it states them.
+constexpr std::string_view kOrbitCard = "*ELSET,ELSET=ORBIT_";
+
 /// Returns a card in upper case and without blanks, as the solver reads it.
 std::string card_name(const std::vector<std::string_view>& words) {
     std::string card;
@@ -42,10 +45,9 @@ bool follows_from_materials(const std::string& card) {
                        [&](std::string_view name) { return card.starts_with(name); });
 }
 
-/// Whether a line is a comment of pcvt about materials.
-bool states_materials(const std::vector<std::string_view>& words) {
-    return words.size() > 2 && words[0] == "**" && words[1] == "pcvt" &&
-           (words[2] == "phases" || words[2] == "angles");
+/// The key of a line that is a comment of pcvt; else empty.
+std::string_view comment_key(const std::vector<std::string_view>& words) {
+    return words.size() > 2 && words[0] == "**" && words[1] == "pcvt" ? words[2] : "";
 }
 
 /// Whether the tile determines the data of a card.
@@ -86,13 +88,17 @@ std::optional<FileFields> inp_fields(const std::string& name, std::string_view t
     // not among them.
     bool numbers_alone = false;
     bool has_materials = false;
+    bool has_orbits = false;
     while (scanner.next()) {
-        has_materials = has_materials || states_materials(scanner.words());
+        const std::string_view key = comment_key(scanner.words());
+        has_materials = has_materials || key == "phases" || key == "angles";
+        has_orbits = has_orbits || key == "site_orbits";
         if (scanner.words().empty() || scanner.words().front().starts_with("**")) continue;
         if (scanner.words().front().front() == '*') {
             const std::string card = card_name(scanner.words());
-            const bool follows =
-                follows_from_tile(card) || (has_materials && follows_from_materials(card));
+            const bool follows = follows_from_tile(card) ||
+                                 (has_materials && follows_from_materials(card)) ||
+                                 (has_orbits && card.starts_with(kOrbitCard));
             words = follows ? &fields.parts[card] : nullptr;
             numbers_alone = is_nodes(card) && card.find("CONTROL_") == std::string::npos;
         } else if (words != nullptr) {

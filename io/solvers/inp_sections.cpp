@@ -12,19 +12,27 @@ namespace {
 
 constexpr std::size_t kSetsALine = 8;
 
-/// The set of all cells of each phase that has one.
-void append_phase_sets(std::string& text, const CellMaterials& materials,
-                       std::span<const SiteId> cells) {
-    std::vector<std::vector<SiteId>> members(materials.phase_names.size());
-    for (const SiteId s : cells) members[materials.site_phase[s]].push_back(s);
+/// The set of all cells of each class that has one.
+/// @param class_of  of each site.
+void append_cell_sets(std::string& text, std::span<const int> class_of,
+                      std::span<const std::string> set_names, std::span<const SiteId> cells) {
+    std::vector<std::vector<SiteId>> members(set_names.size());
+    for (const SiteId s : cells) members[class_of[s]].push_back(s);
     for (std::size_t p = 0; p < members.size(); ++p) {
         if (members[p].empty()) continue;
-        text += "*ELSET,ELSET=PHASE_" + materials.phase_names[p] + "\n";
+        text += "*ELSET,ELSET=" + set_names[p] + "\n";
         for (std::size_t k = 0; k < members[p].size(); ++k) {
             text += "CELL_" + std::to_string(members[p][k]);
             text += (k + 1) % kSetsALine == 0 || k + 1 == members[p].size() ? '\n' : ',';
         }
     }
+}
+
+void append_phase_sets(std::string& text, const CellMaterials& materials,
+                       std::span<const SiteId> cells) {
+    std::vector<std::string> names;
+    for (const std::string& phase : materials.phase_names) names.push_back("PHASE_" + phase);
+    append_cell_sets(text, materials.site_phase, names, cells);
 }
 
 void append_orientation(std::string& text, SiteId site, const BungeAngles& angles) {
@@ -75,6 +83,16 @@ void append_step(std::string& text, const LoadCase& load) {
 }
 
 }  // namespace
+
+std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const SiteId> cells) {
+    std::string text;
+    std::vector<std::string> names;
+    for (const int orbit : site_orbits) {
+        if (orbit == std::ssize(names)) names.push_back("ORBIT_" + std::to_string(orbit));
+    }
+    if (!names.empty()) append_cell_sets(text, site_orbits, names, cells);
+    return text;
+}
 
 std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells) {
     std::string text;

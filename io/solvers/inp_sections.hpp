@@ -8,6 +8,11 @@
 
 namespace pcvt {
 
+/// Returns the sets of the cells of each orbit: `*ELSET,ELSET=ORBIT_k` with sets CELL_s.
+/// @param site_orbits  of all sites; empty: no sets.
+/// @param cells        the sites that have a set CELL_s, rising.
+std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const SiteId> cells);
+
 /// The name of the material of cells without phases.
 inline constexpr const char* kOneMaterial = "GRAINS";
 

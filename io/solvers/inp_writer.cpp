@@ -17,6 +17,7 @@
 #include "io/tiles/finite.hpp"
 #include "io/tiles/material_words.hpp"
 #include "io/tiles/site_notes.hpp"
+#include "io/tiles/site_orbits.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 
@@ -86,6 +87,7 @@ class InpText {
         append_nodes();
         append_elements();
         append_cells();
+        text_ += inp_orbit_sets(options_.site_orbits, cell_sets_);
         append_node_sets();
         append_wall_sides();
         append_equations();
@@ -136,6 +138,7 @@ class InpText {
         }
         if (!tile_.vertex_site.empty()) text_ += '\n';
         append_materials(text_, "** pcvt ", materials());
+        append_site_orbits(text_, "** pcvt ", options_.site_orbits);
     }
 
     void append_node(int number, const Vec2& p) {

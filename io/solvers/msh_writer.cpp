@@ -12,6 +12,7 @@
 #include "io/tiles/finite.hpp"
 #include "io/tiles/material_words.hpp"
 #include "io/tiles/site_notes.hpp"
+#include "io/tiles/site_orbits.hpp"
 
 namespace pcvt {
 namespace {
@@ -22,6 +23,8 @@ constexpr int kTriangle[] = {0, 2, 9};
 constexpr int kPoints = 0;
 constexpr int kCurves = 1;
 constexpr int kSurfaces = 2;
+constexpr const char* kCellView = "cell_id";
+constexpr const char* kOrbitView = "orbit";
 
 template <class Number>
 void append_words(std::string& text, std::initializer_list<Number> numbers) {
@@ -42,7 +45,8 @@ void append_name(std::string& text, int dimension, int group, const std::string&
     text += '"' + name + "\"\n";
 }
 
-void append_head(std::string& text, const Tile& tile, const MshModel& model) {
+void append_head(std::string& text, const Tile& tile, const MshModel& model,
+                 std::span<const int> site_orbits) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
@@ -50,6 +54,7 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model) {
     append_line(text, {a.x(), a.y(), b.x(), b.y()});
     append_note_comments(text, "pcvt ", tile);
     append_materials(text, "pcvt ", model.materials);
+    append_site_orbits(text, "pcvt ", site_orbits);
     text += "$EndComments\n$PhysicalNames\n";
     const std::size_t n = model.seam_groups.size() + model.wall_groups.size() +
                           model.entities.surfaces.size() + model.phases.size();
@@ -267,11 +272,11 @@ void append_periodic(std::string& text, const Tile& tile, const MshModel& model)
 }
 
 /// Appends a section with the values of the first elements or nodes, and kRest for `n_rest` more.
-void append_data(std::string& text, const char* section, const std::vector<int>& values,
-                 int n_rest) {
+void append_data(std::string& text, const char* section, const char* view,
+                 const std::vector<int>& values, int n_rest) {
     constexpr int kRest = -1;
     const int n = static_cast<int>(values.size());
-    text += std::string("$") + section + "\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n";
+    text += std::string("$") + section + "\n1\n\"" + view + "\"\n1\n0\n3\n0\n1\n";
     append_line(text, {n + n_rest});
     for (int k = 0; k < n; ++k) append_line(text, {k + 1, values[k]});
     for (int k = n; k < n + n_rest; ++k) append_line(text, {k + 1, kRest});
@@ -281,19 +286,25 @@ void append_data(std::string& text, const char* section, const std::vector<int>&
 }  // namespace
 
 std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path,
-                                    const CellMaterials* materials) {
+                                    const CellMaterials* materials,
+                                    std::span<const int> site_orbits) {
     require_triangles(tile.kind, path);
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);
     const MshModel model = msh_model(tile, nodes, materials);
     std::string text;
-    append_head(text, tile, model);
+    append_head(text, tile, model, site_orbits);
     append_entities(text, tile, model);
     append_nodes(text, nodes, model);
     append_elements(text, tile, nodes, model);
     append_periodic(text, tile, model);
-    append_data(text, "ElementData", element_cells(tile), n_lines(model));
-    if (!tile.vertex_site.empty()) append_data(text, "NodeData", tile.vertex_site, 0);
+    std::vector<int> values = element_cells(tile);
+    append_data(text, "ElementData", kCellView, values, n_lines(model));
+    if (!tile.vertex_site.empty()) append_data(text, "NodeData", kCellView, tile.vertex_site, 0);
+    if (!site_orbits.empty()) {
+        for (int& value : values) value = site_orbits[value];
+        append_data(text, "ElementData", kOrbitView, values, n_lines(model));
+    }
     return only_file(path, std::move(text));
 }
 

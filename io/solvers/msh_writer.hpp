@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,18 +21,21 @@ namespace pcvt {
 /// surfaces of the cells with that phase, which are in two groups. $Periodic lists each curve and
 /// point that is not a master, with slave = master + translation; a box between four walls has
 /// none. $ElementData "cell_id" holds element_cells() for triangles and -1 for lines; $NodeData
-/// "cell_id" holds the site of each vertex of Delaunay triangles. $Comments hold the kind, the
-/// lattice, the phases, and the positions of the sites where the tile knows them.
+/// "cell_id" holds the site of each vertex of Delaunay triangles; $ElementData "orbit" holds the
+/// orbit of the cell of each triangle and -1 for lines. $Comments hold the kind, the lattice, the
+/// phases, the orbits, and the positions of the sites where the tile knows them.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_msh(tile, "tile.msh")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
-/// @param materials  of the cells; null: no phases. Orientations are not written.
+/// @param materials    of the cells; null: no phases. Orientations are not written.
+/// @param site_orbits  of the sites of one period; empty: none.
 /// @throws InvalidInput   if the tile has polygons.
 /// @throws InternalError  if a coordinate is not finite.
 std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path,
-                                    const CellMaterials* materials = nullptr);
+                                    const CellMaterials* materials = nullptr,
+                                    std::span<const int> site_orbits = {});
 
 }  // namespace pcvt

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/tiles/material_words.hpp"
+#include "io/tiles/site_orbits.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
@@ -101,21 +102,6 @@ bool take_note_comment(const LineScanner& scanner, std::string_view key,
     return true;
 }
 
-/// Requires that orbits are counted from 0 in the order of their first sites.
-void require_orbits(const std::string& name, const std::vector<int>& site_orbits) {
-    // Sites without an element may be the first of their orbits.
-    if (std::count(site_orbits.begin(), site_orbits.end(), -1) > 0) return;
-    int n_orbits = 0;
-    for (const int orbit : site_orbits) {
-        if (orbit > n_orbits) {
-            throw BadFile(name +
-                          ": the orbits are not counted in the order of their first sites; " +
-                          "write the file again with pcvt");
-        }
-        n_orbits = std::max(n_orbits, orbit + 1);
-    }
-}
-
 }  // namespace
 
 void FileTileBuilder::add_face(const std::vector<int>& vertices, int line) {
@@ -127,6 +113,11 @@ bool FileTileBuilder::take_comment(const LineScanner& scanner, std::string_view 
                                    std::span<const std::string_view> words) {
     if (key == "sites") {
         for (const std::string_view word : words) sites.push_back(scanner.integer(word));
+        return true;
+    }
+    if (key == "site_orbits") {
+        for (const std::string_view word : words) site_orbits.push_back(scanner.integer(word));
+        states_all_orbits = true;
         return true;
     }
     if (key != "site" && std::find(stated.begin(), stated.end(), key) != stated.end()) {
@@ -197,10 +188,12 @@ TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Pre
               .order = file.order};
     CellMaterials materials = std::move(file.materials);
     std::vector<int> site_orbits = std::move(file.site_orbits);
+    const bool states_all_orbits = file.states_all_orbits;
     const std::string name = file.name;
     give_sites(std::move(file), tile);
-    require_materials(name, materials, n_stated_sites(tile));
-    require_orbits(name, site_orbits);
+    const std::int64_t n_sites = n_stated_sites(tile);
+    require_materials(name, materials, n_sites);
+    require_site_orbits(name, site_orbits, n_sites, states_all_orbits);
     return {.tile = std::move(tile),
             .precision = precision,
             .has_vertex_pairs = has_vertex_pairs,

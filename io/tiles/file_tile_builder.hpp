@@ -49,11 +49,13 @@ struct FileTileBuilder {
     CellMaterials materials = {};
     /// As TileFile::site_orbits.
     std::vector<int> site_orbits = {};
+    /// Whether comments state them, which have those of sites without elements, too.
+    bool states_all_orbits = false;
     NumberedItems numbered = {};
 
     void add_face(const std::vector<int>& vertices, int line);
-    /// Reads the words after the key of the comments `kind ...`, `lattice ax ay bx by` and
-    /// `sites s ...`, and of those of append_note_comments().
+    /// Reads the words after the key of the comments `kind ...`, `lattice ax ay bx by`,
+    /// `sites s ...` and `site_orbits k ...`, and of those of append_note_comments().
     /// @returns whether the key is one of these.
     /// @throws BadFile if they are malformed or were read before.
     bool take_comment(const LineScanner& scanner, std::string_view key,

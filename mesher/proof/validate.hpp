@@ -97,6 +97,10 @@ TileProof prove_cover(const Tile& tile, Precision precision);
 /// corners of that triangle. Elongated cells are proved in their metric (Tile::metric), in which h
 /// is the same.
 ///
+/// Of a tile between walls, a cell whose site lies on a wall consists of a face and its mirror
+/// image; its centroid lies on the wall. So does that of four faces in a corner. The tile must know
+/// the positions of its sites.
+///
 /// A cell is a face or a fan of consecutive triangles that have the same face_site and the same
 /// first corner and share an edge with their predecessor. Cells must be whole: the pieces of a cell
 /// that an outline has cut are refused like any other face that is not a Voronoi cell.

@@ -19,6 +19,8 @@ namespace {
 using std::to_string;
 
 const char* const kDelaunayLaw = "of Delaunay";
+/// Centroids nearer than this are one point, in units of h.
+constexpr double kSamePoint = 1e-9;
 
 /// Returns the larger distance of the ends of a side from the bisector of the centroids on its left
 /// and right.
@@ -29,17 +31,70 @@ double bisector_distance(const ProvenFaces& faces, int side, const Vec2& left, c
                     std::abs(direction.dot(faces.to(side) - middle)));
 }
 
+/// The walls of a tile and of its mirror images, on which the sites of halves and quarters of cells
+/// lie.
+struct WallLines {
+    Walls walls = Walls::kNone;
+    Lattice domain;
+
+    /// The line of a wall on which a coordinate lies, or of one to which it is nearest.
+    double nearest(double coordinate, int axis) const {
+        const double side = side_length(domain, axis);
+        return std::round(coordinate / side) * side;
+    }
+    bool holds(const Vec2& p, int axis) const {
+        return has_walls_across(walls, axis) && p[axis] == nearest(p[axis], axis);
+    }
+};
+
+/// The centroids of whole cells, of which some faces are halves or quarters.
+struct WholeCells {
+    std::vector<Vec2> centroids;
+    /// Whether each face is only a part of its cell.
+    std::vector<bool> is_part;
+    /// Of whole cells.
+    double n_cells = 0;
+};
+
+/// A cell whose site lies on a wall consists of a face and its mirror image, so that its centroid
+/// is that of the face, moved onto the wall.
+WholeCells whole_cells(const Tile& torus, const ProvenFaces& faces, const WallLines& lines,
+                       std::vector<Vec2> centroids) {
+    const std::vector<Vec2> positions = site_positions(torus);
+    WholeCells cells{std::move(centroids), {}, 0};
+    for (int f = 0; f < faces.glued().n_faces(); ++f) {
+        double share = 1;
+        for (int axis = 0; axis < 2 && !positions.empty(); ++axis) {
+            const Vec2& site = positions[torus.face_site[faces.file_face(f)]];
+            if (!lines.holds(site, axis)) continue;
+            cells.centroids[f][axis] = lines.nearest(cells.centroids[f][axis], axis);
+            share /= 2;
+        }
+        cells.is_part.push_back(share < 1);
+        cells.n_cells += share;
+    }
+    return cells;
+}
+
 /// Checks bisectors only: a convex cell contains its centroid, so the centroids lie on the correct
-/// sides of their edge.
-double require_voronoi_cells(const ProvenFaces& faces, double tolerance, double h,
-                             const CentroidFunction& centroid) {
-    const std::vector<Vec2> centroids = require_convex_cells(faces, h, tolerance, centroid);
+/// sides of their edge. A cell of halves is convex, too: its site lies on the wall, and those of
+/// its neighbours on the same side of the wall as their halves.
+double require_voronoi_cells(const Tile& tile, const ProvenFaces& faces, double tolerance,
+                             const CentroidFunction& centroid, const WallLines& lines) {
     const GluedFaces& glued = faces.glued();
+    const double least_h = std::sqrt(tile.lattice.area() / glued.n_faces());
+    const WholeCells cells =
+        whole_cells(tile, faces, lines, require_convex_cells(faces, least_h, tolerance, centroid));
+    const double h = std::sqrt(tile.lattice.area() / cells.n_cells);
     double largest = 0;
     for (int side = 0; side < glued.n_halfedges(); ++side) {
         checkpoint_each(side);
-        const Vec2& left = centroids[glued.face_of[side]];
-        const Vec2 right = centroids[glued.face_of[glued.opposite[side]]] + faces.back_across(side);
+        const int f = glued.face_of[side];
+        const Vec2& left = cells.centroids[f];
+        const Vec2 right =
+            cells.centroids[glued.face_of[glued.opposite[side]]] + faces.back_across(side);
+        // A wall inside of a cell.
+        if (cells.is_part[f] && (right - left).norm() <= kSamePoint * h) continue;
         const double distance = bisector_distance(faces, side, left, right) / h;
         if (!(distance <= tolerance)) {
             throw_violation(kVoronoiLaw, "a corner of the " + faces.edge_name(side) +
@@ -168,20 +223,6 @@ CentroidFunction of_mirror_images(const CentroidFunction& centroid, Walls walls)
     };
 }
 
-/// Refuses cells whose sites lie on walls.
-/// @param torus  the tile with its mirror images.
-void require_whole_cells(const Tile& tile, const Tile& torus) {
-    if (tile.kind != MeshKind::kVoronoi) return;
-    const auto n_ids = [](const std::vector<SiteId>& sites) {
-        return sites.empty() ? 0 : 1 + *std::max_element(sites.begin(), sites.end());
-    };
-    const int n_images = WalledDomain{.walls = tile.walls}.n_images();
-    if (n_ids(torus.face_site) == n_images * n_ids(tile.face_site)) return;
-    throw InvalidInput(
-        "cells whose sites lie on walls are cut there; ask for the Voronoi property of a tile of "
-        "whole cells");
-}
-
 void require_triangles(const ProvenFaces& faces) {
     const GluedFaces& glued = faces.glued();
     for (int f = 0; f < glued.n_faces(); ++f) {
@@ -191,6 +232,21 @@ void require_triangles(const ProvenFaces& faces) {
         throw_violation(kDelaunayLaw,
                         faces.name(f) + " has " + to_string(size) + " corners, not 3");
     }
+}
+
+/// @param tile  round, without walls.
+double prove_torus(const Tile& tile, const TileProof& proof, double tolerance,
+                   const CentroidFunction& centroid, const WallLines& lines) {
+    const ProvenFaces faces(tile, proof);
+    if (tile.kind == MeshKind::kVoronoi && !tile.site_weights.empty()) {
+        return require_centroidal_sites(tile, faces, tolerance, centroid);
+    }
+    if (tile.kind == MeshKind::kVoronoi) {
+        return require_voronoi_cells(tile, faces, tolerance, centroid, lines);
+    }
+    require_triangles(faces);
+    const double h = std::sqrt(tile.lattice.area() / proof.n_orbits);
+    return require_delaunay_edges(tile, faces, tolerance, h);
 }
 
 }  // namespace
@@ -204,25 +260,14 @@ double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance,
     }
     if (tile.walls != Walls::kNone) {
         const Tile torus = mirrored_tile(with_exact_walls(tile, proof.tolerance));
-        require_whole_cells(tile, torus);
-        return prove_voronoi(torus, prove_cover(torus, proof.precision), tolerance,
-                             of_mirror_images(centroid, tile.walls));
+        return prove_torus(torus, prove_cover(torus, proof.precision), tolerance,
+                           of_mirror_images(centroid, tile.walls), {tile.walls, tile.lattice});
     }
     if (!tile.metric.is_round()) {
-        return prove_voronoi(round_tile(tile), proof, tolerance,
-                             in_round_space(centroid, tile.metric));
+        return prove_torus(round_tile(tile), proof, tolerance,
+                           in_round_space(centroid, tile.metric), {Walls::kNone, tile.lattice});
     }
-    const ProvenFaces faces(tile, proof);
-    if (tile.kind == MeshKind::kVoronoi && !tile.site_weights.empty()) {
-        return require_centroidal_sites(tile, faces, tolerance, centroid);
-    }
-    if (tile.kind == MeshKind::kVoronoi) {
-        const double h = std::sqrt(tile.lattice.area() / faces.glued().n_faces());
-        return require_voronoi_cells(faces, tolerance, h, centroid);
-    }
-    require_triangles(faces);
-    const double h = std::sqrt(tile.lattice.area() / proof.n_orbits);
-    return require_delaunay_edges(tile, faces, tolerance, h);
+    return prove_torus(tile, proof, tolerance, centroid, {Walls::kNone, tile.lattice});
 }
 
 double prove_voronoi(const Tile& tile, const TileProof& proof, double tolerance) {

@@ -286,6 +286,9 @@ FileOptions file_options(const pcvt_write_options& options) {
     require_finite("cut_width", &options.cut_width, 1);
     if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
     result.cut_width = options.cut_width;
+    require_finite("thickness", &options.thickness, 1);
+    if (options.thickness < 0) throw InvalidInput("thickness is negative; take 0 or a length");
+    result.thickness = options.thickness;
     result.element = chosen_row("element", options.element, kPlaneElements).element;
     if (options.job != PCVT_JOB_NONE) {
         result.job = chosen_row("job", options.job, kSolverJobs).job;

@@ -82,7 +82,7 @@ bool check(const std::string& path, const Question& question) {
         print(prove(path, question));
         return true;
     } catch (const NotATile& error) {
-        std::fprintf(stderr, "%s: not %s: %s\n", path.c_str(), content_of(path), error.what());
+        std::fprintf(stderr, "%s\n", error.what());
     } catch (const InvalidInput&) {
         std::fprintf(stderr, "%s\n", describe_failure(std::current_exception()).line.data());
     }

@@ -188,6 +188,22 @@ std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,
                        [&](const Eigen::VectorXd& areas) { return compare_areas(cells, areas); });
 }
 
+/// A tile with these walls, as lines of proof and refutation name it.
+std::string content_of(Walls walls) {
+    if (walls == Walls::kNone) return "a periodic tile";
+    return walls == Walls::kXY ? "a box with four walls" : "a channel";
+}
+
+/// The same with the direction of a channel and its walls.
+std::string described(Walls walls) {
+    if (walls == Walls::kNone || walls == Walls::kXY) return content_of(walls) + ": ";
+    const bool across_x = walls == Walls::kX;
+    const auto word = [](WallSide side) { return std::string(wall_side_row(side).word); };
+    return content_of(walls) + ": periodic along " + (across_x ? "y" : "x") + ", walls " +
+           word(across_x ? WallSide::kLeft : WallSide::kBottom) + " and " +
+           word(across_x ? WallSide::kRight : WallSide::kTop) + ", ";
+}
+
 /// What the tile becomes when its seam is glued.
 std::string glued_text(const Tile& tile, const TileProof& proof) {
     if (tile.walls == Walls::kNone) return "genus 1 after gluing";
@@ -217,6 +233,12 @@ std::string sites_text(const Tile& tile) {
     if (tile.sites().empty()) return ", no sites stored";
     if (tile.site_positions.empty()) return ", site ids complete, no positions of sites stored";
     return ", " + std::to_string(tile.site_positions.size()) + " sites agree" + shape_text(tile);
+}
+
+std::string orbits_text(const std::vector<int>& orbits) {
+    if (orbits.empty()) return "";
+    const int n = 1 + *std::max_element(orbits.begin(), orbits.end());
+    return ", " + std::to_string(n) + " orbits agree";
 }
 
 /// The proof of an MPAS file as a line.
@@ -277,19 +299,22 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
 }
 
 /// The proof of a tile as a line.
+/// @param content  becomes the thing that the file states to be.
 std::string prove_one_tile(const TileFormat& format, const std::string& path,
-                           const Question& question) {
+                           const Question& question, std::string& content) {
     const std::vector<EncodedFile> files = read_files(format, path);
     const TileFile file = decode_tile(format, files, question.lattice);
+    content = content_of(file.tile.walls);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
     const TileProof proof = prove_file(format, files, file);
-    std::string line =
-        path + ": a periodic tile: " + std::to_string(proof.n_vertices) + " vertices, " +
-        std::to_string(proof.n_faces) + " faces, " + std::to_string(proof.n_boundary_edges) +
-        " boundary edges in " + std::to_string(proof.edge_pairs.size()) + " pairs, " +
-        glued_text(file.tile, proof) + ", " + "area " + figure(proof.area) + " (tolerance " +
-        figure(proof.tolerance) + "), " + std::to_string(proof.n_merged) + " merged" +
-        pairs_text(file) + sites_text(file.tile);
+    std::string line = path + ": " + described(file.tile.walls) + std::to_string(proof.n_vertices) +
+                       " vertices, " + std::to_string(proof.n_faces) + " faces, " +
+                       std::to_string(proof.n_boundary_edges) + " boundary edges in " +
+                       std::to_string(proof.edge_pairs.size()) + " pairs, " +
+                       glued_text(file.tile, proof) + ", " + "area " + figure(proof.area) +
+                       " (tolerance " + figure(proof.tolerance) + "), " +
+                       std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
+                       sites_text(file.tile) + orbits_text(file.site_orbits);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
     if (question.areas) line += prove_tile_areas(path, file, proof, *question.areas);
     return line + "\n";
@@ -303,19 +328,20 @@ std::string prove(const std::string& path, const Question& question) {
         throw BadFile(path + ": a run ended before it had written all files of its set (" +
                       *journal + "); run pcvt again in that folder, which finishes the set");
     }
-    if (const auto* read = std::get_if<GridReader*>(&format.read)) {
-        return prove_grid(*read, format, path, question);
+    std::string content = format.reads_voxels() ? "a voxel image"
+                          : format.reads_grid() ? "an MPAS mesh"
+                                                : content_of(Walls::kNone);
+    try {
+        if (const auto* read = std::get_if<GridReader*>(&format.read)) {
+            return prove_grid(*read, format, path, question);
+        }
+        if (const auto* read = std::get_if<VoxelReader*>(&format.read)) {
+            return prove_voxel_image(*read, format, path, question);
+        }
+        return prove_one_tile(format, path, question, content);
+    } catch (const NotATile& error) {
+        throw NotATile(path + ": not " + content + ": " + error.what());
     }
-    if (const auto* read = std::get_if<VoxelReader*>(&format.read)) {
-        return prove_voxel_image(*read, format, path, question);
-    }
-    return prove_one_tile(format, path, question);
-}
-
-const char* content_of(const std::string& path) {
-    const TileFormat* format = find_tile_format(path);
-    if (format->reads_voxels()) return "a voxel image";
-    return format->reads_grid() ? "an MPAS mesh" : "a periodic tile";
 }
 
 }  // namespace pcvt::cli

@@ -27,11 +27,9 @@ struct Question {
 /// Example usage:
 ///     print(prove("tile.obj", {.files = {}, .lattice = {}, .cvt_tolerance = 1e-5}));
 ///
-/// @throws NotATile      where the file is refuted.
+/// @throws NotATile      where the file is refuted; the message begins with the path and names what
+///                       the file should hold.
 /// @throws InvalidInput  where it cannot be read, or lacks a property.
 std::string prove(const std::string& path, const Question& question);
-
-/// The thing that a file should hold: "a periodic tile".
-const char* content_of(const std::string& path);
 
 }  // namespace pcvt::cli

@@ -5,7 +5,11 @@ Runs inside Blender: imports each file and checks that
   with "Merge Vertices" on, a .glb of one node is one mesh whose boundary edges are those of the tile,
   at each corner u a + v b is the position, so that a picture lies upright on the tile,
   a .glb has one object for each cell or one for all,
+<<<<<<< HEAD
   where FILE.csv lists the cells, each object has the area of its cell.
+=======
+  boundary edges of one mesh cover the walls that the file states.
+>>>>>>> walls-finish
 """
 
 import csv
@@ -30,7 +34,7 @@ def require(holds, complaint):
 
 
 def read_glb(path):
-    """Returns the lattice, and the corners of the triangles of all primitives as vertex indices."""
+    """Returns extras.periodic, and the corners of the triangles of all primitives."""
     data = path.read_bytes()
     size = struct.unpack_from("<I", data, 12)[0]
     root, binary = json.loads(data[20:20 + size]), data[28 + size:]
@@ -44,7 +48,7 @@ def read_glb(path):
             at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
             kind = {5123: "<u2", 5125: "<u4"}[accessor["componentType"]]
             indices.append(np.frombuffer(binary, kind, accessor["count"], at).astype(int))
-    return np.array(root["nodes"][0]["extras"]["periodic"]["lattice"]), np.concatenate(indices)
+    return root["nodes"][0]["extras"]["periodic"], np.concatenate(indices)
 
 
 def n_boundary_edges(faces):
@@ -54,12 +58,13 @@ def n_boundary_edges(faces):
 
 
 def read_obj(path):
-    """Returns the lattice and the faces as lists of vertices."""
+    """Returns the lattice, whether sides across x and y are walls, and the faces as lists of vertices."""
     lines = [line.split() for line in path.read_text(encoding="ascii").splitlines()]
     lattice = next(line[3:] for line in lines if line[:3] == ["#", "pcvt", "lattice"])
+    walls = next((line[3:] for line in lines if line[:3] == ["#", "pcvt", "walls"]), [0, 0])
     faces = [[int(word.split("/")[0]) - 1 for word in line[1:]] for line in lines
              if line and line[0] == "f"]
-    return np.array(lattice, float).reshape(2, 2), faces
+    return np.array(lattice, float).reshape(2, 2), [int(word) for word in walls], faces
 
 
 def load(path):
@@ -102,13 +107,27 @@ def check_areas(path, items, areas):
     return f", areas within {error:.1e}"
 
 
+def require_walls(item, lattice, walls):
+    """The boundary edges on each wall have its length together."""
+    points = np.array([item.matrix_world @ vertex.co for vertex in item.data.vertices])[:, [0, 2]]
+    edges = Counter(edge for polygon in item.data.polygons for edge in polygon.edge_keys)
+    ends = np.array([edge for edge, n in edges.items() if n == 1])
+    for axis in (axis for axis in (0, 1) if walls[axis]):
+        for line in (0, lattice[axis, axis]):
+            on_wall = (np.abs(points[ends, axis] - line) < SINGLE).all(axis=1)
+            along = points[ends[on_wall], 1 - axis]
+            found, wanted = np.abs(along[:, 1] - along[:, 0]).sum(), lattice[1 - axis, 1 - axis]
+            require(abs(found - wanted) < 1e-5, f"edges of {found} in place of {wanted} lie on a wall")
+
+
 def check(path):
     items = load(path)
     if path.suffix == ".obj":
-        lattice, faces = read_obj(path)
+        lattice, walls, faces = read_obj(path)
         expected = 1
     else:
-        lattice, corners = read_glb(path)
+        periodic, corners = read_glb(path)
+        lattice, walls = np.array(periodic["lattice"]), periodic.get("walls", [0, 0])
         faces = corners.reshape(-1, 3).tolist()
         expected = sum("cell_" in item.name for item in bpy.data.objects) or 1
     require(len(items) == expected, f"{len(items)} objects in place of {expected}")
@@ -121,6 +140,7 @@ def check(path):
     found = n_boundary_edges([list(polygon.vertices) for polygon in items[0].data.polygons])
     wanted = n_boundary_edges(faces)
     require(found == wanted, f"{found} boundary edges in place of {wanted}")
+    require_walls(items[0], lattice, walls)
     print(f"{path}: one object, {len(items[0].data.polygons)} faces, {found} boundary edges")
 
 

@@ -84,6 +84,12 @@ def check_graded(folder, text):
     require_files(folder, "ridge.svg", "moon.svg")
 
 
+def check_walls(folder, text):
+    require(text.count("converged") == 2, "a run did not converge")
+    for name in ("channel.svg", "box.svg"):
+        require("between walls" in (folder / name).read_text(), f"{name} shows no walls")
+
+
 def check_grains(folder, _):
     require_files(folder, "tile.msh", "tile.inp", "tile.vtu")
 
@@ -252,6 +258,7 @@ ROWS = {
     ("pcvt", "Citation"): Row(reason="an entry of a bibliography"),
     ("Samples", ""): Row(),  # typed before each recipe
     ("Samples", "Graded meshes"): Row(check_graded),
+    ("Samples", "Walls"): Row(check_walls),
     ("Samples", "Materials"): Row(check_grains),
     ("Samples", "CalculiX and Abaqus"): Row(check_calculix, programs=("ccx",)),
     ("Samples", "A law of grain sizes"): Row(check_sizes),

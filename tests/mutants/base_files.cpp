@@ -5,8 +5,10 @@
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/materials/orientations.hpp"
 #include "mesher/mesh/voronoi.hpp"
+#include "mesher/symmetry/symmetric_sites.hpp"
 #include "mesher/voxels/voxel_image.hpp"
 #include "tests/support/power_tiles.hpp"
+#include "tests/support/walled_tiles.hpp"
 
 namespace pcvt::testing {
 namespace {
@@ -37,6 +39,39 @@ std::vector<Shape> power_shapes() {
             {"grains power", {.kind = MeshKind::kGrains, .grain_per_edge = 1}}};
 }
 
+std::vector<Shape> symmetric_shapes() {
+    return {{"voronoi symmetric", {.kind = MeshKind::kVoronoi}},
+            {"voronoi symmetric box", {.kind = MeshKind::kVoronoi, .outline = Outline::kBox}},
+            {"delaunay symmetric", {.kind = MeshKind::kDelaunay}},
+            {"grains symmetric", {.kind = MeshKind::kGrains, .grain_per_edge = 1}}};
+}
+
+/// A tile between walls.
+struct WalledShape {
+    Shape shape;
+    Walls walls;
+    WallCells cells;
+    int n_sites;
+};
+
+std::vector<WalledShape> walled_shapes() {
+    const TileOptions cells{.kind = MeshKind::kVoronoi};
+    const TileOptions box{.kind = MeshKind::kVoronoi, .outline = Outline::kBox};
+    const TileOptions triangles{.kind = MeshKind::kDelaunay};
+    const TileOptions grains{.kind = MeshKind::kGrains, .grain_per_edge = 1};
+    return {{{"voronoi walled", cells}, Walls::kXY, WallCells::kWhole, kSites},
+            {{"voronoi walled box", box}, Walls::kX, WallCells::kWhole, kSites},
+            {{"delaunay walled half", triangles}, Walls::kY, WallCells::kHalf, 2 * kSites},
+            {{"grains walled", grains}, Walls::kY, WallCells::kWhole, kSites}};
+}
+
+/// A symmetric start of kSites sites: three pairs and a centre of rotation.
+SymmetricSites symmetric_sites(const Lattice& lattice) {
+    const PlaneGroup group(PlaneGroupName::kP2, lattice);
+    return random_sites(
+        group, {.n_general = 3, .on_mirrors = {}, .at_centres = {true, false, false, false}}, 5);
+}
+
 const CellMaterials& materials() {
     static const CellMaterials all{.phase_names = {"a", "b"},
                                    .site_phase = {0, 1, 1, 0, 1, 1, 0},
@@ -44,7 +79,7 @@ const CellMaterials& materials() {
     return all;
 }
 
-/// The forms in which a format writes one tile.
+/// The forms in which a format writes one tile of kSites sites.
 std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format, MeshKind kind) {
     std::vector<std::pair<const char*, FileOptions>> forms{{"", {}}};
     if (format.takes_gltf_nodes) forms.push_back({" one-node", {.gltf_nodes = GltfNodes::kOne}});
@@ -65,6 +100,13 @@ bool holds(const TileFormat& format, const Tile& tile, Outline outline) {
     } catch (const InvalidInput&) {
         return false;
     }
+}
+
+void add_tile(const TileFormat& format, const Tile& tile, const Shape& shape,
+              const FileOptions& options, std::vector<BaseFile>& bases) {
+    if (!holds(format, tile, shape.options.outline)) return;
+    const std::string path = "tile" + std::string(format.extension);
+    bases.push_back({shape.name, tile.kind, encode_tile(format, tile, path, options)});
 }
 
 void add_tiles(const TileFormat& format, Tile tile, const Shape& shape,
@@ -132,6 +174,18 @@ std::vector<BaseFile> base_files(const TileFormat& format) {
     for (const Shape& shape : power_shapes()) {
         const CellShape cells = cell_shapes().back();
         add_tiles(format, power_tile(lattice, kSites, 5, cells, shape.options), shape, bases);
+    }
+    // The formats of solvers name the walls.
+    for (const auto& [shape, walls, cells, n] :
+         format.fields == nullptr ? std::vector<WalledShape>{} : walled_shapes()) {
+        add_tile(format, walled_tile(walls, cells, n, shape.options), shape, {}, bases);
+    }
+    if (!format.states_orbits) return bases;
+    const SymmetricSites start = symmetric_sites(lattice);
+    const PeriodicDelaunay symmetric = compute_cvt(start, {}).delaunay;
+    for (const Shape& shape : symmetric_shapes()) {
+        const Tile tile = build_tile(symmetric, shape.options).tile;
+        add_tile(format, tile, shape, {.site_orbits = start.orbit}, bases);
     }
     return bases;
 }

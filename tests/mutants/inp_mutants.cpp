@@ -53,6 +53,7 @@ std::span<const Harmless> harmless_in_inp() {
         Harmless{"pcvt weight", "", kNotShown, "grains"},
         Harmless{"pcvt metric*", "", kNotShown, "delaunay"},
         Harmless{"pcvt metric*", "", kNotShown, "grains"},
+        Harmless{"pcvt site_orbits row", "delete", kNoOrbits},
         Harmless{"*NODE.1", "", "a node inside of a grain; the mesh is another one", "grains"},
         Harmless{"*NODE.2", "", "a node inside of a grain; the mesh is another one", "grains"},
         Harmless{"*NSET row", "swap", "a set has no order"},

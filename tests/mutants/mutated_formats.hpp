@@ -27,6 +27,13 @@ inline constexpr std::string_view kSingle =
 inline constexpr std::string_view kNotShown =
     "triangles do not show the weights and the metric of the cells; --cvt proves regularity";
 
+/// The reason for orbits of sites beside triangles.
+inline constexpr std::string_view kStatedOrbits =
+    "triangles do not show which cells have one area, and nothing else states their orbits";
+
+/// The reason for files without a note on orbits.
+inline constexpr std::string_view kNoOrbits = "a file without orbits states none";
+
 /// The reason for small steps in files of 32 bits: a metric stretches the rounding, too.
 inline constexpr std::string_view kStretched = "below the rounding of 32 bits in the metric";
 

@@ -338,7 +338,7 @@ class Result:
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
               gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE", job="none",
-              progress=None, colour="default", background="none", voxels=(0, 0)):
+              progress=None, colour="default", background="none", voxels=(0, 0), thickness=0.0):
         """Writes a tile, the sites (.txt) or a table of the cells (.csv), by the extension.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
@@ -356,6 +356,7 @@ class Result:
         colour      what colours show: sides, size, cells (neighbours differ), density, phase or orbit
         background  of .svg: none or #rrggbb
         voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h
+        thickness   of .foam: height of the layer of cells along z; 0: sqrt(area / faces)
         """
         options = _library.WriteOptions(
             struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
@@ -363,7 +364,7 @@ class Result:
             gltf_nodes=_choice("gltf_nodes", gltf_nodes, _GLTF_NODES),
             element=_choice("element", element, _ELEMENTS), job=_choice("job", job, _JOBS),
             colour=_choice("colour", colour, _COLOURS), background=_text("background", background),
-            single_precision=bool(float32), cut_width=cut_width,
+            single_precision=bool(float32), cut_width=cut_width, thickness=thickness,
             report=None if report is None else _text("report", report))
         _set_integers(options, pixels=pixels)
         columns, rows = voxels

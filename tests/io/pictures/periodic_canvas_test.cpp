@@ -15,13 +15,13 @@ constexpr int kWidth = 24;
 constexpr int kHeight = 16;
 
 /// Random shapes, all moved by the same number of pixels. Their corners are multiples of 1/64.
-RgbImage scene(int x, int y) {
+RgbImage scene(int x, int y, Walls walls = Walls::kNone) {
     std::mt19937_64 random(3);
     const auto place = [&]() -> Vec2 {
         return {static_cast<double>(random() % (64 * kWidth)) / 64 + x,
                 static_cast<double>(random() % (64 * kHeight)) / 64 + y};
     };
-    PeriodicCanvas canvas(kWidth, kHeight);
+    PeriodicCanvas canvas(kWidth, kHeight, walls);
     for (int k = 0; k < 20; ++k) {
         const auto colour = static_cast<PackedColour>(random() % 0x1000000);
         canvas.add_polygon(std::array{place(), place(), place()}, colour);
@@ -57,8 +57,52 @@ TEST(PeriodicCanvas, ShapesMovedByPeriodsGiveTheSameImage) {
     EXPECT_EQ(scene(-3 * kWidth, 5 * kHeight).rgb, scene(0, 0).rgb);
 }
 
+/// A disc of radius 4 at the centre of each side of the canvas, in its own colour, and its copies
+/// beyond the opposite sides, which only a canvas without walls shows.
+RgbImage discs_on_sides(Walls walls) {
+    PeriodicCanvas canvas(kWidth, kHeight, walls);
+    canvas.add_polygon(
+        std::array{Vec2(0, 0), Vec2(kWidth, 0), Vec2(kWidth, kHeight), Vec2(0, kHeight)}, 0xffffff);
+    const std::array discs{std::pair(Vec2(0, kHeight / 2.0), 0xff0000),
+                           std::pair(Vec2(kWidth, kHeight / 2.0), 0x0000ff),
+                           std::pair(Vec2(kWidth / 2.0, 0), 0xffff00),
+                           std::pair(Vec2(kWidth / 2.0, kHeight), 0x00ffff)};
+    for (const auto& [at, colour] : discs) {
+        canvas.add_stroke(at, at, 8, static_cast<PackedColour>(colour));
+    }
+    return canvas.render();
+}
+
+PackedColour colour_at(const RgbImage& image, int x, int y) {
+    const unsigned char* rgb = &image.rgb[std::size_t{3} * (y * image.width + x)];
+    return static_cast<PackedColour>(rgb[0] << 16 | rgb[1] << 8 | rgb[2]);
+}
+
+// Law 3.
+TEST(PeriodicCanvas, NothingContinuesBeyondAWall) {
+    for (const WallsRow& row : kWalls) {
+        const RgbImage image = discs_on_sides(row.walls);
+        const auto shown = [&](int x, int y) { return colour_at(image, x, y); };
+        // The later disc covers the other one where the sides continue in each other.
+        EXPECT_EQ(shown(0, kHeight / 2), row.across[0] ? 0xff0000U : 0x0000ffU) << row.word;
+        EXPECT_EQ(shown(kWidth - 1, kHeight / 2), 0x0000ffU) << row.word;
+        EXPECT_EQ(shown(kWidth / 2, 0), row.across[1] ? 0xffff00U : 0x00ffffU) << row.word;
+        EXPECT_EQ(shown(kWidth / 2, kHeight - 1), 0x00ffffU) << row.word;
+    }
+}
+
+// Laws 1 and 2 along the walls.
+TEST(PeriodicCanvas, ShapesMayMoveAlongWalls) {
+    const RgbImage across_x = scene(0, 0, Walls::kX);
+    EXPECT_EQ(scene(0, 5, Walls::kX).rgb, rolled(across_x, 0, 5));
+    EXPECT_EQ(scene(0, kHeight, Walls::kX).rgb, across_x.rgb);
+    const RgbImage across_y = scene(0, 0, Walls::kY);
+    EXPECT_EQ(scene(7, 0, Walls::kY).rgb, rolled(across_y, 7, 0));
+    EXPECT_EQ(scene(kWidth, 0, Walls::kY).rgb, across_y.rgb);
+}
+
 TEST(PeriodicCanvas, APixelIsTheMeanOfWhatCoversIt) {
-    PeriodicCanvas canvas(2, 1);
+    PeriodicCanvas canvas(2, 1, Walls::kNone);
     canvas.add_polygon(std::array{Vec2(0, 0), Vec2(2, 0), Vec2(2, 1), Vec2(0, 1)}, 0x000000);
     canvas.add_polygon(std::array{Vec2(1.75, 0), Vec2(2.5, 0), Vec2(2.5, 1), Vec2(1.75, 1)},
                        0x0000ff);
@@ -66,7 +110,7 @@ TEST(PeriodicCanvas, APixelIsTheMeanOfWhatCoversIt) {
 }
 
 TEST(PeriodicCanvas, StrokesHaveRoundEnds) {
-    PeriodicCanvas canvas(64, 64);
+    PeriodicCanvas canvas(64, 64, Walls::kNone);
     canvas.add_polygon(std::array{Vec2(0, 0), Vec2(64, 0), Vec2(64, 64), Vec2(0, 64)}, 0x000000);
     canvas.add_stroke({20, 32}, {44, 32}, 16, 0xffffff);
     const RgbImage image = canvas.render();
@@ -76,14 +120,14 @@ TEST(PeriodicCanvas, StrokesHaveRoundEnds) {
 }
 
 TEST(PeriodicCanvas, AShapeWiderThanTheCanvasCoversIt) {
-    PeriodicCanvas canvas(5, 4);
+    PeriodicCanvas canvas(5, 4, Walls::kNone);
     canvas.add_stroke({1, 1}, {1, 1}, 40, 0x010101);
     EXPECT_THAT(canvas.render().rgb, Each(1));
-    EXPECT_THAT(PeriodicCanvas(5, 4).render().rgb, Each(255));
+    EXPECT_THAT(PeriodicCanvas(5, 4, Walls::kNone).render().rgb, Each(255));
 }
 
 TEST(PeriodicCanvas, GapsTakeTheColourToTheirLeft) {
-    PeriodicCanvas canvas(4, 1);
+    PeriodicCanvas canvas(4, 1, Walls::kNone);
     canvas.add_polygon(std::array{Vec2(1, 0), Vec2(2, 0), Vec2(2, 1), Vec2(1, 1)}, 0x010101);
     EXPECT_THAT(canvas.render().rgb, Each(1));
 }

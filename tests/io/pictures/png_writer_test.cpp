@@ -11,6 +11,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "tests/support/tile_equality.hpp"
+#include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -99,6 +100,33 @@ TEST(PngWriter, TheLastColumnContinuesInTheFirst) {
     for (int x = 0; x + 1 < kWidth; ++x) most = std::max(most, step(image, x, x + 1));
     EXPECT_LE(step(image, kWidth - 1, 0), most);
     EXPECT_GT(step(image, 0, kWidth / 2), 2 * most);
+}
+
+/// Returns the part of an image that is nearer to the end of an axis (0: right, 1: top) than to its
+/// beginning.
+std::vector<unsigned char> far_half(const RgbImage& image, int axis) {
+    std::vector<unsigned char> part;
+    for (int row = 0; row < image.height; ++row) {
+        for (int x = 0; x < image.width; ++x) {
+            if (axis == 0 ? 2 * x < image.width : 2 * row >= image.height) continue;
+            const auto at = image.rgb.begin() + std::ptrdiff_t{3} * (row * image.width + x);
+            part.insert(part.end(), at, at + 3);
+        }
+    }
+    return part;
+}
+
+TEST(PngWriter, DotsOnAWallDoNotShowAtTheOppositeOne) {
+    for (const auto& [walls, axis] : {std::pair(Walls::kX, 0), std::pair(Walls::kY, 1)}) {
+        const Tile cells = testing::walled_tile(walls, WallCells::kHalf, 14, {});
+        Tile without = cells;
+        const auto on_first_wall = [axis = axis](const Vec2& p) { return p[axis] == 0; };
+        ASSERT_GT(std::erase_if(without.site_points, on_first_wall), 0U);
+        const RgbImage image = draw_period(cells, {}, kWidth);
+        const RgbImage fewer = draw_period(without, {}, kWidth);
+        EXPECT_NE(image.rgb, fewer.rgb);
+        EXPECT_EQ(far_half(image, axis), far_half(fewer, axis));
+    }
 }
 
 TEST(PngWriter, ShowsUToTheRightAndVUpwards) {

@@ -128,6 +128,24 @@ TEST(WalledTile, HalfCellsMakeEveryKindOfMesh) {
     }
 }
 
+TEST(WalledTile, WholeAndHalfCellsAreProvedToBeCentroidal) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        for (const WallCells cells : {WallCells::kWhole, WallCells::kHalf}) {
+            for (const int n : {14, 60}) {
+                const auto largest = [&](int max_iterations) {
+                    const WalledCvt cvt =
+                        walled(Lattice::rectangle(2, 1), walls, cells, n, 4, max_iterations);
+                    const TileOptions options{.kind = MeshKind::kVoronoi, .walled = cvt.domain};
+                    const Tile tile = build_tile(cvt.torus.delaunay, options).tile;
+                    return prove_voronoi(tile, prove_tile(tile, Precision::kDouble), 1e-3);
+                };
+                EXPECT_LE(largest(-1), 1e-3);
+                EXPECT_THROW(largest(2), NotATile);
+            }
+        }
+    }
+}
+
 TEST(WalledTile, ValencesOnWallsCountTheMirrorImages) {
     for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         const WalledCvt cvt = walled(Lattice::rectangle(2, 1), walls, WallCells::kHalf, 40, 3, -1);

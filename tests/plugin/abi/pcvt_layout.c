@@ -248,6 +248,7 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, voxels);
     FIELD(pcvt_write_options, job);
     FIELD(pcvt_write_options, reserved);
+    FIELD(pcvt_write_options, thickness);
 }
 
 int main(void) {

@@ -321,6 +321,15 @@ static void unknown_forms_of_files_are_refused(void) {
     forms.cut_width = (double)NAN;
     CHECK(pcvt_write(result, "t.dxf", &forms) == PCVT_ERROR_ARGUMENT);
     forms.cut_width = 0;
+    forms.thickness = (double)NAN;
+    CHECK(pcvt_write(result, "t.foam", &forms) == PCVT_ERROR_ARGUMENT);
+    forms.thickness = -0.1;
+    CHECK(pcvt_write(result, "t.foam", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "thickness is negative") != NULL);
+    forms.thickness = 0.1;
+    CHECK(pcvt_write(result, "t.obj", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "no output takes a thickness") != NULL);
+    forms.thickness = 0;
     forms.element = 2;
     CHECK(pcvt_write(result, "t.inp", &forms) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "element 2") != NULL);

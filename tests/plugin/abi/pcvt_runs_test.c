@@ -97,6 +97,9 @@ static void tiles_between_walls_know_their_edges(void) {
         const double y = edge.wall == PCVT_WALL_TOP ? tile.lattice[3] : 0;
         CHECK(edge.wall == PCVT_WALL_BOTTOM || edge.wall == PCVT_WALL_TOP);
         CHECK(tile.points[2 * edge.v0 + 1] == y && tile.points[2 * edge.v1 + 1] == y);
+        /* The tile is on the left: edges at the bottom run to the right. */
+        CHECK((tile.points[2 * edge.v0] < tile.points[2 * edge.v1]) ==
+              (edge.wall == PCVT_WALL_BOTTOM));
     }
     CHECK(pcvt_get_mesh(result, PCVT_VORONOI, &mesh, sizeof mesh) == PCVT_OK);
     CHECK(mesh.n_faces == 40);

@@ -55,6 +55,20 @@ class CaseFolder(CliTest):
         self.succeed(*box, "--mesh", "grains", "--quiet")
         self.assertIn("stored pairs agree", self.succeed("check", "t.foam"))
 
+    def test_the_layer_has_the_thickness_that_was_given(self):
+        for period, given, height in (("1,1", (), None), ("1,1", ("--thickness", "0.3"), 0.3),
+                                      ("2e-3,1e-3", ("--thickness", "1e-4"), 1e-4)):
+            self.succeed("mesh", "--sites", 30, "--period", period, *given, "-o", "t.foam", "--quiet", "--force")
+            points = self.path("t.foam/constant/polyMesh/points").read_text()
+            heights = {float(z) for z in re.findall(r"^\(\S+ \S+ (\S+)\)$", points, re.M)}
+            self.assertEqual(heights, {0, height or 30 ** -0.5})
+            self.succeed("check", "t.foam")
+        for wrong, words in (("0", "--thickness"), ("-1", "--thickness"), ("x", "--thickness"), ("nan", "--thickness"),
+                             ("1e9", "not between 0.001 and 1000 times"), ("1e-9", "not between 0.001")):
+            self.refuse(2, words, "mesh", "--sites", 30, "--thickness", wrong, "-o", "u.foam")
+        self.refuse(2, r"no output takes a thickness; add one of \.foam", "mesh", "--sites", 30, "--thickness", "0.3",
+                    "-o", "u.obj")
+
     def test_a_run_that_fails_leaves_no_folder(self):
         self.write("sites.txt", "0 0\n0.5 0\n0 0.5\n0.5 0.5\n")
         self.refuse(2, "90.0 degrees", "mesh", "--input", "sites.txt", "--max-iterations", 0, "-o",

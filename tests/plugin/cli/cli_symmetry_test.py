@@ -69,6 +69,25 @@ class Symmetry(CliTest):
         self.assertNotIn("Orbit", self.path("t.vtu").read_text())
         self.assertIn(",,,,,,", self.path("c.csv").read_text())
 
+    def test_files_of_solvers_state_the_orbits(self):
+        report = self.report("--sites", 50, "--symmetry", "p4m", "--mesh", "grains", "-o", "t.inp", "-o", "t.msh",
+                             "-o", "t.obj", "--cells", "c.csv")
+        with open(self.path("c.csv")) as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        text = self.path("t.inp").read_text()
+        for orbit in range(report["symmetry"]["orbits"]):
+            cells = [f"CELL_{row['site']}" for row in rows if int(row["orbit"]) == orbit]
+            members = re.search(rf"^\*ELSET,ELSET=ORBIT_{orbit}\n([^*]*)", text, re.M)[1]
+            self.assertEqual(re.split(r"[,\n]", members.strip()), cells)
+        text = self.path("t.msh").read_text()
+        views = [dict(line.split() for line in view.split("$End")[0].splitlines()[8:])
+                 for view in text.split("$ElementData\n")[1:]]
+        for element, site in views[0].items():
+            self.assertEqual(views[1][element], "-1" if site == "-1" else rows[int(site)]["orbit"])
+        self.assertEqual(len(views), 2)
+        said = self.succeed("check", "t.inp", "t.msh", "t.obj")
+        self.assertEqual(said.count(f"{report['symmetry']['orbits']} orbits agree"), 3)
+
     def test_check_refuses_orbits_that_are_none(self):
         self.report("--sites", 24, "--symmetry", "p4", "-o", "t.vtu")
         text = self.path("t.vtu").read_text()

@@ -24,7 +24,10 @@ class Walls(CliTest):
         return [tuple(map(float, line.split())) for line in lines if not line.startswith("#")]
 
     def test_check_proves_every_format_of_every_mesh(self):
-        for walls, words in (("x", "an annulus after gluing"), ("y", "an annulus after gluing"), ("xy", "a disc")):
+        for walls, content, words in (
+                ("x", "a channel: periodic along y, walls wall_left and wall_right, ", "an annulus after gluing"),
+                ("y", "a channel: periodic along x, walls wall_bottom and wall_top, ", "an annulus after gluing"),
+                ("xy", "a box with four walls: ", "a disc")):
             for mesh, cells, options in (("voronoi", "whole", ()), ("voronoi", "half", ()),
                                          ("voronoi", "whole", ("--outline", "box")),
                                          ("delaunay", "half", ()), ("grains", "whole", ()),
@@ -35,8 +38,17 @@ class Walls(CliTest):
                 text = self.succeed("check", *(f"t.{extension}" for extension in extensions))
                 self.assertEqual(text.count("t."), len(extensions))
                 for line in text.splitlines():
-                    self.assertRegex(line, rf"\d+ on walls, {words}, area 2 .*40 sites agree")
+                    self.assertRegex(line, rf"^t\.\w+: {content}\d+ vertices, .*\d+ on walls, {words}, area 2 .*"
+                                     "40 sites agree")
                     self.assertEqual("in 0 pairs" in line, walls == "xy", line)
+
+    def test_check_names_what_a_refuted_file_is_not(self):
+        for walls, name in (("x", "a channel"), ("y", "a channel"), ("xy", "a box with four walls")):
+            self.mesh("--quiet", "--walls", walls, "-o", "t.ply")
+            text = self.path("t.ply").read_text()
+            # The first vertex exchanges its coordinates, which no wall or partner allows.
+            self.write("u.ply", re.sub(r"(end_header\n)(\S+) (\S+)", r"\1\3 \2", text))
+            self.refuse(2, rf"^u\.ply: not {name}: ", "check", "u.ply")
 
     def test_grains_of_second_order_are_proved(self):
         for walls in ("x", "y", "xy"):
@@ -48,6 +60,16 @@ class Walls(CliTest):
             self.succeed("mesh", "--sites", 40, "--period", "2,1", "--force", "--quiet", "--walls", walls,
                          *outputs("obj", "glb"))
             self.succeed("check", "--cvt", "t.obj")
+
+    def test_half_cells_are_a_centroidal_tessellation(self):
+        half = ("--sites", 40, "--period", "2,1", "--wall-cells", "half", "--force", "--quiet")
+        for walls in ("x", "y", "xy"):
+            self.succeed("mesh", *half, "--walls", walls, *outputs("obj", "glb", "vtu"))
+            said = self.succeed("check", "--cvt", "t.obj", "t.glb", "t.vtu")
+            self.assertEqual(said.count("centroidal Voronoi within"), 3)
+            self.succeed("mesh", *half, "--walls", walls, "--density", "1 + 4 * v", *outputs("obj"))
+            self.succeed("check", "--cvt", "--density", "1 + 4 * v", "t.obj")
+            self.refuse(2, "law of Voronoi: a corner of the edge", "check", "--cvt", "t.obj")
 
     def test_report_and_summary_state_the_walls(self):
         text = self.mesh("--walls", "y", "--report", "r.json")

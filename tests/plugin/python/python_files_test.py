@@ -60,6 +60,16 @@ class Files(CliTest):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 result.write(self.path("python.png"), **arguments)
 
+    def test_the_thickness_of_a_layer_is_that_of_the_command(self):
+        self.succeed("mesh", "--sites", 60, "--thickness", 0.3, "-o", "command.foam")
+        pcvt.mesh(60).write(self.path("python.foam"), thickness=0.3)
+        points = "constant/polyMesh/points"
+        self.assertEqual(self.path(f"python.foam/{points}").read_bytes(),
+                         self.path(f"command.foam/{points}").read_bytes())
+        for arguments, words in (({"thickness": -1}, "negative"), ({"thickness": 1e9}, "thickness")):
+            with self.assertRaisesRegex(pcvt.ArgumentError, words):
+                pcvt.mesh(60).write(self.path("no.foam"), **arguments)
+
     def test_colours_and_backgrounds_are_those_of_the_command(self):
         result = pcvt.mesh(60)
         for option, arguments in ((("--colour", "cells"), {"colour": "cells"}),

@@ -27,6 +27,9 @@ class Walls(unittest.TestCase):
                 np.testing.assert_array_equal(from_[:, axis], line)
                 np.testing.assert_array_equal(to[:, axis], line)
                 self.assertAlmostEqual(np.abs(to - from_).sum(), (HEIGHT, WIDTH)[axis], 12)
+                # The tile is on the left: edges at the bottom run to the right, at the right wall upwards.
+                forwards = 1 if number in (1, 2) else -1
+                self.assertTrue((forwards * (to - from_)[:, 1 - axis] > 0).all())
             self.assertEqual(len(tile.seam) == 0, walls == "xy")
 
     def test_sites_lie_between_walls_and_halves_on_them(self):
