@@ -5,11 +5,8 @@ Runs inside Blender: imports each file and checks that
   with "Merge Vertices" on, a .glb of one node is one mesh whose boundary edges are those of the tile,
   at each corner u a + v b is the position, so that a picture lies upright on the tile,
   a .glb has one object for each cell or one for all,
-<<<<<<< HEAD
-  where FILE.csv lists the cells, each object has the area of its cell.
-=======
+  where FILE.csv lists the cells, each object has the area of its cell,
   boundary edges of one mesh cover the walls that the file states.
->>>>>>> walls-finish
 """
 
 import csv
