@@ -186,7 +186,9 @@ std::vector<BoxPolygon> BoxLines::split(const BoxPolygon& polygon) {
 OnLines BoxSnapper::lines_near(int v, const Vec2& u) const {
     const Vec2 to_corner = u - Vec2(u.array().round());
     const OnLines before = earlier_.vertices.empty() ? OnLines{} : earlier_.vertices[v];
-    if (lattice_.to_plane(to_corner).norm() < reach(before[0] && before[1])) return {true, true};
+    const bool is_still = earlier_.is_still(v);
+    const double to_both = reach(before[0] && before[1], is_still);
+    if (lattice_.to_plane(to_corner).norm() < to_both) return {true, true};
     std::array<double, 2> distance;
     for (const int axis : BoxLines::kAxes) {
         distance[axis] = std::abs(to_corner[axis]) * line_spacing(lattice_, axis);
@@ -195,18 +197,19 @@ OnLines BoxSnapper::lines_near(int v, const Vec2& u) const {
     int nearer = distance[1] < distance[0] ? 1 : 0;
     if (before[0] != before[1]) nearer = before[1] ? 1 : 0;
     OnLines on{};
-    on[nearer] = distance[nearer] < reach(before[nearer]);
+    on[nearer] = distance[nearer] < reach(before[nearer], is_still);
     return on;
 }
 
-bool BoxSnapper::is_bent(const BoxSnaps::Bend& bend, double distance) const {
+bool BoxSnapper::is_bent(const BoxSnaps::Bend& bend, double distance, bool is_still) const {
     const auto& bends = earlier_.bends;
-    return distance <= reach(std::find(bends.begin(), bends.end(), bend) != bends.end());
+    const bool was_bent = std::find(bends.begin(), bends.end(), bend) != bends.end();
+    return distance <= reach(was_bent, is_still);
 }
 
-SnapReach reach_after(const BoxSnaps& earlier, double snap) {
+SnapReach reach_after(const BoxSnaps& earlier, double snap, double least) {
     const bool is_first = earlier.vertices.empty();
-    return {is_first ? snap : kFreshSnap * snap, kHeldSnap * snap};
+    return {is_first ? snap : kFreshSnap * snap, kHeldSnap * snap, least};
 }
 
 }  // namespace pcvt

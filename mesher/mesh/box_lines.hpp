@@ -116,6 +116,11 @@ struct BoxSnaps {
     /// For each vertex of the cells; empty: none is moved.
     std::vector<OnLines> vertices = {};
     std::vector<Bend> bends = {};
+    /// For each vertex of the cells whether it stays where it is, with the edges between two of
+    /// these; empty: none does.
+    std::vector<bool> still = {};
+
+    bool is_still(int v) const { return !still.empty() && still[v]; }
 
     friend bool operator==(const BoxSnaps&, const BoxSnaps&) = default;
 };
@@ -129,6 +134,8 @@ struct SnapReach {
     double fresh;
     /// Of what it moved.
     double held;
+    /// Of what stays, up to rounding.
+    double still;
 };
 
 /// Decides which vertices and edges are moved.
@@ -147,10 +154,13 @@ class BoxSnapper {
     OnLines lines_near(int v, const Vec2& u) const;
 
     /// Whether an edge that passes a corner of the box at a distance is bent through it.
-    bool is_bent(const BoxSnaps::Bend& bend, double distance) const;
+    /// @param is_still  both of its ends are.
+    bool is_bent(const BoxSnaps::Bend& bend, double distance, bool is_still) const;
 
    private:
-    double reach(bool was_moved) const { return was_moved ? reach_.held : reach_.fresh; }
+    double reach(bool was_moved, bool is_still) const {
+        return is_still ? reach_.still : was_moved ? reach_.held : reach_.fresh;
+    }
 
     Lattice lattice_;
     SnapReach reach_;
@@ -160,6 +170,7 @@ class BoxSnapper {
 /// Returns the reach of a cut after an earlier one, of none if `earlier` is empty: what was moved
 /// stays longer, and only what is very near is moved in addition. So cuts and small changes of the
 /// cells, in turn, soon come to rest.
-SnapReach reach_after(const BoxSnaps& earlier, double snap);
+/// @param least  of what stays.
+SnapReach reach_after(const BoxSnaps& earlier, double snap, double least);
 
 }  // namespace pcvt

@@ -37,6 +37,7 @@ class BoxCutter {
           origin_(origin),
           snapper_(lattice_, reach, earlier),
           lines_(lattice_) {
+        snaps_.still = earlier.still;
         for (int v = 0; v < cells.n_vertices(); ++v) add_cell_vertex(v);
     }
 
@@ -133,6 +134,8 @@ class BoxCutter {
                                           const BoxNode& to) {
         std::vector<Crossing> found;
         const Vec2 way = lattice_.to_plane(q - p);
+        const bool is_still = snaps_.is_still(cells_.corner_vertex[c]) &&
+                              snaps_.is_still(cells_.corner_vertex[cells_.next(c)]);
         for (const int axis : BoxLines::kAxes) {
             const BoxLines::Range lines = lines_.lines_between(from, to, axis);
             for (int k = lines.first; k <= lines.last; ++k) {
@@ -143,7 +146,9 @@ class BoxCutter {
                 const double at = from_p.dot(way) / way.squaredNorm();
                 const Offset offset{static_cast<int>(corner.x()), static_cast<int>(corner.y())};
                 const double distance = std::abs(cross(way, from_p)) / way.norm();
-                if (at <= 0 || at >= 1 || !snapper_.is_bent({c, offset}, distance)) continue;
+                if (at <= 0 || at >= 1 || !snapper_.is_bent({c, offset}, distance, is_still)) {
+                    continue;
+                }
                 const bool known = std::any_of(found.begin(), found.end(), [&](const Crossing& x) {
                     return x.node.offset == offset;
                 });
@@ -320,20 +325,21 @@ BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap,
                      const BoxSnaps& earlier) {
     const double least = least_snap(cells);
     for (; snap > least; snap /= kLessSnap) {
-        BoxCutter cutter(cells, origin, reach_after(earlier, snap), earlier);
+        BoxCutter cutter(cells, origin, reach_after(earlier, snap, least), earlier);
         if (!cutter.keeps_cells()) continue;
         std::optional<BoxCut> box = cutter.cut();
         if (!box || !cutter.passes_corner_once() || !cutter.has_distinct_vertices()) continue;
         if (are_polygons(box->pieces)) return std::move(*box);
     }
-    std::optional<BoxCut> box = BoxCutter(cells, origin, {least, least}, earlier).cut();
+    std::optional<BoxCut> box = BoxCutter(cells, origin, {least, least, least}, earlier).cut();
     if (!box) throw InternalError("the cells could not be cut along the box");
     return std::move(*box);
 }
 
 std::optional<BoxCut> cut_along_box_as_before(const PeriodicMesh& cells, const Vec2& origin,
                                               const BoxSnaps& earlier) {
-    const SnapReach reach{least_snap(cells), std::numeric_limits<double>::infinity()};
+    const double least = least_snap(cells);
+    const SnapReach reach{least, std::numeric_limits<double>::infinity(), least};
     return BoxCutter(cells, origin, reach, earlier).cut();
 }
 

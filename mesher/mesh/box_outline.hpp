@@ -40,7 +40,7 @@ struct BoxCut {
 /// @param origin  corner of the box, length units.
 /// @param snap    length units; at least kSameVertex h is used. A distance that would tear a cell
 ///                is reduced.
-/// @param earlier what an earlier cut moved, of cells of the same topology.
+/// @param earlier what an earlier cut moved, of cells of the same topology, and what does not move.
 BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap = 0,
                      const BoxSnaps& earlier = {});
 

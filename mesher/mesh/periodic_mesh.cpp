@@ -65,6 +65,18 @@ void link_faces(PeriodicMesh& mesh) {
     mesh.opposite = match_edges(halfedges);
 }
 
+std::vector<bool> interface_vertices(const PeriodicMesh& mesh, std::span<const int> tags) {
+    std::vector<int> first(mesh.vertices.size(), -1);
+    std::vector<bool> found(mesh.vertices.size());
+    for (int c = 0; c < mesh.n_corners(); ++c) {
+        const int v = mesh.corner_vertex[c];
+        const int tag = tags[mesh.corner_face[c]];
+        if (first[v] < 0) first[v] = tag;
+        found[v] = found[v] || tag != first[v];
+    }
+    return found;
+}
+
 PeriodicMesh repeated(PeriodicMesh mesh, int columns, int rows) {
     if (columns == 1 && rows == 1) return mesh;
     PeriodicMesh cover{.lattice = mesh.lattice.repeated(columns, rows), .kind = mesh.kind};

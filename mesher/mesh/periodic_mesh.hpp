@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesher/lattice/sites.hpp"
@@ -65,6 +66,10 @@ struct PeriodicMesh {
 /// Fills `corner_face` and `opposite` from the corners of the faces.
 /// @throws InternalError unless every edge on the torus has exactly two sides.
 void link_faces(PeriodicMesh& mesh);
+
+/// Returns for each vertex of a mesh whether faces of different tags meet there.
+/// @param tags  one for each face.
+std::vector<bool> interface_vertices(const PeriodicMesh& mesh, std::span<const int> tags);
 
 /// Returns the mesh of columns x rows copies of the domain, periodic in mesh.lattice.repeated().
 /// Face f of copy (i, j) becomes face (j columns + i) n_faces + f and keeps the id of its site.

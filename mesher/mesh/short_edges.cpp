@@ -44,16 +44,8 @@ class Shrinking {
         for (int v = 0; v < mesh.n_vertices(); ++v) weight_.push_back(weight_of(v));
     }
 
-    /// Keeps the edges at vertices where faces of different tags meet.
-    void keep_interfaces(std::span<const int> tags) {
-        is_kept_.assign(mesh_.vertices.size(), false);
-        for (std::size_t v = 0; v < is_kept_.size(); ++v) {
-            for (const int c : corners_at_[v]) {
-                const int tag = tags[mesh_.corner_face[c]];
-                is_kept_[v] = is_kept_[v] || tag != tags[mesh_.corner_face[corners_at_[v][0]]];
-            }
-        }
-    }
+    /// @param still  for each vertex of the mesh.
+    void keep(std::vector<bool> still) { is_still_ = std::move(still); }
 
     MeshCorner corner(int c) {
         const auto root = joined_.root(mesh_.corner_vertex[c]);
@@ -84,7 +76,7 @@ class Shrinking {
     bool shrink(int c) {
         const MeshCorner from = corner(c);
         const MeshCorner to = corner(mesh_.next(c));
-        if (!is_kept_.empty() && (is_kept_[from.vertex] || is_kept_[to.vertex])) return false;
+        if (!is_still_.empty() && (is_still_[from.vertex] || is_still_[to.vertex])) return false;
         const std::optional<Pinned> pinned = united(walls_[from.vertex], walls_[to.vertex]);
         const int weight = weight_[from.vertex] + weight_[to.vertex];
         // The middle of a cell whose site lies in a corner of walls is no corner of the cell.
@@ -226,8 +218,8 @@ class Shrinking {
     std::vector<std::vector<int>> corners_at_;
     /// Of each root.
     std::vector<Pinned> walls_;
-    /// Vertices on interfaces; empty without tags.
-    std::vector<bool> is_kept_;
+    /// Of vertices of the mesh; empty: all may move.
+    std::vector<bool> is_still_;
     /// The sum of weight_of() over the vertices that were joined to each root.
     std::vector<int> weight_;
 };
@@ -265,9 +257,9 @@ PeriodicMesh shrunk(const PeriodicMesh& cells, Shrinking shrinking, double short
 }  // namespace
 
 PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest,
-                                 std::span<const int> tags) {
+                                 std::vector<bool> still) {
     Shrinking shrinking(cells);
-    if (!tags.empty()) shrinking.keep_interfaces(tags);
+    shrinking.keep(std::move(still));
     PeriodicMesh result = shrunk(cells, std::move(shrinking), shortest);
     link_faces(result);
     return result;

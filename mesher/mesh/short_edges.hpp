@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "mesher/mesh/walled_mesh.hpp"
 
@@ -22,13 +22,13 @@ namespace pcvt {
 ///   (3) A vertex moves only if it lies on a removed edge.
 ///   (4) A vertex of k cells lies at the mean of the circumcentres of the k - 2 Delaunay triangles
 ///       that join their sites.
-///   (5) No vertex at which cells of different tags meet lies on a removed edge.
+///   (5) No vertex that stays lies on a removed edge.
 ///
 /// @param cells     whole cells (`kVoronoi`).
 /// @param shortest  length units; 0 leaves the mesh as it is.
-/// @param tags      one for each face, of cells beside interfaces; empty: all cells are alike.
+/// @param still     for each vertex whether it stays; empty: none does.
 PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest,
-                                 std::span<const int> tags = {});
+                                 std::vector<bool> still = {});
 
 /// The same for a mesh between walls (mesh_between_walls()), as if its mirror images lost the same
 /// edges at the same time: vertices on walls stay there. The `opposite` of the result is empty.

@@ -42,10 +42,17 @@ struct LaidOut {
     bool is_placed(int f) const { return between_walls.empty() || between_walls[f].has_value(); }
 };
 
-/// How far the outline moves vertices, length units. Interfaces stay where they are.
+/// How far the outline moves vertices, length units.
 double snap_distance(const TileOptions& options, double h) {
-    const bool moves = options.kind == MeshKind::kGrains && options.site_tags.empty();
-    return moves ? kGrainSnap * h : 0;
+    return options.kind == MeshKind::kGrains ? kGrainSnap * h : 0;
+}
+
+/// The vertices on interfaces, which stay where they are; empty without tags.
+std::vector<bool> still_vertices(const TileOptions& options, const PeriodicMesh& cells) {
+    if (options.site_tags.empty()) return {};
+    std::vector<int> tags;
+    for (const SiteId s : cells.site) tags.push_back(options.site_tags[s]);
+    return interface_vertices(cells, tags);
 }
 
 /// The domain of the tile: columns x rows domains between walls.
@@ -147,11 +154,7 @@ PeriodicMesh without_shortest(PeriodicMesh cells, const TileOptions& options, do
     if (!(shortest > 0)) return cells;
     // Cells of grains keep the number of sides that they had before.
     if (options.kind == MeshKind::kGrains) cells.whole_sides = cell_sides(cells);
-    std::vector<int> tags;
-    if (!options.site_tags.empty()) {
-        for (const SiteId s : cells.site) tags.push_back(options.site_tags[s]);
-    }
-    return without_short_edges(cells, shortest * h, tags);
+    return without_short_edges(cells, shortest * h, still_vertices(options, cells));
 }
 
 /// The cells or triangles of one domain.
@@ -227,7 +230,8 @@ LaidOut lay_out(const TileOptions& options, TorusMesh torus, double h, TileFigur
     figures.domain_corner = torus.corner;
     figures.opposite_corner = torus.corner + mesh.lattice.a() + mesh.lattice.b();
     BoxCut box = torus.cut ? std::move(*torus.cut)
-                           : cut_along_box(mesh, torus.corner, snap_distance(options, h));
+                           : cut_along_box(mesh, torus.corner, snap_distance(options, h),
+                                           {.still = still_vertices(options, mesh)});
     figures.box_shortest_edge = box.shortest_edge / h;
     std::vector<Offset> placement(static_cast<std::size_t>(box.pieces.n_faces()));
     return {std::move(box.pieces), std::move(placement)};

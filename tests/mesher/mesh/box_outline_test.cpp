@@ -208,7 +208,7 @@ TEST(BoxOutline, AVertexStaysOnItsLineAlsoWhereAnotherIsNearer) {
     const Lattice flat({1, 0}, {7, 1});
     // 0.0005 from the line u = 0, and 0.001 from v = 0.
     const Vec2 u(0.0005 * flat.b().norm(), 0.001);
-    const SnapReach reach{0.002, 0.003};
+    const SnapReach reach{0.002, 0.003, 0};
     const auto lines = [&](const OnLines& earlier) {
         const BoxSnaps snaps{.vertices = {earlier}};
         return BoxSnapper(flat, reach, snaps).lines_near(0, u);
@@ -216,6 +216,27 @@ TEST(BoxOutline, AVertexStaysOnItsLineAlsoWhereAnotherIsNearer) {
     EXPECT_EQ(lines({false, false}), (OnLines{true, false}));
     EXPECT_EQ(lines({true, false}), (OnLines{true, false}));
     EXPECT_EQ(lines({false, true}), (OnLines{false, true}));
+}
+
+TEST(BoxOutline, VerticesThatStayAreNotMoved) {
+    constexpr int kSites = 40;
+    int n_other = 0;
+    for (const auto& [name, lattice] : lattices()) {
+        const PeriodicMesh cells =
+            cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, kSites, 9))));
+        const double snap = 0.03 * std::sqrt(lattice.area() / kSites);
+        const std::vector<bool> all(cells.vertices.size(), true);
+        const Eigen::VectorXd wanted = areas_of(cells, kSites);
+        const auto error = [&](const BoxSnaps& snaps) {
+            const BoxCut cut = cut_along_box(cells, {0.1, 0.2}, snap, snaps);
+            return ((areas_of(cut.pieces, kSites) - wanted).array() / wanted.array())
+                .abs()
+                .maxCoeff();
+        };
+        EXPECT_LT(error({.still = all}), 1e-8) << name;
+        n_other += error({}) > 1e-6;
+    }
+    EXPECT_GT(n_other, 2);
 }
 
 TEST(BoxOutline, CutsCellsThatAreNotConvex) {
