@@ -44,11 +44,13 @@ struct FittedCells {
 ///   (3) The areas are those of `cells`, to the tolerance of the run that computed the weights, for
 ///       cells of a whole outline.
 ///
-/// @param cells    whole power cells, one a site, the plane.
+/// @param cells    whole power cells, the plane: one a site, or a site's cell or parts of cells
+///                 between walls with their mirror images (mirrored_mesh()).
 /// @param joined   the same cells without short edges.
 /// @param metric   in which they are power cells.
 /// @param weights  n, length^2, of the round space of the metric.
-/// @param measure  where corners are moved later, as at the sides of a box: of the result of that.
+/// @param measure  of all faces of a site; where corners are moved later, as at the sides of a box:
+///                 of the result of that.
 /// @returns `joined` and `weights` themselves if the areas agree already, or cannot be improved.
 FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
                       const Eigen::VectorXd& weights, const AreaMeasure& measure);

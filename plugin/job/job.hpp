@@ -91,7 +91,7 @@ struct Job {
     /// it. Excludes given sites, areas, and starts that are not random.
     std::optional<PlaneGroupName> symmetry;
     /// The sides of the domain that are walls: it is then an upright rectangle with `origin` on
-    /// them. Excludes areas, aspect, symmetry, the stability, starts that are not random, and
+    /// them. Excludes aspect, symmetry, the stability, starts that are not random, and
     /// copies across walls.
     Walls walls = Walls::kNone;
     WallCells wall_cells = WallCells::kWhole;

@@ -127,7 +127,6 @@ class Walls(CliTest):
                 (("--sites", 8, "--walls", "y", "--wall-cells", "third"), "--wall-cells"),
                 ((*channel, "--lattice", "1,0,0.5,1"), "give its period as W,H"),
                 ((*channel, "--symmetry", "p2"), "leave one of the two out"),
-                ((*channel, "--areas", "equal"), "leave them out, or the walls"),
                 ((*channel, "--aspect", "2"), "leave them out, or the walls"),
                 ((*channel, "--start", "best"), "leave the start out"),
                 ((*channel, "--stability"), "leave one out"),
