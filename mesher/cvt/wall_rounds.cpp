@@ -1,6 +1,7 @@
 #include "mesher/cvt/wall_rounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -69,13 +70,19 @@ void require_no_bridge(const PeriodicDelaunay& torus, Offset offset, const Walle
     }
 }
 
-/// Moves each site that is a neighbour of its own mirror image onto the wall between them.
+/// Where the cell of a site off the walls meets its mirror images.
+struct WallContact {
+    /// Across x, and across y.
+    std::array<bool, 2> across{false, false};
+    bool holds_corner = false;
+};
+
 /// @param orbit  of each site of the torus.
-/// @returns the number of sites that were moved.
-int move_onto_walls(const PeriodicDelaunay& torus, const std::vector<int>& orbit,
-                    const WalledDomain& domain, Points& points) {
+/// @returns the contacts of the sites of the domain.
+std::vector<WallContact> wall_contacts(const PeriodicDelaunay& torus, const std::vector<int>& orbit,
+                                       const WalledDomain& domain) {
     const TorusTriangulation& triangulation = torus.triangulation();
-    int n_moved = 0;
+    std::vector<WallContact> contacts(static_cast<std::size_t>(domain.n_sites));
     for (int h = 0; h < triangulation.n_halfedges(); ++h) {
         checkpoint_each(h);
         const SiteId s = triangulation.corner(h).site;
@@ -86,13 +93,40 @@ int move_onto_walls(const PeriodicDelaunay& torus, const std::vector<int>& orbit
             continue;
         }
         for (int axis = 0; axis < 2; ++axis) {
-            if (!has_walls_across(domain.walls, axis)) continue;
             // The image has another coordinate across the wall only.
             if (torus.sites().position(s)[axis] == torus.sites().position(t)[axis]) continue;
+            contacts[s].across[axis] = has_walls_across(domain.walls, axis);
+        }
+        // Four images meet in a corner of walls.
+        const SiteId third = triangulation.corner(TorusTriangulation::previous(h)).site;
+        if (orbit[third] == orbit[s] && third != s) contacts[s].holds_corner = true;
+    }
+    return contacts;
+}
+
+/// Moves each site whose cell touches a wall onto it, and into a corner of walls only the site
+/// whose cell holds the corner.
+/// @param orbit  of each site of the torus.
+/// @returns the number of coordinates that changed.
+int move_onto_walls(const PeriodicDelaunay& torus, const std::vector<int>& orbit,
+                    const WalledDomain& domain, Points& points) {
+    const std::vector<WallContact> contacts = wall_contacts(torus, orbit, domain);
+    int n_moved = 0;
+    for (SiteId s = 0; s < domain.n_sites; ++s) {
+        const auto& [across, holds_corner] = contacts[s];
+        std::array<double, 2> wall{};
+        std::array<double, 2> distance{};
+        for (int axis = 0; axis < 2; ++axis) {
             const double side = side_length(domain.lattice, axis);
-            const double wall = points(axis, s) < side / 2 ? 0 : side;
-            n_moved += points(axis, s) != wall;
-            points(axis, s) = wall;
+            wall[axis] = points(axis, s) < side / 2 ? 0 : side;
+            distance[axis] = std::abs(points(axis, s) - wall[axis]);
+        }
+        const int nearest = distance[0] < distance[1] ? 0 : 1;
+        for (int axis = 0; axis < 2; ++axis) {
+            const bool is_second = across[1 - axis] && axis != nearest;
+            if (!across[axis] || (is_second && !holds_corner)) continue;
+            n_moved += points(axis, s) != wall[axis];
+            points(axis, s) = wall[axis];
         }
     }
     return n_moved;

@@ -206,6 +206,8 @@ TEST(WalledAreaCvt, HalvesHaveTheirAreasBetweenTheWalls) {
             EXPECT_GT(result.domain.n_on_walls, 0);
             const double bound = std::max(area_tolerance(1), result.torus.areas.rounding);
             EXPECT_LE(compare_with_half_planes(job, result), 10 * bound);
+        } catch (const DuplicateSites& error) {
+            ADD_FAILURE() << error.what();
         } catch (const InvalidInput&) {
             ++n_refused;
         }
@@ -247,6 +249,24 @@ TEST(WalledAreaCvt, EachTileIsProvedAndHasTheAreas) {
                 }
             }
         }
+    }
+}
+
+// Half cells that are narrower than the edges that are removed.
+TEST(WalledAreaCvt, NarrowHalvesKeepTheirSidesWithoutShortEdges) {
+    const Lattice lattice = Lattice::rectangle(0.25, 4);
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937_64 random(seed);
+        WalledJob job{
+            lattice, Walls::kXY, WallCells::kHalf, uniform_points(lattice, 125, seed), {}};
+        job.options.areas = wished_areas("lognormal:0.42", lattice, 125, random);
+        job.options.centroidal_steps = 1;
+        const WalledAreaCvt result = computed(job);
+        const BuiltTile built =
+            build_tile(result.torus.delaunay, {.short_edges = 0.1, .walled = result.domain});
+        EXPECT_NO_THROW(verify_generated_tile(built.tile));
+        EXPECT_LE(*built.figures.area_error, 1e-10);
     }
 }
 

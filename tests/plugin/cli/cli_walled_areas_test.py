@@ -2,7 +2,6 @@
 
 import csv
 import json
-import random
 import re
 
 from support.cli import CliTest, main
@@ -62,7 +61,7 @@ class WalledAreas(CliTest):
                                          ("voronoi", "whole", ("--outline", "box")), ("delaunay", "half", ()),
                                          ("grains", "whole", ()), ("grains", "half", ()),
                                          ("grains", "whole", ("--outline", "box"))):
-                cut = walls != "xy" and "box" in options and mesh == "voronoi"
+                cut = "box" in options and mesh == "voronoi"
                 extensions = [e for e in (TILES if mesh == "voronoi" else TILES + SOLVERS[:2]) if e != "foam" or not cut]
                 self.mesh("--walls", walls, "--wall-cells", cells, "--mesh", mesh, *options, "--areas", "areas.txt",
                           "--max-iterations", 5, *outputs(*extensions, *PICTURES), "-o", "t.csv")
@@ -120,22 +119,6 @@ class WalledAreas(CliTest):
         files = self.contents()
         for extension in ("vtu", "csv", "svg"):
             self.assertEqual(len({files[f"{threads}.{extension}"] for threads in (1, 2, 4)}), 1)
-
-    def test_random_jobs_are_accepted(self):
-        draw = random.Random(3)
-        for number in range(20):
-            walls, mesh = draw.choice(("x", "y", "xy")), draw.choice(("voronoi", "grains"))
-            ratio = 10 ** draw.uniform(-1.5, 1.5)
-            options = ["--walls", walls, "--sites", round(60 ** draw.random()), "--seed", draw.randrange(10**6), "--areas",
-                       draw.choice(LAWS), "--period", f"{ratio ** 0.5:.6g},{ratio ** -0.5:.6g}", "--mesh", mesh,
-                       "--max-iterations", draw.choice((0, 1, 5)), "--outline", draw.choice(("whole", "box"))]
-            if walls != "xy" and draw.random() < 0.5:
-                options += ["--repeat", "1x2" if walls == "x" else "2x1"]
-            if draw.random() < 0.5:
-                options += ["--short-edges", draw.choice((0.05, 0.2))]
-            with self.subTest(number=number, options=" ".join(map(str, options))):
-                self.succeed("mesh", *options, "--force", "--quiet", *outputs("obj", "vtu"))
-                self.succeed("check", "t.obj", "t.vtu")
 
     def test_what_does_not_fit_is_refused_in_one_line(self):
         areas = ("mesh", *BOX, "--walls", "y", "--areas", "gamma:0.3")
