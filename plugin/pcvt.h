@@ -226,8 +226,8 @@ typedef struct pcvt_options {
                          which the lattice must fit; excludes `sites`, areas and starts other than
                          PCVT_START_RANDOM [PCVT_SYMMETRY_NONE] */
     int32_t walls; /**< PCVT_WALLS_...: straight walls at 0 and at the period in place of periods,
-                      of a lattice (width, 0, 0, height); excludes areas, aspect, symmetry and
-                      starts other than PCVT_START_RANDOM [PCVT_WALLS_NONE] */
+                      of a lattice (width, 0, 0, height); excludes aspect, symmetry,
+                      PCVT_START_LATTICE and PCVT_START_BEST [PCVT_WALLS_NONE] */
     int32_t wall_cells; /**< PCVT_WALL_CELLS_...; Delaunay triangles need halves
                            [PCVT_WALL_CELLS_WHOLE] */
     int32_t reserved2;

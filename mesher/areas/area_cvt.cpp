@@ -1,12 +1,14 @@
 #include "mesher/areas/area_cvt.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "mesher/base/error.hpp"
 #include "mesher/energy/energy.hpp"
 #include "mesher/energy/residuals.hpp"
 #include "mesher/optimize/lbfgs.hpp"
 #include "mesher/power/power_flips.hpp"
+#include "mesher/symmetry/symmetric_objective.hpp"
 
 namespace pcvt {
 namespace {
@@ -21,14 +23,14 @@ constexpr double kTrialTolerance = 0.1;
 /// of the triangulation.
 class AreaObjective final : public Objective {
    public:
-    AreaObjective(MovingDelaunay& delaunay, const Eigen::VectorXd& areas,
+    AreaObjective(MovingDelaunay& delaunay, const Eigen::VectorXd& areas, WeightOrbits orbits,
                   const NewtonCallback& callback, Workers& workers)
         : delaunay_(delaunay),
           areas_(areas),
           callback_(callback),
           workers_(workers),
           pass_(delaunay, workers),
-          newton_(delaunay, workers) {}
+          newton_(delaunay, workers, std::move(orbits)) {}
 
     Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
 
@@ -70,6 +72,7 @@ class AreaObjective final : public Objective {
         const AreaFigures now = newton_.solve(areas_, tolerance, callback_);
         measure_cells(newton_.diagram(), newton_.heights(), workers_, cells_);
         figures_.largest_relative_error = now.largest_relative_error;
+        figures_.rounding = now.rounding;
         figures_.converged = now.largest_relative_error <= area_tolerance(delaunay_.n_sites());
         figures_.newton_steps += now.newton_steps;
         figures_.products += now.products;
@@ -96,7 +99,8 @@ Progress progress_of(int step, const Evaluation& here) {
 }
 
 /// Moves each site to the centroid of its cell, a number of times.
-RunStatistics run_centroidal_steps(AreaObjective& objective, int n_steps,
+/// @param figures  of the objective's last evaluation.
+RunStatistics run_centroidal_steps(Objective& objective, const AreaFigures& figures, int n_steps,
                                    const ProgressCallback& progress) {
     Eigen::VectorXf direction(objective.n_variables());
     Evaluation here;
@@ -104,7 +108,7 @@ RunStatistics run_centroidal_steps(AreaObjective& objective, int n_steps,
     for (int step = 0;; ++step) {
         if (!objective.evaluate(direction, step == 0 ? 0 : 1, here)) return run;
         objective.accept();
-        run = {.stop = objective.figures().converged ? Stop::kConverged : Stop::kStalled,
+        run = {.stop = figures.converged ? Stop::kConverged : Stop::kStalled,
                .iterations = step,
                .evaluations = step + 1,
                .energy = here.value,
@@ -119,17 +123,20 @@ RunStatistics run_centroidal_steps(AreaObjective& objective, int n_steps,
     }
 }
 
-RunStatistics minimize(AreaObjective& objective, const MovingDelaunay& delaunay,
+/// @param orbits  nullptr: no site is tied to another one.
+RunStatistics minimize(AreaObjective& all, const OrbitEmbedding* orbits, double spacing,
                        const AreaCvtOptions& options, const ProgressCallback& progress,
                        Workers& workers) {
+    std::optional<SymmetricObjective> symmetric;
+    if (orbits != nullptr) symmetric.emplace(all, *orbits);
+    Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;
     if (options.centroidal_steps >= 0) {
-        return run_centroidal_steps(objective, options.centroidal_steps, progress);
+        return run_centroidal_steps(objective, all.figures(), options.centroidal_steps, progress);
     }
-    OptimizerOptions optimizer{.tolerance = options.tolerance,
-                               .max_move = kLargestMove * delaunay.spacing(),
-                               .progress = progress};
+    OptimizerOptions optimizer{
+        .tolerance = options.tolerance, .max_move = kLargestMove * spacing, .progress = progress};
     RunStatistics run = minimize_lbfgs(objective, optimizer, workers).run;
-    if (run.stop == Stop::kConverged && !objective.figures().converged) run.stop = Stop::kStalled;
+    if (run.stop == Stop::kConverged && !all.figures().converged) run.stop = Stop::kStalled;
     return run;
 }
 
@@ -143,17 +150,17 @@ PeriodicDelaunay weighted(std::pair<Sites, TorusTriangulation> released, Eigen::
     return {std::move(sites), std::move(triangulation), std::move(weights)};
 }
 
-}  // namespace
+/// A symmetry of sites, in the order of their triangulation.
+struct TiedSites {
+    OrbitEmbedding moves;
+    WeightOrbits weights;
+};
 
-AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
-                               const AreaCvtOptions& options) {
-    if (options.areas.size() != points.cols()) {
-        throw InvalidInput("there are " + std::to_string(options.areas.size()) + " areas for " +
-                           std::to_string(points.cols()) + " sites; give one for each site");
-    }
-    // Triangulate, and give the areas the order and the unit of the triangulation.
-    MovingDelaunay delaunay(Sites(lattice, points), options.numbering);
+/// @param tied  nullptr: none.
+AreaCvtResult minimized(MovingDelaunay delaunay, const TiedSites* tied,
+                        const AreaCvtOptions& options) {
     require_distinct(delaunay);
+    // Give the areas the order and the unit of the triangulation.
     const double unit = delaunay.unit();
     const int n = delaunay.n_sites();
     Eigen::VectorXd areas(n);
@@ -161,7 +168,8 @@ AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
     areas *= delaunay.frame().ax * delaunay.frame().by / areas.sum();
     // Minimise.
     Workers workers(options.n_threads);
-    AreaObjective objective(delaunay, areas, options.newton_progress, workers);
+    AreaObjective objective(delaunay, areas, tied ? tied->weights : WeightOrbits(),
+                            options.newton_progress, workers);
     const double value_unit = std::pow(unit, 4);
     ProgressCallback progress;
     if (options.progress) {
@@ -170,7 +178,8 @@ AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
             return options.progress(now);
         };
     }
-    RunStatistics run = minimize(objective, delaunay, options, progress, workers);
+    RunStatistics run = minimize(objective, tied ? &tied->moves : nullptr, delaunay.spacing(),
+                                 options, progress, workers);
     run.energy *= value_unit;
     // Convert the result to the caller's order and units.
     Eigen::VectorXd weights(n);
@@ -182,6 +191,32 @@ AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
             .run = run,
             .areas = objective.figures(),
             .counts = counts};
+}
+
+}  // namespace
+
+void require_areas(const AreaCvtOptions& options, int n_sites) {
+    if (options.areas.size() == n_sites) return;
+    throw InvalidInput("there are " + std::to_string(options.areas.size()) + " areas for " +
+                       std::to_string(n_sites) + " sites; give one for each site");
+}
+
+AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
+                               const AreaCvtOptions& options) {
+    require_areas(options, static_cast<int>(points.cols()));
+    return minimized(MovingDelaunay(Sites(lattice, points), options.numbering), nullptr, options);
+}
+
+AreaCvtResult compute_area_cvt(const SymmetricSites& start, const AreaCvtOptions& options) {
+    require_areas(options, start.sites.n_sites());
+    MovingDelaunay delaunay(start.sites);
+    TiedSites tied{tie_orbits(start, delaunay), {}};
+    std::vector<int> orbit;
+    for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
+        orbit.push_back(start.orbit[delaunay.original_id(s)]);
+    }
+    tied.weights = WeightOrbits(std::move(orbit));
+    return minimized(std::move(delaunay), &tied, options);
 }
 
 }  // namespace pcvt

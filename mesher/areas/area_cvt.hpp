@@ -5,6 +5,7 @@
 #include "mesher/areas/area_newton.hpp"
 #include "mesher/delaunay/periodic_delaunay.hpp"
 #include "mesher/optimize/objective.hpp"
+#include "mesher/symmetry/symmetric_sites.hpp"
 
 namespace pcvt {
 
@@ -45,6 +46,9 @@ struct AreaCvtResult {
     DelaunayCounts counts;
 };
 
+/// @throws InvalidInput unless there is one area for each site.
+void require_areas(const AreaCvtOptions& options, int n_sites);
+
 /// Finds the power diagram whose cells have prescribed areas, and optionally moves the sites to the
 /// centroids of their cells, in the same areas.
 ///
@@ -64,5 +68,10 @@ struct AreaCvtResult {
 ///         there are not n areas.
 AreaCvtResult compute_area_cvt(const Lattice& lattice, const Points& points,
                                const AreaCvtOptions& options);
+
+/// The same for sites with a symmetry, which they and their weights keep to the last bit.
+/// @param options  areas are those of start.sites, equal on each orbit; the numbering is that of
+///                 start.sites.
+AreaCvtResult compute_area_cvt(const SymmetricSites& start, const AreaCvtOptions& options);
 
 }  // namespace pcvt

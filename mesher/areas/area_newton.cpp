@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesher/areas/laplacian_solver.hpp"
 #include "mesher/power/power_flips.hpp"
@@ -39,8 +40,8 @@ double largest_error(const Eigen::VectorXd& mass, const Eigen::VectorXd& areas) 
 
 }  // namespace
 
-AreaNewton::AreaNewton(const MovingDelaunay& delaunay, Workers& workers)
-    : delaunay_(delaunay), workers_(workers) {}
+AreaNewton::AreaNewton(const MovingDelaunay& delaunay, Workers& workers, WeightOrbits orbits)
+    : delaunay_(delaunay), workers_(workers), orbits_(std::move(orbits)) {}
 
 /// Makes the triangulation regular for the weights, and measures the cells; returns false if a site
 /// is hidden.
@@ -52,6 +53,12 @@ bool AreaNewton::restore(State& state) const {
     if (flips.run()) return false;
     measure_masses(diagram(state), workers_, state.heights, state.mass);
     return true;
+}
+
+CellGraph AreaNewton::graph() const {
+    CellGraph cells;
+    assemble_cell_graph(diagram(here_), here_.heights, workers_, cells);
+    return orbits_.merged(std::move(cells));
 }
 
 /// Chooses the weights at which the iteration begins.
@@ -94,18 +101,18 @@ AreaNewton::Outcome AreaNewton::search(const Eigen::VectorXd& areas,
 bool AreaNewton::step(const Eigen::VectorXd& areas, double tolerance, double least_mass,
                       AreaFigures& figures) {
     const Eigen::VectorXd error = areas - here_.mass;
-    CellGraph graph;
-    assemble_cell_graph(diagram(here_), here_.heights, workers_, graph);
-    LaplacianSolver solver(graph);
+    const Eigen::VectorXd error_of_orbits = orbits_.sums(error);
+    LaplacianSolver solver(graph());
     Eigen::VectorXd direction;
     const double least_error = tolerance * areas.minCoeff() * std::sqrt(double(areas.size()));
     double accuracy = std::max(kPerError * error.norm() / areas.norm(),
                                kPerTolerance * least_error / error.norm());
     for (accuracy = std::min(accuracy, kLoosest);; accuracy *= kTighter) {
         const bool tightest = accuracy <= kTightest;
-        figures.products += solver.solve(error, std::max(accuracy, kTightest), direction);
+        figures.products += solver.solve(error_of_orbits, std::max(accuracy, kTightest), direction);
         const double shortest = tightest ? kShortestStep : kShortForApproximate;
-        const Outcome outcome = search(areas, direction, shortest, least_mass, figures);
+        const Outcome outcome =
+            search(areas, orbits_.spread(direction), shortest, least_mass, figures);
         if (outcome == Outcome::kAccepted) return true;
         if (outcome == Outcome::kRounding || tightest) return false;
     }
@@ -113,18 +120,17 @@ bool AreaNewton::step(const Eigen::VectorXd& areas, double tolerance, double lea
 
 /// See AreaFigures::rounding.
 double AreaNewton::rounding(const Eigen::VectorXd& areas) const {
-    CellGraph graph;
-    assemble_cell_graph(diagram(here_), here_.heights, workers_, graph);
+    const CellGraph cells = graph();
     double largest = 0;
-    for (int s = 0; s < graph.n_rows(); ++s) {
+    for (int s = 0; s < cells.n_rows(); ++s) {
         double sum = 0;
-        for (int k = graph.row_begin[s]; k < graph.row_begin[s + 1]; ++k) {
-            sum += graph.conductance[k];
+        for (int k = cells.row_begin[s]; k < cells.row_begin[s + 1]; ++k) {
+            sum += cells.conductance[k];
         }
         largest = std::max(largest, sum);
     }
     return kWeightRoundings * kUnitRoundoff * here_.weights.cwiseAbs().maxCoeff() * largest /
-           areas.minCoeff();
+           orbits_.sums(areas).minCoeff();
 }
 
 AreaFigures AreaNewton::solve(const Eigen::VectorXd& areas, double tolerance,

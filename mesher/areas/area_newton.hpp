@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "mesher/areas/weight_orbits.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/power/power_cells.hpp"
 
@@ -51,10 +52,12 @@ using NewtonCallback = std::function<void(const AreaFigures&)>;
 ///       targets that sum to the area of the domain.
 ///   (2) The weights sum to zero, and equal targets on a lattice give equal weights.
 ///   (3) Every bit is the same for any number of workers.
+///   (4) The weights of an orbit are equal to the last bit.
 class AreaNewton {
    public:
     /// @param delaunay  restored; it must outlive this object and may move between calls.
-    AreaNewton(const MovingDelaunay& delaunay, Workers& workers);
+    /// @param orbits    of the sites of `delaunay`, which map to each other with their targets.
+    AreaNewton(const MovingDelaunay& delaunay, Workers& workers, WeightOrbits orbits = {});
 
     /// Starts from the weights of the last call where they give every site a cell, else from 0.
     /// @param areas  a_i in units^2 and the order of `delaunay`, positive, with the sum of the
@@ -82,6 +85,8 @@ class AreaNewton {
         return {state.regular, delaunay_.coordinates(), delaunay_.frame(), state.weights};
     }
     bool restore(State& state) const;
+    /// The adjacency of the orbits of cells.
+    CellGraph graph() const;
     double rounding(const Eigen::VectorXd& areas) const;
     void begin(double least_area);
     enum class Outcome { kAccepted, kRounding, kTooShort };
@@ -92,6 +97,7 @@ class AreaNewton {
 
     const MovingDelaunay& delaunay_;
     Workers& workers_;
+    WeightOrbits orbits_;
     State here_;
     State trial_;
     double last_step_ = 1;

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "mesher/areas/area_cvt.hpp"
+#include "mesher/areas/weight_orbits.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/delaunay/periodic_delaunay.hpp"
 #include "mesher/power/power_cells.hpp"
 #include "mesher/power/power_flips.hpp"
+#include "mesher/symmetry/walled_sites.hpp"
 
 namespace pcvt {
 namespace {
@@ -33,11 +35,9 @@ PeriodicDelaunay made_regular(Sites sites, TorusTriangulation triangulation,
     return {std::move(sites), std::move(triangulation), weights};
 }
 
-}  // namespace
-
-double file_area_tolerance(int n_sites) { return kAreaTolerances * area_tolerance(n_sites); }
-
-CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights) {
+/// Measures the cells of the sites of each orbit together.
+CellAreas areas_of_orbits(const Sites& sites, const Eigen::VectorXd& weights,
+                          const WeightOrbits& orbits) {
     // Triangulate.
     MovingDelaunay built(sites);
     const ReducedFrame frame = built.frame();
@@ -53,12 +53,13 @@ CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights) {
                                         .weights = unit_weights};
     Workers workers(1);
     std::vector<double> heights;
-    CellAreas cells;
-    measure_masses(regular, workers, heights, cells.area);
-    cells.area *= unit * unit;
+    Eigen::VectorXd mass;
+    measure_masses(regular, workers, heights, mass);
+    CellAreas cells{.area = orbits.sums(mass) * (unit * unit), .sensitivity = {}};
     CellGraph graph;
     assemble_cell_graph(regular, heights, workers, graph);
-    cells.sensitivity.setZero(sites.n_sites());
+    graph = orbits.merged(std::move(graph));
+    cells.sensitivity.setZero(graph.n_rows());
     for (int s = 0; s < graph.n_rows(); ++s) {
         for (int k = graph.row_begin[s]; k < graph.row_begin[s + 1]; ++k) {
             cells.sensitivity[s] += graph.conductance[k];
@@ -67,19 +68,53 @@ CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights) {
     return cells;
 }
 
+/// Measures the cells in the round space of their metric.
+CellAreas areas_of(const StatedCells& cells, const Lattice& lattice, Points points) {
+    if (cells.walls == Walls::kNone) return power_cell_areas(Sites(lattice, points), cells.weights);
+    // Rounding may have moved a site on a wall beyond it.
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!has_walls_across(cells.walls, axis)) continue;
+        const double side = side_length(lattice, axis);
+        for (Eigen::Index s = 0; s < points.cols(); ++s) {
+            const double between = std::clamp(points(axis, s), 0.0, side);
+            if (std::abs(points(axis, s) - between) <= cells.rounding) points(axis, s) = between;
+        }
+    }
+    return power_cell_areas(lattice, cells.walls, points, cells.weights);
+}
+
+}  // namespace
+
+double file_area_tolerance(int n_sites) { return kAreaTolerances * area_tolerance(n_sites); }
+
+CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights) {
+    return areas_of_orbits(sites, weights, {});
+}
+
+CellAreas power_cell_areas(const Lattice& domain, Walls walls, const Points& points,
+                           const Eigen::VectorXd& weights) {
+    const SymmetricSites sites = walled_sites(domain, walls, points);
+    const WeightOrbits orbits(sites.orbit);
+    CellAreas cells = areas_of_orbits(sites.sites, orbits.spread(weights), orbits);
+    cells.area /= n_images(walls);
+    cells.sensitivity /= n_images(walls);
+    return cells;
+}
+
 AreaComparison compare_areas(const StatedCells& cells, const Eigen::VectorXd& wanted) {
-    const Sites sites(cells.metric.to_round(cells.lattice), cells.metric.to_round(cells.points));
-    const CellAreas found = power_cell_areas(sites, cells.weights);
+    const Lattice lattice = cells.metric.to_round(cells.lattice);
+    const CellAreas found = areas_of(cells, lattice, cells.metric.to_round(cells.points));
+    const auto n = static_cast<int>(wanted.size());
+    const double spacing = std::sqrt(lattice.area() / n);
     // The change by rounding of the power distances of the corners of a cell: a corner lies within
     // `reach` of its sites.
-    const double reach =
-        sites.spacing() + std::sqrt(cells.weights.maxCoeff() - cells.weights.minCoeff());
+    const double reach = spacing + std::sqrt(cells.weights.maxCoeff() - cells.weights.minCoeff());
     const double of_position = cells.metric.largest_stretch() * cells.rounding;
     const double of_weight = cells.weight_rounding * cells.weights.cwiseAbs().maxCoeff();
     const double rounding = 2 * (2 * reach * of_position + of_weight);
-    const double least = file_area_tolerance(sites.n_sites());
+    const double least = file_area_tolerance(n * n_images(cells.walls));
     AreaComparison worst{.site = -1, .area = 0, .error = 0, .tolerance = least};
-    for (int s = 0; s < sites.n_sites(); ++s) {
+    for (int s = 0; s < n; ++s) {
         const double error = std::abs(found.area[s] - wanted[s]) / wanted[s];
         const double tolerance = std::max(least, found.sensitivity[s] * rounding / wanted[s]);
         if (worst.site >= 0 && error * worst.tolerance <= worst.error * tolerance) continue;

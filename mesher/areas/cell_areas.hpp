@@ -4,6 +4,7 @@
 
 #include "mesher/lattice/metric.hpp"
 #include "mesher/lattice/sites.hpp"
+#include "mesher/lattice/walls.hpp"
 
 namespace pcvt {
 
@@ -22,6 +23,8 @@ struct StatedCells {
     Lattice lattice;
     /// Of elongated cells.
     Metric metric;
+    /// The sides of the lattice's rectangle at which the cells end.
+    Walls walls = Walls::kNone;
     /// 2 x n, length units.
     Points points;
     /// n, length^2.
@@ -38,7 +41,8 @@ struct AreaComparison {
     double area;
     /// |area - wish| / wish
     double error;
-    /// file_area_tolerance(n), or more where the rounding of the file changes the area by more.
+    /// file_area_tolerance(n), n with the mirror images between walls, or more where the rounding
+    /// of the file changes the area by more.
     double tolerance;
 };
 
@@ -60,6 +64,13 @@ double file_area_tolerance(int n_sites);
 /// @param weights  n, length^2.
 /// @throws InvalidInput naming a site without a cell.
 CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights);
+
+/// The same for the parts of cells between walls, from sites and their mirror images. Edges on
+/// walls do not move.
+/// @param domain  upright.
+/// @param points  2 x n, between the walls.
+CellAreas power_cell_areas(const Lattice& domain, Walls walls, const Points& points,
+                           const Eigen::VectorXd& weights);
 
 /// Compares the areas of power_cell_areas() with wished ones.
 /// @param wanted  n, positive, length^2.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "mesher/cvt/cvt.hpp"
+#include "mesher/lattice/walls.hpp"
 
 namespace pcvt {
 
@@ -17,6 +18,8 @@ struct CoarseStartOptions {
     int n_threads = 1;
     /// `nullopt`: rho = 1. With a density, shakes are proportional to the local spacing.
     std::optional<Density> density = {};
+    /// The sides of the lattice, upright then, that are walls; the sites lie between them.
+    Walls walls = Walls::kNone;
     /// Called once per iteration of the coarser problems, with energies scaled to n sites;
     /// returning false cancels.
     ProgressCallback progress;
@@ -37,6 +40,10 @@ struct CoarseStartOptions {
 /// non-hexagonal cells. With a density this holds only where the coarsest cells resolve it; if the
 /// density jumps, or if an image has finer detail, the minimum is higher (by 3 % for a checkerboard
 /// of contrast 1:100 and 10,000 sites).
+///
+/// Between walls, the levels are walled CVTs of whole cells. The edge between a site and its mirror
+/// image adds a site half way to the wall in place of its midpoint, which lies on the wall; so the
+/// number of sites quadruples there too.
 ///
 /// @returns 2 x n, length units; no columns if the callback cancelled.
 Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options);

@@ -1,165 +1,34 @@
 #include "mesher/cvt/walled_cvt.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <optional>
+#include <utility>
 
-#include "mesher/base/checkpoint.hpp"
-#include "mesher/base/error.hpp"
 #include "mesher/symmetry/folded_density.hpp"
 #include "mesher/symmetry/walled_sites.hpp"
 
 namespace pcvt {
-namespace {
-
-/// The search for half cells ends after this number of rounds. None of 2,000 random jobs with up to
-/// 300 sites needed more.
-constexpr int kMostRounds = 40;
-
-/// The torus with the numbers of images exchanged so that the sites of the domain come first again:
-/// in a long step a site and its image may pass through the wall between them.
-PeriodicDelaunay with_domain_first(PeriodicDelaunay torus, const std::vector<int>& orbit,
-                                   const WalledDomain& domain) {
-    const int n = torus.sites().n_sites();
-    const auto is_inside = [&](SiteId s) {
-        const Vec2 p = torus.sites().position(s);
-        for (int axis = 0; axis < 2; ++axis) {
-            if (!has_walls_across(domain.walls, axis)) continue;
-            const double side = side_length(domain.lattice, axis);
-            if (p[axis] - std::floor(p[axis] / (2 * side)) * 2 * side > side) return false;
-        }
-        return true;
-    };
-    // The site of each orbit that lies in the domain; by rounding there may be two on a wall.
-    std::vector<SiteId> inside(static_cast<std::size_t>(domain.n_sites), -1);
-    std::vector<SiteId> first(static_cast<std::size_t>(domain.n_sites), -1);
-    for (SiteId s = 0; s < n; ++s) {
-        if (first[orbit[s]] < 0) first[orbit[s]] = s;
-        if (inside[orbit[s]] < 0 && is_inside(s)) inside[orbit[s]] = s;
-    }
-    std::vector<SiteId> number(static_cast<std::size_t>(n));
-    std::iota(number.begin(), number.end(), 0);
-    bool any = false;
-    for (std::size_t k = 0; k < inside.size(); ++k) {
-        if (inside[k] < 0 || inside[k] == first[k]) continue;
-        std::swap(number[first[k]], number[inside[k]]);
-        any = true;
-    }
-    if (!any) return torus;
-    Points coordinates(2, n);
-    for (SiteId s = 0; s < n; ++s) {
-        coordinates.col(number[s]) = torus.sites().coordinates().col(s);
-    }
-    TorusTriangulation triangulation = torus.triangulation();
-    triangulation.renumber_sites(number);
-    return {Sites(torus.sites().lattice(), torus.sites().reduction(), std::move(coordinates)),
-            std::move(triangulation)};
-}
-
-/// Requires that the cell of a site on a wall does not reach the opposite one.
-/// @param offset  from the site to a neighbouring image of itself.
-void require_no_bridge(const PeriodicDelaunay& torus, Offset offset, const WalledDomain& domain) {
-    const Vec2 way = torus.sites().reduction().reduced.translation(offset);
-    for (int axis = 0; axis < 2; ++axis) {
-        if (!has_walls_across(domain.walls, axis)) continue;
-        if (std::abs(way[axis]) < side_length(domain.lattice, axis)) continue;
-        throw InvalidInput(
-            "the cell of a site on a wall reaches the opposite wall; take more sites, another seed "
-            "or whole cells");
-    }
-}
-
-/// Moves each site that is a neighbour of its own mirror image onto the wall between them.
-/// @param orbit  of each site of the torus.
-/// @returns the number of sites that were moved.
-int move_onto_walls(const PeriodicDelaunay& torus, const std::vector<int>& orbit,
-                    const WalledDomain& domain, Points& points) {
-    const TorusTriangulation& triangulation = torus.triangulation();
-    int n_moved = 0;
-    for (int h = 0; h < triangulation.n_halfedges(); ++h) {
-        checkpoint_each(h);
-        const SiteId s = triangulation.corner(h).site;
-        const SiteId t = triangulation.corner(TorusTriangulation::next(h)).site;
-        if (s >= domain.n_sites || orbit[s] != orbit[t]) continue;
-        if (s == t) {
-            require_no_bridge(torus, triangulation.edge_offset(h), domain);
-            continue;
-        }
-        for (int axis = 0; axis < 2; ++axis) {
-            if (!has_walls_across(domain.walls, axis)) continue;
-            // The image has another coordinate across the wall only.
-            if (torus.sites().position(s)[axis] == torus.sites().position(t)[axis]) continue;
-            const double side = side_length(domain.lattice, axis);
-            const double wall = points(axis, s) < side / 2 ? 0 : side;
-            n_moved += points(axis, s) != wall;
-            points(axis, s) = wall;
-        }
-    }
-    return n_moved;
-}
-
-/// The result of the torus as one of the domain.
-void take_share(CvtResult& torus, const WalledDomain& domain) {
-    const double share = 1.0 / domain.n_images();
-    torus.run.energy *= share;
-    torus.energy_bound *= share;
-    if (!torus.density) return;
-    torus.density->mass *= share;
-    torus.density->expected_energy *= share;
-}
-
-}  // namespace
-
-Points points_between_walls(const PeriodicDelaunay& torus, const WalledDomain& domain) {
-    Points points(2, domain.n_sites);
-    for (SiteId s = 0; s < domain.n_sites; ++s) {
-        Vec2 p = torus.sites().position(s);
-        for (int axis = 0; axis < 2; ++axis) {
-            if (!has_walls_across(domain.walls, axis)) continue;
-            const double side = side_length(domain.lattice, axis);
-            const double period = 2 * side;
-            p[axis] = std::clamp(p[axis] - std::floor(p[axis] / period) * period, 0.0, side);
-        }
-        points.col(s) = p;
-    }
-    return points;
-}
 
 WalledCvt compute_walled_cvt(const Lattice& lattice, Walls walls, WallCells cells, Points points,
                              const CvtOptions& options) {
-    WalledDomain domain{walls, lattice, static_cast<int>(points.cols())};
     if (options.numbering == Numbering::kByColumns) points = sorted_by_columns(lattice, points);
     CvtOptions of_torus = options;
     of_torus.numbering = Numbering::kAsGiven;
     if (options.density) of_torus.density = mirrored_density(*options.density, walls);
-    RunStatistics before;
-    if (options.progress) {
-        of_torus.progress = [&](Progress progress) {
-            progress.value /= domain.n_images();
-            progress.iteration += before.iterations;
-            progress.evaluations += before.evaluations;
-            return options.progress(progress);
-        };
+    const WalledDomain start{walls, lattice, static_cast<int>(points.cols())};
+    std::optional<CvtResult> torus;
+    const WallRound round = [&](const SymmetricSites& sites,
+                                const RunStatistics& before) -> WallRoundResult {
+        of_torus.progress = progress_between_walls(options.progress, start, before);
+        torus.emplace(compute_cvt(sites, of_torus));
+        return {torus->delaunay, torus->run};
+    };
+    const WalledDomain domain = run_wall_rounds(start, cells, std::move(points), round);
+    torus->energy_bound /= domain.n_images();
+    if (torus->density) {
+        torus->density->mass /= domain.n_images();
+        torus->density->expected_energy /= domain.n_images();
     }
-    for (int round = 0; round < kMostRounds; ++round) {
-        const SymmetricSites sites = walled_sites(lattice, walls, points);
-        CvtResult torus = compute_cvt(sites, of_torus);
-        torus.run.add_counts(before);
-        torus.delaunay = with_domain_first(std::move(torus.delaunay), sites.orbit, domain);
-        domain.n_on_walls = 0;
-        for (const SiteOrbit& orbit : sites.orbits) domain.n_on_walls += orbit.freedom < 2;
-        bool ends = cells == WallCells::kWhole || torus.run.stop == Stop::kCancelled;
-        if (!ends) {
-            points = points_between_walls(torus.delaunay, domain);
-            ends = move_onto_walls(torus.delaunay, sites.orbit, domain, points) == 0;
-        }
-        before = torus.run;
-        if (!ends) continue;
-        take_share(torus, domain);
-        return {std::move(torus), domain};
-    }
-    throw InvalidInput(
-        "no cells of sites on the walls came about; take more sites, another seed or whole cells");
+    return {std::move(*torus), domain};
 }
 
 }  // namespace pcvt

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesher/cvt/cvt.hpp"
-#include "mesher/lattice/walls.hpp"
+#include "mesher/cvt/wall_rounds.hpp"
 
 namespace pcvt {
 
@@ -14,10 +14,6 @@ struct WalledCvt {
     WalledDomain domain;
 };
 
-/// The sites of the domain between its walls, 2 x n, length units; along the periodic direction
-/// they are not wrapped.
-Points points_between_walls(const PeriodicDelaunay& torus, const WalledDomain& domain);
-
 /// Moves sites to a CVT of a rectangle with walls: a minimum of the energy of the cells that the
 /// walls clip, computed as a CVT of the torus with mirror symmetry.
 ///
@@ -26,8 +22,7 @@ Points points_between_walls(const PeriodicDelaunay& torus, const WalledDomain& d
 ///   const Points points = uniform_points(channel, 1000, 1);
 ///   const WalledCvt cvt = compute_walled_cvt(channel, Walls::kY, WallCells::kWhole, points, {});
 ///
-/// Half cells: the sites whose cells touch a wall move onto it, and the run is repeated until only
-/// cells of sites on walls touch one. Counts are those of all these runs.
+/// Half cells come about in several runs (run_wall_rounds()). Counts are those of all these runs.
 /// @param domain   upright.
 /// @param points   2 x n, length units, between the walls.
 /// @param options  a density is that of the domain. numbering and progress mean sites and energies

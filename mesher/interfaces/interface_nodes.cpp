@@ -19,6 +19,9 @@ constexpr double kChordPerGap = 0.6;
 /// Over the radius of the largest circle inside that touches there.
 constexpr double kChordPerCurve = 1.0;
 constexpr double kFewestChords = 6;
+/// The square of the longest chord over the shortest one and the radius. Scaling moves a circle's
+/// chords by l^2 / (12 R): by an eighth of the narrowest gap.
+constexpr double kCurvedPerGap = 2.5;
 /// How fast the length of chords changes along the curve and with the distance from a limit.
 constexpr double kGrading = 0.4;
 /// Up to this distance from a limit, in chords, it holds without growth.
@@ -119,8 +122,6 @@ void set_radii(std::vector<InterfaceNode>& nodes) {
     }
 }
 
-// ---- ellipses ----
-
 std::vector<Sample> ellipse_samples(const EllipseAxes& ellipse, const CurveSizes& sizes) {
     std::vector<Sample> samples;
     double degrees = 0;
@@ -146,6 +147,11 @@ std::vector<Sample> ellipse_samples(const EllipseAxes& ellipse, const CurveSizes
 
 std::vector<InterfaceNode> ellipse_nodes(const EllipseAxes& ellipse, const CurveSizes& sizes) {
     std::vector<Sample> samples = ellipse_samples(ellipse, sizes);
+    // Chords that leave out less area need less scaling, which would close the narrowest gap.
+    double least = samples[0].size;
+    for (const Sample& sample : samples) least = std::min(least, sample.size);
+    const double most = std::sqrt(kCurvedPerGap * least * ellipse.a);
+    for (Sample& sample : samples) sample.size = std::min(sample.size, most);
     grade(samples);
     const std::vector<double> counts = chord_counts(samples);
     const auto n = static_cast<std::size_t>(std::max(kFewestChords, std::ceil(counts.back())));
@@ -164,8 +170,6 @@ std::vector<InterfaceNode> ellipse_nodes(const EllipseAxes& ellipse, const Curve
     set_radii(nodes);
     return nodes;
 }
-
-// ---- polygons ----
 
 /// Twice the radius of the smallest circle that touches the line through p with the normal n at p
 /// and the segment, on either side of the line.

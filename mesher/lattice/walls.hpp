@@ -36,6 +36,11 @@ constexpr const WallsRow& walls_row(Walls walls) { return kWalls[static_cast<std
 /// Whether the sides across an axis (0: x, 1: y) are walls.
 constexpr bool has_walls_across(Walls walls, int axis) { return walls_row(walls).across[axis]; }
 
+/// How many domains a domain and its mirror images are: 1, 2 or 4.
+constexpr int n_images(Walls walls) {
+    return (has_walls_across(walls, 0) ? 2 : 1) * (has_walls_across(walls, 1) ? 2 : 1);
+}
+
 /// Walls as two numbers of a file: 1 for walls across x, 1 for walls across y, else 0.
 constexpr std::array<double, 2> walls_as_numbers(Walls walls) {
     return {has_walls_across(walls, 0) ? 1.0 : 0.0, has_walls_across(walls, 1) ? 1.0 : 0.0};
@@ -135,8 +140,8 @@ struct WalledDomain {
     WalledDomain repeated(int columns, int rows) const {
         return {walls, lattice.repeated(columns, rows), n_sites, n_on_walls};
     }
-    /// The number of images of a general point: 2 or 4.
-    int n_images() const { return walls == Walls::kXY ? 4 : 2; }
+    /// Of a general point.
+    int n_images() const { return pcvt::n_images(walls); }
 };
 
 }  // namespace pcvt

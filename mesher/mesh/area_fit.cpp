@@ -3,16 +3,17 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "mesher/areas/area_cvt.hpp"
 #include "mesher/areas/laplacian_solver.hpp"
+#include "mesher/areas/weight_orbits.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/dual_mean.hpp"
 #include "mesher/lattice/polygon.hpp"
+#include "mesher/lattice/sites.hpp"
 
 namespace pcvt {
 namespace {
@@ -36,9 +37,6 @@ constexpr double kOverRounding = 4;
 /// Corners that move less far, in units of h, do not change the areas.
 constexpr double kLeastSnap = 1e-9;
 
-/// Returns the area of each site in the mesh that is made of some cells; nothing if there is none.
-using AreaMeasure = std::function<std::optional<Eigen::VectorXd>(const PeriodicMesh&)>;
-
 Polygon polygon_of(const PeriodicMesh& mesh, int f) {
     Polygon polygon;
     for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
@@ -54,13 +52,13 @@ PeriodicMesh to_round(PeriodicMesh mesh, const Metric& metric) {
     return mesh;
 }
 
-/// The adjacency of cells, one a site in the order of the sites.
+/// The adjacency of the sites' cells.
 CellGraph cell_graph(const PeriodicMesh& cells) {
     std::vector<double> conductance(static_cast<std::size_t>(cells.n_corners()));
     for (int c = 0; c < cells.n_corners(); ++c) {
         checkpoint_each(c);
         const int o = cells.opposite[c];
-        if (o < c) continue;
+        if (o < c || cells.site[cells.corner_face[o]] == cells.site[cells.corner_face[c]]) continue;
         const Vec2 across = cells.site_points[cells.corner_face[o]] +
                             cells.lattice.translation(cells.frame_across(c));
         const double distance = (across - cells.site_points[cells.corner_face[c]]).norm();
@@ -72,19 +70,21 @@ CellGraph cell_graph(const PeriodicMesh& cells) {
         for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
             const int g = cells.corner_face[cells.opposite[c]];
             if (g == f) continue;
-            graph.neighbour.push_back(cells.site[g]);
+            graph.neighbour.push_back(g);
             graph.conductance.push_back(conductance[c]);
         }
         graph.row_begin.push_back(static_cast<int>(graph.neighbour.size()));
     }
-    return graph;
+    return WeightOrbits({cells.site.begin(), cells.site.end()}).merged(std::move(graph));
 }
 
 /// The vertices of cells as functions of the weights of the sites.
 class DualCorners {
    public:
     DualCorners(const PeriodicMesh& plane, const Metric& metric)
-        : metric_(metric), cells_(to_round(plane, metric)) {
+        : metric_(metric),
+          cells_(to_round(plane, metric)),
+          same_point_(kSameVertex * std::sqrt(cells_.lattice.area() / cells_.n_faces())) {
         std::vector<int> first(static_cast<std::size_t>(plane.n_vertices()), -1);
         for (int c = plane.n_corners(); c-- > 0;) first[plane.corner_vertex[c]] = c;
         for (const int c : first) add_ring(c);
@@ -92,43 +92,84 @@ class DualCorners {
 
     /// Returns the vertices in the plane; nothing if a corner has no place.
     std::optional<std::vector<Vec2>> vertices(const Eigen::VectorXd& weights) const {
-        std::vector<Vec2> result;
+        std::vector<Vec2> result = cells_.vertices;
         std::vector<DualSite> polygon;
-        for (std::size_t v = 0; v + 1 < ring_begin_.size(); ++v) {
+        for (std::size_t v = 0; v < result.size(); ++v) {
             checkpoint_each(v);
+            if (n_sites(v) < 3) continue;
             polygon.clear();
             for (int k = ring_begin_[v]; k < ring_begin_[v + 1]; ++k) {
-                polygon.push_back({point_[k], weights[site_[k]]});
+                polygon.push_back({sites_[k].point, weights[sites_[k].site]});
             }
             const auto mean = dual_mean(polygon, 0);
             if (!mean || !mean->point.allFinite()) return std::nullopt;
-            result.push_back(metric_.from_round(mean->point));
+            result[v] = mean->point;
         }
+        // Where an edge of a cell crosses a wall on which its sites lie, its ends are images of
+        // each other. In a corner of walls on which a site lies, the vertex stays.
+        for (std::size_t v = 0; v < result.size(); ++v) {
+            if (n_sites(v) != 2) continue;
+            const int k = ring_begin_[v];
+            result[v] = (end_of(sites_[k], result) + end_of(sites_[k + 1], result)) / 2;
+        }
+        for (Vec2& p : result) p = metric_.from_round(p);
         return result;
     }
 
    private:
-    /// Adds the sites of the cells round the vertex of a corner, counter-clockwise.
+    /// A site whose cell meets a vertex, and the edge at which the cell begins counter-clockwise,
+    /// as the frame of the vertex has them.
+    struct SiteAtVertex {
+        SiteId site;
+        Vec2 point;
+        int end;
+        Offset end_offset;
+    };
+
+    int n_sites(std::size_t v) const { return ring_begin_[v + 1] - ring_begin_[v]; }
+
+    Vec2 end_of(const SiteAtVertex& site, const std::vector<Vec2>& vertices) const {
+        return vertices[site.end] + cells_.lattice.translation(site.end_offset);
+    }
+
+    bool same(const SiteAtVertex& a, const SiteAtVertex& b) const {
+        return a.site == b.site && (a.point - b.point).norm() <= same_point_;
+    }
+
+    SiteAtVertex site_at(int c) const {
+        const int f = cells_.corner_face[c];
+        const int next = cells_.next(c);
+        return {cells_.site[f],
+                cells_.site_points[f] - cells_.lattice.translation(cells_.corner_offset[c]),
+                cells_.corner_vertex[next], cells_.corner_offset[next] - cells_.corner_offset[c]};
+    }
+
+    /// Adds the sites of the cells round the vertex of a corner, counter-clockwise. The parts of a
+    /// cell on both sides of a wall count as one.
     void add_ring(int first) {
+        const int begin = ring_begin_.back();
         int c = first;
         do {
+            const SiteAtVertex site = site_at(c);
+            if (std::ssize(sites_) == begin || !same(sites_.back(), site)) sites_.push_back(site);
             const int f = cells_.corner_face[c];
-            site_.push_back(cells_.site[f]);
-            point_.push_back(cells_.site_points[f] -
-                             cells_.lattice.translation(cells_.corner_offset[c]));
             const int before = c == cells_.face_begin[f] ? cells_.face_begin[f + 1] - 1 : c - 1;
             c = cells_.opposite[before];
         } while (c != first);
-        ring_begin_.push_back(static_cast<int>(site_.size()));
+        // The first cell may begin before the first corner.
+        if (std::ssize(sites_) > begin + 1 && same(sites_[begin], sites_.back())) {
+            sites_[begin] = sites_.back();
+            sites_.pop_back();
+        }
+        ring_begin_.push_back(static_cast<int>(sites_.size()));
     }
 
     Metric metric_;
     PeriodicMesh cells_;
+    double same_point_;
     /// For each vertex, its sites.
     std::vector<int> ring_begin_{0};
-    std::vector<SiteId> site_;
-    /// ... as the frame of the vertex has them.
-    std::vector<Vec2> point_;
+    std::vector<SiteAtVertex> sites_;
 };
 
 /// Steps for the root of a residual, each the best combination of the last ones (Anderson's
@@ -181,7 +222,7 @@ bool are_simple(const PeriodicMesh& mesh) {
 /// @pre `joined` has areas in the measure.
 FittedCells fit_measured(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
                          const Eigen::VectorXd& weights, const AreaMeasure& measure) {
-    const Eigen::VectorXd wanted = areas_by_site(cells, cells.n_faces());
+    const Eigen::VectorXd wanted = areas_by_site(cells, static_cast<int>(weights.size()));
     const double enough = kShareOfTolerance * area_tolerance(cells.n_faces());
     Eigen::VectorXd areas = measure(joined).value();
     FittedCells best{joined, weights, largest_error(areas, wanted)};
@@ -257,6 +298,11 @@ FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metr
     const int n = cells.n_faces();
     return fit_measured(cells, std::move(joined), metric, weights,
                         [n](const PeriodicMesh& mesh) { return areas_by_site(mesh, n); });
+}
+
+FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
+                      const Eigen::VectorXd& weights, const AreaMeasure& measure) {
+    return fit_measured(cells, std::move(joined), metric, weights, measure);
 }
 
 FittedCells fit_areas_in_box(const PeriodicMesh& cells, const PeriodicMesh& joined,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 
 #include "mesher/lattice/metric.hpp"
@@ -42,13 +43,21 @@ struct FittedCells {
 ///   (2) Each vertex is the dual_mean() of the sites round it with the weights of the result.
 ///   (3) The areas are those of `cells`, to the tolerance of the run that computed the weights.
 ///
-/// @param cells    whole power cells, one a site, the plane.
+/// @param cells    whole power cells, the plane: one a site, or a site's cell or parts of cells
+///                 between walls with their mirror images (mirrored_mesh()).
 /// @param joined   the same cells without short edges.
 /// @param metric   in which they are power cells.
 /// @param weights  n, length^2, of the round space of the metric.
 /// @returns `joined` and `weights` themselves if the areas agree already, or cannot be improved.
 FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
                       const Eigen::VectorXd& weights);
+
+/// Returns the areas that the sites have after corners of cells were moved, or nothing.
+using AreaMeasure = std::function<std::optional<Eigen::VectorXd>(const PeriodicMesh&)>;
+
+/// The same for areas after corners are moved once more, as at the sides of a box between walls.
+FittedCells fit_areas(const PeriodicMesh& cells, PeriodicMesh joined, const Metric& metric,
+                      const Eigen::VectorXd& weights, const AreaMeasure& measure);
 
 /// A box round copies of cells.
 struct BoxOfCopies {

@@ -168,26 +168,47 @@ class Shrinking {
         return 4 * (n_cells - 2) / n_images;
     }
 
+    /// Moves the crossings of a polygon, one corner for each corner of face f, as
+    /// straighten_crossings() will.
+    void straighten(int f, Polygon& polygon) {
+        const int begin = mesh_.face_begin[f];
+        const int n = mesh_.face_begin[f + 1] - begin;
+        for (int k = 0; k < n; ++k) {
+            const int v = corner(begin + k).vertex;
+            if (weight_[v] != 0) continue;
+            const int before = (k + n - 1) % n;
+            const bool is_first = mesh_.opposite[begin + k] >= 0;
+            if (!is_first && mesh_.opposite[begin + before] < 0) continue;
+            const int end = is_first ? (k + 1) % n : before;
+            if (weight_[corner(begin + end).vertex] == 0) continue;
+            const int along = walls_[v][0] ? 1 : 0;
+            polygon[k][along] = polygon[end][along];
+        }
+    }
+
     /// Whether face f remains a polygon when `to` joins `from` at the position `middle`; all three
     /// are in the same frame.
     bool survives(int f, const MeshCorner& from, const MeshCorner& to, const Vec2& middle) {
-        const std::vector<MeshCorner> before = corners_of(f);
-        std::vector<MeshCorner> after;
+        std::vector<MeshCorner> moved;
         Polygon old_polygon;
-        Polygon polygon;
-        // Replace the moved corners and drop repeated ones.
-        for (const MeshCorner& old : before) {
+        Polygon new_polygon;
+        for (int c = mesh_.face_begin[f]; c < mesh_.face_begin[f + 1]; ++c) {
+            const MeshCorner old = corner(c);
             old_polygon.push_back(point(old));
             const bool moves = old.vertex == from.vertex || old.vertex == to.vertex;
             const Offset frame = old.offset - (old.vertex == to.vertex ? to : from).offset;
-            const MeshCorner now = moves ? MeshCorner{from.vertex, from.offset + frame} : old;
-            if (!after.empty() && after.back() == now) continue;
-            after.push_back(now);
-            polygon.push_back(moves ? Vec2(middle + mesh_.lattice.translation(frame)) : point(old));
+            moved.push_back(moves ? MeshCorner{from.vertex, from.offset + frame} : old);
+            new_polygon.push_back(moves ? Vec2(middle + mesh_.lattice.translation(frame))
+                                        : point(old));
         }
-        if (after.size() > 1 && after.front() == after.back()) {
-            after.pop_back();
-            polygon.pop_back();
+        straighten(f, new_polygon);
+        // Drop repeated corners.
+        std::vector<MeshCorner> after;
+        Polygon polygon;
+        for (std::size_t k = 0; k < moved.size(); ++k) {
+            if (moved[k] == moved[(k + 1) % moved.size()]) continue;
+            after.push_back(moved[k]);
+            polygon.push_back(new_polygon[k]);
         }
         // Check that the corners are distinct and the polygon is simple and large enough.
         std::sort(after.begin(), after.end());

@@ -300,7 +300,7 @@ Gluing part_of_tile(const Tile& tile, const Gluing& torus) {
     }
     proof.n_boundary_edges =
         static_cast<int>(2 * proof.edge_pairs.size() + proof.wall_edges.size());
-    proof.area = torus.proof.area / WalledDomain{.walls = tile.walls}.n_images();
+    proof.area = torus.proof.area / n_images(tile.walls);
     return part;
 }
 

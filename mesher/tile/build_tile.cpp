@@ -70,26 +70,31 @@ std::vector<Offset> placed_only(const LaidOut& laid_out) {
 }
 
 /// The box outline cuts the torus along the periodic direction only: across walls it runs through
-/// the middle of the mirror images.
+/// the middle of the mirror images. `nullopt`: nothing is cut.
+std::optional<BoxCut> box_between_walls(const TileOptions& options, const PeriodicMesh& mesh,
+                                        const WalledDomain& domain, double h) {
+    if (options.outline == Outline::kWhole || domain.walls == Walls::kXY) return std::nullopt;
+    Vec2 corner = options.origin;
+    const int axis = domain.walls == Walls::kX ? 0 : 1;
+    corner[axis] = -side_length(domain.lattice, axis) / 2;
+    return cut_along_box(mesh, corner, snap_distance(options, h));
+}
+
 LaidOut lay_out_between_walls(const TileOptions& options, PeriodicMesh mesh, double h,
                               TileFigures& figures) {
     const WalledDomain domain = walled_domain(options);
     figures.domain_corner = options.origin;
     figures.opposite_corner = options.origin + domain.lattice.a() + domain.lattice.b();
-    const bool cuts = options.outline == Outline::kBox && domain.walls != Walls::kXY;
-    if (cuts) {
-        Vec2 corner = options.origin;
-        const int axis = domain.walls == Walls::kX ? 0 : 1;
-        corner[axis] = -side_length(domain.lattice, axis) / 2;
-        BoxCut box = cut_along_box(mesh, corner, snap_distance(options, h));
-        figures.box_shortest_edge = box.shortest_edge / h;
-        mesh = std::move(box.pieces);
+    std::optional<BoxCut> box = box_between_walls(options, mesh, domain, h);
+    if (box) {
+        figures.box_shortest_edge = box->shortest_edge / h;
+        mesh = std::move(box->pieces);
     }
     LaidOut laid_out{std::move(mesh), {}};
     laid_out.between_walls = places_between_walls(laid_out.mesh, domain);
     move_onto_walls(laid_out.mesh, laid_out.between_walls, domain);
     laid_out.placement.resize(laid_out.between_walls.size());
-    if (cuts) return laid_out;
+    if (box) return laid_out;
     const PeriodicMesh between = mesh_between_walls(laid_out.mesh, laid_out.between_walls, domain);
     const std::vector<Offset> placement = whole_outline(between, options.origin);
     auto next = placement.begin();
@@ -191,15 +196,47 @@ TorusMesh torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) 
     return {std::move(mesh), corner, {}};
 }
 
+/// Gives power cells between walls back the areas that they had before their corners were moved.
+/// @param cells, joined  with their mirror images.
+FittedCells fit_between_walls(const TileOptions& options, const PeriodicMesh& cells,
+                              PeriodicMesh joined, double h, const Eigen::VectorXd& weights) {
+    const auto n = static_cast<int>(weights.size());
+    const int copies = options.columns * options.rows;
+    const WalledDomain domain = walled_domain(options);
+    const AreaMeasure measure = [&](const PeriodicMesh& mesh) -> Eigen::VectorXd {
+        const auto box =
+            box_between_walls(options, repeated(mesh, options.columns, options.rows), domain, h);
+        if (!box) return areas_by_site(mesh, n);
+        const auto places = places_between_walls(box->pieces, domain);
+        const PeriodicMesh between = mesh_between_walls(box->pieces, places, domain);
+        return areas_by_site(between, n) * domain.n_images() / copies;
+    };
+    return fit_areas(cells, std::move(joined), Metric(), weights, measure);
+}
+
 /// The cells between walls with their images, halved where their sites lie on walls.
-TorusMesh walled_torus_mesh(const TileOptions& options, PeriodicMesh domain, double h) {
+/// @param weights  empty, or of the sites of the torus.
+TorusMesh walled_torus_mesh(const TileOptions& options, PeriodicMesh domain, double h,
+                            const Eigen::VectorXd& weights, TileFigures& figures) {
     if (options.kind == MeshKind::kDelaunay) return torus_mesh(options, std::move(domain), h);
-    PeriodicMesh between = part_between_walls(std::move(domain), *options.walled);
-    if (options.kind == MeshKind::kGrains) between.whole_sides = cell_sides(between);
+    const WalledDomain& walled = *options.walled;
+    PeriodicMesh cells = part_between_walls(std::move(domain), walled);
+    PeriodicMesh joined = cells;
+    if (options.kind == MeshKind::kGrains) joined.whole_sides = cell_sides(joined);
     const double shortest = shortest_edge(options);
-    if (shortest > 0) between = without_short_edges(between, shortest * h, *options.walled);
-    PeriodicMesh mesh = mirrored_mesh(std::move(between), *options.walled);
-    return {repeated(std::move(mesh), options.columns, options.rows), options.origin, {}};
+    if (shortest > 0) joined = without_short_edges(joined, shortest * h, walled);
+    joined = mirrored_mesh(std::move(joined), walled);
+    TorusMesh torus{.mesh = std::move(joined), .corner = options.origin};
+    if (weights.size() > 0) {
+        cells = mirrored_mesh(std::move(cells), walled);
+        FittedCells fitted = fit_between_walls(options, cells, std::move(torus.mesh), h,
+                                               weights.head(walled.n_sites));
+        figures.area_error = fitted.largest_relative_error;
+        torus.mesh = std::move(fitted.cells);
+        torus.weights = std::move(fitted.weights);
+    }
+    torus.mesh = repeated(std::move(torus.mesh), options.columns, options.rows);
+    return torus;
 }
 
 /// Power cells, which keep their areas without their short edges, and at the sides of a box.
@@ -246,13 +283,17 @@ BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& option
     const bool is_power = delaunay.weights().size() > 0 && options.kind != MeshKind::kDelaunay;
     TorusMesh torus;
     if (options.walled) {
-        torus = walled_torus_mesh(options, std::move(domain), h);
+        torus = walled_torus_mesh(options, std::move(domain), h, delaunay.weights(), figures);
     } else if (is_power) {
         torus = power_torus_mesh(options, std::move(domain), h, delaunay.weights(), figures);
     } else {
         torus = torus_mesh(options, std::move(domain), h);
     }
-    const Eigen::VectorXd weights = is_power ? torus.weights : delaunay.weights();
+    if (options.kind == MeshKind::kDelaunay && delaunay.weights().size() > 0) {
+        const int n = options.walled ? options.walled->n_sites : delaunay.sites().n_sites();
+        torus.weights = delaunay.weights().head(n);
+    }
+    const Eigen::VectorXd weights = torus.weights;
     report(options, kGrainsBegin);
     LaidOut laid_out = options.walled
                            ? lay_out_between_walls(options, std::move(torus.mesh), h, figures)

@@ -37,8 +37,8 @@ struct TileOptions {
     /// Maps cells that were computed in the round space of a metric back to the plane.
     std::optional<Elongation> elongation = {};
     /// The tessellation consists of a domain between walls and its mirror images; the tile is that
-    /// of the domain. Excludes weights, elongation, finds_origin, copies across walls, and an
-    /// origin off the walls.
+    /// of the domain. Excludes elongation, finds_origin, copies across walls, and an origin off the
+    /// walls.
     std::optional<WalledDomain> walled = {};
     /// Of cells beside interfaces: a tag for each site. Edges with an end where cells of different
     /// tags meet are not removed. Empty: all cells are alike. Excludes weights and walls.

@@ -93,6 +93,7 @@ StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
     StatedCells cells{
         .lattice = Lattice(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows),
         .metric = tile.metric,
+        .walls = tile.walls,
         .points = Points(2, n),
         .weights = Eigen::Map<const Eigen::VectorXd>(tile.site_weights.data(), n),
         .rounding = proof.tolerance,
@@ -133,10 +134,11 @@ AreaComparison compare_face_areas(const Tile& tile, const TileProof& proof,
         perimeter[tile.face_site[f]] += polygon_perimeter(polygon) / (tile.columns * tile.rows);
     }
     AreaComparison worst{.site = -1, .area = 0, .error = 0, .tolerance = 0};
+    const double least =
+        file_area_tolerance(static_cast<int>(wanted.size()) * n_images(tile.walls));
     for (int s = 0; s < wanted.size(); ++s) {
         const double error = std::abs(area[s] - wanted[s]) / wanted[s];
-        const double tolerance = std::max(file_area_tolerance(static_cast<int>(wanted.size())),
-                                          perimeter[s] * proof.tolerance / wanted[s]);
+        const double tolerance = std::max(least, perimeter[s] * proof.tolerance / wanted[s]);
         if (worst.site >= 0 && error * worst.tolerance <= worst.error * tolerance) continue;
         worst = {.site = s, .area = area[s], .error = error, .tolerance = tolerance};
     }

@@ -91,8 +91,8 @@ struct Job {
     /// it. Excludes given sites, areas, and starts that are not random.
     std::optional<PlaneGroupName> symmetry;
     /// The sides of the domain that are walls: it is then an upright rectangle with `origin` on
-    /// them. Excludes areas, aspect, symmetry, the stability, starts that are not random, and
-    /// copies across walls.
+    /// them. Excludes aspect, symmetry, the stability, starts at a lattice, and copies
+    /// across walls.
     Walls walls = Walls::kNone;
     WallCells wall_cells = WallCells::kWhole;
     /// Sites that stay where they are, 2 x k, length units; they are the first k of the n_sites,

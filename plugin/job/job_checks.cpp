@@ -150,13 +150,12 @@ void check_wall_starts(const Job& job) {
     if (job.symmetry) {
         throw InvalidInput("sites have walls or a symmetry; leave one of the two out");
     }
-    if (job.areas || job.aspect) {
-        throw InvalidInput(
-            "prescribed areas and elongated cells need a periodic plane; leave them out, or the "
-            "walls");
+    if (job.aspect) {
+        throw InvalidInput("elongated cells need a periodic plane; leave them out, or the walls");
     }
-    if (job.start && *job.start != Start::kRandom) {
-        throw InvalidInput("sites between walls start at random; leave the start out");
+    if (job.start && !start_row(*job.start).with_sizes) {
+        throw InvalidInput(
+            "a lattice knows no walls; leave the start out, or take coarse or random");
     }
     if (job.stability) {
         throw InvalidInput("the stability between walls is not known; leave one out");

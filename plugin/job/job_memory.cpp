@@ -96,8 +96,7 @@ constexpr double kGigabyte = 1e9;
 /// With the mirror images between walls.
 double n_sites(const Job& job) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
-    const int axes = has_walls_across(job.walls, 0) + has_walls_across(job.walls, 1);
-    return n * (1 << axes);
+    return n * n_images(job.walls);
 }
 
 /// The number of triangles of the grains, those with mid-side nodes counted as several.

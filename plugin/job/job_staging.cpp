@@ -48,7 +48,7 @@ class FileEncoder {
         const VoxelCells cells{
             .lattice = job_.lattice,
             .sites = sites(),
-            .weights = result_.cells.delaunay.weights(),
+            .weights = site_weights(result_.cells),
             .metric = result_.cells.elongation ? result_.cells.elongation->metric : Metric()};
         return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.n_threads), cells,
                      materials(), path());
@@ -57,7 +57,7 @@ class FileEncoder {
     CellRows cell_rows() const {
         return {.sites = sites(),
                 .cells = cell_table(plane_mesh(result_.cells, MeshKind::kVoronoi)),
-                .weights = result_.cells.delaunay.weights(),
+                .weights = site_weights(result_.cells),
                 .materials = materials(),
                 .phases_are_tags = job_.has_inclusions(),
                 .orbits = result_.cells.site_orbits};

@@ -24,6 +24,7 @@ JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
                                 {.seed = job.seed,
                                  .n_threads = job.n_threads,
                                  .density = job.density,
+                                 .walls = job.walls,
                                  .progress = callback});
     start.precondition_below = kPreconditionAfterCoarse;
     start.cancelled = start.points.cols() == 0;
@@ -116,8 +117,7 @@ JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callbac
 
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
-    const bool is_free = !job.symmetry && job.walls == Walls::kNone && !job.has_inclusions() &&
-                         job.fixed.cols() == 0;
+    const bool is_free = !job.symmetry && !job.has_inclusions() && job.fixed.cols() == 0;
     if (!is_free) return Start::kRandom;
     // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
     // cells know nothing of prescribed areas.

@@ -6,6 +6,7 @@
 
 #include "mesher/areas/area_cvt.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/cvt/walled_area_cvt.hpp"
 #include "mesher/cvt/walled_cvt.hpp"
 #include "mesher/lattice/domain.hpp"
 #include "mesher/mesh/cell_table.hpp"
@@ -82,6 +83,15 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
         if (std::exchange(first, false)) built();
         monitor.newton_step(areas.newton_steps, areas.largest_relative_error);
     };
+    if (job.walls != Walls::kNone) {
+        WalledAreaCvt walled = compute_walled_area_cvt(job.lattice, job.walls, job.wall_cells,
+                                                       std::move(start.points), options);
+        return {.delaunay = std::move(walled.torus.delaunay),
+                .walled = walled.domain,
+                .run = walled.torus.run,
+                .counts = walled.torus.counts,
+                .areas = walled.torus.areas};
+    }
     AreaCvtResult result = compute_area_cvt(job.lattice, start.points, options);
     return {.delaunay = std::move(result.delaunay),
             .run = result.run,
@@ -147,6 +157,12 @@ AreaSummary area_summary(const Tessellation& tessellation) {
         c = (c - summary.circularity_mean) * (c - summary.circularity_mean);
     summary.circularity_std = std::sqrt(mean(circularities));
     return summary;
+}
+
+Eigen::VectorXd site_weights(const Tessellation& tessellation) {
+    const Eigen::VectorXd& weights = tessellation.delaunay.weights();
+    if (weights.size() == 0) return weights;
+    return weights.head(tessellation.n_sites());
 }
 
 Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {

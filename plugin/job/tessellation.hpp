@@ -109,6 +109,9 @@ struct AreaSummary {
 
 AreaSummary area_summary(const Tessellation& tessellation);
 
+/// The weights of the sites, length^2; empty without areas.
+Eigen::VectorXd site_weights(const Tessellation& tessellation);
+
 /// The sites, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
 Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin);
 

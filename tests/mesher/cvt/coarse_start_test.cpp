@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesher/cvt/walled_cvt.hpp"
 #include "mesher/density/density_survey.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "tests/support/densities.hpp"
@@ -29,6 +30,59 @@ TEST(CoarseStart, ReturnsTheRequestedNumberOfDistinctSites) {
         const Sites sites(lattice, points);
         EXPECT_LT(sites.duplicates().first, 0);
     }
+}
+
+TEST(CoarseStart, ReturnsDistinctSitesBetweenWalls) {
+    const Lattice lattice = Lattice::rectangle(3, 1);
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        for (const int n : {1, 2, 3, 16, 17, 63, 64, 65, 255, 1000}) {
+            CoarseStartOptions options = seeded(1);
+            options.walls = walls;
+            const Points points = coarse_start(lattice, n, options);
+            ASSERT_EQ(points.cols(), n);
+            EXPECT_LT(Sites(lattice, points).duplicates().first, 0);
+            for (int axis = 0; axis < 2; ++axis) {
+                if (!has_walls_across(walls, axis)) continue;
+                EXPECT_GT(points.row(axis).minCoeff(), 0);
+                EXPECT_LT(points.row(axis).maxCoeff(), side_length(lattice, axis));
+            }
+        }
+    }
+}
+
+TEST(CoarseStart, LeadsToLowerMinimaBetweenWalls) {
+    const Lattice lattice = Lattice::rectangle(2, 1);
+    for (const Walls walls : {Walls::kY, Walls::kXY}) {
+        for (const WallCells cells : {WallCells::kWhole, WallCells::kHalf}) {
+            if (walls == Walls::kXY && cells == WallCells::kHalf) continue;
+            CvtOptions options;
+            options.tolerance = 1e-4;
+            const auto energy = [&](const Points& start) {
+                return compute_walled_cvt(lattice, walls, cells, start, options).torus.run.energy;
+            };
+            double random = 0;
+            double coarse = 0;
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                CoarseStartOptions start = seeded(seed);
+                start.walls = walls;
+                random += energy(uniform_points(lattice, 1000, seed));
+                coarse += energy(coarse_start(lattice, 1000, start));
+            }
+            EXPECT_LT(coarse, random * (1 - 1e-3)) << walls_row(walls).word;
+        }
+    }
+}
+
+TEST(CoarseStart, SitesNearWallsAreThoseOfTheNextFinerCells) {
+    // The sites of the last level lie as densely beside a wall as elsewhere.
+    const Lattice lattice = Lattice::rectangle(1, 1);
+    CoarseStartOptions options = seeded(1);
+    options.walls = Walls::kXY;
+    const Points points = coarse_start(lattice, 4000, options);
+    const double h = std::sqrt(1.0 / 4000);
+    int n_beside = 0;
+    for (Eigen::Index s = 0; s < points.cols(); ++s) n_beside += points(1, s) < 3 * h;
+    EXPECT_NEAR(n_beside * h / 3, 1, 0.12);
 }
 
 TEST(CoarseStart, DependsOnTheSeedAndNotOnTheThreads) {

@@ -135,6 +135,17 @@ TEST(InterfaceSites, CornersOfAnyAngleAreResolved) {
     }
 }
 
+TEST(InterfaceSites, NarrowGapsStayOpen) {
+    for (const double gap : {1e-2, 1e-3, 1e-4}) {
+        const std::vector<Circle> circles{{{0.3, 0.5}, 0.1}, {{0.5 + gap, 0.5}, 0.1}};
+        const Case one{InclusionSet(Lattice::rectangle(1, 1), circular_inclusions(circles, 1)),
+                       0.03};
+        const InterfaceSites pairs = place(one);
+        EXPECT_LT(pairs.n_seeds(), 60 / std::sqrt(gap));
+        EXPECT_FALSE(shapes_meet(pairs.polygons[0], pairs.polygons[1], {0, 0}));
+    }
+}
+
 TEST(InterfaceSites, ChordsAreAsLongAsTheSpacingWhereNothingIsNear) {
     const InclusionSet set(Lattice::rectangle(1, 1), {{Circle{{0.9, 0.1}, 0.3}, 1, 1}});
     const InterfaceSites pairs =

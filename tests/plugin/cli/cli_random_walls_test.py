@@ -11,6 +11,7 @@ import unittest
 from support.cli import CliTest, main
 
 DENSITIES = ("1 + 20 * exp(-8 * v)", "1 + 5 * cos(2 * _pi * u)^2", "exp(3 * u * v)", "u < 0.4 ? 9 : 1")
+LAWS = ("equal", "lognormal:0.42", "gamma:0.3")
 FORMATS = ("obj", "glb", "vtu")
 # What pcvt may say of a job that is well posed, besides success.
 REFUSALS = (r"no cells of sites on the walls came about", r"reaches the opposite wall", r"too thin", r"too small",
@@ -28,8 +29,12 @@ def job(draw):
     options = ["--walls", walls, "--wall-cells", cells, "--sites", n_sites, "--seed", draw.randrange(10**6),
                "--period", f"{ratio ** 0.5:.6g},{ratio ** -0.5:.6g}", "--mesh", mesh, "--tolerance", "1e-4",
                "--threads", 1]
-    if draw.random() < 0.4:
+    sizes = draw.random()
+    if sizes < 0.3:
         options += ["--density", draw.choice(DENSITIES)]
+    elif sizes < 0.7:
+        steps = draw.choice((0, 1, 5)) if cells == "whole" else draw.choice((1, 5))
+        options += ["--areas", draw.choice(LAWS), "--max-iterations", steps]
     if draw.random() < 0.3 and mesh != "delaunay":
         options += ["--outline", "box"]
     if draw.random() < 0.3 and mesh != "delaunay":

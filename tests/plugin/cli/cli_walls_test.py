@@ -85,6 +85,18 @@ class Walls(CliTest):
         self.mesh("--quiet", "--report", "r.json")
         self.assertNotIn("walls", json.loads(self.path("r.json").read_text()))
 
+    def test_large_runs_start_coarse_as_without_walls(self):
+        for options, start in ((("--sites", 40), "random"), (("--sites", 1000), "coarse"),
+                               (("--sites", 1000, "--max-iterations", 0), "random"),
+                               (("--sites", 1000, "--areas", "equal", "--max-iterations", 1), "random"),
+                               (("--sites", 200, "--start", "coarse", "--density", "1 + v"), "coarse"),
+                               (("--sites", 200, "--start", "coarse", "--areas", "gamma:0.3", "--max-iterations", 1), "coarse"),
+                               (("--sites", 1000, "--start", "random"), "random")):
+            self.succeed("mesh", "--walls", "xy", "--tolerance", "1e-3", "--quiet", "--force", *options, "--report",
+                         "r.json", "-o", "t.obj")
+            self.assertEqual(json.loads(self.path("r.json").read_text())["start"], start, options)
+            self.succeed("check", "t.obj")
+
     def test_written_sites_are_read_again(self):
         for cells in ("whole", "half"):
             self.mesh("--quiet", "--walls", "y", "--wall-cells", cells, "-o", "s.txt", "-o", "c.csv", "-o", "a.vtu")
@@ -149,7 +161,6 @@ class Walls(CliTest):
                 (("--sites", 8, "--walls", "y", "--wall-cells", "third"), "--wall-cells"),
                 ((*channel, "--lattice", "1,0,0.5,1"), "give its period as W,H"),
                 ((*channel, "--symmetry", "p2"), "leave one of the two out"),
-                ((*channel, "--areas", "equal"), "leave them out, or the walls"),
                 ((*channel, "--aspect", "2"), "leave them out, or the walls"),
                 ((*channel, "--start", "best"), "leave the start out"),
                 ((*channel, "--stability"), "leave one out"),
