@@ -102,6 +102,21 @@ TEST(ShortEdges, SquashNoCell) {
 }
 
 // Law 3.
+// Law 5.
+TEST(ShortEdges, VerticesThatStayKeepTheirEdges) {
+    const PeriodicMesh cells = random_cells(Lattice({1, 0}, {0.37, 0.81}), 500, 4);
+    std::vector<bool> still(cells.vertices.size());
+    for (std::size_t v = 0; v < still.size(); v += 3) still[v] = true;
+    const PeriodicMesh left = without_short_edges(cells, 0.3 * spacing(cells), still);
+    EXPECT_LT(left.n_vertices(), cells.n_vertices() - 50);
+    std::set<std::pair<double, double>> kept;
+    for (const Vec2& p : left.vertices) kept.emplace(p.x(), p.y());
+    for (std::size_t v = 0; v < still.size(); ++v) {
+        const Vec2& p = cells.vertices[v];
+        if (still[v]) EXPECT_TRUE(kept.contains({p.x(), p.y()})) << v;
+    }
+}
+
 TEST(ShortEdges, MoveOnlyTheirOwnEnds) {
     const PeriodicMesh cells = random_cells(Lattice({1, 0}, {0.37, 0.81}), 300, 6);
     const double shortest = 0.05 * spacing(cells);
