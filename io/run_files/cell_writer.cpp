@@ -31,7 +31,7 @@ std::string encode_cells(const CellRows& rows) {
         text += ',';
         append(cells.area[s]);
         append(cells.equivalent_diameter(s));
-        append(cells.n_sides(s));
+        append(cells.sides[s]);
         append(cells.circularity(s));
         const std::string phase =
             materials.site_phase.empty() ? "" : materials.phase_names[materials.site_phase[s]];

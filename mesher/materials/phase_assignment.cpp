@@ -54,11 +54,11 @@ class Assignment {
     /// Exchanges cells with equally many sides at random places where that lowers Q.
     void spread() {
         std::map<int, std::vector<int>> with_sides;
-        for (int s = 0; s < n_; ++s) with_sides[cells_.n_sides(s)].push_back(s);
+        for (int s = 0; s < n_; ++s) with_sides[cells_.n_neighbours(s)].push_back(s);
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
             for (const int s : shuffled(n_, random_)) {
                 checkpoint_each(s);
-                const std::vector<int>& partners = with_sides[cells_.n_sides(s)];
+                const std::vector<int>& partners = with_sides[cells_.n_neighbours(s)];
                 for (int k = 0; k < kPartners; ++k) {
                     improve(s, partners[draw(random_, static_cast<int>(partners.size()))]);
                 }
@@ -131,7 +131,7 @@ class Assignment {
         around_.resize(static_cast<std::size_t>(n_) * fractions_.size());
         for (int s = 0; s < n_; ++s) {
             for (int k = 0; k < n_phases(); ++k) {
-                around(s, k) = -fractions_[k] * (1 + cells_.n_sides(s));
+                around(s, k) = -fractions_[k] * (1 + cells_.n_neighbours(s));
             }
         }
         for (int s = 0; s < n_; ++s) {

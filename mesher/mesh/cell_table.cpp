@@ -30,12 +30,15 @@ CellTable cell_table(const PeriodicMesh& cells) {
         for (int c = begin; c < end; ++c) polygon.push_back(cells.point(c) - first);
         table.area.push_back(polygon_area(polygon));
         table.perimeter.push_back(polygon_perimeter(polygon));
+        int n_sides = 0;
         for (int c = begin; c < end; ++c) {
             const Vec2 edge = cells.point(cells.next(c)) - cells.point(c);
             if (!(edge.stableNorm() > shortest)) continue;
+            ++n_sides;
             if (cells.opposite[c] < 0) continue;
             table.neighbours.push_back(cells.site[cells.corner_face[cells.opposite[c]]]);
         }
+        table.sides.push_back(n_sides);
         table.neighbour_begin.push_back(static_cast<int>(table.neighbours.size()));
     }
     return table;

@@ -16,14 +16,15 @@ struct CellTable {
     std::vector<double> area;
     /// length units
     std::vector<double> perimeter;
+    /// The number of edges longer than kShortEdge h (valence.hpp); those on walls count.
+    std::vector<int> sides;
     /// The sites across the sides of cell s, counter-clockwise: neighbours[neighbour_begin[s]] ...
     /// neighbours[neighbour_begin[s + 1] - 1]. A site may occur twice, and it may be s itself.
     std::vector<int> neighbour_begin{0};
     std::vector<SiteId> neighbours;
 
     int n_cells() const { return static_cast<int>(area.size()); }
-    /// The number of edges longer than kShortEdge h (valence.hpp).
-    int n_sides(SiteId s) const { return neighbour_begin[s + 1] - neighbour_begin[s]; }
+    int n_neighbours(SiteId s) const { return neighbour_begin[s + 1] - neighbour_begin[s]; }
     /// 2 sqrt(area / pi), length units.
     double equivalent_diameter(SiteId s) const;
     /// Perimeter of the circle with the area of the cell over the perimeter of the cell,

@@ -63,7 +63,7 @@ double equal_share(const CellTable& cells, const std::vector<int>& phase) {
 /// The share of law 2.
 double random_share(const CellTable& cells, const std::vector<int>& phase, std::size_t n_phases) {
     std::vector<double> sides(n_phases, 0);
-    for (SiteId s = 0; s < cells.n_cells(); ++s) sides[phase[s]] += cells.n_sides(s);
+    for (SiteId s = 0; s < cells.n_cells(); ++s) sides[phase[s]] += cells.sides[s];
     double share = 0;
     for (const double n : sides) share += std::pow(n / double(cells.neighbours.size()), 2);
     return share;
@@ -112,7 +112,7 @@ TEST(PhaseAssignment, Law3NoPhasePrefersCellsWithFewSidesOrSmallOnes) {
         const std::vector<int> phase = assign_phases(cells, fractions, seed);
         for (SiteId s = 0; s < cells.n_cells(); ++s) {
             if (phase[s] != 0) continue;
-            sides += cells.n_sides(s);
+            sides += cells.sides[s];
             area += cells.area[s];
             n += 1;
         }

@@ -44,14 +44,14 @@ TEST(CellTable, Law3NeighboursAreThoseOfTheDelaunayTriangulation) {
         const CellTable cells = cell_table(cell_mesh(delaunay));
         for (SiteId s = 0; s < n; ++s) {
             const auto begin = cells.neighbours.begin() + cells.neighbour_begin[s];
-            EXPECT_EQ(std::multiset<SiteId>(begin, begin + cells.n_sides(s)), wanted[s]);
+            EXPECT_EQ(std::multiset<SiteId>(begin, begin + cells.n_neighbours(s)), wanted[s]);
         }
     }
 }
 
 TEST(CellTable, AHexagonHasItsCircularity) {
     const CellTable cells = table_of(Lattice({1, 0}, {0.5, std::sqrt(0.75)}), 1);
-    EXPECT_EQ(cells.n_sides(0), 6);
+    EXPECT_EQ(cells.sides[0], 6);
     EXPECT_NEAR(cells.circularity(0), 0.9523128, 1e-6);
     EXPECT_NEAR(cells.equivalent_diameter(0), 2 * std::sqrt(std::sqrt(0.75) / M_PI), 1e-12);
 }

@@ -1,5 +1,6 @@
 """Walls on the command line: sites, files, reports, proofs and refusals of channels and boxes."""
 
+import collections
 import json
 import re
 
@@ -70,6 +71,19 @@ class Walls(CliTest):
             self.succeed("mesh", *half, "--walls", walls, "--density", "1 + 4 * v", *outputs("obj"))
             self.succeed("check", "--cvt", "--density", "1 + 4 * v", "t.obj")
             self.refuse(2, "law of Voronoi: a corner of the edge", "check", "--cvt", "t.obj")
+
+    def test_tables_pictures_and_summaries_count_the_same_sides(self):
+        for cells in ("whole", "half"):
+            for walls in ("x", "y", "xy"):
+                text = self.mesh("--walls", walls, "--wall-cells", cells, "--cells", "t.csv", "-o", "t.svg")
+                rows = [line.split(",") for line in self.path("t.csv").read_text().splitlines()
+                        if not line.startswith("#")]
+                column = rows[0].index("sides")
+                counts = collections.Counter(row[column] for row in rows[1:])
+                words = " ".join(f"{n}:{counts[n]}" for n in sorted(counts))
+                self.assertIn(f"sides {words}", text)
+                legend = re.findall(r"(\d+) sides: (\d+)", self.path("t.svg").read_text())
+                self.assertEqual({n: int(count) for n, count in legend}, dict(counts))
 
     def test_report_and_summary_state_the_walls(self):
         text = self.mesh("--walls", "y", "--report", "r.json")
