@@ -23,7 +23,8 @@ class DualPolygon {
         : sites_(sites), rounding_(rounding) {}
 
     std::optional<DualMean> mean() const {
-        DualMean sum{Vec2::Zero(), 0};
+        DualMean sum{.point = Vec2::Zero()};
+        std::vector<Vec2> vertices;
         // The chains i ... j of sites that are still to be divided.
         std::vector<std::pair<int, int>> chains{{0, static_cast<int>(sites_.size()) - 1}};
         while (!chains.empty()) {
@@ -34,11 +35,16 @@ class DualPolygon {
             if (triangle.apex < 0) return std::nullopt;
             sum.point += triangle.vertex.point;
             sum.error += triangle.vertex.error;
+            vertices.push_back(triangle.vertex.point);
             chains.emplace_back(i, triangle.apex);
             chains.emplace_back(triangle.apex, j);
         }
         const double n = static_cast<double>(sites_.size()) - 2;
-        return DualMean{sum.point / n, sum.error / n};
+        DualMean mean{.point = sum.point / n, .error = sum.error / n};
+        for (const Vec2& vertex : vertices) {
+            mean.spread = std::max(mean.spread, (vertex - mean.point).norm());
+        }
+        return mean;
     }
 
    private:
@@ -72,7 +78,7 @@ class DualPolygon {
         // Cramer's rule with rows and right sides that are off by the rounding.
         const double size = e.norm() + f.norm();
         const double off = 2 * rounding_ * (size + way.norm());
-        return {origin.point + way, off * size / std::abs(det)};
+        return {.point = origin.point + way, .error = off * size / std::abs(det)};
     }
 
     std::span<const DualSite> sites_;

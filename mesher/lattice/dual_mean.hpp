@@ -17,6 +17,8 @@ struct DualMean {
     Vec2 point;
     /// The largest distance by which rounding of the sites moves the point, length units.
     double error = 0;
+    /// The largest distance of one of the Voronoi vertices from the point, length units.
+    double spread = 0;
 };
 
 /// Returns the mean of the Voronoi vertices of the k - 2 Delaunay triangles that divide the polygon

@@ -23,6 +23,8 @@ constexpr double kRoundings = 8;
 /// A corner at which k cells meet lies within k - 3 removed edges of each of its Voronoi vertices;
 /// more cells than this meet nowhere, but for special lattices, whose corners are not moved.
 constexpr int kMostCells = 8;
+/// ... and, with the weights by which power cells keep their areas, within this many times as much.
+constexpr double kMostSpread = 2;
 
 /// The cell of a face at a corner, as the frame of the corner has it.
 struct CellAtCorner {
@@ -150,7 +152,9 @@ class MovedCells {
     /// @returns the law that the corner breaks, in words; empty: none.
     std::string fault_of(const Corner& corner) const {
         const std::size_t n_cells = corner.cells.size();
-        const bool at_box_corner = is_box_ && corner.on_line(0) && corner.on_line(1);
+        // Between walls, the corners of the outline lie on walls, at which no edge is bent.
+        const bool at_box_corner =
+            is_box_ && moves_.walls == Walls::kNone && corner.on_line(0) && corner.on_line(1);
         if (n_cells < 2 || (n_cells == 2 && at_box_corner)) return "";
         if (n_cells == 2) return fault_of_edge(corner);
         for (std::size_t k = 0; k < n_cells; ++k) {
@@ -188,6 +192,12 @@ class MovedCells {
         if (!mean) return " does not go round the sites of its faces, " + sites;
         const double off = mean->point.norm();
         const double tolerance = tolerance_ + mean->error;
+        const double n_corners = static_cast<double>(corner.cells.size()) - 2;
+        const double reach = n_corners * (kMostSpread * moves_.removed + tolerance);
+        if (mean->spread > reach) {
+            return " joins corners of the cells of sites " + sites + ", which lie " +
+                   in_words(mean->spread) + " apart, more than " + in_words(reach);
+        }
         if (off <= tolerance || may_be_snapped(corner, mean->point, skew_ * tolerance)) return "";
         return " lies off the place that the sites of its faces, " + sites + ", give it, by " +
                in_words(off) + ", more than " + in_words(tolerance);

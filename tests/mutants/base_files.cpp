@@ -182,7 +182,10 @@ std::vector<BaseFile> base_files(const TileFormat& format) {
     }
     if (!format.states_orbits) return bases;
     const SymmetricSites start = symmetric_sites(lattice);
-    const PeriodicDelaunay symmetric = compute_cvt(start, {}).delaunay;
+    // At a minimum, cells of different orbits may have one area.
+    CvtOptions few_steps;
+    few_steps.max_iterations = 2;
+    const PeriodicDelaunay symmetric = compute_cvt(start, few_steps).delaunay;
     for (const Shape& shape : symmetric_shapes()) {
         const Tile tile = build_tile(symmetric, shape.options).tile;
         add_tile(format, tile, shape, {.site_orbits = start.orbit}, bases);

@@ -49,6 +49,7 @@ std::span<const Harmless> harmless_in_msh() {
         Harmless{"pcvt metric*", "", kNotShown, "delaunay"},
         Harmless{"pcvt metric*", "", kNotShown, "grains"},
         Harmless{"pcvt site_orbits row", "delete", kNoOrbits},
+        Harmless{"pcvt site_orbits 9.0", "word", kNoOrbits},
         Harmless{"$Nodes 3.0", "", "a node inside of a grain; the mesh is another one", "grains"},
         Harmless{"$Nodes 3.1", "", "a node inside of a grain; the mesh is another one", "grains"},
     };

@@ -34,6 +34,9 @@ inline constexpr std::string_view kStatedOrbits =
 /// The reason for files without a note on orbits.
 inline constexpr std::string_view kNoOrbits = "a file without orbits states none";
 
+/// The reason for the highest number of an orbit, raised by 1.
+inline constexpr std::string_view kOwnOrbit = "the last site may have an orbit of its own";
+
 /// The reason for small steps in files of 32 bits: a metric stretches the rounding, too.
 inline constexpr std::string_view kStretched = "below the rounding of 32 bits in the metric";
 

@@ -18,6 +18,12 @@ std::vector<Mutant> vtu_mutants(const BaseFile& base) {
 std::span<const Harmless> harmless_in_vtu() {
     static constexpr std::array kHarmless{
         Harmless{"PhaseNames*", "", "the names of the phases are the user's words, stated once"},
+        Harmless{"Orbit Name*", "", kNoOrbits},
+        Harmless{"Orbit value", "+1", kOwnOrbit, "voronoi symmetric"},
+        Harmless{"Orbit value", "", kStatedOrbits, "delaunay"},
+        Harmless{"Orbit value", "", kStatedOrbits, "grains"},
+        Harmless{"Orbit row", "", kStatedOrbits, "delaunay"},
+        Harmless{"Orbit row", "", kStatedOrbits, "grains"},
         Harmless{"SiteWeights*", "", kNotShown, "delaunay"},
         Harmless{"SiteWeights*", "", kNotShown, "grains"},
         Harmless{"Metric*", "", kNotShown, "delaunay"},

@@ -67,6 +67,15 @@ TEST(DualMean, IsTheMeanOverTheTrianglesWithEmptyCircles) {
     }
 }
 
+TEST(DualMean, SpreadIsTheDistanceOfTheFarthestVertex) {
+    const std::vector<DualSite> polygon{{Vec2(0, 0)}, {Vec2(2, -1)}, {Vec2(4, 0)}, {Vec2(2, 1)}};
+    // The triangles share the short diagonal; their circumcentres are (1.25, 0) and (2.75, 0).
+    const auto mean = dual_mean(polygon, 1e-16);
+    ASSERT_TRUE(mean);
+    EXPECT_NEAR((mean->point - Vec2(2, 0)).norm(), 0, 1e-12);
+    EXPECT_NEAR(mean->spread, 0.75, 1e-12);
+}
+
 TEST(DualMean, DoesNotDependOnTheFirstSiteAndMovesWithTheSites) {
     std::mt19937_64 random(4);
     for (int round = 0; round < 100; ++round) {

@@ -6,6 +6,7 @@
 #include "mesher/tile/build_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
 #include "tests/support/grid_tile.hpp"
+#include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -159,6 +160,23 @@ TEST(SiteLabels, HugeNumbersOfPeriodsAndDistantSitesAreRefused) {
     tile.columns = tile.rows = 1;
     tile.site_positions[3] = Vec2(1e300, 0);
     EXPECT_THAT(complaint(tile), HasSubstr("too many periods away"));
+}
+
+// Where eight cells in mirror symmetry meet, the mean of their Voronoi vertices lies at the vertex,
+// however far these are from it.
+TEST(SiteLabels, GrainsInABoxWithWallsBelongToTheirCells) {
+    const Tile tile = testing::walled_tile(Walls::kXY, WallCells::kWhole, 7,
+                                           {.kind = MeshKind::kGrains, .grain_per_edge = 1});
+    EXPECT_NO_THROW(prove_sites(tile, prove_tile(tile, Precision::kDouble)));
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        for (SiteId other = 0; other < 7; ++other) {
+            if (other == tile.face_site[f]) continue;
+            Tile wrong = tile;
+            wrong.face_site[f] = other;
+            EXPECT_THROW(prove_sites(wrong, prove_tile(wrong, Precision::kDouble)), NotATile)
+                << "face " << f << " of site " << tile.face_site[f] << " as of " << other;
+        }
+    }
 }
 
 }  // namespace
