@@ -23,8 +23,11 @@ constexpr double kRoundings = 8;
 /// A corner at which k cells meet lies within k - 3 removed edges of each of its Voronoi vertices;
 /// more cells than this meet nowhere, but for special lattices, whose corners are not moved.
 constexpr int kMostCells = 8;
-/// ... and, with the weights by which power cells keep their areas, within this many times as much.
+/// The Voronoi vertices of such a corner lie within k - 2 removed edges of it, times this factor,
+/// because joined corners move. The one of power cells is larger, because their weights change so
+/// that the cells keep their areas.
 constexpr double kMostSpread = 2;
+constexpr double kMostSpreadOfPowerCells = 8;
 
 /// The cell of a face at a corner, as the frame of the corner has it.
 struct CellAtCorner {
@@ -193,7 +196,8 @@ class MovedCells {
         const double off = mean->point.norm();
         const double tolerance = tolerance_ + mean->error;
         const double n_corners = static_cast<double>(corner.cells.size()) - 2;
-        const double reach = n_corners * (kMostSpread * moves_.removed + tolerance);
+        const double factor = tile_.site_weights.empty() ? kMostSpread : kMostSpreadOfPowerCells;
+        const double reach = n_corners * (factor * moves_.removed + tolerance);
         if (mean->spread > reach) {
             return " joins corners of the cells of sites " + sites + ", which lie " +
                    in_words(mean->spread) + " apart, more than " + in_words(reach);
