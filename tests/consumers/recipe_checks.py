@@ -284,6 +284,7 @@ ROWS = {
     ("plugin", "C and C++ through pcvt.h"): Row(check_c_program, programs=("cc",)),
     ("plugin", "Python"): Row(check_python, modules=("matplotlib",)),
     ("mesher", "From sites to a tile"): Row(reason="a diagram"),
+    ("io", "Inclusions"): Row(reason="the form of a file"),
     ("Speed", ""): Row(reason="a benchmark"),
     ("Tests", "Run all tests"): Row(reason="this runs inside of tests/run"),
     ("Tests", "Run one test"): Row(reason="it builds, as tests/run did before"),
