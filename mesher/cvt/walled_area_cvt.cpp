@@ -15,7 +15,8 @@ Eigen::VectorXd areas_on_torus(const SymmetricSites& sites, const Eigen::VectorX
     for (SiteId s = 0; s < sites.sites.n_sites(); ++s) {
         const int k = sites.orbit[s];
         // A cell across a wall consists of the parts of several domains.
-        areas[s] = between[k] * (n_images / sites.orbits[k].n_sites);
+        const int n_parts = n_images / sites.orbits[k].n_sites;
+        areas[s] = between[k] * n_parts;
     }
     return areas;
 }
