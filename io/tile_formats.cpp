@@ -77,6 +77,10 @@ void require_mpas_torus(const FormatRequest& request) {
         throw InvalidInput(
             "MPAS meshes are periodic along both directions; leave the walls out, or take .vtu");
     }
+    if (request.has_holes) {
+        throw InvalidInput(
+            "MPAS meshes of pcvt cover the whole torus; leave the holes out, or take .vtu");
+    }
     if (request.short_edges > 0) {
         throw InvalidInput("MPAS needs every Voronoi edge; remove no short edges");
     }
@@ -94,6 +98,11 @@ void require_image_size(const FormatRequest& request) {
 }
 
 void require_voxel_grid(const FormatRequest& request) {
+    if (request.has_holes) {
+        throw InvalidInput(
+            "voxels fill the whole rectangle; leave the holes out, whose tags are then phases, or "
+            "take .vtu");
+    }
     if (request.walls != Walls::kNone) {
         throw InvalidInput(
             "DAMASK's voxels are periodic along both directions; leave the walls out, or take "

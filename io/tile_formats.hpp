@@ -64,6 +64,7 @@ struct FormatRequest {
     /// The numbers of periods in `lattice`.
     double n_periods = 1;
     Walls walls = Walls::kNone;
+    bool has_holes = false;
     FileOptions files = {};
 };
 

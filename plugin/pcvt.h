@@ -124,7 +124,13 @@ enum { PCVT_WALLS_NONE = 0, PCVT_WALLS_X = 1, PCVT_WALLS_Y = 2, PCVT_WALLS_XY = 
 enum { PCVT_WALL_CELLS_WHOLE = 0, PCVT_WALL_CELLS_HALF = 1 };
 
 /** One wall: at x = 0, at the width, at y = 0, at the height. */
-enum { PCVT_WALL_LEFT = 0, PCVT_WALL_RIGHT = 1, PCVT_WALL_BOTTOM = 2, PCVT_WALL_TOP = 3 };
+enum {
+    PCVT_WALL_LEFT = 0,
+    PCVT_WALL_RIGHT = 1,
+    PCVT_WALL_BOTTOM = 2,
+    PCVT_WALL_TOP = 3,
+    PCVT_WALL_HOLE = 4
+};
 
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
@@ -223,8 +229,8 @@ typedef struct pcvt_options {
     int32_t random_orientations; /**< 1: orientations without a texture, drawn from `seed`; excludes
                                     `orientations` [0] */
     int32_t symmetry; /**< PCVT_SYMMETRY_...: drawn sites have, and keep, the symmetry of a group,
-                         which the lattice must fit; excludes `sites`, areas and starts other than
-                         PCVT_START_RANDOM [PCVT_SYMMETRY_NONE] */
+                         which the lattice must fit; excludes `sites`, areas, PCVT_START_LATTICE
+                         and PCVT_START_BEST [PCVT_SYMMETRY_NONE] */
     int32_t walls; /**< PCVT_WALLS_...: straight walls at 0 and at the period in place of periods,
                       of a lattice (width, 0, 0, height); excludes aspect, symmetry,
                       PCVT_START_LATTICE and PCVT_START_BEST [PCVT_WALLS_NONE] */
@@ -234,17 +240,20 @@ typedef struct pcvt_options {
     const char* inclusions; /**< shapes whose outlines no cell crosses, one a line: "circle TAG x y
                                r", "ellipse TAG x y a b DEGREES" or "polygon TAG x1 y1 x2 y2 ...";
                                images are implied; the tags are the phases of the cells, after
-                               "matrix"; excludes `sites`, phases, areas, aspect, symmetry, walls
-                               and starts other than PCVT_START_RANDOM [NULL] */
+                               "matrix"; shapes do not touch walls; excludes `sites`, phases, areas,
+                               aspect, symmetry and starts other than PCVT_START_RANDOM [NULL] */
     const char* fibres; /**< "FRACTION,N" or "FRACTION,N,GAP": in place of inclusions, N circles of
                            the tag "fibre" with this part of the area, at random places by `seed`,
-                           not nearer than GAP [NULL] */
+                           not nearer than GAP to each other and to walls [NULL] */
     const double* fixed_sites; /**< n_fixed_sites pairs x, y that stay where they are; they are the
                                   first of n_sites, the others are drawn; excludes `sites`, areas,
                                   symmetry, walls, inclusions and starts other than
                                   PCVT_START_RANDOM [NULL] */
     int32_t n_fixed_sites;     /**< at most n_sites; 0 where `fixed_sites` is NULL [0] */
     int32_t reserved3;
+    const char* holes; /**< tags of inclusions with commas between them: their cells are left out of
+                          tiles and files, whose edges there are walls; their sites are left out of
+                          pcvt_sites, and the others are numbered from 0 again [NULL] */
 } pcvt_options;
 
 /** The optimised sites. */
@@ -265,6 +274,23 @@ typedef struct pcvt_sites {
         orbits; /**< n_sites numbers, equal for sites that the symmetry maps to each other,
                    counted from 0 in the order of their first sites; NULL without one */
 } pcvt_sites;
+
+/** The form of an inclusion. */
+enum { PCVT_CIRCLE = 0, PCVT_ELLIPSE = 1, PCVT_POLYGON = 2 };
+
+/** The inclusions of a run, as they were given or drawn; images are implied.
+ *
+ *  Shape k has numbers[begin[k]] ... numbers[begin[k + 1] - 1]: x, y, r of a circle, x, y, a, b and
+ *  degrees of an ellipse, x and y of each corner of a polygon.
+ */
+typedef struct pcvt_inclusions {
+    const double* numbers;   /**< NULL without inclusions, as the others */
+    const int32_t* begin;    /**< n_shapes + 1 numbers */
+    const int32_t* form;     /**< PCVT_CIRCLE, PCVT_ELLIPSE or PCVT_POLYGON */
+    const char* const* tags; /**< the name of the tag of each shape */
+    int32_t n_shapes;        /**< 0 without inclusions */
+    int32_t reserved;
+} pcvt_inclusions;
 
 /** The cells or the triangles on the torus: one face and one vertex for all of its images.
  *
@@ -297,14 +323,15 @@ typedef struct pcvt_edge_pair {
 
 /** The boundary edge v0 -> v1 of a tile (its face on the left) lies on a wall. */
 typedef struct pcvt_wall_edge {
-    int32_t wall; /**< PCVT_WALL_LEFT, ... */
+    int32_t wall; /**< PCVT_WALL_LEFT, ...; PCVT_WALL_HOLE + k for hole_names[k] */
     int32_t v0, v1;
 } pcvt_wall_edge;
 
 /** A tile: a mesh of one fundamental domain as an open disc, with the pairing of its boundary.
  *
  *  For each vertex v: position(v) = position(vertex_orbit[v]) + the translation of
- *  vertex_offset[v]. Each boundary edge belongs to exactly one of the edge pairs or wall edges.
+ *  vertex_offset[v]. Each boundary edge belongs to exactly one of the edge pairs or wall edges. A
+ *  tile with holes is no disc, and need not be connected before gluing.
  */
 typedef struct pcvt_tile {
     double lattice[4];            /**< columns a, rows b */
@@ -325,7 +352,8 @@ typedef struct pcvt_tile {
     int32_t n_edge_pairs;
     const pcvt_wall_edge* wall_edges; /**< n_wall_edges; NULL without walls */
     int32_t n_wall_edges;
-    int32_t reserved;
+    int32_t n_holes;
+    const char* const* hole_names; /**< n_holes tags; NULL without holes */
 } pcvt_tile;
 
 /** Statistics of a run. */
@@ -411,6 +439,8 @@ PCVT_API void pcvt_free(pcvt_result* result);
  * thread, any number of calls on one result at once. */
 
 PCVT_API pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size);
+PCVT_API pcvt_status pcvt_get_inclusions(const pcvt_result* result, pcvt_inclusions* view,
+                                         size_t view_size);
 PCVT_API pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view,
                                          size_t view_size);
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <map>
 
+#include "io/colours/site_classes.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/valence.hpp"
-#include "mesher/tile/site_classes.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -33,19 +33,13 @@ std::string rounded(double value, int digits) {
     return {text.data(), end.ptr};
 }
 
-double face_area(const Tile& tile, int face) {
-    Polygon polygon;
-    for (const int v : tile.faces[face]) polygon.push_back(tile.points[v]);
-    return polygon_area(polygon);
-}
-
 /// Returns the area of each site's cell, over all faces of the cell, or a third of the area of the
 /// triangles at each site.
 std::map<SiteId, double> site_areas(const Tile& tile) {
     std::map<SiteId, double> areas;
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
-        const double area = face_area(tile, f);
+        const double area = polygon_area(face_polygon(tile.points, tile.faces[f]));
         if (faces_have_sites(tile.kind)) {
             areas[tile.face_site[f]] += area;
         } else {
@@ -187,7 +181,7 @@ TileColours colours_by_phase(const Tile& tile, const SiteQuantities& quantities)
         const std::string& name = materials.phase_names[k];
         colours.classes.push_back(
             {.colour = cell_colour(k % kCellColours),
-             .name = "phase_" + name,
+             .name = phase_group(name),
              .label = name + ": " + std::to_string(std::count(phases.begin(), phases.end(), k))});
     }
     return colours;

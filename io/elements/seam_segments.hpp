@@ -21,21 +21,22 @@ struct SeamSegment {
     /// On a wall: -1.
     int partner;
     /// The wall on which the run lies; nothing on the seam.
-    std::optional<WallSide> wall = {};
+    std::optional<WallId> wall = {};
 };
 
-/// The boundary as runs, counter-clockwise, from the run that leaves the smallest vertex. Each run
-/// begins where the one before ends. Laws, tested by number:
+/// The boundary as runs, with the tile on their left: loop by loop from the smallest vertex where a
+/// run begins. In a loop each run begins where the one before ends. Laws, tested by number:
 ///
 ///   (1) The partner of a partner is the run itself, with the opposite offset; runs on walls have
 ///       none.
 ///   (2) Every boundary edge lies in one run; a run's neighbours have another offset or wall than
-///       it has.
+///       it has, but for (3), for vertices at which two parts of a tile with holes meet, and for
+///       loops of one run.
 ///   (3) The ends of runs are closed under identification: a vertex on the orbit of an end is one.
 ///
 /// @param middles  of a tile of order 2; else empty.
 /// @pre the tile has its edge_pairs and its wall_edges.
-/// @throws InternalError where they do not form one loop.
+/// @throws InternalError where they do not form loops.
 std::vector<SeamSegment> seam_segments(const Tile& tile, const MidsideNodes& middles);
 
 }  // namespace pcvt

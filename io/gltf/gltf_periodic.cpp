@@ -34,6 +34,31 @@ std::vector<double> note_numbers(const GltfDocument& document, const SiteNote& n
     return {numbers.begin(), numbers.end()};
 }
 
+/// Reads the edges of holes, [v, w] each, by the names of the holes.
+void read_holes(const GltfDocument& document, const Json& holes, SiteNotes& notes) {
+    for (const JsonMember& hole : holes.members()) {
+        for (const Json& edge : hole.value) {
+            if (edge.size() != 2 || !edge.is_array() || !edge[0].is_number() ||
+                !edge[1].is_number()) {
+                document.throw_bad_file(kPeriodic + std::string("holes is not of edges [v, w]"));
+            }
+            try {
+                notes.add_hole_edge(hole.name, edge[0].get<double>(), edge[1].get<double>());
+            } catch (const InvalidInput& fault) {
+                document.throw_bad_file(kPeriodic + std::string("holes: ") + fault.what());
+            }
+        }
+    }
+}
+
+void give_notes(const GltfDocument& document, SiteNotes notes, Tile& tile) {
+    try {
+        std::move(notes).give_to(tile);
+    } catch (const InvalidInput& fault) {
+        document.throw_bad_file(fault.what());
+    }
+}
+
 }  // namespace
 
 void read_site_notes(const GltfDocument& document, const Json& periodic, Tile& tile) {
@@ -50,12 +75,13 @@ void read_site_notes(const GltfDocument& document, const Json& periodic, Tile& t
             document.throw_bad_file(kPeriodic + std::string(note.member) + ": " + fault.what());
         }
     }
-    if (!is_stated) return;
-    if (notes.positions.empty() || tile.sites().empty()) {
+    read_holes(document, GltfDocument::member(periodic, "holes"), notes);
+    if (!is_stated && notes.holes.empty()) return;
+    if (is_stated && (notes.positions.empty() || tile.sites().empty())) {
         document.throw_bad_file(
             "extras.periodic has periods without sitePositions, or positions of sites without ids");
     }
-    std::move(notes).give_to(tile);
+    give_notes(document, std::move(notes), tile);
 }
 
 }  // namespace pcvt

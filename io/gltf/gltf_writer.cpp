@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/bytes/json.hpp"
 #include "io/bytes/text.hpp"
 #include "io/colours/palette.hpp"
 #include "io/gltf/gltf_container.hpp"
@@ -216,6 +217,25 @@ std::string add_site_notes(const Tile& tile, ModelBuilder& builder) {
     return text;
 }
 
+/// @returns the member of extras.periodic that lists the edges of the holes by their names.
+std::string hole_edges(const Tile& tile) {
+    if (tile.holes.empty()) return {};
+    std::string text = "\"holes\":{";
+    for (std::size_t k = 0; k < tile.holes.size(); ++k) {
+        append_json_string(text, tile.holes[k]);
+        text += ":[";
+        for (const auto& [wall, v, w] : tile.wall_edges) {
+            if (wall != WallId::hole(static_cast<int>(k))) continue;
+            append_list(text, std::array{v, w});
+            text += ',';
+        }
+        text.back() = ']';
+        text += ',';
+    }
+    text.back() = '}';
+    return text + ',';
+}
+
 enum class Container { kText, kBinary };
 
 /// A model without its buffer and its extras.
@@ -243,7 +263,7 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
                          (surface.indices.size() + 2 * tile.faces.corners.size()) * sizeof(int));
     add_surface(tile, surface, colours, builder);
     add_outlines(tile, surface, builder);
-    const std::string notes = add_site_notes(tile, builder);
+    const std::string notes = add_site_notes(tile, builder) + hole_edges(tile);
     std::vector<unsigned char> buffer = std::move(builder.model().buffers[0].data);
     if (buffer.size() > kMaxBytes) {
         throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");

@@ -99,7 +99,7 @@ void append_seam(std::string& text, const Tile& tile) {
         append_number(text, sites[k]);
     }
     text += '\n';
-    append_note_comments(text, "# pcvt ", tile);
+    append_note_comments(text, "# pcvt ", tile, 1);
 }
 
 std::string obj_text(const Tile& tile, const TileColours& colours, const std::string& material_file,

@@ -7,6 +7,7 @@
 #include "io/graphics/om_bytes.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/tile/tile_holes.hpp"
 
 namespace pcvt {
 namespace {
@@ -36,6 +37,7 @@ class OmParser : OmBytes {
         read_orbits(tile);
         read_partners(tile);
         read_sites(tile);
+        read_holes(tile);
         return {std::move(tile), Precision::kDouble, true, true};
     }
 
@@ -172,6 +174,15 @@ class OmParser : OmBytes {
         std::move(notes).give_to(tile);
     }
 
+    void read_holes(Tile& tile) const {
+        if (!properties_.contains("pcvt_holes")) return;
+        try {
+            take_holes(numbers("pcvt_holes"), tile);
+        } catch (const InvalidInput& fault) {
+            throw_other_fault(fault);
+        }
+    }
+
     /// Reads a note with a property of its own; an empty one states nothing.
     void read_note(const SiteNote& note, SiteNotes& notes) const {
         if (note.property.empty() || !properties_.contains(note.property)) return;
@@ -277,8 +288,11 @@ class OmParser : OmBytes {
     void read_partners(Tile& tile) const {
         const std::vector<int> partner = integers("pcvt_partner", 1, n_halfedges_);
         const std::vector<int> offset = offsets("pcvt_partner_offset", n_halfedges_);
-        const auto walls = properties_.find("pcvt_walls");
-        const bool has_walls = walls != properties_.end() && walls->second.size() > 4;
+        const auto is_stated = [this](std::string_view name) {
+            const auto found = properties_.find(name);
+            return found != properties_.end() && found->second.size() > 4;
+        };
+        const bool has_walls = is_stated("pcvt_walls") || is_stated("pcvt_holes");
         for (std::size_t h = 0; h < n_halfedges_; ++h) {
             checkpoint_each(h);
             const Offset across{offset[2 * h], offset[2 * h + 1]};

@@ -55,6 +55,7 @@ std::string header(const Tile& tile, const std::vector<StatedNote>& notes, bool 
     for (const double number : {a.x(), a.y(), b.x(), b.y()}) append_word(text, number);
     end_line(text);
     append_tile_notes(text, "comment pcvt ", notes);
+    append_hole_comments(text, "comment pcvt ", tile, 0);
     // Vertices have a position, a colour and their place on their orbit.
     text += "element vertex " + std::to_string(tile.n_vertices()) +
             (single_precision ? "\nproperty float x\nproperty float y\nproperty float z\n"

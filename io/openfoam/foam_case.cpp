@@ -153,7 +153,10 @@ std::string foam_transport(const DecayingFlow& flow, const CellFlow& cells) {
         "run.\n";
     if (!flow.keeps_shape()) comment = "// U begins to fall as exp(-$RATE nu t).\n";
     if (cells.at_rest) {
-        comment = "// The cells are too large for the decaying flow, so U and T start as 0.\n";
+        comment =
+            cells.has_holes
+                ? "// The decaying flow would cross the holes, so U and T start as 0.\n"
+                : "// The cells are too large for the decaying flow, so U and T start as 0.\n";
     }
     const double diffusivity = 1 / (flow.rate() * flow.turn_time());
     return foam_header("dictionary", "constant", "transportProperties") +

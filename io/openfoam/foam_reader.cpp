@@ -71,7 +71,7 @@ std::optional<Offset> named_offset(const std::string& name) {
     }
 }
 
-std::optional<WallSide> named_wall(const std::string& name) {
+std::optional<WallSide> named_side(const std::string& name) {
     for (const WallSideRow& row : kWallSides) {
         if (name == row.word) return row.side;
     }
@@ -88,7 +88,8 @@ Vec2 read_separation(FoamScanner& scanner) {
 }
 
 /// Reads a patch and the name of its partner, which is empty if the patch has none.
-std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner) {
+/// @param n_holes  of the patches before.
+std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner, int n_holes) {
     ExtrudedPatch patch{.name = std::string(scanner.next()),
                         .first_face = -1,
                         .n_faces = -1,
@@ -108,17 +109,17 @@ std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner) {
         if (key == "separationVector") patch.separation = read_separation(scanner);
         scanner.skip_entry();
     }
-    // A patch is a wall with a known name, empty, or cyclic with an offset in its name.
-    patch.wall = named_wall(patch.name);
-    if (partner.empty() && type == (patch.wall ? "wall" : "empty")) return {patch, partner};
+    // A patch is a wall, empty, or cyclic with an offset in its name.
+    const std::optional<WallSide> side = named_side(patch.name);
+    if (type == "wall") patch.wall = side ? WallId::side(*side) : WallId::hole(n_holes);
+    if (partner.empty() && (type == "wall" || (type == "empty" && !side))) return {patch, partner};
     const std::optional<Offset> offset = named_offset(patch.name);
     const auto fits = [](int k) { return k >= -kLargestOffset && k <= kLargestOffset; };
     if (type != "cyclic" || partner.empty() || !offset || !fits(offset->i) || !fits(offset->j)) {
         scanner.throw_bad_file(
             "patch " + in_quotes(patch.name) +
-            " is neither an empty one, a wall nor one side of a seam; name the walls wall_left, "
-            "wall_right, wall_bottom and wall_top, name the cyclic ones seam_I_J, and give each of "
-            "these a neighbourPatch");
+            " is neither an empty one, a wall nor one side of a seam; name the cyclic ones "
+            "seam_I_J, and give each of these a neighbourPatch");
     }
     patch.offset = *offset;
     return {patch, partner};
@@ -128,8 +129,10 @@ void read_boundary(const EncodedFile& file, ExtrudedMesh& extruded) {
     // Read the patches.
     FoamScanner scanner(file.path, file.bytes);
     std::vector<std::string> partners;
+    int n_holes = 0;
     for (int left = scanner.begin_list(); left > 0; --left) {
-        auto [patch, partner] = read_patch(scanner);
+        auto [patch, partner] = read_patch(scanner, n_holes);
+        if (patch.wall && patch.wall->is_hole()) ++n_holes;
         extruded.patches.push_back(std::move(patch));
         partners.push_back(std::move(partner));
     }
@@ -167,19 +170,32 @@ FileTileBuilder read_comments(const EncodedFile& file) {
     return comments;
 }
 
-/// Gives the tile its sites and their notes. The patches state its walls, with which the note must
-/// agree.
+/// Gives the tile its sites and their notes. The patches state its walls and holes, with which the
+/// notes must agree.
 void give_notes(const EncodedFile& boundary, FileTileBuilder comments, Tile& tile) {
     const Walls walls = tile.walls;
     std::vector<WallEdge> wall_edges = std::move(tile.wall_edges);
+    std::vector<std::string> holes = std::move(tile.holes);
     give_sites(std::move(comments), tile);
     const bool states_notes = !tile.site_positions.empty() || tile.walls != Walls::kNone;
     if (states_notes && tile.walls != walls) {
         throw BadFile(boundary.path + ": the comment on walls means " + walls_row(tile.walls).word +
                       ", but the patches " + walls_row(walls).word + "; correct the comment");
     }
+    const auto on_holes = [](std::vector<WallEdge> edges) {
+        std::erase_if(edges, [](const WallEdge& edge) { return !edge.wall.is_hole(); });
+        return edges;
+    };
+    const bool states_holes = states_notes || !tile.holes.empty();
+    if (states_holes &&
+        (tile.holes != holes || on_holes(tile.wall_edges) != on_holes(wall_edges))) {
+        throw BadFile(boundary.path +
+                      ": the comments on holes mean other edges than the patches of type wall; "
+                      "correct the comments");
+    }
     tile.walls = walls;
     tile.wall_edges = std::move(wall_edges);
+    tile.holes = std::move(holes);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ std::string encode_zones(const Tile& tile, const CellMaterials& materials) {
     std::string text = foam_header("regIOobject", kMeshFolder, "cellZones") +
                        count_line(static_cast<int>(zones.size()));
     for (std::size_t p = 0; p < zones.size(); ++p) {
-        text += "phase_" + materials.phase_names[p] +
+        text += phase_group(materials.phase_names[p]) +
                 "\n{\n    type            cellZone;\n    cellLabels      List<label>\n" +
                 count_line(static_cast<int>(zones[p].size()));
         for (const int cell : zones[p]) {
@@ -148,7 +148,7 @@ std::string encode_boundary(const Tile& tile, const ExtrudedMesh& extruded,
         append_number(text, number);
     }
     text += '\n';
-    append_note_comments(text, "// pcvt ", tile);
+    append_note_comments(text, "// pcvt ", tile, 0);
     append_sites(text, tile);
     append_materials(text, "// pcvt ", materials);
     text += count_line(static_cast<int>(extruded.patches.size()));

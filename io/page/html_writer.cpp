@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "io/bytes/text.hpp"
+#include "io/colours/site_classes.hpp"
 #include "io/page/page_parts.hpp"
 #include "io/page/page_text.hpp"
 #include "io/tiles/finite.hpp"
-#include "mesher/tile/site_classes.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -71,7 +71,7 @@ void append_phases(std::string& text, const CellMaterials* materials) {
 /// Appends whether the sides across x and across y are walls, and the ends of each edge on a wall
 /// with the name of the wall; nothing without walls.
 void append_walls(std::string& text, const Tile& tile) {
-    if (tile.walls == Walls::kNone) return;
+    if (tile.wall_edges.empty()) return;
     append_key(text, "walls");
     append_list(text, std::array{int{has_walls_across(tile.walls, 0)},
                                  int{has_walls_across(tile.walls, 1)}});
@@ -83,7 +83,7 @@ void append_walls(std::string& text, const Tile& tile) {
             append_number(text, v);
             text += ',';
         }
-        text += json_string(wall_side_row(edge.side).word) + "]";
+        text += json_string(wall_name(tile, edge.wall)) + "]";
     }
     text += ']';
 }

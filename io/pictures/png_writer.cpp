@@ -22,6 +22,7 @@ namespace {
 constexpr PackedColour kEdgeColour = 0x565c68;
 constexpr PackedColour kGradedEdgeColour = 0x262a33;
 constexpr PackedColour kTriangleEdgeColour = 0x8b919c;
+constexpr PackedColour kHoleColour = 0xffffff;
 constexpr PackedColour kDotColour = 0x30343c;
 constexpr double kPictureSide = 800;
 constexpr double kLeastDottedSpacing = 9;
@@ -76,7 +77,8 @@ class PeriodPainter {
     }
 
     void draw_faces(const std::vector<Colour>& colour_of) {
-        std::vector<Vec2> corners;
+        std::vector<Vec2> corners{pixel({0, 0}), pixel({1, 0}), pixel({1, 1}), pixel({0, 1})};
+        if (!tile_.holes.empty()) canvas_.add_polygon(corners, kHoleColour);
         for (int f = 0; f < tile_.n_faces(); ++f) {
             checkpoint_each(f);
             corners.clear();

@@ -220,7 +220,7 @@ std::string draw_seam(const Drawing& drawing) {
     return svg + walls.element(stroke(kWallColour, drawing.width(0.13, 1.6, 7)));
 }
 
-/// The names of the walls without their prefix: "bottom, top".
+/// The names of the walls without their prefix, and of the holes: "bottom, top, fibre".
 std::string wall_names(const Tile& tile) {
     constexpr std::size_t kPrefix = std::string_view("wall_").size();
     std::string names;
@@ -228,6 +228,7 @@ std::string wall_names(const Tile& tile) {
         if (!has_walls_across(tile.walls, row.axis)) continue;
         names += (names.empty() ? "" : ", ") + std::string(row.word).substr(kPrefix);
     }
+    for (const std::string& hole : tile.holes) names += (names.empty() ? "" : ", ") + hole;
     return names;
 }
 

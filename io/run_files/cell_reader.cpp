@@ -109,8 +109,7 @@ bool is_row_of(const RowScanner& scanner, const CellRows& rows, SiteId s) {
     row.number(cells.equivalent_diameter(s));
     row.number(cells.sides[s]);
     row.number(cells.circularity(s));
-    const std::string phase =
-        materials.site_phase.empty() ? "" : materials.phase_names[materials.site_phase[s]];
+    const std::string phase = materials.phase_of(s);
     row.text(phase);
     row.text(rows.phases_are_tags ? phase : "");
     if (materials.site_orientation.empty()) {

@@ -33,8 +33,7 @@ std::string encode_cells(const CellRows& rows) {
         append(cells.equivalent_diameter(s));
         append(cells.sides[s]);
         append(cells.circularity(s));
-        const std::string phase =
-            materials.site_phase.empty() ? "" : materials.phase_names[materials.site_phase[s]];
+        const std::string phase = materials.phase_of(s);
         text += phase + ',' + (rows.phases_are_tags ? phase : "") + ',';
         if (materials.site_orientation.empty()) {
             text += ",,,";

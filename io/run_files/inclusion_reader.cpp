@@ -82,13 +82,23 @@ Shape parse_shape(const LineScanner& scanner, const ShapeRow& row,
                           ? words.size() >= row.fewest && words.size() % 2 == row.fewest % 2
                           : words.size() == row.fewest;
     if (!fits) {
-        scanner.throw_bad_file(std::string(row.article) + row.word + " has not " +
+        scanner.throw_bad_file(std::string(row.article) + row.word + " does not take " +
                                std::to_string(words.size()) + " numbers; write \"" + row.word +
                                " TAG " + row.form + "\"");
     }
     std::vector<double> numbers;
     for (const std::string_view word : words) numbers.push_back(scanner.number(word));
     return row.make(numbers);
+}
+
+std::vector<std::string_view> between_commas(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        words.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return words;
 }
 
 }  // namespace
@@ -112,19 +122,20 @@ InclusionFile parse_inclusions(const std::string& name, std::string_view text) {
 }
 
 RandomCircles parse_fibres(std::string_view text) {
-    std::vector<std::string_view> words;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        words.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
+    const std::vector<std::string_view> words = between_commas(text);
     if (words.size() != 2 && words.size() != 3) {
         throw InvalidInput(in_quotes(text) +
-                           " are no fibres; write FRACTION,N or FRACTION,N,GAP, such as 0.5,30");
+                           " does not describe fibres; write FRACTION,N or FRACTION,N,GAP, "
+                           "such as 0.5,30");
     }
     RandomCircles fibres{.fraction = parse_number(words[0]), .n = parse_integer(words[1])};
     if (words.size() == 3) fibres.gap = parse_number(words[2]);
     return fibres;
+}
+
+std::vector<std::string> parse_tags(std::string_view text) {
+    const std::vector<std::string_view> words = between_commas(text);
+    return {words.begin(), words.end()};
 }
 
 InclusionFile read_inclusions(const std::string& path) {

@@ -30,7 +30,7 @@ struct InclusionFile {
 /// Reads one inclusion a line; lengths are those of the period vectors:
 ///
 ///   circle TAG x y r
-///   ellipse TAG x y a b degrees       the semi-axis a lies at so many degrees from x
+///   ellipse TAG x y a b degrees       the axis of a is turned by `degrees` from x to y
 ///   polygon TAG x1 y1 x2 y2 x3 y3 ...
 ///
 /// A tag consists of letters, digits, _ and -, and is not `matrix`. Accepts blank lines, comments
@@ -44,5 +44,8 @@ InclusionFile read_inclusions(const std::string& path);
 /// Reads "FRACTION,N" or "FRACTION,N,GAP", such as 0.5,30.
 /// @throws InvalidInput with the remedy.
 RandomCircles parse_fibres(std::string_view text);
+
+/// Reads tags with commas between them, such as fibre,pore.
+std::vector<std::string> parse_tags(std::string_view text);
 
 }  // namespace pcvt

@@ -107,7 +107,8 @@ std::string word(const Report::Inclusions& inclusions) {
            (fibres.empty() ? "" : ", \"fibres\": [" + fibres + "]") +
            ", \"chords\": " + std::to_string(inclusions.chords) +
            ", \"fixed_sites\": " + std::to_string(inclusions.fixed_sites) +
-           ", \"held_sites\": " + std::to_string(inclusions.held_sites) + "}";
+           ", \"held_sites\": " + std::to_string(inclusions.held_sites) +
+           (inclusions.holes.empty() ? "" : ", \"holes\": " + word(inclusions.holes)) + "}";
 }
 
 std::string word(const Report::Walls& walls) {

@@ -105,6 +105,8 @@ struct Report {
         int chords;
         int fixed_sites;
         int held_sites;
+        /// The tags whose cells are left out.
+        std::vector<std::string> holes;
     };
     /// The sides that are walls, the cells beside them, and the number of sites on them.
     struct Walls {

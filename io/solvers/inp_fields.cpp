@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "io/bytes/text.hpp"
 
@@ -23,9 +24,7 @@ constexpr std::string_view kOrbitCard = "*ELSET,ELSET=ORBIT_";
 std::string card_name(const std::vector<std::string_view>& words) {
     std::string card;
     for (const std::string_view word : words) card += word;
-    for (char& c : card) {
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
+    card = upper_case(std::move(card));
     const std::size_t type = card.find("TYPE=CPS");
     if (type != std::string::npos) card.replace(type, 8, "TYPE=CPE");
     return card;
@@ -50,10 +49,19 @@ std::string_view comment_key(const std::vector<std::string_view>& words) {
     return words.size() > 2 && words[0] == "**" && words[1] == "pcvt" ? words[2] : "";
 }
 
+/// The names of the sets of nodes and of sides on a hole.
+void add_hole_sets(std::string_view hole, std::vector<std::string>& sets) {
+    const std::string name = upper_case(std::string(hole));
+    if (std::find(sets.begin(), sets.end(), name) != sets.end()) return;
+    sets.push_back(name);
+    sets.push_back(name + "_SIDES,TYPE=ELEMENT");
+}
+
 /// Whether the tile determines the data of a card.
-bool follows_from_tile(const std::string& card) {
+bool follows_from_tile(const std::string& card, const std::vector<std::string>& hole_sets) {
     if (is_set(card) || is_surface(card)) {
         const std::string_view name = std::string_view(card).substr(card.find('=') + 1);
+        if (std::find(hole_sets.begin(), hole_sets.end(), name) != hole_sets.end()) return true;
         return std::any_of(kSets.begin(), kSets.end(),
                            [&](std::string_view set) { return name.starts_with(set); });
     }
@@ -80,6 +88,13 @@ void normalise_set(std::vector<FileWord>& words) {
 
 }  // namespace
 
+std::string upper_case(std::string word) {
+    for (char& c : word) {
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    }
+    return word;
+}
+
 std::optional<FileFields> inp_fields(const std::string& name, std::string_view text) {
     FileFields fields{.name = name};
     LineScanner scanner(name, text);
@@ -89,14 +104,18 @@ std::optional<FileFields> inp_fields(const std::string& name, std::string_view t
     bool numbers_alone = false;
     bool has_materials = false;
     bool has_orbits = false;
+    std::vector<std::string> hole_sets;
     while (scanner.next()) {
         const std::string_view key = comment_key(scanner.words());
         has_materials = has_materials || key == "phases" || key == "angles";
         has_orbits = has_orbits || key == "site_orbits";
+        if (key == "hole" && scanner.words().size() > 3) {
+            add_hole_sets(scanner.words()[3], hole_sets);
+        }
         if (scanner.words().empty() || scanner.words().front().starts_with("**")) continue;
         if (scanner.words().front().front() == '*') {
             const std::string card = card_name(scanner.words());
-            const bool follows = follows_from_tile(card) ||
+            const bool follows = follows_from_tile(card, hole_sets) ||
                                  (has_materials && follows_from_materials(card)) ||
                                  (has_orbits && card.starts_with(kOrbitCard));
             words = follows ? &fields.parts[card] : nullptr;

@@ -18,4 +18,7 @@ namespace pcvt {
 ///     compare_fields(*inp_fields(path, text), *inp_fields(path, expected_text));
 std::optional<FileFields> inp_fields(const std::string& name, std::string_view text);
 
+/// Returns a word in upper case, as solvers read names.
+std::string upper_case(std::string word);
+
 }  // namespace pcvt

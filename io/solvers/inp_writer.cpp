@@ -13,6 +13,7 @@
 #include "io/elements/solver_nodes.hpp"
 #include "io/elements/triangle_cells.hpp"
 #include "io/elements/triangle_elements.hpp"
+#include "io/solvers/inp_fields.hpp"
 #include "io/solvers/inp_sections.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/material_words.hpp"
@@ -62,13 +63,6 @@ double largest_number(const Tile& tile) {
         largest = std::max(largest, translation.cwiseAbs().maxCoeff());
     }
     return largest;
-}
-
-std::string upper_case(std::string word) {
-    for (char& c : word) {
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
-    return word;
 }
 
 /// Builds the text of one file, card by card.
@@ -131,7 +125,7 @@ class InpText {
             append_number(text_, number);
         }
         text_ += '\n';
-        append_note_comments(text_, "** pcvt ", tile_);
+        append_note_comments(text_, "** pcvt ", tile_, 1);
         for (std::size_t k = 0; k < tile_.vertex_site.size(); ++k) {
             text_ += k % kSitesALine != 0 ? " " : k == 0 ? "** pcvt sites " : "\n** pcvt sites ";
             append_number(text_, tile_.vertex_site[k]);
@@ -220,7 +214,7 @@ class InpText {
         append_node_set("GRAIN_BOUNDARY", contacts.of_two_cells);
         append_node_set("TRIPLE_POINTS", contacts.of_three_cells);
         std::map<Offset, std::set<int>> seams;
-        std::map<WallSide, std::set<int>> walls;
+        std::map<WallId, std::set<int>> walls;
         for (const SeamSegment& segment : seam_segments(tile_, nodes_.middles)) {
             std::set<int>& ids = segment.wall ? walls[*segment.wall] : seams[segment.offset];
             ids.insert(segment.vertices.begin(), segment.vertices.end());
@@ -232,16 +226,16 @@ class InpText {
         for (auto& [wall, ids] : walls) {
             // Solvers refuse boundary conditions on nodes that an equation determines.
             for (const VertexPair& pair : nodes_.pairs) ids.erase(pair.w);
-            append_node_set(upper_case(wall_side_row(wall).word), {ids.begin(), ids.end()});
+            append_node_set(upper_case(wall_name(tile_, wall)), {ids.begin(), ids.end()});
         }
         if (!is_box()) text_ += "*NSET,NSET=FIXED\n1\n";
     }
 
     /// Appends the sides of elements on each wall: side k of a triangle begins at its corner k.
     void append_wall_sides() {
-        std::map<std::pair<int, int>, WallSide> wall_of;
-        for (const WallEdge& edge : tile_.wall_edges) wall_of[{edge.v0, edge.v1}] = edge.side;
-        std::map<WallSide, std::string> sides;
+        std::map<std::pair<int, int>, WallId> wall_of;
+        for (const WallEdge& edge : tile_.wall_edges) wall_of[{edge.v0, edge.v1}] = edge.wall;
+        std::map<WallId, std::string> sides;
         for (int f = 0; !wall_of.empty() && f < tile_.n_faces(); ++f) {
             const auto& corners = tile_.faces[f];
             for (int k = 0; k < 3; ++k) {
@@ -252,7 +246,7 @@ class InpText {
             }
         }
         for (const auto& [wall, lines] : sides) {
-            text_ += "*SURFACE,NAME=" + upper_case(wall_side_row(wall).word) +
+            text_ += "*SURFACE,NAME=" + upper_case(wall_name(tile_, wall)) +
                      "_SIDES,TYPE=ELEMENT\n" + lines;
         }
     }

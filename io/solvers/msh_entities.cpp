@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
 
 #include "io/elements/seam_segments.hpp"
@@ -128,31 +129,35 @@ class EntityFinder {
         for (const VertexPair& pair : tile_.vertex_pairs) is_point_[pair.w] = is_point_[pair.v];
     }
 
-    /// The face on the left of each boundary edge, by the vertex where the edge begins.
-    std::vector<int> boundary_faces() const {
-        std::vector<int> to(tile_.points.size(), -1);
+    using Ends = std::array<int, 2>;
+
+    /// The face on the left of each boundary edge, by the ends of the edge.
+    std::map<Ends, int> boundary_faces() const {
+        std::map<Ends, int> face;
         for (const SeamSegment& segment : segments_) {
-            for (std::size_t k = 0; k + 1 < segment.vertices.size(); ++k)
-                to[segment.vertices[k]] = segment.vertices[k + 1];
+            for (std::size_t k = 0; k + 1 < segment.vertices.size(); ++k) {
+                face[{segment.vertices[k], segment.vertices[k + 1]}] = -1;
+            }
         }
-        std::vector<int> face(tile_.points.size(), -1);
         const std::vector<int>& vertex = tile_.faces.corners;
         for (int c = 0; c < static_cast<int>(vertex.size()); ++c) {
-            if (to[vertex[c]] == vertex[next(c)]) face[vertex[c]] = c / 3;
+            const auto found = face.find({vertex[c], vertex[next(c)]});
+            if (found != face.end()) found->second = c / 3;
         }
         return face;
     }
 
     void make_seam_curves() {
-        const std::vector<int> face = boundary_faces();
+        const std::map<Ends, int> face = boundary_faces();
         std::vector<int> begin;
         for (const SeamSegment& segment : segments_) {
             begin.push_back(n_curves());
             for (std::size_t k = 0; k + 1 < segment.vertices.size(); ++k) {
                 const int v = segment.vertices[k];
                 if (is_point_[v]) {
+                    const int left = face.at({v, segment.vertices[k + 1]});
                     entities_.curves.push_back({.vertices = {v},
-                                                .left = surface_of_[face[v]],
+                                                .left = surface_of_[left],
                                                 .offset = segment.offset,
                                                 .wall = segment.wall});
                 }

@@ -21,7 +21,7 @@ struct MshCurve {
     Offset offset = {};
     int partner = -1;
     /// The wall on which it lies; nothing elsewhere.
-    std::optional<WallSide> wall = {};
+    std::optional<WallId> wall = {};
 
     bool bounds_tile() const { return right < 0; }
     bool is_seam() const { return bounds_tile() && !wall; }
@@ -59,7 +59,7 @@ struct MshEntities {
 ///
 /// @param nodes  solver_nodes() of the tile.
 /// @pre the tile consists of triangles and has its edge_pairs and wall_edges.
-/// @throws InternalError where its boundary is not one loop.
+/// @throws InternalError where its boundary does not consist of loops.
 MshEntities msh_entities(const Tile& tile, const SolverNodes& nodes);
 
 }  // namespace pcvt

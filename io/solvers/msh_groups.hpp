@@ -14,8 +14,6 @@ namespace pcvt {
 /// The physical group of the curves between cells, and the beginning of the name of a cell's group.
 inline constexpr const char* kGrainBoundary = "grain_boundary";
 inline constexpr const char* kCellGroup = "cell_";
-/// The same of a phase.
-inline constexpr const char* kPhaseGroup = "phase_";
 
 /// A line of an MSH file, and the tag of its curve.
 struct MshLine {

@@ -26,7 +26,7 @@ struct MshModel {
     /// The physical group of all curves with one offset.
     std::map<Offset, int> seam_groups = {};
     /// The physical group of all curves on one wall.
-    std::map<WallSide, int> wall_groups = {};
+    std::map<WallId, int> wall_groups = {};
     int boundary_group = 0;
     bool has_boundary = false;
     /// The group of the first phase.

@@ -52,7 +52,7 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model,
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
     text += "pcvt kind " + file_word(tile.kind) + "\npcvt lattice ";
     append_line(text, {a.x(), a.y(), b.x(), b.y()});
-    append_note_comments(text, "pcvt ", tile);
+    append_note_comments(text, "pcvt ", tile, 1);
     append_materials(text, "pcvt ", model.materials);
     append_site_orbits(text, "pcvt ", site_orbits);
     text += "$EndComments\n$PhysicalNames\n";
@@ -63,7 +63,7 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model,
         append_name(text, kCurves, group, seam_name(offset));
     }
     for (const auto& [wall, group] : model.wall_groups) {
-        append_name(text, kCurves, group, wall_side_row(wall).word);
+        append_name(text, kCurves, group, wall_name(tile, wall));
     }
     if (model.has_boundary) append_name(text, kCurves, model.boundary_group, kGrainBoundary);
     for (const MshSurface& cell : model.entities.surfaces) {
@@ -71,7 +71,7 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model,
     }
     for (const int phase : model.phases) {
         append_name(text, kSurfaces, model.phase_group + phase,
-                    kPhaseGroup + model.materials.phase_names[phase]);
+                    phase_group(model.materials.phase_names[phase]));
     }
     text += "$EndPhysicalNames\n";
 }

@@ -13,9 +13,11 @@ namespace {
 using Event = XmlScanner::Event;
 
 /// SECTION/NAME of the arrays. The array of points may have any name.
-constexpr std::array<std::string_view, 14> kArrays{"FieldData/PeriodicLattice",
+constexpr std::array<std::string_view, 16> kArrays{"FieldData/PeriodicLattice",
                                                    "FieldData/PhaseNames",
                                                    "FieldData/SitePhases",
+                                                   "FieldData/HoleNames",
+                                                   "FieldData/HoleEdges",
                                                    "PointData/GlobalIds",
                                                    "PointData/PeriodicPointIds",
                                                    "PointData/PeriodicOffset",

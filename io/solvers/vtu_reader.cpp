@@ -30,6 +30,7 @@ class VtuTile {
         if (const VtuArray* periods = arrays_.find("FieldData/PeriodicLattice"))
             take_lattice(*periods);
         if (arrays_.find("FieldData/SitePositions")) take_site_notes();
+        if (arrays_.find("FieldData/HoleNames")) take_holes();
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
         if (!file_.sites.empty() && arrays_.find("CellData/Orbit")) take_site_orbits();
@@ -126,6 +127,24 @@ class VtuTile {
                 take_note(note, array.values, file_.notes);
             } catch (const InvalidInput& fault) {
                 throw_bad_file(array.line, fault.what());
+            }
+        }
+    }
+
+    void take_holes() {
+        const std::vector<std::string> names =
+            strings(arrays_.get("FieldData/HoleNames", -1, 1, true));
+        const VtuArray& edges = arrays_.get("FieldData/HoleEdges", -1, 3, true);
+        for (std::size_t k = 0; k < edges.size(); k += 3) {
+            const int hole = edges.integer(k);
+            if (hole < 0 || hole >= std::ssize(names)) {
+                throw_bad_file(edges.lines[k], "an edge lies at a hole without a name");
+            }
+            try {
+                file_.notes.add_hole_edge(names[std::size_t(hole)], edges.values[k + 1],
+                                          edges.values[k + 2]);
+            } catch (const InvalidInput& fault) {
+                throw_bad_file(edges.lines[k], fault.what());
             }
         }
     }

@@ -1,5 +1,6 @@
 #include "io/solvers/vtu_writer.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -94,6 +95,22 @@ void append_site_phases(std::string& text, const std::vector<int>& phases) {
     close_array(text);
 }
 
+/// Appends the names of holes, and the hole and the two points of each edge on one.
+void append_holes(std::string& text, const Tile& tile) {
+    if (tile.holes.empty()) return;
+    append_strings(text, "HoleNames", tile.holes);
+    const auto n = std::count_if(tile.wall_edges.begin(), tile.wall_edges.end(),
+                                 [](const WallEdge& edge) { return edge.wall.is_hole(); });
+    open_array(text, "Int32", "HoleEdges",
+               " NumberOfTuples=\"" + std::to_string(n) + "\" NumberOfComponents=\"3\"");
+    for (const auto& [wall, v, w] : tile.wall_edges) {
+        if (!wall.is_hole()) continue;
+        for (const int number : {wall.hole(), v, w}) append_word(text, number);
+        end_line(text);
+    }
+    close_array(text);
+}
+
 void append_field_data(std::string& text, const Tile& tile, const CellMaterials& materials) {
     text += "<FieldData>\n";
     if (!materials.site_phase.empty()) {
@@ -102,6 +119,7 @@ void append_field_data(std::string& text, const Tile& tile, const CellMaterials&
     }
     append_vectors(text, "PeriodicLattice", {tile.lattice.a(), tile.lattice.b()});
     for (const StatedNote& stated : stated_notes(tile, true)) append_note(text, stated);
+    append_holes(text, tile);
     text += "</FieldData>\n";
 }
 

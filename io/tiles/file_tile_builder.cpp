@@ -102,6 +102,20 @@ bool take_note_comment(const LineScanner& scanner, std::string_view key,
     return true;
 }
 
+void take_hole_comment(const LineScanner& scanner, std::span<const std::string_view> words,
+                       int index_base, SiteNotes& notes) {
+    if (words.empty()) scanner.throw_bad_file("a hole lacks its name and its edges; give both");
+    std::vector<double> vertices;
+    for (const std::string_view word : words.subspan(1)) {
+        vertices.push_back(double(scanner.integer(word)) - index_base);
+    }
+    try {
+        take_hole_note(words.front(), vertices, notes);
+    } catch (const InvalidInput& fault) {
+        scanner.throw_bad_file(fault.what());
+    }
+}
+
 }  // namespace
 
 void FileTileBuilder::add_face(const std::vector<int>& vertices, int line) {
@@ -113,6 +127,10 @@ bool FileTileBuilder::take_comment(const LineScanner& scanner, std::string_view 
                                    std::span<const std::string_view> words) {
     if (key == "sites") {
         for (const std::string_view word : words) sites.push_back(scanner.integer(word));
+        return true;
+    }
+    if (key == "hole") {
+        take_hole_comment(scanner, words, index_base, notes);
         return true;
     }
     if (key == "site_orbits") {
@@ -154,7 +172,11 @@ void give_sites(FileTileBuilder file, Tile& tile) {
                                  std::to_string(owners) + (of_faces ? " faces" : " vertices") +
                                  "; give one each or none");
     }
-    std::move(file.notes).give_to(tile);
+    try {
+        std::move(file.notes).give_to(tile);
+    } catch (const InvalidInput& fault) {
+        throw_bad_file(file, fault.what());
+    }
     (of_faces ? tile.face_site : tile.vertex_site) = std::move(file.sites);
 }
 

@@ -55,7 +55,8 @@ struct FileTileBuilder {
 
     void add_face(const std::vector<int>& vertices, int line);
     /// Reads the words after the key of the comments `kind ...`, `lattice ax ay bx by`,
-    /// `sites s ...` and `site_orbits k ...`, and of those of append_note_comments().
+    /// `sites s ...` and `site_orbits k ...`, and of those of append_note_comments(). Vertices of
+    /// numbered ones are counted from `index_base` in the order of their numbers.
     /// @returns whether the key is one of these.
     /// @throws BadFile if they are malformed or were read before.
     bool take_comment(const LineScanner& scanner, std::string_view key,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -103,6 +104,14 @@ bool is_on_wall(const FileTileBuilder& file, const MidsideNode& edge, const Latt
     return std::any_of(kWallSides.begin(), kWallSides.end(), is_on);
 }
 
+/// The ends of the edges of holes, the lower one first; corners precede other nodes in files of
+/// tiles with holes.
+std::set<std::pair<int, int>> hole_edges(const FileTileBuilder& file) {
+    std::set<std::pair<int, int>> edges;
+    for (const WallEdge& edge : file.notes.hole_edges) edges.insert(std::minmax(edge.v0, edge.v1));
+    return edges;
+}
+
 /// Each pair of middle nodes is a translation, each one on the seam belongs to one pair.
 void require_pairs(const FileTileBuilder& file, const std::vector<MidsideNode>& edges,
                    const Lattice& lattice, double tolerance) {
@@ -122,8 +131,10 @@ void require_pairs(const FileTileBuilder& file, const std::vector<MidsideNode>& 
         }
         paired[pair.v] = paired[pair.w] = true;
     }
+    const std::set<std::pair<int, int>> at_holes = hole_edges(file);
     for (const MidsideNode& edge : edges) {
-        const bool is_wall = edge.n_faces == 1 && is_on_wall(file, edge, lattice, tolerance);
+        const bool is_wall = edge.n_faces == 1 && (is_on_wall(file, edge, lattice, tolerance) ||
+                                                   at_holes.contains({edge.low, edge.high}));
         if ((edge.n_faces == 1 && !is_wall) == paired[edge.node]) continue;
         throw_bad_file(file, edge.line,
                        node_name(file, edge.node) +

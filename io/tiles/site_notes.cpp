@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "io/bytes/char_set.hpp"
 #include "io/bytes/text.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
@@ -16,6 +17,11 @@ namespace {
 
 /// The width of the forms of comments, before their meanings.
 constexpr std::size_t kMeaningColumn = 27;
+
+constexpr CharSet kNameLetters("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-");
+/// Above all indices of vertices.
+constexpr double kMostHoleVertices = 2147483647;
+constexpr std::size_t kHoleEdgesALine = 8;
 
 std::vector<double> periods(const Tile& tile) { return {double(tile.columns), double(tile.rows)}; }
 
@@ -163,8 +169,30 @@ void SiteNotes::give_to(Tile& tile) && {
     tile.metric = metric;
     tile.walls = walls;
     tile.wall_edges = edges_on_walls(tile);
+    for (const WallEdge& edge : hole_edges) {
+        if (std::max(edge.v0, edge.v1) >= tile.n_vertices()) {
+            throw InvalidInput("a hole has an edge at a vertex that does not exist");
+        }
+    }
+    std::sort(hole_edges.begin(), hole_edges.end());
+    tile.wall_edges.insert(tile.wall_edges.end(), hole_edges.begin(), hole_edges.end());
+    tile.holes = std::move(holes);
     tile.site_positions = std::move(positions);
     tile.site_weights = std::move(weights);
+}
+
+void SiteNotes::add_hole_edge(std::string_view name, double v0, double v1) {
+    if (name.empty() || kNameLetters.skip_in(name) < name.size()) {
+        throw InvalidInput("a hole's name consists of letters, digits, _ and -");
+    }
+    for (const double v : {v0, v1}) {
+        if (v >= 0 && v < kMostHoleVertices && v == std::floor(v)) continue;
+        throw InvalidInput("the edge of a hole needs two vertices");
+    }
+    const auto known = std::find(holes.begin(), holes.end(), name);
+    const WallId wall = WallId::hole(static_cast<int>(known - holes.begin()));
+    if (known == holes.end()) holes.emplace_back(name);
+    hole_edges.push_back({wall, static_cast<int>(v0), static_cast<int>(v1)});
 }
 
 std::span<const SiteNote> site_notes() { return rows(); }
@@ -229,7 +257,26 @@ void append_tile_notes(std::string& text, std::string_view mark,
     }
 }
 
-void append_note_comments(std::string& text, std::string_view mark, const Tile& tile) {
+void append_hole_comments(std::string& text, std::string_view mark, const Tile& tile,
+                          int index_base) {
+    std::size_t in_line = 0;
+    const WallEdge* before = nullptr;
+    for (const WallEdge& edge : tile.wall_edges) {
+        if (!edge.wall.is_hole()) continue;
+        if (before == nullptr || before->wall != edge.wall || in_line == kHoleEdgesALine) {
+            if (before != nullptr) text += '\n';
+            ((text += mark) += "hole ") += wall_name(tile, edge.wall);
+            in_line = 0;
+        }
+        for (const int v : {edge.v0, edge.v1}) append_part(text, v + index_base);
+        ++in_line;
+        before = &edge;
+    }
+    if (before != nullptr) text += '\n';
+}
+
+void append_note_comments(std::string& text, std::string_view mark, const Tile& tile,
+                          int index_base) {
     const std::vector<StatedNote> notes = stated_notes(tile);
     append_tile_notes(text, mark, notes);
     const SiteRows sites = site_rows(notes);
@@ -238,6 +285,7 @@ void append_note_comments(std::string& text, std::string_view mark, const Tile& 
         for (const double number : sites[s]) append_part(text, number);
         text += '\n';
     }
+    append_hole_comments(text, mark, tile, index_base);
 }
 
 void append_note_meanings(std::string& text, std::string_view mark) {
@@ -275,7 +323,18 @@ void take_site_note(std::span<const double> numbers, SiteNotes& notes) {
     if (!numbers.empty()) throw InvalidInput("a site has more numbers than x, y and weight");
 }
 
+void take_hole_note(std::string_view name, std::span<const double> numbers, SiteNotes& notes) {
+    if (numbers.empty() || numbers.size() % 2 != 0) {
+        throw InvalidInput("the note hole is unclear; write a name and two vertices an edge");
+    }
+    for (std::size_t k = 0; k < numbers.size(); k += 2) {
+        notes.add_hole_edge(name, numbers[k], numbers[k + 1]);
+    }
+}
+
 bool same_site_notes(const Tile& file, const Tile& tile) {
+    if (file.holes != tile.holes) return false;
+    if (!tile.holes.empty() && file.wall_edges != tile.wall_edges) return false;
     if (file.site_positions.empty()) return true;
     return std::all_of(rows().begin(), rows().end(), [&](const SiteNote& note) {
         return note.numbers(file) == note.numbers(tile);

@@ -13,7 +13,7 @@ namespace pcvt {
 /// ids.
 ///
 /// Example usage, of a writer and of a reader:
-///   append_note_comments(text, "# pcvt ", tile);
+///   append_note_comments(text, "# pcvt ", tile, 1);
 ///   for (const StatedNote& stated : stated_notes(tile)) write(stated.note->array, stated.numbers);
 ///
 ///   SiteNotes notes;
@@ -29,9 +29,17 @@ struct SiteNotes {
     /// Tile::site_positions and Tile::site_weights.
     std::vector<Vec2> positions = {};
     std::vector<double> weights = {};
+    /// Tile::holes, and the edges on them among Tile::wall_edges.
+    std::vector<std::string> holes = {};
+    std::vector<WallEdge> hole_edges = {};
 
+    /// Adds an edge of a hole, which may be new.
+    /// @throws InvalidInput if the name has other characters than letters, digits, _ and -, or a
+    ///         vertex is negative or too large for a mesh.
+    void add_hole_edge(std::string_view name, double v0, double v1);
     /// Gives all quantities to a tile, which has its points and faces; positions without numbers of
     /// periods cover one.
+    /// @throws InvalidInput if the edge of a hole ends at a vertex that does not exist.
     void give_to(Tile& tile) &&;
 };
 
@@ -99,8 +107,15 @@ SiteRows site_rows(const std::vector<StatedNote>& notes);
 void append_tile_notes(std::string& text, std::string_view mark,
                        const std::vector<StatedNote>& notes);
 
-/// Appends all notes as lines of text: `MARKmetric 3 30`, and one `MARKsite x y weight` a site.
-void append_note_comments(std::string& text, std::string_view mark, const Tile& tile);
+/// Appends the edges of holes as lines of text, two vertices each: `MARKhole TAG v0 v1 v2 v3 ...`.
+/// @param index_base  the number of the first vertex.
+void append_hole_comments(std::string& text, std::string_view mark, const Tile& tile,
+                          int index_base);
+
+/// Appends all notes as lines of text: `MARKmetric 3 30`, one `MARKsite x y weight` a site, and the
+/// edges of holes.
+void append_note_comments(std::string& text, std::string_view mark, const Tile& tile,
+                          int index_base);
 
 /// Appends one line a note that explains its comment to a reader of the file.
 void append_note_meanings(std::string& text, std::string_view mark);
@@ -113,7 +128,13 @@ void take_note(const SiteNote& note, std::span<const double> numbers, SiteNotes&
 /// @throws InvalidInput as take_note().
 void take_site_note(std::span<const double> numbers, SiteNotes& notes);
 
-/// Whether both tiles have the same notes; true of a file without positions of sites.
+/// Takes the words of a comment `hole`.
+/// @param numbers  those after the name, less the index base.
+/// @throws InvalidInput as SiteNotes::add_hole_edge(), or if there is a number too many.
+void take_hole_note(std::string_view name, std::span<const double> numbers, SiteNotes& notes);
+
+/// Whether both tiles have the same notes; true of a file without positions of sites. Both have the
+/// same edges of holes in any case.
 bool same_site_notes(const Tile& file, const Tile& tile);
 
 }  // namespace pcvt

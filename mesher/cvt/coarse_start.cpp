@@ -12,20 +12,8 @@
 namespace pcvt {
 namespace {
 
-/// How often the number of sites is quadrupled. More levels lead to lower minima, but the last
-/// optimisation then takes longer.
-constexpr int kRefinements = 2;
-/// Problems with at most this many sites are not coarsened further.
-constexpr int kCoarsest = 16;
-/// The largest shake of a coordinate, in units of h of the finer problem. Without it, sites stay at
-/// their initial positions even where their neighbourhood is a poor one.
-constexpr double kShake = 0.25;
 /// The ratio of h to the distance between neighbours in a hexagonal arrangement.
 const double kSpacingPerEdge = std::sqrt(std::sqrt(3.0) / 2);
-/// The RMS residual at which a coarser problem is left for the next one, and the RMS residual below
-/// which its long waves are preconditioned.
-constexpr double kRmsTolerance = 1e-4;
-constexpr double kPreconditionBelow = 1e-3;
 
 /// The sites of the finer problem before they are shaken.
 struct Refined {
@@ -117,33 +105,6 @@ void fold_between_walls(const Lattice& domain, Walls walls, Points& points) {
     }
 }
 
-/// Measures how much of the work of all levels is done, from the sizes of the levels and from the
-/// digits that the RMS residual of the current one has lost.
-class LevelShare {
-   public:
-    LevelShare(double n_sites, const std::vector<int>& finer) : n_sites_(n_sites), n_all_(n_sites) {
-        for (std::size_t k = 1; k < finer.size(); ++k) n_all_ += finer[k];
-    }
-    double at(double rms) {
-        if (first_ == 0) first_ = rms;
-        const bool measurable = first_ > kRmsTolerance && rms > 0;
-        const double digits =
-            measurable ? std::log(first_ / rms) / std::log(first_ / kRmsTolerance) : 0;
-        return (n_before_ + n_sites_ * std::clamp(digits, 0.0, 1.0)) / n_all_;
-    }
-    void next_level(double n_sites) {
-        n_before_ += n_sites_;
-        n_sites_ = n_sites;
-        first_ = 0;
-    }
-
-   private:
-    double n_sites_;
-    double n_all_;
-    double n_before_ = 0;
-    double first_ = 0;
-};
-
 /// Moves each site by a random fraction of the shake.
 Points shaken(Refined sites, std::uint64_t seed) {
     std::mt19937_64 generator(seed);
@@ -176,37 +137,17 @@ Refined optimised(const Lattice& lattice, Points points, const CvtOptions& level
 }  // namespace
 
 Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options) {
-    // Compute the number of sites of each level.
-    const int n_wanted = n;
-    std::vector<int> finer;
-    for (; finer.size() < kRefinements && n > kCoarsest; n = (n + 3) / 4) finer.push_back(n);
-    // Draw the sites of the coarsest level.
-    Points points = options.density ? graded_points(lattice, *options.density, n, options.seed)
-                                    : uniform_points(lattice, n, options.seed);
+    const int n_coarsest = coarsest_level(n);
+    Points points = options.density
+                        ? graded_points(lattice, *options.density, n_coarsest, options.seed)
+                        : uniform_points(lattice, n_coarsest, options.seed);
     // Optimise each level, refine it and shake the sites of the next.
-    LevelShare done(n, finer);
-    for (; !finer.empty(); finer.pop_back()) {
-        bool cancelled = false;
-        CvtOptions level;
-        // Where the density is not smooth, an RMS residual of 1e-4 may be out of reach.
-        level.tolerance = options.density ? kRmsTolerance : 0;
-        level.n_threads = options.n_threads;
-        level.precondition_below = kPreconditionBelow;
-        level.density = options.density;
-        const double share = double(points.cols()) / n_wanted;
-        level.progress = [&](Progress progress) {
-            progress.value *= share;
-            progress.share = done.at(progress.rms_residual);
-            cancelled = options.progress && !options.progress(progress);
-            return !cancelled && progress.rms_residual > kRmsTolerance;
-        };
-        const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(finer.back());
-        Refined refined = optimised(lattice, std::move(points), level, options, finer.back(), seed);
-        if (cancelled) return {};
-        done.next_level(finer.back());
+    const auto refine = [&](const CvtOptions& level, int n_finer, std::uint64_t seed) {
+        Refined refined = optimised(lattice, std::move(points), level, options, n_finer, seed);
         points = shaken(std::move(refined), seed);
         fold_between_walls(lattice, options.walls, points);
-    }
+    };
+    if (!run_coarse_levels({.n_orbits = n}, options, refine)) return {};
     return points;
 }
 

@@ -1,29 +1,8 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/lattice/walls.hpp"
+#include "mesher/cvt/coarse_levels.hpp"
 
 namespace pcvt {
-
-/// The value of CvtOptions::precondition_below for a run that begins with a coarse start, in which
-/// long waves have converged already.
-inline constexpr double kPreconditionAfterCoarse = 3e-3;
-
-struct CoarseStartOptions {
-    std::uint64_t seed = 0;
-    /// At least 1. The result does not depend on it.
-    int n_threads = 1;
-    /// `nullopt`: rho = 1. With a density, shakes are proportional to the local spacing.
-    std::optional<Density> density = {};
-    /// The sides of the lattice, upright then, that are walls; the sites lie between them.
-    Walls walls = Walls::kNone;
-    /// Called once per iteration of the coarser problems, with energies scaled to n sites;
-    /// returning false cancels.
-    ProgressCallback progress;
-};
 
 /// Computes initial sites for an optimisation, from coarse to fine.
 ///

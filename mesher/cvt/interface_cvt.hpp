@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "mesher/cvt/cvt.hpp"
+#include "mesher/cvt/walled_cvt.hpp"
 #include "mesher/interfaces/interface_sites.hpp"
 
 namespace pcvt {
@@ -12,8 +12,10 @@ struct InterfaceCvt {
     /// The seeds first, then the free sites. Energies are those of all cells; residuals are those
     /// of the free sites.
     CvtResult cvt;
+    /// Between walls: `cvt` is that of the domain and its mirror images, as in WalledCvt.
+    std::optional<WalledDomain> walled = {};
     InterfaceSites interfaces;
-    /// Of each site: its inclusion, or -1, and the tag of that inclusion, or 0.
+    /// Of each site of the domain: its inclusion, or -1, and the tag of that inclusion, or 0.
     std::vector<int> inclusion;
     std::vector<int> tag;
     /// Free sites that were stopped at a circle, where they would have moved on.
@@ -36,14 +38,17 @@ struct InterfaceCvt {
 ///   (2) No site lies inside of a circle.
 ///   (3) interface_violation() finds nothing wrong (mesh/interface_proof.hpp).
 ///
-/// @param n        sites in all.
-/// @param options  without fixed sites and guard; sites are numbered as said above.
-/// @throws InvalidInput naming a number that suffices if n is too small.
+/// @param n        sites in all, of the domain.
+/// @param options  a density is that of the domain; without fixed sites and guard; sites are
+/// numbered as said above.
+/// @param cells    of a set between walls.
+/// @throws InvalidInput naming a number that suffices if n is too small; an outline is too near to
+///         a wall for half cells, or these do not come about.
 /// @throws as place_interface_sites and compute_cvt do.
 InterfaceCvt compute_interface_cvt(const InclusionSet& set, int n, std::uint64_t seed,
-                                   const CvtOptions& options);
+                                   const CvtOptions& options, WallCells cells = WallCells::kWhole);
 
-/// The inclusion in whose polygon of chords each site lies; -1: none.
+/// The inclusion in whose polygon of chords each site lies; -1: none. Mirror images lie in none.
 std::vector<int> inclusions_of_sites(const Sites& sites, const InterfaceSites& interfaces);
 
 }  // namespace pcvt

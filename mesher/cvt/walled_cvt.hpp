@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/cvt/wall_rounds.hpp"
 
@@ -31,5 +33,15 @@ struct WalledCvt {
 /// @throws as compute_cvt does.
 WalledCvt compute_walled_cvt(const Lattice& domain, Walls walls, WallCells cells, Points points,
                              const CvtOptions& options);
+
+/// Optimises sites with mirror symmetry, which remain numbered as they are.
+using SymmetricRun = std::function<CvtResult(const SymmetricSites&, const CvtOptions&)>;
+
+/// The same by another method than compute_cvt(). The first n_sites sites that `run` receives are
+/// the points, or what half cells have made of them.
+/// @param domain   without n_on_walls.
+/// @param points   2 x n_sites; they are numbered as given.
+WalledCvt compute_walled_cvt(const WalledDomain& domain, WallCells cells, Points points,
+                             const CvtOptions& options, const SymmetricRun& run);
 
 }  // namespace pcvt

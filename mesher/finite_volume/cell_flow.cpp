@@ -20,8 +20,7 @@ CellShapes cell_shapes(const Tile& tile) {
     Polygon polygon;
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
-        polygon.clear();
-        for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
+        face_polygon(tile.points, tile.faces[f], polygon);
         shapes.centroids.push_back(polygon_centroid(polygon));
         shapes.areas.push_back(polygon_area(polygon));
     }
@@ -96,8 +95,9 @@ class Dissipation {
     }
 
     void add_wall(const ExtrudedPatch& patch) {
-        const int axis = wall_side_row(*patch.wall).axis;
-        const double line = wall_line(*patch.wall, extruded_.lattice);
+        const WallSide side = patch.wall->side();
+        const int axis = wall_side_row(side).axis;
+        const double line = wall_line(side, extruded_.lattice);
         for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
             const int owner = extruded_.owner[f];
             const double distance = std::abs(line - shapes_.centroids[owner][axis]);
@@ -110,6 +110,19 @@ class Dissipation {
     const std::vector<Vec2>& velocity_;
     double sum_ = 0;
 };
+
+/// Whether the cells hold too little of the flow, or damp it too little.
+bool are_too_large(const DecayingFlow& flow, const Tile& tile, const ExtrudedMesh& extruded,
+                   const CellShapes& shapes, const std::vector<Vec2>& velocity) {
+    double energy = 0;
+    for (std::size_t c = 0; c < shapes.areas.size(); ++c) {
+        energy += shapes.areas[c] * velocity[c].squaredNorm();
+    }
+    const double dissipation = Dissipation(extruded, shapes, velocity).sum();
+    const double exact_energy = tile.lattice.area() * flow.mean_square_speed();
+    return !(energy > CellFlow::kLeastEnergy * exact_energy) ||
+           !(dissipation > CellFlow::kLeastDamping * flow.rate() * energy);
+}
 
 }  // namespace
 
@@ -124,14 +137,8 @@ CellFlow cell_flow(const DecayingFlow& flow, const Tile& tile, const ExtrudedMes
     if (tile.walls == Walls::kNone) subtract_mean(shapes.areas, Vec2(0, 0), cells.velocity);
     subtract_mean(shapes.areas, 0.0, cells.tracer);
     // Compare the damping on the cells with the exact rate.
-    double energy = 0;
-    for (std::size_t c = 0; c < shapes.areas.size(); ++c) {
-        energy += shapes.areas[c] * cells.velocity[c].squaredNorm();
-    }
-    const double dissipation = Dissipation(extruded, shapes, cells.velocity).sum();
-    const double exact_energy = tile.lattice.area() * flow.mean_square_speed();
-    cells.at_rest = !(energy > CellFlow::kLeastEnergy * exact_energy) ||
-                    !(dissipation > CellFlow::kLeastDamping * flow.rate() * energy);
+    cells.has_holes = !tile.holes.empty();
+    cells.at_rest = cells.has_holes || are_too_large(flow, tile, extruded, shapes, cells.velocity);
     if (cells.at_rest) {
         std::fill(cells.velocity.begin(), cells.velocity.end(), Vec2(0, 0));
         std::fill(cells.tracer.begin(), cells.tracer.end(), 0.0);

@@ -33,6 +33,8 @@ struct CellFlow {
     /// energy, or differences between neighbouring cells damp it at less than kLeastDamping times
     /// its rate.
     bool at_rest = false;
+    /// The flow would cross the holes of the tile, so that it starts at rest.
+    bool has_holes = false;
 
     static constexpr double kLeastEnergy = 0.5;
     static constexpr double kLeastDamping = 0.75;

@@ -252,9 +252,25 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
     }
 }
 
+/// Appends the edges under a patch of a hole.
+void read_hole(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& tile) {
+    if (*patch.wall != WallId::hole(static_cast<int>(tile.holes.size())) || patch.partner >= 0) {
+        throw_violation(kWallPatches, "patch " + patch.name + " is not the next hole");
+    }
+    tile.holes.push_back(patch.name);
+    for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
+        const Foot foot = foot_of(extruded, f);
+        tile.wall_edges.push_back({*patch.wall, foot.v, foot.w});
+    }
+}
+
 /// Appends the edges under a patch of a wall, which lie there exactly.
 void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& tile) {
-    const WallSideRow& row = wall_side_row(*patch.wall);
+    if (patch.wall->is_hole()) {
+        read_hole(extruded, patch, tile);
+        return;
+    }
+    const WallSideRow& row = wall_side_row(patch.wall->side());
     if (patch.name != row.word || patch.partner >= 0) {
         throw_violation(kWallPatches, "patch " + patch.name + " is not the wall " + row.word);
     }
@@ -268,7 +284,7 @@ void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
             throw_violation(kWallPatches,
                             "face " + to_string(f) + " lies off its patch " + patch.name);
         }
-        tile.wall_edges.push_back({row.side, foot.v, foot.w});
+        tile.wall_edges.push_back({*patch.wall, foot.v, foot.w});
     }
 }
 
@@ -276,7 +292,9 @@ void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
 Walls walls_of(Tile& tile) {
     std::sort(tile.wall_edges.begin(), tile.wall_edges.end());
     std::array<bool, kWallSides.size()> found{};
-    for (const WallEdge& edge : tile.wall_edges) found[static_cast<std::size_t>(edge.side)] = true;
+    for (const WallEdge& edge : tile.wall_edges) {
+        if (!edge.wall.is_hole()) found[static_cast<std::size_t>(edge.wall.number)] = true;
+    }
     for (const WallsRow& row : kWalls) {
         if (std::all_of(kWallSides.begin(), kWallSides.end(), [&](const WallSideRow& side) {
                 return found[static_cast<std::size_t>(side.side)] == row.across[side.axis];

@@ -165,14 +165,14 @@ void add_seams(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& e
 void add_walls(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
     ExtrudedFaces faces(extruded);
     for (const WallEdge& edge : tile.wall_edges) {
-        if (extruded.patches.empty() || extruded.patches.back().wall != edge.side) {
-            extruded.patches.push_back({.name = wall_side_row(edge.side).word,
+        if (extruded.patches.empty() || extruded.patches.back().wall != edge.wall) {
+            extruded.patches.push_back({.name = wall_name(tile, edge.wall),
                                         .first_face = extruded.n_faces(),
                                         .n_faces = 0,
                                         .partner = -1,
                                         .offset = {},
                                         .separation = Vec2(0, 0),
-                                        .wall = edge.side});
+                                        .wall = edge.wall});
         }
         faces.add_upright(edge.v0, edge.v1, face_beside(sides, edge.v0, edge.v1));
         ++extruded.patches.back().n_faces;

@@ -10,7 +10,7 @@ namespace pcvt {
 
 /// A run of boundary faces of an extruded mesh: one side of a seam, a wall, the back or the front.
 struct ExtrudedPatch {
-    /// "seam_I_J", the word of a WallSideRow, or "back" (z = 0) and "front".
+    /// "seam_I_J", the name of a wall or a hole, or "back" (z = 0) and "front".
     std::string name;
     int first_face;
     int n_faces;
@@ -20,8 +20,8 @@ struct ExtrudedPatch {
     Offset offset;
     /// The stored value of that translation, length units.
     Vec2 separation;
-    /// Of walls.
-    std::optional<WallSide> wall = {};
+    /// Of walls and holes. Holes are counted in the order of their patches.
+    std::optional<WallId> wall = {};
 };
 
 /// A tile extruded to one layer of prisms, with faces in the order that finite-volume solvers
@@ -35,8 +35,8 @@ struct ExtrudedPatch {
 ///       the mesh.
 ///   (3) Each patch of a seam matches its partner face by face, and point by point if one face is
 ///       traversed forwards and the other backwards from its first point.
-///   (4) Each wall of the tile is one patch with its name. Its faces are those above the edges on
-///       that wall.
+///   (4) Each wall of the tile is one patch with its name, and so are the holes of one name. Its
+///       faces are those above the edges on that wall.
 struct ExtrudedMesh {
     Lattice lattice;
     MeshKind kind;
@@ -62,7 +62,8 @@ struct ExtrudedMesh {
 ///   for (const ExtrudedPatch& patch : extruded.patches) std::cout << patch.name << "\n";
 ///
 /// The seam becomes one pair of patches per translation, "seam_I_J" before "seam_-I_-J", where (I,
-/// J) > 0. The patches of the walls follow in the order of kWallSides, then "back" and "front".
+/// J) > 0. The patches of the walls follow in the order of kWallSides, then those of the holes in
+/// the order of Tile::holes, then "back" and "front".
 ExtrudedMesh extruded_mesh(const Tile& tile, double thickness = 0);
 
 }  // namespace pcvt

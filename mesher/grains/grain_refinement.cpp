@@ -57,9 +57,7 @@ class Refiner {
             checkpoint_each(step);
             if (progress_ && step % kStepsBetweenReports == 0) progress_(share());
             if (grains_.n_vertices() > most_vertices_) {
-                throw LimitExceeded(
-                    "a piece of a cell is too thin to be meshed by grains; give "
-                    "another origin, or use the whole outline");
+                throw LimitExceeded(kTooThin);
             }
             if (!encroached_.empty()) {
                 split_encroached();

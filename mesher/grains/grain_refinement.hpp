@@ -11,6 +11,11 @@ namespace pcvt {
 /// slightly.
 inline constexpr double kWantedAngle = 22;
 
+/// The message for cells that need too many triangles.
+inline constexpr const char* kTooThin =
+    "a piece of a cell is too thin to be meshed by grains; give another origin, or use the whole "
+    "outline";
+
 struct RefinementSizes {
     /// For each face of the cells, the target length of the edges inside it, length units.
     std::vector<double> of_cell;

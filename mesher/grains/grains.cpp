@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/error.hpp"
 #include "mesher/grains/corner_guards.hpp"
 #include "mesher/grains/grain_refinement.hpp"
 #include "mesher/grains/grain_smoothing.hpp"
@@ -146,7 +147,25 @@ std::vector<NamedCorner> named_corners(const PeriodicMesh& cells, const Attempt&
     return named;
 }
 
+/// Requires that corners of cells are not so sharp that the triangles beside them are too many:
+/// about as many as the reciprocal of the angle says, in radians.
+void require_meshable(const PeriodicMesh& cells) {
+    constexpr double kMostSharp = 1e5;
+    constexpr double kMostSharpAVertex = 50;
+    double sum = 0;
+    for (int c = 0; c < cells.n_corners(); ++c) {
+        checkpoint_each(c);
+        const Vec2 before = cells.point(cells.previous(c)) - cells.point(c);
+        const Vec2 after = cells.point(cells.next(c)) - cells.point(c);
+        const double sine = std::abs(cross(after, before)) / (before.norm() * after.norm());
+        if (after.dot(before) > 0) sum += 1 / sine;
+    }
+    if (sum <= kMostSharp + kMostSharpAVertex * cells.n_vertices()) return;
+    throw LimitExceeded(kTooThin);
+}
+
 Grains mesh(const PeriodicMesh& cells, const Sizes& sizes) {
+    require_meshable(cells);
     const Attempt best = best_attempt(cells, sizes);
     const GrainTriangulation& grains = best.grains;
     Grains result{grains.mesh(cells), {}, named_corners(cells, best), best.smallest_angle};

@@ -21,8 +21,6 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-Vec2 turned_left(const Vec2& p) { return {-p.y(), p.x()}; }
-
 /// The distance of (x, y), both positive, from the ellipse with semi-axes a >= b along x and y.
 /// The foot is (a^2 x / (s + a^2), b^2 y / (s + b^2)) with s the largest root of a convex, falling
 /// function (D. Eberly); Newton's iteration rises towards the root from the left.
@@ -213,6 +211,57 @@ bool shapes_meet(const Shape& first, const Shape& second, const Vec2& translatio
         return with_kind(
             second, [&](const auto& other) { return meet(one, translated(other, translation)); });
     });
+}
+
+Shape mirrored(const Shape& shape, Walls walls, int r) {
+    const auto image = [&](const Vec2& p) { return mirror_image(p, walls, r); };
+    return std::visit(
+        Overloaded{[&](const Circle& circle) -> Shape {
+                       return Circle{image(circle.centre), circle.radius};
+                   },
+                   [&](const Ellipse& ellipse) -> Shape {
+                       // The reflection of an axis at x or at y has the opposite angle, up to 180
+                       // degrees.
+                       const double degrees = is_reflection(r) ? -ellipse.degrees : ellipse.degrees;
+                       return Ellipse{image(ellipse.centre), ellipse.a, ellipse.b, degrees};
+                   },
+                   [&](const Polygon& polygon) -> Shape {
+                       Polygon corners;
+                       for (const Vec2& corner : polygon) corners.push_back(image(corner));
+                       if (is_reflection(r)) std::reverse(corners.begin(), corners.end());
+                       return corners;
+                   }},
+        shape);
+}
+
+Shape translated(const Shape& shape, const Vec2& translation) {
+    return std::visit(Overloaded{[&](const Polygon& polygon) -> Shape {
+                                     return translated(polygon, translation);
+                                 },
+                                 [&](auto round) -> Shape {
+                                     round.centre += translation;
+                                     return round;
+                                 }},
+                      shape);
+}
+
+std::array<double, 2> extent(const Shape& shape, int axis) {
+    return std::visit(
+        Overloaded{[axis](const Polygon& polygon) -> std::array<double, 2> {
+                       double low = polygon[0][axis];
+                       double high = low;
+                       for (const Vec2& corner : polygon) {
+                           low = std::min(low, corner[axis]);
+                           high = std::max(high, corner[axis]);
+                       }
+                       return {low, high};
+                   },
+                   [axis](const auto& round) -> std::array<double, 2> {
+                       const EllipseAxes axes = ellipse_axes(round);
+                       const Vec2 half(axes.a * axes.along[axis], axes.b * axes.along[1 - axis]);
+                       return {axes.centre[axis] - half.norm(), axes.centre[axis] + half.norm()};
+                   }},
+        shape);
 }
 
 Circle bounding_circle(const Shape& shape) {

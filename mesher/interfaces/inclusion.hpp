@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <variant>
 #include <vector>
 
+#include "mesher/lattice/mirror_image.hpp"
 #include "mesher/lattice/polygon.hpp"
 
 namespace pcvt {
@@ -47,6 +49,14 @@ double signed_distance(const Shape& shape, const Vec2& p);
 /// Whether the second shape, translated, meets the first: whether their curves touch or one
 /// contains the other.
 bool shapes_meet(const Shape& first, const Shape& second, const Vec2& translation);
+
+/// The image r of a shape between walls (mirror_image()).
+Shape mirrored(const Shape& shape, Walls walls, int r);
+
+Shape translated(const Shape& shape, const Vec2& translation);
+
+/// The least and the largest coordinate of the shape along an axis (0: x, 1: y).
+std::array<double, 2> extent(const Shape& shape, int axis);
 
 /// A circle that contains the shape.
 Circle bounding_circle(const Shape& shape);

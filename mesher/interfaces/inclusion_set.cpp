@@ -74,14 +74,22 @@ void require_shape(Inclusion& inclusion) {
 
 }  // namespace
 
-InclusionSet::InclusionSet(const Lattice& lattice, std::vector<Inclusion> inclusions)
-    : lattice_(lattice), reduction_(reduce(lattice)), inclusions_(std::move(inclusions)) {
-    const Lattice& reduced = reduction_.reduced;
-    grid_.emplace(reduced, size());
+InclusionSet::InclusionSet(const Lattice& domain, std::vector<Inclusion> inclusions, Walls walls)
+    : domain_(domain),
+      walls_(walls),
+      lattice_(mirrored_lattice(domain, walls)),
+      reduction_(reduce(lattice_)),
+      inclusions_(std::move(inclusions)) {
     for (Inclusion& inclusion : inclusions_) {
         require_shape(inclusion);
+        require_between_walls(inclusion);
+    }
+    add_mirror_images();
+    const Lattice& reduced = reduction_.reduced;
+    grid_.emplace(reduced, size());
+    for (const Inclusion& inclusion : inclusions_) {
         const Circle bounds = bounding_circle(inclusion.shape);
-        const bool is_larger = !(shape_area(inclusion.shape) < lattice.area());
+        const bool is_larger = !(shape_area(inclusion.shape) < domain.area());
         if (is_larger || !(bounds.radius < kLongest / 2 * reduced.b().norm())) {
             refuse(inclusion, "the shape is larger than the domain; make it smaller");
         }
@@ -97,6 +105,34 @@ InclusionSet::InclusionSet(const Lattice& lattice, std::vector<Inclusion> inclus
         largest_radius_ = std::max(largest_radius_, bounds.radius);
     }
     require_apart();
+}
+
+void InclusionSet::require_between_walls(const Inclusion& inclusion) const {
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!has_walls_across(walls_, axis)) continue;
+        const auto [low, high] = extent(inclusion.shape, axis);
+        const double near = kSameVertex * (high - low);
+        const double side = side_length(domain_, axis);
+        if (low > near && high < side - near) continue;
+        const bool is_low = low <= near;
+        const auto row = find_row(kWallSides, [axis, is_low](const WallSideRow& wall) {
+            return wall.axis == axis && wall.at_end != is_low;
+        });
+        refuse(inclusion, std::string("the shape touches or crosses ") + row->word +
+                              "; move it away from the wall or leave the wall out");
+    }
+}
+
+/// Appends the images of all shapes behind the walls.
+void InclusionSet::add_mirror_images() {
+    const std::size_t n = inclusions_.size();
+    for (int r = 1; r < n_images(walls_); ++r) {
+        for (std::size_t k = 0; k < n; ++k) {
+            Inclusion image = inclusions_[k];
+            image.shape = mirrored(image.shape, walls_, r);
+            inclusions_.push_back(std::move(image));
+        }
+    }
 }
 
 /// Calls visit(k, translation) for each image of each inclusion that may lie within `distance` of
@@ -116,7 +152,7 @@ void InclusionSet::visit_images(const Vec2& p, double distance, const Visit& vis
 }
 
 void InclusionSet::require_apart() const {
-    for (int i = 0; i < size(); ++i) {
+    for (int i = 0; i < n_given(); ++i) {
         checkpoint();
         int other = size();
         const auto compare = [&](int j, const Vec2& translation) {
@@ -139,6 +175,19 @@ int InclusionSet::containing(const Vec2& p) const {
     int found = -1;
     visit_images(p, 0, [&](int k, const Vec2& translation) {
         if (signed_distance(inclusions_[k].shape, p - translation) < 0) found = k;
+    });
+    return found;
+}
+
+std::optional<Vec2> InclusionSet::in_frame_of(int k, const Vec2& p) const {
+    std::optional<Vec2> found;
+    double least = bounds_[k].radius / 2;
+    visit_images(p, least, [&](int image, const Vec2& translation) {
+        if (image != k) return;
+        const double distance = std::abs(signed_distance(inclusions_[k].shape, p - translation));
+        if (distance > least) return;
+        least = distance;
+        found = p - translation;
     });
     return found;
 }

@@ -8,6 +8,8 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/interfaces/box_nodes.hpp"
+#include "mesher/interfaces/curve_samples.hpp"
 
 namespace pcvt {
 namespace {
@@ -22,8 +24,6 @@ constexpr double kFewestChords = 6;
 /// The square of the longest chord over the shortest one and the radius. Scaling moves a circle's
 /// chords by l^2 / (12 R): by an eighth of the narrowest gap.
 constexpr double kCurvedPerGap = 2.5;
-/// How fast the length of chords changes along the curve and with the distance from a limit.
-constexpr double kGrading = 0.4;
 /// Up to this distance from a limit, in chords, it holds without growth.
 constexpr double kPlateau = 2;
 /// Samples per chord, and the largest step in degrees.
@@ -39,13 +39,6 @@ constexpr double kTipPerSide = 0.36;
 constexpr double kChordPerWedge = 1.5;
 /// Rounds up the number of chords on a side of a polygon only from this part of a chord on.
 constexpr double kSpareChord = 0.25;
-
-/// A point of the curve: its parameter, its distance along the curve, and the longest chord there.
-struct Sample {
-    double parameter;
-    double along;
-    double size;
-};
 
 /// Sizes at points of one curve.
 class CurveSizes {
@@ -71,45 +64,6 @@ class CurveSizes {
     int k_;
     const InterfaceSizing& sizing_;
 };
-
-/// Bounds how fast sizes change along a closed curve, whose last sample is the first one again.
-void grade(std::vector<Sample>& samples) {
-    const auto bound = [](Sample& sample, const Sample& neighbour) {
-        const double step = std::abs(sample.along - neighbour.along);
-        sample.size = std::min(sample.size, neighbour.size + kGrading * step);
-    };
-    for (int round = 0; round < 2; ++round) {
-        for (std::size_t k = 1; k < samples.size(); ++k) bound(samples[k], samples[k - 1]);
-        samples.front().size = std::min(samples.front().size, samples.back().size);
-        for (std::size_t k = samples.size() - 1; k-- > 0;) bound(samples[k], samples[k + 1]);
-        samples.back().size = std::min(samples.front().size, samples.back().size);
-    }
-}
-
-/// The number of chords up to each sample: the integral of 1 / size along the curve.
-std::vector<double> chord_counts(const std::vector<Sample>& samples) {
-    std::vector<double> counts{0};
-    for (std::size_t k = 1; k < samples.size(); ++k) {
-        const double step = samples[k].along - samples[k - 1].along;
-        counts.push_back(counts.back() +
-                         step * (1 / samples[k].size + 1 / samples[k - 1].size) / 2);
-    }
-    return counts;
-}
-
-/// The parameter at `to`, where `from` runs through the counts of the samples.
-template <class From, class To>
-double interpolated(double at, const std::vector<Sample>& samples, const From& from, const To& to) {
-    std::size_t low = 0;
-    std::size_t high = samples.size() - 1;
-    while (high - low > 1) {
-        const std::size_t middle = (low + high) / 2;
-        (from(middle) <= at ? low : high) = middle;
-    }
-    const double width = from(high) - from(low);
-    const double share = width > 0 ? (at - from(low)) / width : 0;
-    return to(low) + std::clamp(share, 0.0, 1.0) * (to(high) - to(low));
-}
 
 /// Sets the radii of nodes that have none from their two chords.
 void set_radii(std::vector<InterfaceNode>& nodes) {
@@ -145,7 +99,8 @@ std::vector<Sample> ellipse_samples(const EllipseAxes& ellipse, const CurveSizes
     }
 }
 
-std::vector<InterfaceNode> ellipse_nodes(const EllipseAxes& ellipse, const CurveSizes& sizes) {
+std::vector<InterfaceNode> ellipse_nodes(const InclusionSet& set, const EllipseAxes& ellipse,
+                                         const CurveSizes& sizes) {
     std::vector<Sample> samples = ellipse_samples(ellipse, sizes);
     // Chords that leave out less area need less scaling, which would close the narrowest gap.
     double least = samples[0].size;
@@ -155,18 +110,19 @@ std::vector<InterfaceNode> ellipse_nodes(const EllipseAxes& ellipse, const Curve
     grade(samples);
     const std::vector<double> counts = chord_counts(samples);
     const auto n = static_cast<std::size_t>(std::max(kFewestChords, std::ceil(counts.back())));
-    std::vector<InterfaceNode> nodes;
-    Polygon chords;
+    std::vector<double> degrees;
     for (std::size_t k = 0; k < n; ++k) {
         const double at = counts.back() * static_cast<double>(k) / static_cast<double>(n);
-        const double degrees = interpolated(
+        degrees.push_back(interpolated(
             at, samples, [&](std::size_t m) { return counts[m]; },
-            [&](std::size_t m) { return samples[m].parameter; });
-        chords.push_back(ellipse.at_degrees(degrees) - ellipse.centre);
+            [&](std::size_t m) { return samples[m].parameter; }));
     }
-    const double area = std::numbers::pi * ellipse.a * ellipse.b;
-    const double scale = std::sqrt(area / polygon_area(chords));
-    for (const Vec2& p : chords) nodes.push_back({ellipse.centre + scale * p, 0});
+    slide_onto_box(set, ellipse, degrees);
+    const double scale = scale_to_area(ellipse, degrees);
+    std::vector<InterfaceNode> nodes;
+    for (const double t : degrees) {
+        nodes.push_back({ellipse.centre + scale * (ellipse.at_degrees(t) - ellipse.centre), 0});
+    }
     set_radii(nodes);
     return nodes;
 }
@@ -179,11 +135,12 @@ double touching_width(const Vec2& p, const Vec2& n, const Vec2& from, const Vec2
         width = std::min(width, (end - p).squaredNorm() / std::abs(n.dot(end - p)));
     }
     const Vec2 side = (to - from).normalized();
-    Vec2 m(-side.y(), side.x());
+    Vec2 m = turned_left(side);
     if (m.dot(from - p) < 0) m = -m;
     for (const Vec2& normal : {n, Vec2(-n)}) {
+        // For parallel sides, rounding errors may make the denominator negative.
         const double radius = m.dot(from - p) / (1 + normal.dot(m));
-        if (!(radius < width / 2)) continue;
+        if (!(radius > 0 && radius < width / 2)) continue;
         const double at = side.dot(p + radius * (normal + m) - from);
         if (at >= 0 && at <= (to - from).norm()) width = 2 * radius;
     }
@@ -204,8 +161,8 @@ struct CornerPlan {
 
 class PolygonNodes {
    public:
-    PolygonNodes(const Polygon& polygon, const CurveSizes& sizes)
-        : polygon_(polygon), sizes_(sizes) {}
+    PolygonNodes(const InclusionSet& set, const Polygon& polygon, const CurveSizes& sizes)
+        : set_(set), polygon_(polygon), sizes_(sizes) {}
 
     std::vector<InterfaceNode> nodes() {
         for (std::size_t k = 0; k < n(); ++k) plans_.push_back(plan_of(k));
@@ -227,7 +184,7 @@ class PolygonNodes {
     /// beside it.
     double size_of_gap(std::size_t k, const Vec2& p) const {
         const Vec2 along = side(k).normalized();
-        const Vec2 normal(-along.y(), along.x());
+        const Vec2 normal = turned_left(along);
         double width = std::numeric_limits<double>::infinity();
         for (std::size_t m = k + 2; m + 1 < k + n(); ++m) {
             width = std::min(width, touching_width(p, normal, corner(m), corner(m + 1)));
@@ -307,14 +264,20 @@ class PolygonNodes {
         const double first = interpolated(from, samples, place, count);
         const double last = interpolated(to, samples, place, count);
         const double n_chords = std::max(1.0, std::ceil(last - first - kSpareChord));
+        std::vector<double> places{from};
         for (double m = 1; m < n_chords; ++m) {
-            const double at =
-                interpolated(first + (last - first) * m / n_chords, samples, count, place);
-            nodes.push_back({corner(k) + at * along, 0});
+            places.push_back(
+                interpolated(first + (last - first) * m / n_chords, samples, count, place));
+        }
+        places.push_back(to);
+        slide_onto_box(set_, corner(k), along, places);
+        for (std::size_t m = 1; m + 1 < places.size(); ++m) {
+            nodes.push_back({corner(k) + places[m] * along, 0});
         }
         if (to < length) nodes.push_back({corner(k) + to * along, plan(k + 1).next_radius});
     }
 
+    const InclusionSet& set_;
     const Polygon& polygon_;
     const CurveSizes& sizes_;
     std::vector<CornerPlan> plans_;
@@ -339,11 +302,11 @@ std::vector<InterfaceNode> interface_nodes(const InclusionSet& set, int k,
     const CurveSizes sizes(set, k, sizing);
     const Shape& shape = set[k].shape;
     if (const auto* polygon = std::get_if<Polygon>(&shape)) {
-        return PolygonNodes(*polygon, sizes).nodes();
+        return PolygonNodes(set, *polygon, sizes).nodes();
     }
     const auto* circle = std::get_if<Circle>(&shape);
-    return ellipse_nodes(circle ? ellipse_axes(*circle) : ellipse_axes(std::get<Ellipse>(shape)),
-                         sizes);
+    return ellipse_nodes(
+        set, circle ? ellipse_axes(*circle) : ellipse_axes(std::get<Ellipse>(shape)), sizes);
 }
 
 }  // namespace pcvt

@@ -59,8 +59,8 @@ class Placement {
    public:
     Placement(const InclusionSet& set, const std::function<double(const Vec2&)>& spacing)
         : set_(set), sizing_{spacing, {}}, curves_(static_cast<std::size_t>(set.size())) {
-        sizing_.limits.resize(curves_.size());
-        changed_.assign(curves_.size(), true);
+        sizing_.limits.resize(static_cast<std::size_t>(set.n_given()));
+        changed_.assign(sizing_.limits.size(), true);
     }
 
     InterfaceSites run() {
@@ -78,16 +78,31 @@ class Placement {
     }
 
    private:
-    /// Divides the curves whose limits have changed.
+    /// Divides the curves whose limits have changed, and the images of all curves behind walls.
     void divide() {
-        for (int i = 0; i < set_.size(); ++i) {
+        for (int i = 0; i < set_.n_given(); ++i) {
             if (changed_[i]) curves_[i].nodes = interface_nodes(set_, i, sizing_);
             changed_[i] = false;
         }
+        for (int i = set_.n_given(); i < set_.size(); ++i) {
+            const int r = i / set_.n_given();
+            std::vector<InterfaceNode> nodes = curves_[i % set_.n_given()].nodes;
+            for (InterfaceNode& node : nodes) {
+                node.point = mirror_image(node.point, set_.walls(), r);
+            }
+            if (is_reflection(r)) std::reverse(nodes.begin(), nodes.end());
+            curves_[i].nodes = std::move(nodes);
+        }
     }
 
-    /// Shortens the chords at a node, more than the limits that exist.
+    /// Shortens the chords at a node, more than the limits that exist; behind a wall, those of the
+    /// node of which it is an image.
     void shorten(int inclusion, int node) {
+        if (inclusion >= set_.n_given()) {
+            const bool is_reversed = is_reflection(inclusion / set_.n_given());
+            if (is_reversed) node = curves_[inclusion].n() - 1 - node;
+            inclusion %= set_.n_given();
+        }
         const Curve& curve = curves_[inclusion];
         const Vec2& p = curve.nodes[node].point;
         std::vector<SizeLimit>& limits = sizing_.limits[inclusion];
@@ -134,7 +149,7 @@ class Placement {
             shorten(i, curve.next(k));
         }
         const Vec2 middle = from.point + foot * along;
-        const Vec2 up = height * Vec2(-along.y(), along.x());
+        const Vec2 up = height * turned_left(along);
         const auto seed = [&](int side) {
             // The chord before shares the seed at `from`, the chord after this one that at `to`.
             std::vector<SiteId>& own = side > 0 ? curve.inside : curve.outside;
@@ -181,20 +196,28 @@ class Placement {
 
     InterfaceSites result() const {
         InterfaceSites sites;
-        sites.coordinates.resize(2, static_cast<Eigen::Index>(seeds_.size()));
-        for (std::size_t s = 0; s < seeds_.size(); ++s) {
-            sites.coordinates.col(static_cast<Eigen::Index>(s)) = wrapped_[s].fraction;
-            sites.inclusion.push_back(seeds_[s].is_inside ? seeds_[s].inclusion : -1);
+        // The seeds of images behind walls come last.
+        for (const Seed& seed : seeds_) {
+            if (seed.inclusion >= set_.n_given()) break;
+            sites.inclusion.push_back(seed.is_inside ? seed.inclusion : -1);
+        }
+        sites.coordinates.resize(2, sites.n_seeds());
+        for (int s = 0; s < sites.n_seeds(); ++s) {
+            sites.coordinates.col(s) = wrapped_[s].fraction;
         }
         const Reduction& reduction = set_.reduction();
         for (int i = 0; i < set_.size(); ++i) {
+            for (const InterfaceNode& node : curves_[i].nodes) {
+                sites.circles.push_back(
+                    {wrapped(reduction.reduced, node.point).fraction, node.radius});
+            }
+        }
+        for (int i = 0; i < set_.n_given(); ++i) {
             const Curve& curve = curves_[i];
             Polygon polygon;
             for (int k = 0; k < curve.n(); ++k) {
                 const InterfaceNode& node = curve.nodes[k];
                 polygon.push_back(node.point);
-                sites.circles.push_back(
-                    {wrapped(reduction.reduced, node.point).fraction, node.radius});
                 const WrappedPoint& inside = wrapped_[curve.inside[k]];
                 const WrappedPoint& outside = wrapped_[curve.outside[k]];
                 const Vec2 back = reduction.reduced.translation(inside.whole);

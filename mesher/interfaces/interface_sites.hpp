@@ -29,7 +29,8 @@ struct EmptyCircle {
     double radius;
 };
 
-/// The pairs of seeds along the interfaces of inclusions.
+/// The pairs of seeds along the interfaces of inclusions; between walls those of the given ones,
+/// without their mirror images.
 struct InterfaceSites {
     /// 2 x n, reduced basis, multiples of 2^-51 in [0, 1): as Sites stores them. Mirror images are
     /// exact but for the rounding to this grid.
@@ -37,6 +38,7 @@ struct InterfaceSites {
     /// Of each seed: the inclusion in which it lies, or -1.
     std::vector<int> inclusion;
     std::vector<Chord> chords;
+    /// Between walls with their mirror images.
     std::vector<EmptyCircle> circles;
     /// Of each inclusion: its chords, in its frame, counter-clockwise.
     std::vector<Polygon> polygons;

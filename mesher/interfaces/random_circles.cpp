@@ -28,11 +28,15 @@ const double kDensest = std::numbers::pi / std::sqrt(12.0);
 /// In units of the radius.
 constexpr std::array kDefaultGaps{0.2, 0.1, 0.05};
 
-/// Points on the torus that repel each other.
+/// Points on the torus, or between walls, that repel each other.
 class Repulsion {
    public:
-    Repulsion(const Lattice& reduced, Points places)
-        : reduced_(reduced), places_(std::move(places)) {}
+    /// @param reduced  upright if there are walls.
+    /// @param margin   the least distance from walls, length units.
+    Repulsion(const Lattice& reduced, Points places, Walls walls, double margin)
+        : reduced_(reduced), places_(std::move(places)), walls_(walls), margin_(margin) {
+        keep_from_walls();
+    }
 
     const Points& places() const { return places_; }
 
@@ -47,6 +51,7 @@ class Repulsion {
             places_.col(i) -= move;
             places_.col(j) += move;
         });
+        keep_from_walls();
     }
     bool are_apart(double distance) {
         bool apart = true;
@@ -57,6 +62,17 @@ class Repulsion {
     }
 
    private:
+    void keep_from_walls() {
+        for (int axis = 0; axis < 2; ++axis) {
+            if (!has_walls_across(walls_, axis)) continue;
+            const double least = margin_ / side_length(reduced_, axis);
+            places_.row(axis) = places_.row(axis).cwiseMax(least).cwiseMin(1 - least);
+        }
+    }
+    bool crosses_wall(Offset offset) const {
+        return (has_walls_across(walls_, 0) && offset.i != 0) ||
+               (has_walls_across(walls_, 1) && offset.j != 0);
+    }
     Vec2 way(int i, int j, Offset offset) const {
         return reduced_.to_plane(places_.col(j) + Vec2(offset.i, offset.j) - places_.col(i));
     }
@@ -74,28 +90,53 @@ class Repulsion {
             checkpoint_each(i);
             const Vec2 from = places_.col(i);
             grid.visit(from, distance, [&](int j, Offset offset) {
-                if (i < j) visit(i, j, offset);
+                if (i < j && !crosses_wall(offset)) visit(i, j, offset);
             });
         }
     }
 
     Lattice reduced_;
     Points places_;
+    Walls walls_;
+    double margin_;
 };
 
 void require(bool condition, const std::string& what) {
     if (!condition) throw InvalidInput(what);
 }
 
-/// Returns the centres of circles at the distance, or nullopt if they find no place.
-std::optional<std::vector<Vec2>> separated_points(const Lattice& reduced, int n, double distance,
-                                                  std::uint64_t seed) {
-    const double fraction = n * std::numbers::pi * distance * distance / (4 * reduced.area());
-    if (!(distance < reduced.a().norm() && fraction < kDensest)) return std::nullopt;
+/// The distances that centres of circles keep.
+struct Distances {
+    double from_centres;
+    double from_walls;
+};
+
+/// Whether one circle has room between walls and beside its own images.
+bool has_room(const Lattice& reduced, Walls walls, const Distances& distances) {
+    if (walls == Walls::kNone) return distances.from_centres < reduced.a().norm();
+    bool fits = true;
+    for (int axis = 0; axis < 2; ++axis) {
+        const bool is_walled = has_walls_across(walls, axis);
+        const double needed = is_walled ? 2 * distances.from_walls : distances.from_centres;
+        fits = fits && needed < side_length(reduced, axis);
+    }
+    return fits;
+}
+
+/// Returns the centres of circles at the distances, or nullopt if they find no place.
+std::optional<std::vector<Vec2>> separated_points(const Lattice& reduced,
+                                                  const RandomCircles& wanted,
+                                                  const Distances& distances) {
+    const double distance = distances.from_centres;
+    const double fraction =
+        wanted.n * std::numbers::pi * distance * distance / (4 * reduced.area());
+    const bool is_dense = wanted.walls == Walls::kNone && !(fraction < kDensest);
+    if (is_dense || !has_room(reduced, wanted.walls, distances)) return std::nullopt;
     for (int start = 0; start < kMostStarts; ++start) {
         // Starts of one seed and those of the next share no random numbers.
-        const std::uint64_t number = seed * 0x9e3779b97f4a7c15u + std::uint64_t(start);
-        Repulsion repulsion(reduced, uniform_points(Lattice::rectangle(1, 1), n, number));
+        const std::uint64_t number = wanted.seed * 0x9e3779b97f4a7c15u + std::uint64_t(start);
+        Repulsion repulsion(reduced, uniform_points(Lattice::rectangle(1, 1), wanted.n, number),
+                            wanted.walls, distances.from_walls);
         for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
             const double grown = kFirstDiameter + (1 - kFirstDiameter) * sweep / kGrowth;
             repulsion.sweep((1 + kReserve) * std::min(1.0, grown) * distance);
@@ -125,9 +166,10 @@ std::vector<Circle> random_circles(const Lattice& lattice, const RandomCircles& 
     for (const double gap : kDefaultGaps) {
         if (!wanted.gap) gaps.push_back(gap * radius);
     }
-    const Lattice reduced = reduce(lattice).reduced;
+    const bool has_walls = wanted.walls != Walls::kNone;
+    const Lattice reduced = has_walls ? lattice : reduce(lattice).reduced;
     for (const double gap : gaps) {
-        const auto points = separated_points(reduced, wanted.n, 2 * radius + gap, wanted.seed);
+        const auto points = separated_points(reduced, wanted, {2 * radius + gap, radius + gap});
         if (!points) continue;
         std::vector<Circle> circles;
         for (const Vec2& point : *points) circles.push_back({point, radius});

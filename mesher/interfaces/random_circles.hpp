@@ -17,6 +17,8 @@ struct RandomCircles {
     /// otherwise.
     std::optional<double> gap = {};
     std::uint64_t seed = 0;
+    /// Circles keep the gap from walls as well.
+    Walls walls = Walls::kNone;
 };
 
 /// Places equal circles that keep the gap on the torus. Random points repel each other while the
@@ -29,6 +31,7 @@ struct RandomCircles {
 ///     const auto fibres = random_circles(lattice, {.fraction = 0.5, .n = 30, .seed = 1});
 ///     const InclusionSet set(lattice, circular_inclusions(fibres, 1));
 ///
+/// @param lattice  upright if there are walls.
 /// @throws InvalidInput if a number is out of range, or if circles do not fit or no place is found
 ///         for them.
 std::vector<Circle> random_circles(const Lattice& lattice, const RandomCircles& wanted);

@@ -3,18 +3,18 @@
 #include <numeric>
 #include <vector>
 
-#include "mesher/lattice/lattice.hpp"
-
 namespace pcvt {
 
 /// A union-find structure over orbits that also tracks offsets: each orbit knows the root of its
-/// set and its offset to it.
+/// set and its offset to it. `Offset` is the type of the offsets of a lattice of the plane or of
+/// space.
 ///
 /// Example usage:
 ///
-///     OffsetDisjointSets merged(n_vertices);
+///     OffsetDisjointSets<Offset> merged(n_vertices);
 ///     merged.join(0, 3, {1, 0});  // vertex 3 translated by (1, 0) coincides with vertex 0
 ///     const auto [orbit, offset] = merged.root(3);  // orbit 0, offset (-1, 0)
+template <class Offset>
 class OffsetDisjointSets {
    public:
     explicit OffsetDisjointSets(int n) : parent_(n), offset_(n) {
@@ -27,7 +27,7 @@ class OffsetDisjointSets {
     };
     /// Point t coincides with point root.orbit translated by root.offset.
     Root root(int t) {
-        Offset offset;
+        Offset offset{};
         while (parent_[t] != t) {
             // Each visit halves the path for the next visit.
             const int parent = parent_[t];

@@ -15,6 +15,8 @@ namespace pcvt {
 ///     const Vec2 centre = polygon_centroid(lower);         // (0.5, 0.25)
 using Polygon = std::vector<Vec2>;
 
+/// Returns p turned by a quarter, counter-clockwise.
+inline Vec2 turned_left(const Vec2& p) { return {-p.y(), p.x()}; }
 inline double cross(const Vec2& p, const Vec2& q) { return p.x() * q.y() - p.y() * q.x(); }
 
 double polygon_area(const Polygon& polygon);

@@ -86,8 +86,6 @@ struct WallSideRow {
     WallSide side;
     /// The name of its patch, group or set in every format.
     const char* word;
-    /// PCVT_WALL_... of pcvt.h.
-    int abi_value;
     /// 0: across x, 1: across y.
     int axis;
     /// Whether it lies at the end of the axis and not at 0.
@@ -95,10 +93,10 @@ struct WallSideRow {
 };
 
 /// In the order of the enumerators.
-inline constexpr std::array kWallSides{WallSideRow{WallSide::kLeft, "wall_left", 0, 0, false},
-                                       WallSideRow{WallSide::kRight, "wall_right", 1, 0, true},
-                                       WallSideRow{WallSide::kBottom, "wall_bottom", 2, 1, false},
-                                       WallSideRow{WallSide::kTop, "wall_top", 3, 1, true}};
+inline constexpr std::array kWallSides{WallSideRow{WallSide::kLeft, "wall_left", 0, false},
+                                       WallSideRow{WallSide::kRight, "wall_right", 0, true},
+                                       WallSideRow{WallSide::kBottom, "wall_bottom", 1, false},
+                                       WallSideRow{WallSide::kTop, "wall_top", 1, true}};
 
 constexpr const WallSideRow& wall_side_row(WallSide side) {
     return kWallSides[static_cast<std::size_t>(side)];

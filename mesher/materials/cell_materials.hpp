@@ -30,7 +30,14 @@ struct CellMaterials {
 
     friend bool operator==(const CellMaterials&, const CellMaterials&) = default;
 
+    /// The name of the phase of a site; empty without phases.
+    std::string phase_of(int site) const {
+        return site_phase.empty() ? "" : phase_names[site_phase[site]];
+    }
     bool empty() const { return site_phase.empty() && site_orientation.empty(); }
 };
+
+/// The name of the group of the elements of a phase, in every format: `phase_steel`.
+inline std::string phase_group(const std::string& phase_name) { return "phase_" + phase_name; }
 
 }  // namespace pcvt

@@ -37,14 +37,6 @@ constexpr double kOverRounding = 4;
 /// Corners that move less far, in units of h, do not change the areas.
 constexpr double kLeastSnap = 1e-9;
 
-Polygon polygon_of(const PeriodicMesh& mesh, int f) {
-    Polygon polygon;
-    for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
-        polygon.push_back(mesh.point(c));
-    }
-    return polygon;
-}
-
 PeriodicMesh to_round(PeriodicMesh mesh, const Metric& metric) {
     mesh.lattice = metric.to_round(mesh.lattice);
     for (Vec2& p : mesh.vertices) p = metric.to_round(p);
@@ -213,7 +205,7 @@ double largest_error(const Eigen::VectorXd& areas, const Eigen::VectorXd& wanted
 bool are_simple(const PeriodicMesh& mesh) {
     for (int f = 0; f < mesh.n_faces(); ++f) {
         checkpoint_each(f);
-        const Polygon polygon = polygon_of(mesh, f);
+        const Polygon polygon = face_polygon(mesh, f);
         if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, 0)) return false;
     }
     return true;
@@ -288,7 +280,7 @@ Eigen::VectorXd areas_by_site(const PeriodicMesh& mesh, int n_sites) {
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(n_sites);
     for (int f = 0; f < mesh.n_faces(); ++f) {
         checkpoint_each(f);
-        areas[mesh.site[f]] += polygon_area(polygon_of(mesh, f));
+        areas[mesh.site[f]] += polygon_area(face_polygon(mesh, f));
     }
     return areas;
 }

@@ -48,10 +48,9 @@ class BoxCutter {
         Polygon after;
         for (int f = 0; f < cells_.n_faces(); ++f) {
             checkpoint_each(f);
-            before.clear();
+            face_polygon(cells_, f, before);
             after.clear();
             for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
-                before.push_back(cells_.point(c));
                 after.push_back(lattice_.to_plane(lines_.coordinates(corner_node(c))));
             }
             if (polygon_area(after) < kKeptArea * polygon_area(before)) return false;
@@ -310,10 +309,7 @@ bool are_polygons(const PeriodicMesh& mesh) {
     Polygon polygon;
     for (int f = 0; f < mesh.n_faces(); ++f) {
         checkpoint_each(f);
-        polygon.clear();
-        for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
-            polygon.push_back(mesh.point(c));
-        }
+        face_polygon(mesh, f, polygon);
         if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, 0)) return false;
     }
     return true;

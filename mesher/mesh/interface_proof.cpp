@@ -33,14 +33,6 @@ std::vector<int> chord_halfedges(const PeriodicMesh& cells, const std::vector<Ch
     return halfedges;
 }
 
-double face_area(const PeriodicMesh& cells, int f) {
-    Polygon polygon;
-    for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
-        polygon.push_back(cells.point(c));
-    }
-    return polygon_area(polygon);
-}
-
 }  // namespace
 
 bool every_chord_is_an_edge(const PeriodicMesh& cells, const std::vector<Chord>& chords) {
@@ -60,19 +52,21 @@ std::optional<std::string> interface_violation(const PeriodicMesh& cells,
         is_chord[cells.opposite[halfedges[k]]] = true;
     }
     // Law (2).
-    for (int c = 0; c < cells.n_corners(); ++c) {
+    const auto n_sites = static_cast<int>(inclusion.size());
+    for (int c = 0; c < cells.face_begin[n_sites]; ++c) {
         checkpoint_each(c);
         const int here = cells.corner_face[c];
         const int there = cells.corner_face[cells.opposite[c]];
-        if ((inclusion[here] != inclusion[there]) == is_chord[c]) continue;
+        const int beyond = there < n_sites ? inclusion[there] : -1;
+        if ((inclusion[here] != beyond) == is_chord[c]) continue;
         return "the edge between sites " + std::to_string(here) + " and " + std::to_string(there) +
                (is_chord[c] ? " is a chord inside of one material"
                             : " lies between materials and is no chord");
     }
     // Law (3).
     std::vector<double> area(interfaces.polygons.size(), 0.0);
-    for (int f = 0; f < cells.n_faces(); ++f) {
-        if (inclusion[f] >= 0) area[inclusion[f]] += face_area(cells, f);
+    for (int f = 0; f < n_sites; ++f) {
+        if (inclusion[f] >= 0) area[inclusion[f]] += polygon_area(face_polygon(cells, f));
     }
     for (std::size_t i = 0; i < area.size(); ++i) {
         const double difference = area[i] - polygon_area(interfaces.polygons[i]);

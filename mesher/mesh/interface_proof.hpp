@@ -23,7 +23,8 @@ namespace pcvt {
 ///         throw InternalError(*wrong);
 ///
 /// @param cells      of cell_mesh(); its first sites are the seeds.
-/// @param inclusion  of each site; -1 is the matrix.
+/// @param inclusion  of each site; -1 is the matrix. Between walls, of each site of the domain,
+///                   whose cells alone are proved: those behind walls count as matrix.
 std::optional<std::string> interface_violation(const PeriodicMesh& cells,
                                                const InterfaceSites& interfaces,
                                                std::span<const int> inclusion);

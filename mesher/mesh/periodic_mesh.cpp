@@ -65,6 +65,19 @@ void link_faces(PeriodicMesh& mesh) {
     mesh.opposite = match_edges(halfedges);
 }
 
+void face_polygon(const PeriodicMesh& mesh, int f, Polygon& polygon) {
+    polygon.clear();
+    for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+        polygon.push_back(mesh.point(c));
+    }
+}
+
+Polygon face_polygon(const PeriodicMesh& mesh, int f) {
+    Polygon polygon;
+    face_polygon(mesh, f, polygon);
+    return polygon;
+}
+
 std::vector<bool> interface_vertices(const PeriodicMesh& mesh, std::span<const int> tags) {
     std::vector<int> first(mesh.vertices.size(), -1);
     std::vector<bool> found(mesh.vertices.size());

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "mesher/lattice/polygon.hpp"
 #include "mesher/lattice/sites.hpp"
 #include "mesher/mesh/mesh_kind.hpp"
 
@@ -66,6 +67,11 @@ struct PeriodicMesh {
 /// Fills `corner_face` and `opposite` from the corners of the faces.
 /// @throws InternalError unless every edge on the torus has exactly two sides.
 void link_faces(PeriodicMesh& mesh);
+
+/// Returns the corners of face f in its frame.
+Polygon face_polygon(const PeriodicMesh& mesh, int f);
+/// Fills `polygon` with them, in the memory that it has.
+void face_polygon(const PeriodicMesh& mesh, int f, Polygon& polygon);
 
 /// Returns for each vertex of a mesh whether faces of different tags meet there.
 /// @param tags  one for each face.

@@ -233,7 +233,7 @@ class Shrinking {
     }
 
     const PeriodicMesh& mesh_;
-    OffsetDisjointSets joined_;
+    OffsetDisjointSets<Offset> joined_;
     /// The position of each root.
     std::vector<Vec2> position_;
     std::vector<std::vector<int>> corners_at_;
@@ -287,8 +287,10 @@ PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest,
 }
 
 PeriodicMesh without_short_edges(const PeriodicMesh& between, double shortest,
-                                 const WalledDomain& domain) {
-    return shrunk(between, Shrinking(between, &domain), shortest);
+                                 const WalledDomain& domain, std::vector<bool> still) {
+    Shrinking shrinking(between, &domain);
+    shrinking.keep(std::move(still));
+    return shrunk(between, std::move(shrinking), shortest);
 }
 
 }  // namespace pcvt

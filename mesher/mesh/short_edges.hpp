@@ -34,6 +34,6 @@ PeriodicMesh without_short_edges(const PeriodicMesh& cells, double shortest,
 /// edges at the same time: vertices on walls stay there. The `opposite` of the result is empty.
 /// @param between  whole cells, or halves of cells whose sites lie on walls.
 PeriodicMesh without_short_edges(const PeriodicMesh& between, double shortest,
-                                 const WalledDomain& domain);
+                                 const WalledDomain& domain, std::vector<bool> still = {});
 
 }  // namespace pcvt

@@ -20,13 +20,10 @@ std::vector<int> cell_sides(const PeriodicMesh& cells) {
     if (!cells.whole_sides.empty()) return cells.whole_sides;
     const double shortest = kShortEdge * std::sqrt(cells.lattice.area() / cells.n_faces());
     std::vector<int> sides(cells.n_faces());
-    std::vector<Vec2> polygon;
+    Polygon polygon;
     for (int f = 0; f < cells.n_faces(); ++f) {
         checkpoint_each(f);
-        polygon.clear();
-        for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
-            polygon.push_back(cells.point(c));
-        }
+        face_polygon(cells, f, polygon);
         sides[f] = count_sides(polygon, shortest);
     }
     return sides;

@@ -19,7 +19,7 @@ constexpr double kCrossing = 1e-3 * kSameVertex;
 /// Voronoi vertices before and after merging.
 struct DualVertices {
     std::vector<Vec2> position;  ///< of each triangle's dual vertex, in the triangle's frame
-    OffsetDisjointSets merged;
+    OffsetDisjointSets<Offset> merged;
 };
 
 std::vector<Vec2> dual_positions(const PeriodicDelaunay& delaunay) {
@@ -75,7 +75,7 @@ bool merge_shortened_edges(const PeriodicDelaunay& delaunay, double shortest, Du
 
 DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
     const TorusTriangulation& t = delaunay.triangulation();
-    DualVertices dual{dual_positions(delaunay), OffsetDisjointSets(t.n_triangles())};
+    DualVertices dual{dual_positions(delaunay), OffsetDisjointSets<Offset>(t.n_triangles())};
     const double shortest = kSameVertex * delaunay.sites().spacing();
     bool merges = false;
     const auto position = [&](int triangle) { return dual.position[triangle]; };
@@ -96,8 +96,8 @@ struct MeshCorner {
 
 /// Returns the corners of the cell of the site that h leaves, around the image of the site at
 /// offset (0, 0).
-std::vector<MeshCorner> cell_corners(const TorusTriangulation& t, OffsetDisjointSets& merged,
-                                     int h) {
+std::vector<MeshCorner> cell_corners(const TorusTriangulation& t,
+                                     OffsetDisjointSets<Offset>& merged, int h) {
     std::vector<MeshCorner> corners;
     const int first = h;
     do {
@@ -128,10 +128,7 @@ void require_simple_cells(const PeriodicMesh& mesh) {
     Polygon polygon;
     for (int f = 0; f < mesh.n_faces(); ++f) {
         checkpoint_each(f);
-        polygon.clear();
-        for (int c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
-            polygon.push_back(mesh.point(c));
-        }
+        face_polygon(mesh, f, polygon);
         if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, kCrossing * h)) {
             throw InvalidInput(
                 "the corners of the cell of site " + std::to_string(f) +

@@ -62,7 +62,7 @@ class FaceImageSearch {
     }
     /// Joins the faces of each site across the edges between them. A whole cell has no seam inside.
     void join_faces() {
-        OffsetDisjointSets joined(faces_.n_faces());
+        OffsetDisjointSets<Offset> joined(faces_.n_faces());
         const auto within = [&](int h) {
             return faces_.opposite[h] > h && site(faces_.face_of[h]) == site(face_across(h)) &&
                    (options_.is_box || is_cut_only_by_walls(faces_.across[h]));
@@ -139,9 +139,7 @@ class FaceImageSearch {
     void vote(int f) {
         Part& part = parts_[part_[f].orbit];
         const Offset image = images_.nearest(site(f), middle_of(f)) - part_[f].offset;
-        Polygon polygon;
-        for (const int v : faces_[f]) polygon.push_back(tile_.points[v]);
-        const double area = polygon_area(polygon);
+        const double area = polygon_area(face_polygon(tile_.points, faces_[f]));
         if (part.image == image) {
             part.lead += area;
             return;
@@ -184,7 +182,7 @@ class FaceImageSearch {
     FaceImageOptions options_;
     /// For each face, the first face of its part, and the image of its site where that face has
     /// (0, 0).
-    std::vector<OffsetDisjointSets::Root> part_;
+    std::vector<OffsetDisjointSets<Offset>::Root> part_;
     /// For each face that is the first of its part.
     std::vector<Part> parts_;
     GluedImages found_;

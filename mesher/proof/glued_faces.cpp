@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 #include <tuple>
 
@@ -17,6 +18,7 @@ using std::to_string;
 
 const char* const kFaceLaw = "(1), faces";
 const char* const kSeamLaw = "(2), seam";
+const char* const kHoleLaw = "(7), holes";
 
 /// A halfedge with the key that all images of its edge share.
 struct Side {
@@ -108,7 +110,46 @@ class Gluing {
                             std::sort(sides.begin(), sides.end());
                             match(sides);
                         });
+        put_holes_on_walls();
         require_partners();
+    }
+
+    /// The edges of holes as the tile names them, between first copies.
+    std::map<std::pair<int, int>, WallId> stated_holes() const {
+        std::map<std::pair<int, int>, WallId> holes;
+        const auto first = [&](int v) {
+            return v >= 0 && v < tile_.n_vertices() ? orbits_.first_copy[v] : -1;
+        };
+        std::vector<bool> has_edge(tile_.holes.size(), false);
+        for (const auto& [wall, v, w] : tile_.wall_edges) {
+            if (!wall.is_hole()) continue;
+            if (wall.hole() >= std::ssize(tile_.holes)) {
+                throw_violation(kHoleLaw,
+                                "edge " + edge_in_words(v, w) + " lies at a hole without a name");
+            }
+            has_edge[std::size_t(wall.hole())] = true;
+            holes.emplace(std::pair(first(v), first(w)), wall);
+        }
+        for (std::size_t k = 0; k < has_edge.size(); ++k) {
+            if (!has_edge[k]) throw_violation(kHoleLaw, "no edge lies at a hole " + tile_.holes[k]);
+        }
+        return holes;
+    }
+
+    void put_holes_on_walls() {
+        const auto holes = stated_holes();
+        if (holes.empty()) return;
+        for (int h = 0; h < faces_.n_halfedges(); ++h) {
+            checkpoint_each(h);
+            if (faces_.opposite[h] >= 0) continue;
+            const int v = faces_.corners[h];
+            const int w = faces_.corners[faces_.next(h)];
+            const auto found = holes.find({v, w});
+            if (found == holes.end()) continue;
+            faces_.put_on_wall(h);
+            faces_.hole_edges.push_back({found->second, v, w});
+        }
+        std::sort(faces_.hole_edges.begin(), faces_.hole_edges.end());
     }
 
     /// @param sides  sorted, all sides of some edges.
@@ -195,7 +236,78 @@ class Gluing {
     std::vector<int> scratch_;
 };
 
+/// Walks along the edges of a hole, which lies on the right of each.
+class HoleWalk {
+   public:
+    HoleWalk(const Tile& tile, const GluedFaces& faces, double tolerance)
+        : tile_(tile), faces_(faces), tolerance_(tolerance), seen_(faces.corners.size(), false) {
+        for (const WallEdge& edge : faces.hole_edges) wall_[{edge.v0, edge.v1}] = edge.wall;
+    }
+
+    std::vector<Polygon> polygons() {
+        std::vector<Polygon> polygons;
+        for (int h = 0; h < faces_.n_halfedges(); ++h) {
+            checkpoint_each(h);
+            if (is_hole(h) && !seen_[h]) polygons.push_back(polygon_from(h));
+        }
+        return polygons;
+    }
+
+   private:
+    std::pair<int, int> edge(int h) const {
+        return {faces_.corners[h], faces_.corners[faces_.next(h)]};
+    }
+    bool is_hole(int h) const { return faces_.on_wall(h) && wall_.contains(edge(h)); }
+
+    [[noreturn]] void refuse(int h, const std::string& what) const {
+        const auto [v, w] = edge(h);
+        throw_violation(kHoleLaw, "the hole at edge " + edge_in_words(v, w) + ", on " +
+                                      wall_name(tile_, wall_.at({v, w})) + ", " + what);
+    }
+
+    /// Moves on to the next edge of the hole: round the end of h, over faces.
+    /// @param offset  of the face of h; it becomes that of the next face.
+    int next_edge(int h, Offset& offset) const {
+        int g = faces_.next(h);
+        while (!faces_.on_wall(g)) {
+            offset = offset - faces_.across[g];
+            g = faces_.next(faces_.opposite[g]);
+        }
+        return g;
+    }
+
+    Polygon polygon_from(int first) {
+        Polygon polygon;
+        Offset offset{};
+        const WallId wall = wall_.at(edge(first));
+        int h = first;
+        do {
+            if (!is_hole(h)) refuse(first, "meets another wall");
+            if (wall_.at(edge(h)) != wall) refuse(h, "has two names");
+            seen_[h] = true;
+            polygon.push_back(tile_.points[faces_.corners[h]] + tile_.lattice.translation(offset));
+            h = next_edge(h, offset);
+        } while (h != first);
+        if (offset != Offset{}) refuse(first, "goes round the torus");
+        std::reverse(polygon.begin(), polygon.end());
+        if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, tolerance_)) {
+            refuse(first, "is no simple polygon");
+        }
+        return polygon;
+    }
+
+    const Tile& tile_;
+    const GluedFaces& faces_;
+    double tolerance_;
+    std::vector<bool> seen_;
+    std::map<std::pair<int, int>, WallId> wall_;
+};
+
 }  // namespace
+
+std::vector<Polygon> hole_polygons(const Tile& tile, const GluedFaces& faces, double tolerance) {
+    return HoleWalk(tile, faces, tolerance).polygons();
+}
 
 GluedFaces glue_faces(const Tile& tile, const VertexOrbits& orbits, Precision precision) {
     return Gluing(tile, orbits, precision).glue();

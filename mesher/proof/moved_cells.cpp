@@ -51,6 +51,8 @@ struct Corner {
     std::vector<Offset> images;
     /// Whether the image of a face is not clear.
     bool is_unclear = false;
+    /// Whether the orbit lies on the edge of a hole.
+    bool is_at_hole = false;
 
     /// Whether the orbit lies on the sides of the box that are translated by a (0) or b (1).
     bool on_line(int axis) const {
@@ -96,7 +98,7 @@ class MovedCells {
     /// Whether the seam follows the sides of a parallelogram, as that of a box does.
     bool has_box_outline() const {
         for (int h = 0; h < faces_.n_halfedges(); ++h) {
-            if (!faces_.on_seam(h)) continue;
+            if (!faces_.on_seam(h) || faces_.on_wall(h)) continue;
             const Offset across = faces_.across[h];
             const bool along_a = across.i == 0;
             if (!along_a && across.j != 0) return false;
@@ -124,8 +126,20 @@ class MovedCells {
         }
     }
 
-    Corner corner_at(int first) const {
+    /// The halfedge at the corner of h from which a walk round the corner meets all faces.
+    int first_at_corner(int h) const {
+        // Back, until the halfedge before lies on a wall or is met again.
+        for (int g = h; !faces_.on_wall(g);) {
+            g = faces_.next(faces_.opposite[g]);
+            if (g == h || faces_.on_wall(g)) return g;
+        }
+        return h;
+    }
+
+    Corner corner_at(int at) const {
+        const int first = first_at_corner(at);
         Corner corner{.vertex = faces_.corners[first], .cells = {}, .images = {}};
+        corner.is_at_hole = faces_.on_wall(first);
         int h = first;
         do {
             const int f = faces_.face_of[h];
@@ -143,9 +157,10 @@ class MovedCells {
             }
             corner.is_unclear = corner.is_unclear || found_.is_unclear[f];
             h = faces_.opposite[faces_.previous(h)];
-        } while (h != first);
+        } while (h != first && !faces_.on_wall(h));
         // The first cell may begin before the first halfedge.
-        if (corner.cells.size() > 1 && corner.cells.front().same(corner.cells.back())) {
+        if (!corner.is_at_hole && corner.cells.size() > 1 &&
+            corner.cells.front().same(corner.cells.back())) {
             corner.cells.front().halfedge = corner.cells.back().halfedge;
             corner.cells.pop_back();
         }
@@ -154,6 +169,7 @@ class MovedCells {
 
     /// @returns the law that the corner breaks, in words; empty: none.
     std::string fault_of(const Corner& corner) const {
+        if (corner.is_at_hole) return fault_of_distances(corner);
         const std::size_t n_cells = corner.cells.size();
         // Between walls, the corners of the outline lie on walls, at which no edge is bent.
         const bool at_box_corner =
@@ -167,6 +183,18 @@ class MovedCells {
             }
         }
         return fault_of_mean(corner);
+    }
+
+    /// Law (6), of corners on the edges of holes, which are not moved.
+    std::string fault_of_distances(const Corner& corner) const {
+        for (const CellAtCorner& cell : corner.cells) {
+            const double off = std::abs(cell.way.norm() - corner.cells.front().way.norm());
+            if (off <= tolerance_) continue;
+            return ", on the edge of a hole, is not equally far from sites " +
+                   to_string(corner.cells.front().site) + " and " + to_string(cell.site) +
+                   ": the distances differ by " + in_words(off);
+        }
+        return "";
     }
 
     /// Law (8).

@@ -34,6 +34,8 @@ Tile join_fans(const Tile& tile, const TileProof& proof, std::vector<int>& file_
         }
     }
     cells.faces.close();
+    cells.holes = tile.holes;
+    cells.wall_edges = tile.wall_edges;
     return cells;
 }
 
@@ -43,11 +45,7 @@ ProvenFaces::ProvenFaces(const Tile& tile, const TileProof& proof)
     : tile_(join_fans(tile, proof, joined_)),
       faces_(glue_faces(tile_, proven_orbits(proof), Precision::kSingle)) {}
 
-Polygon ProvenFaces::polygon(int f) const {
-    Polygon corners;
-    for (const int v : faces_[f]) corners.push_back(tile_.points[v]);
-    return corners;
-}
+Polygon ProvenFaces::polygon(int f) const { return face_polygon(tile_.points, faces_[f]); }
 
 std::string ProvenFaces::edge_name(int h) const {
     return "edge " + edge_in_words(faces_.corners[h], faces_.corners[faces_.next(h)]) +

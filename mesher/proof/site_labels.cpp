@@ -25,6 +25,8 @@ constexpr double kOffBisector = 1e-7;
 constexpr double kRoundings = 8;
 /// The roundings of positions that are mapped to the round space of a metric and back.
 constexpr double kMappings = 2;
+/// The areas of the cells of an orbit agree within this, in units of their mean.
+constexpr double kSameArea = 1e-6;
 /// The ulps of each period vector's share.
 constexpr double kUlps = 2;
 
@@ -290,6 +292,27 @@ FaceImages prove_sites(const Tile& tile, const TileProof& proof) {
     TileProof round = proof;
     round.tolerance = kMappings * stretch * (proof.tolerance + translation_rounding(tile.lattice));
     return prove_round_sites(round_tile(tile), round, stretch);
+}
+
+void prove_orbit_areas(const Tile& tile, const TileProof& proof, std::span<const int> site_orbits) {
+    if (tile.kind != MeshKind::kVoronoi || tile.short_edges > 0) return;
+    std::vector<double> area(site_orbits.size(), 0);
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        area[tile.face_site[f]] += polygon_area(face_polygon(tile.points, tile.faces[f]));
+    }
+    const double mean = tile.lattice.area() / static_cast<double>(area.size());
+    const double tolerance = kSameArea * mean + std::sqrt(mean) * proof.tolerance;
+    std::vector<std::size_t> first;
+    for (std::size_t s = 0; s < area.size(); ++s) {
+        const auto orbit = static_cast<std::size_t>(site_orbits[s]);
+        if (orbit == first.size()) first.push_back(s);
+        const std::size_t other = first[orbit];
+        if (std::abs(area[s] - area[other]) <= tolerance) continue;
+        throw_violation("of the orbits", "the cells of sites " + to_string(other) + " and " +
+                                             to_string(s) + " are on orbit " + to_string(orbit) +
+                                             ", but their areas differ by " +
+                                             in_words(area[s] - area[other]));
+    }
 }
 
 }  // namespace pcvt

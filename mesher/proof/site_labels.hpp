@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "mesher/proof/moved_cells.hpp"
 #include "mesher/proof/validate.hpp"
 
@@ -34,6 +36,7 @@ namespace pcvt {
 ///       h from the side, and at a corner of the box freely by 0.04 h.
 ///   (8) Where two cells meet, the edge between them is straight, but for the corners of the box.
 ///   (9) The faces of a site form no more parts than the tile has periods.
+/// At the edges of holes no corner is moved: law (6) holds there. The sites of holes have no id.
 /// They need no bound for the distance by which corners were moved. Tile::short_edges matters
 /// only where a cell touches another image of itself.
 ///
@@ -47,5 +50,15 @@ namespace pcvt {
 /// @returns the cell of each face if corners were moved; else an empty result, which is clear.
 /// @throws NotATile naming the site and the face or the vertex.
 FaceImages prove_sites(const Tile& tile, const TileProof& proof);
+
+/// Proves that the cells of each orbit of sites have one area, which the symmetry gives them,
+/// within 1e-6. Triangles, and cells without their short edges, need not have it.
+///
+/// Example usage:
+///   prove_orbit_areas(tile, prove_tile(tile, Precision::kDouble), {0, 1, 1, 0});
+///
+/// @param site_orbits  one a site, counted in the order of the sites.
+/// @throws NotATile naming two sites of one orbit.
+void prove_orbit_areas(const Tile& tile, const TileProof& proof, std::span<const int> site_orbits);
 
 }  // namespace pcvt

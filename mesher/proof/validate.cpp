@@ -85,11 +85,6 @@ void require_distinct_vertices(const Tile& tile, const VertexOrbits& orbits) {
     }
 }
 
-void take_face(const Tile& tile, const GluedFaces& faces, int f, Polygon& polygon) {
-    polygon.clear();
-    for (const int v : faces[f]) polygon.push_back(tile.points[v]);
-}
-
 /// Returns the sum of the areas, computed by W. Kahan's compensated summation.
 double require_simple_faces(const Tile& tile, const GluedFaces& faces, Precision precision,
                             double tolerance) {
@@ -98,7 +93,7 @@ double require_simple_faces(const Tile& tile, const GluedFaces& faces, Precision
     Polygon polygon;
     for (int f = 0; f < faces.n_faces(); ++f) {
         checkpoint_each(f);
-        take_face(tile, faces, f, polygon);
+        face_polygon(tile.points, faces[f], polygon);
         const double area = polygon_area(polygon);
         const bool positive = precision == Precision::kDouble
                                   ? area > 0
@@ -118,18 +113,21 @@ double require_simple_faces(const Tile& tile, const GluedFaces& faces, Precision
     return sum;
 }
 
-void require_connected(const GluedFaces& faces) {
+/// @param over_seam  whether edges of the seam connect faces, too.
+void require_connected(const GluedFaces& faces, bool over_seam) {
     DisjointSets pieces(faces.n_faces());
     for (int h = 0; h < faces.n_halfedges(); ++h) {
         checkpoint_each(h);
-        if (!faces.on_seam(h)) pieces.unite(faces.face_of[h], faces.face_of[faces.opposite[h]]);
+        if (over_seam || !faces.on_seam(h)) {
+            pieces.unite(faces.face_of[h], faces.face_of[faces.opposite[h]]);
+        }
     }
     for (int f = 0; f < faces.n_faces(); ++f) {
         checkpoint_each(f);
         if (pieces.find(f) == 0) continue;
         throw_violation(kDiscLaw, "face " + to_string(faces.file_face[f]) +
                                       " is not connected to face " + to_string(faces.file_face[0]) +
-                                      " over edges inside of the tile");
+                                      (over_seam ? "" : " over edges inside of the tile"));
     }
 }
 
@@ -198,7 +196,8 @@ void require_euler(const std::string& law, int n_vertices, int n_edges, int n_fa
 /// Checks the total area. Moving each boundary vertex by the tolerance in each coordinate changes
 /// the area by at most sqrt(2) times tolerance times perimeter; the second term bounds the rounding
 /// error of the sum.
-void require_area(const Tile& tile, const GluedFaces& faces, const TileProof& proof) {
+/// @param holes  the area of the polygons of the holes.
+void require_area(const Tile& tile, const GluedFaces& faces, const TileProof& proof, double holes) {
     double perimeter = 0;
     for (int h = 0; h < faces.n_halfedges(); ++h) {
         checkpoint_each(h);
@@ -208,10 +207,12 @@ void require_area(const Tile& tile, const GluedFaces& faces, const TileProof& pr
     }
     const double wanted = tile.lattice.area();
     const double allowed = 2 * proof.tolerance * perimeter + 0x1p-48 * wanted;
-    if (std::abs(proof.area - wanted) <= allowed) return;
-    throw_violation(kAreaLaw, "the faces cover " + in_words(proof.area / wanted) +
+    const double covered = proof.area + holes;
+    if (std::abs(covered - wanted) <= allowed) return;
+    throw_violation(kAreaLaw, std::string(holes > 0 ? "the faces and the holes" : "the faces") +
+                                  " cover " + in_words(covered / wanted) +
                                   " of the fundamental domain's area; the difference is " +
-                                  in_words(proof.area - wanted) + " where rounding explains " +
+                                  in_words(covered - wanted) + " where rounding explains " +
                                   in_words(allowed));
 }
 
@@ -242,7 +243,7 @@ void collect_edges(const GluedFaces& faces, TileProof& proof) {
         if (!faces.on_seam(h)) continue;
         ++proof.n_boundary_edges;
         // Store each pair once, from the side with the positive translation.
-        if (faces.across[h] < Offset{}) continue;
+        if (faces.on_wall(h) || faces.across[h] < Offset{}) continue;
         const int g = faces.opposite[h];
         proof.edge_pairs.push_back({.v0 = faces.corners[h],
                                     .v1 = faces.corners[faces.next(h)],
@@ -251,6 +252,7 @@ void collect_edges(const GluedFaces& faces, TileProof& proof) {
                                     .offset = faces.across[h]});
     }
     std::sort(proof.edge_pairs.begin(), proof.edge_pairs.end());
+    proof.wall_edges = faces.hole_edges;
 }
 
 /// Checks the arrays.
@@ -282,19 +284,27 @@ Gluing glued(const Tile& tile, Precision precision) {
 /// Law (3).
 void require_disc(const Tile& tile, const Gluing& gluing) {
     const auto& [proof, faces] = gluing;
+    if (!tile.holes.empty()) {
+        require_connected(faces, true);
+        return;
+    }
     require_single_fans(tile, faces);
-    require_connected(faces);
+    require_connected(faces, false);
     require_one_loop(tile, faces);
     const int n_edges = (faces.n_halfedges() + proof.n_boundary_edges) / 2;
     require_euler(kDiscLaw, proof.n_vertices, n_edges, proof.n_faces, 1);
 }
 
-/// Laws (4) and (5).
+/// Laws (4), (5) and (7).
 void require_torus(const Tile& tile, const Gluing& gluing) {
     const auto& [proof, faces] = gluing;
-    const int n_edges = faces.n_halfedges() / 2;
-    require_euler(kTorusLaw, proof.n_orbits, n_edges, proof.n_faces, 0);
-    require_area(tile, faces, proof);
+    const std::vector<Polygon> holes = hole_polygons(tile, faces, proof.tolerance);
+    double area = 0;
+    for (const Polygon& hole : holes) area += polygon_area(hole);
+    const int n_edges = (faces.n_halfedges() + static_cast<int>(faces.hole_edges.size())) / 2;
+    require_euler(kTorusLaw, proof.n_orbits, n_edges, proof.n_faces,
+                  -static_cast<int>(holes.size()));
+    require_area(tile, faces, proof, area);
 }
 
 }  // namespace

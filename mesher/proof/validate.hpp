@@ -54,6 +54,13 @@ struct TileProof {
 ///   (5) The areas of the faces sum to the area of the fundamental domain.
 ///   (6) The vertices of a tile with walls lie between them, or on them: to the last bit in double
 ///       precision.
+///   (7) The edges of holes form loops. Each loop has one name and is a simple polygon that does
+///       not go round the torus.
+///
+/// Of a tile with holes, an edge may be that of a hole instead of having a partner (2); the faces
+/// are connected over edges and the seam (3); V - E + F = -k for k loops (4); the areas of the
+/// faces and of the holes' polygons have the sum (5). Which edges lie at holes is read from
+/// Tile::wall_edges, all else from positions.
 ///
 /// For a tile with walls, laws (2), (4) and (5) are those of the tile together with its mirror
 /// images (validate_walls.hpp), and law (3) is that of the tile. An edge whose partner belongs to
@@ -79,7 +86,7 @@ TileProof prove_tile(const Tile& tile, Precision precision);
 void compare_vertex_pairs(const Tile& tile, const TileProof& proof);
 void compare_edge_pairs(const Tile& tile, const TileProof& proof);
 
-/// Compares the stored edges on walls with the proven ones.
+/// Compares the stored edges on walls with the proven ones: an edge of a hole has no face beyond.
 /// @throws NotATile naming the first one that is wrong or missing.
 void compare_wall_edges(const Tile& tile, const TileProof& proof);
 

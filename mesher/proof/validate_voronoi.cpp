@@ -89,6 +89,7 @@ double require_voronoi_cells(const Tile& tile, const ProvenFaces& faces, double 
     double largest = 0;
     for (int side = 0; side < glued.n_halfedges(); ++side) {
         checkpoint_each(side);
+        if (glued.on_wall(side)) continue;
         const int f = glued.face_of[side];
         const Vec2& left = cells.centroids[f];
         const Vec2 right =
@@ -183,6 +184,7 @@ double require_delaunay_edges(const Tile& tile, const ProvenFaces& faces, double
     double largest = 0;
     for (int side = 0; side < glued.n_halfedges(); ++side) {
         checkpoint_each(side);
+        if (glued.on_wall(side)) continue;
         const int beside = glued.opposite[side];
         WeightedPoint corner = corners.at(glued.next(glued.next(beside)));
         corner.p += faces.back_across(side);

@@ -54,10 +54,15 @@ void take_faces(const Tile& tile, const GluedFaces& all, Gluing& part) {
         if (faces.opposite[h] < n_halfedges) continue;
         const int v = faces.corners[h];
         const int w = faces.corners[faces.next(h)];
-        part.proof.wall_edges.push_back({wall_of(tile, v, w), v, w});
-        faces.opposite[h] = h;
-        faces.across[h] = {1, 1};
+        part.proof.wall_edges.push_back({WallId::side(wall_of(tile, v, w)), v, w});
+        faces.put_on_wall(h);
     }
+    const int n_points = tile.n_vertices() - static_cast<int>(tile.copies.size());
+    for (const WallEdge& edge : all.hole_edges) {
+        if (std::max(edge.v0, edge.v1) < n_points) faces.hole_edges.push_back(edge);
+    }
+    part.proof.wall_edges.insert(part.proof.wall_edges.end(), faces.hole_edges.begin(),
+                                 faces.hole_edges.end());
     std::sort(part.proof.wall_edges.begin(), part.proof.wall_edges.end());
     part.proof.n_faces = faces.n_faces();
 }
@@ -113,6 +118,7 @@ class Mirror {
         number_sites();
         add_vertices();
         add_faces();
+        add_holes();
         const bool across_x = axis_ == 0;
         tile_.lattice = tile_.lattice.repeated(across_x ? 2 : 1, across_x ? 1 : 2);
     }
@@ -213,6 +219,14 @@ class Mirror {
         add_attributes(f);
     }
 
+    void add_holes() {
+        const std::vector<WallEdge> edges = tile_.wall_edges;
+        for (const auto& [wall, v, w] : edges) {
+            if (!wall.is_hole()) continue;
+            tile_.wall_edges.push_back({wall, image_vertex_[w], image_vertex_[v]});
+        }
+    }
+
     void add_attributes(int f) {
         const auto k = static_cast<std::size_t>(f);
         if (k < tile_.face_site.size()) tile_.face_site.push_back(image_site(tile_.face_site[k]));
@@ -279,7 +293,7 @@ Tile mirrored_tile(Tile tile) {
         if (has_walls_across(tile.walls, axis)) Mirror(tile, axis).add_images();
     }
     tile.walls = Walls::kNone;
-    tile.wall_edges.clear();
+    std::erase_if(tile.wall_edges, [](const WallEdge& edge) { return !edge.wall.is_hole(); });
     tile.vertex_pairs.clear();
     tile.edge_pairs.clear();
     return tile;

@@ -211,26 +211,40 @@ Points general_points(const PlaneGroup& group, int n, std::uint64_t seed,
 
 }  // namespace
 
-SymmetricSites random_sites(const PlaneGroup& group, const OrbitPlan& plan, std::uint64_t seed,
-                            const std::optional<Density>& density) {
-    const SpecialPositions special = special_positions(group);
-    require_plan(group, special, plan);
-    OrbitBuilder orbits(group);
-    for (std::size_t k = 0; k < special.centres.size(); ++k) {
-        if (plan.at_centres[k]) orbits.add(place_of(special.centres[k].place), kTwelfths);
-    }
+OrbitPlaces random_places(const PlaneGroup& group, const OrbitPlan& plan, std::uint64_t seed,
+                          const std::optional<Density>& density) {
+    require_plan(group, special_positions(group), plan);
+    OrbitPlaces places{.at_centres = plan.at_centres, .on_mirrors = {}, .general = {}};
     std::mt19937_64 generator(seed);
-    for (std::size_t k = 0; k < special.mirrors.size(); ++k) {
-        const Line line{place_of(special.mirrors[k].through), special.mirrors[k].along};
-        for (int site = 0; site < plan.on_mirrors[k]; ++site) {
-            orbits.add(line.at(std::ldexp(double(generator() >> 11), -53)), kGrid);
+    for (const int n_on_mirror : plan.on_mirrors) {
+        std::vector<double>& on_mirror = places.on_mirrors.emplace_back();
+        for (int site = 0; site < n_on_mirror; ++site) {
+            on_mirror.push_back(std::ldexp(double(generator() >> 11), -53));
         }
     }
-    const Points points = general_points(group, plan.n_general, seed, density);
-    for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        orbits.add(on_grid(group.reduction().reduced.to_lattice(points.col(s))), kGrid);
+    places.general = general_points(group, plan.n_general, seed, density);
+    return places;
+}
+
+SymmetricSites sites_at(const PlaneGroup& group, const OrbitPlaces& places) {
+    const SpecialPositions special = special_positions(group);
+    OrbitBuilder orbits(group);
+    for (std::size_t k = 0; k < special.centres.size(); ++k) {
+        if (places.at_centres[k]) orbits.add(place_of(special.centres[k].place), kTwelfths);
+    }
+    for (std::size_t k = 0; k < special.mirrors.size(); ++k) {
+        const Line line{place_of(special.mirrors[k].through), special.mirrors[k].along};
+        for (const double part : places.on_mirrors[k]) orbits.add(line.at(part), kGrid);
+    }
+    for (Eigen::Index s = 0; s < places.general.cols(); ++s) {
+        orbits.add(on_grid(group.reduction().reduced.to_lattice(places.general.col(s))), kGrid);
     }
     return orbits.build();
+}
+
+SymmetricSites random_sites(const PlaneGroup& group, const OrbitPlan& plan, std::uint64_t seed,
+                            const std::optional<Density>& density) {
+    return sites_at(group, random_places(group, plan, seed, density));
 }
 
 SymmetricSites orbits_of(const PlaneGroup& group, const Points& representatives) {

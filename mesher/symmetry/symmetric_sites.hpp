@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "mesher/delaunay/site_moves.hpp"
 #include "mesher/density/density.hpp"
@@ -41,10 +42,28 @@ struct SymmetricSites {
     std::vector<MoveTie> ties;
 };
 
-/// Random sites with a plan of orbits: representatives are distributed evenly over the domain, or
-/// over the mirror. The same seed gives the same sites on every machine.
+/// Places for the representatives of orbits.
+struct OrbitPlaces {
+    /// Whether each of SpecialPositions::centres is occupied.
+    std::vector<bool> at_centres;
+    /// For each of SpecialPositions::mirrors: places in parts of its length.
+    std::vector<std::vector<double>> on_mirrors;
+    /// In general positions, 2 x n, length units.
+    Points general;
+};
+
+/// Random places for a plan of orbits, distributed evenly over the domain, or over the mirror. The
+/// same seed gives the same places on every machine.
 /// @param density  `nullopt`: even; else in general positions drawn from its square root.
 /// @throws InvalidInput if the plan has no site, more than kMostSites, or does not fit the group.
+OrbitPlaces random_places(const PlaneGroup& group, const OrbitPlan& plan, std::uint64_t seed,
+                          const std::optional<Density>& density = std::nullopt);
+
+/// The orbits of the places: centres, then sites on mirrors, then general positions.
+/// @throws DuplicateSites if two sites coincide.
+SymmetricSites sites_at(const PlaneGroup& group, const OrbitPlaces& places);
+
+/// sites_at() random_places().
 SymmetricSites random_sites(const PlaneGroup& group, const OrbitPlan& plan, std::uint64_t seed,
                             const std::optional<Density>& density = std::nullopt);
 

@@ -77,7 +77,8 @@ std::optional<BoxCut> box_between_walls(const TileOptions& options, const Period
     Vec2 corner = options.origin;
     const int axis = domain.walls == Walls::kX ? 0 : 1;
     corner[axis] = -side_length(domain.lattice, axis) / 2;
-    return cut_along_box(mesh, corner, snap_distance(options, h));
+    return cut_along_box(mesh, corner, snap_distance(options, h),
+                         {.still = still_vertices(options, mesh)});
 }
 
 LaidOut lay_out_between_walls(const TileOptions& options, PeriodicMesh mesh, double h,
@@ -224,7 +225,9 @@ TorusMesh walled_torus_mesh(const TileOptions& options, PeriodicMesh domain, dou
     PeriodicMesh joined = cells;
     if (options.kind == MeshKind::kGrains) joined.whole_sides = cell_sides(joined);
     const double shortest = shortest_edge(options);
-    if (shortest > 0) joined = without_short_edges(joined, shortest * h, walled);
+    if (shortest > 0) {
+        joined = without_short_edges(joined, shortest * h, walled, still_vertices(options, joined));
+    }
     joined = mirrored_mesh(std::move(joined), walled);
     TorusMesh torus{.mesh = std::move(joined), .corner = options.origin};
     if (weights.size() > 0) {
@@ -308,6 +311,7 @@ BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& option
     tile.rows = options.rows;
     tile.short_edges = options.short_edges;
     if (options.kind == MeshKind::kGrains) tile.order = options.order;
+    tile = with_holes(std::move(tile), options.holes);
     figures.n_edge_pairs = static_cast<int>(tile.edge_pairs.size());
     figures.n_wall_edges = static_cast<int>(tile.wall_edges.size());
     figures.n_boundary_edges = 2 * figures.n_edge_pairs + figures.n_wall_edges;

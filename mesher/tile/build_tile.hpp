@@ -10,6 +10,7 @@
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/walled_mesh.hpp"
 #include "mesher/tile/tile.hpp"
+#include "mesher/tile/tile_holes.hpp"
 
 namespace pcvt {
 
@@ -43,6 +44,8 @@ struct TileOptions {
     /// Of cells beside interfaces: a tag for each site. Edges with an end where cells of different
     /// tags meet are not removed. Empty: all cells are alike. Excludes weights and walls.
     std::span<const int> site_tags = {};
+    /// The sites whose cells are left out. Excludes weights.
+    HoleSites holes = {};
     /// Called now and then with the share that is done, about, from 0 to 1; what it throws ends the
     /// building.
     std::function<void(double)> progress = {};

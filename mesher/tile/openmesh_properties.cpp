@@ -30,6 +30,7 @@ void attach_all(Mesh& mesh, OpenMeshProperties& id) {
     attach_mesh_property(mesh, id.site_weights, "pcvt_site_weights");
     attach_mesh_property(mesh, id.metric, "pcvt_metric");
     attach_mesh_property(mesh, id.walls, "pcvt_walls");
+    attach_mesh_property(mesh, id.holes, "pcvt_holes");
 }
 
 }  // namespace

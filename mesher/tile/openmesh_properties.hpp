@@ -32,8 +32,8 @@ struct SitePoint {
 /// Names in the file: "pcvt_partner", "pcvt_partner_offset", "pcvt_orbit", "pcvt_orbit_offset",
 /// "pcvt_face_site", "pcvt_vertex_site" and, of the mesh, "pcvt_lattice" (ax, ay, bx, by) and
 /// "pcvt_sites" (columns, rows, length of short edges, 0, x0, y0, x1, y1, ...), "pcvt_site_weights"
-/// "pcvt_metric" (ratio, degrees) and "pcvt_walls" (across x, across y: 0 or 1). Boundary halfedges
-/// on walls have no partner.
+/// "pcvt_metric" (ratio, degrees), "pcvt_walls" (across x, across y: 0 or 1) and "pcvt_holes"
+/// (names and edges). Boundary halfedges on walls and at holes have no partner.
 struct OpenMeshProperties {
     /// A boundary halfedge's partner, as a halfedge index; -1 for a halfedge that has a face.
     OpenMesh::HPropHandleT<int> partner;
@@ -63,6 +63,8 @@ struct OpenMeshProperties {
     OpenMesh::MPropHandleT<std::vector<double>> metric;
     /// 1 for walls across x, 1 for walls across y; empty without walls.
     OpenMesh::MPropHandleT<std::vector<double>> walls;
+    /// holes_as_numbers() (mesher/tile/tile_holes.hpp).
+    OpenMesh::MPropHandleT<std::vector<double>> holes;
 
     /// Adds the properties to a mesh, or finds them where they are there already.
     void attach(CellMesh& mesh);

@@ -10,6 +10,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/tile/site_positions.hpp"
 #include "mesher/tile/tile_edges.hpp"
+#include "mesher/tile/tile_holes.hpp"
 
 namespace pcvt {
 namespace {
@@ -54,12 +55,12 @@ class MeshBuilder {
     void note_sites() {
         mesh_.property(id_.site_weights) = arrays_.site_weights;
         const Metric& metric = arrays_.metric;
-        std::vector<double>& numbers = mesh_.property(id_.metric);
-        numbers.clear();
-        if (!metric.is_round()) numbers = {metric.ratio(), metric.degrees()};
+        mesh_.property(id_.metric).clear();
+        if (!metric.is_round()) mesh_.property(id_.metric) = {metric.ratio(), metric.degrees()};
         const std::array<double, 2> walls = walls_as_numbers(arrays_.walls);
         const bool has_walls = arrays_.walls != Walls::kNone;
         mesh_.property(id_.walls).assign(walls.begin(), has_walls ? walls.end() : walls.begin());
+        mesh_.property(id_.holes) = holes_as_numbers(arrays_);
         const std::vector<Vec2> positions = site_positions(arrays_);
         std::vector<double>& sites = mesh_.property(id_.sites);
         sites.clear();
@@ -89,7 +90,11 @@ class MeshBuilder {
                 require_vertex(v);
                 corners.emplace_back(v);
             }
-            require_size(f);
+            // OpenMesh would cut larger faces of a triangle mesh into triangles.
+            if (corners.size() < 3 || (corners.size() > 3 && !Mesh::is_polymesh())) {
+                refuse_arrays("face " + to_string(f) + " has " + to_string(corners.size()) +
+                              " corners");
+            }
             const auto face = mesh_.add_face(corners);
             if (!face.is_valid()) {
                 refuse_arrays("face " + to_string(f) + " and those before it form no surface");
@@ -104,13 +109,6 @@ class MeshBuilder {
             mesh_.property(id_.whole_sides, face) =
                 arrays_.whole_sides.empty() ? 0 : arrays_.whole_sides[f];
         }
-    }
-
-    /// OpenMesh would cut larger faces of a triangle mesh into triangles.
-    void require_size(int f) const {
-        const int size = arrays_.face_size(f);
-        if (size == 3 || (size > 3 && Mesh::is_polymesh())) return;
-        refuse_arrays("face " + to_string(f) + " has " + to_string(size) + " corners");
     }
 
     void note_orbits() {
@@ -289,15 +287,16 @@ class ArrayBuilder {
 
     void take_partners() {
         const std::vector<double>& walls = mesh_.property(id_.walls);
-        const bool has_walls = walls.size() == 2;
-        if (has_walls) {
+        if (walls.size() == 2) {
             const WallsRow* const row = walls_of_numbers(walls[0], walls[1]);
             if (row == nullptr) refuse_arrays("walls are not stated by 0 and 1");
             arrays_.walls = row->walls;
             arrays_.wall_edges = edges_on_walls(arrays_);
         }
+        take_holes(mesh_.property(id_.holes), arrays_);
+        const bool may_lack = walls.size() == 2 || !arrays_.holes.empty();
         for (const auto h : mesh_.halfedges()) {
-            const bool is_paired = !has_walls || mesh_.property(id_.partner, h) >= 0;
+            const bool is_paired = !may_lack || mesh_.property(id_.partner, h) >= 0;
             if (!mesh_.is_boundary(h) || !is_paired) continue;
             const HalfedgeHandle partner = checked_partner(h);
             const Offset offset = to_offset(mesh_.property(id_.partner_offset, h));

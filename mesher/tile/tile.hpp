@@ -35,9 +35,28 @@ struct EdgePair {
     friend constexpr auto operator<=>(const EdgePair&, const EdgePair&) = default;
 };
 
+/// A wall of a tile: a side of the domain, by its WallSide, or the edge of a hole, by its number
+/// among Tile::holes, which follow the sides.
+///
+/// Example usage:
+///   const WallId wall = WallId::hole(0);
+///   assert(wall_name(tile, wall) == tile.holes[0]);
+struct WallId {
+    int number;
+
+    static constexpr WallId side(WallSide side) { return {static_cast<int>(side)}; }
+    static constexpr WallId hole(int hole) { return {static_cast<int>(kWallSides.size()) + hole}; }
+    constexpr bool is_hole() const { return number >= static_cast<int>(kWallSides.size()); }
+    /// @pre !is_hole().
+    constexpr WallSide side() const { return static_cast<WallSide>(number); }
+    /// @pre is_hole().
+    constexpr int hole() const { return number - static_cast<int>(kWallSides.size()); }
+    friend constexpr auto operator<=>(const WallId&, const WallId&) = default;
+};
+
 /// The boundary edge v0 -> v1 (its face on the left) lies on a wall.
 struct WallEdge {
-    WallSide side;
+    WallId wall;
     int v0;
     int v1;
     friend constexpr auto operator<=>(const WallEdge&, const WallEdge&) = default;
@@ -66,11 +85,15 @@ struct Tile {
     /// One pair for each vertex w that is not the representative v of its orbit, by rising w.
     /// The representative is the vertex of the orbit with the smallest index, so v < w.
     std::vector<VertexPair> vertex_pairs = {};
-    /// Each identified pair of boundary edges once. Boundary edges are in a pair or on a wall.
+    /// Each identified pair of boundary edges once. Boundary edges are in a pair or on a wall, and
+    /// the edge of a hole is a wall.
     std::vector<EdgePair> edge_pairs = {};
     /// The sides of the domain that are walls, which no offset crosses. The lattice is then upright
     /// (is_upright()), and the walls lie at 0 and at its sides to the last bit.
     Walls walls = Walls::kNone;
+    /// The names of the holes, which several holes may share: where the faces of some cells are
+    /// left out (tile_holes.hpp). Such a tile is no disc, and need not be connected before gluing.
+    std::vector<std::string> holes = {};
     /// Every edge on a wall once, sorted.
     std::vector<WallEdge> wall_edges = {};
     /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
@@ -108,5 +131,11 @@ struct Tile {
         return faces_have_sites(kind) ? face_site : vertex_site;
     }
 };
+
+/// The name of a wall, in every format: `wall_left`, or the name of the hole.
+inline std::string wall_name(const Tile& tile, WallId wall) {
+    if (wall.is_hole()) return tile.holes[static_cast<std::size_t>(wall.hole())];
+    return wall_side_row(wall.side()).word;
+}
 
 }  // namespace pcvt

@@ -96,7 +96,7 @@ std::vector<WallEdge> edges_on_walls(const Tile& tile) {
             for (const WallSideRow& row : kWallSides) {
                 if (!has_walls_across(tile.walls, row.axis)) continue;
                 if (!is_on(v, row) || !is_on(to, row)) continue;
-                edges.push_back({row.side, original(v), original(to)});
+                edges.push_back({WallId::side(row.side), original(v), original(to)});
             }
         }
     }

@@ -11,13 +11,10 @@ std::vector<int> cell_sides(const Tile& cells) {
     if (!cells.whole_sides.empty()) return cells.whole_sides;
     const double shortest = kShortEdge * std::sqrt(cells.lattice.area() / cells.n_faces());
     std::vector<int> sides(cells.n_faces());
-    std::vector<Vec2> polygon;
+    Polygon polygon;
     for (int f = 0; f < cells.n_faces(); ++f) {
         checkpoint_each(f);
-        polygon.clear();
-        for (const int v : cells.faces[f]) {
-            polygon.push_back(cells.points[v]);
-        }
+        face_polygon(cells.points, cells.faces[f], polygon);
         sides[f] = count_sides(polygon, shortest);
     }
     return sides;

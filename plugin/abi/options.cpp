@@ -69,10 +69,11 @@ static_assert(walls_row(Walls::kY).abi_value == PCVT_WALLS_Y);
 static_assert(walls_row(Walls::kXY).abi_value == PCVT_WALLS_XY);
 static_assert(wall_cells_row(WallCells::kWhole).abi_value == PCVT_WALL_CELLS_WHOLE);
 static_assert(wall_cells_row(WallCells::kHalf).abi_value == PCVT_WALL_CELLS_HALF);
-static_assert(wall_side_row(WallSide::kLeft).abi_value == PCVT_WALL_LEFT);
-static_assert(wall_side_row(WallSide::kRight).abi_value == PCVT_WALL_RIGHT);
-static_assert(wall_side_row(WallSide::kBottom).abi_value == PCVT_WALL_BOTTOM);
-static_assert(wall_side_row(WallSide::kTop).abi_value == PCVT_WALL_TOP);
+static_assert(WallId::side(WallSide::kLeft).number == PCVT_WALL_LEFT);
+static_assert(WallId::side(WallSide::kRight).number == PCVT_WALL_RIGHT);
+static_assert(WallId::side(WallSide::kBottom).number == PCVT_WALL_BOTTOM);
+static_assert(WallId::side(WallSide::kTop).number == PCVT_WALL_TOP);
+static_assert(WallId::hole(0).number == PCVT_WALL_HOLE);
 
 static_assert(find_word(kGltfNodes, "cells")->abi_value == PCVT_NODES_CELLS);
 static_assert(find_word(kGltfNodes, "one")->abi_value == PCVT_NODES_ONE);
@@ -336,6 +337,7 @@ Job make_job(const pcvt_options& options) {
         job.inclusions = parse_inclusions("inclusions", options.inclusions);
     }
     if (options.fibres != nullptr) job.fibres = parse_fibres(options.fibres);
+    if (options.holes != nullptr) job.holes = parse_tags(options.holes);
     return job;
 }
 

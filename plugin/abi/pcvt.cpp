@@ -202,6 +202,11 @@ pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t v
     return give("pcvt_sites", view, view_size, [&] { return content(result).sites(); });
 }
 
+pcvt_status pcvt_get_inclusions(const pcvt_result* result, pcvt_inclusions* view,
+                                size_t view_size) {
+    return give("pcvt_inclusions", view, view_size, [&] { return content(result).inclusions(); });
+}
+
 pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view,
                                 size_t view_size) {
     return give("pcvt_statistics", view, view_size, [&] { return content(result).statistics(); });

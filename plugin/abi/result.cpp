@@ -61,9 +61,35 @@ void note_orbits(TileArrays& arrays) {
                                      .j = pair.offset.j});
     }
     for (const WallEdge& edge : tile.wall_edges) {
-        const std::int32_t wall = wall_side_row(edge.side).abi_value;
-        arrays.wall_edges.push_back({.wall = wall, .v0 = edge.v0, .v1 = edge.v1});
+        arrays.wall_edges.push_back({.wall = edge.wall.number, .v0 = edge.v0, .v1 = edge.v1});
     }
+}
+
+/// The number of a shape's form, and its numbers appended.
+std::int32_t append(const Circle& circle, std::vector<double>& numbers) {
+    numbers.insert(numbers.end(), {circle.centre.x(), circle.centre.y(), circle.radius});
+    return PCVT_CIRCLE;
+}
+std::int32_t append(const Ellipse& ellipse, std::vector<double>& numbers) {
+    numbers.insert(numbers.end(),
+                   {ellipse.centre.x(), ellipse.centre.y(), ellipse.a, ellipse.b, ellipse.degrees});
+    return PCVT_ELLIPSE;
+}
+std::int32_t append(const Polygon& polygon, std::vector<double>& numbers) {
+    for (const Vec2& corner : polygon) numbers.insert(numbers.end(), {corner.x(), corner.y()});
+    return PCVT_POLYGON;
+}
+
+InclusionArrays inclusion_arrays(const Tessellation& cells) {
+    InclusionArrays arrays;
+    if (!cells.interfaces) return arrays;
+    for (const Inclusion& inclusion : cells.interfaces->shapes) {
+        arrays.form.push_back(std::visit(
+            [&](const auto& shape) { return append(shape, arrays.numbers); }, inclusion.shape));
+        arrays.tags.push_back(cells.tag_names[inclusion.tag].c_str());
+        arrays.begin.push_back(static_cast<int>(arrays.numbers.size()));
+    }
+    return arrays;
 }
 
 std::vector<int> counts_by_sides(const Tessellation& cells) {
@@ -96,10 +122,12 @@ std::int32_t minimum_number(const std::optional<Minimum>& minimum) {
 Result::Result(Job job, Computation computed)
     : job_(std::move(job)),
       computed_(std::move(computed)),
-      sites_(wrapped_sites(computed_.cells, job_.origin)) {
+      sites_(wrapped_sites(computed_.cells, job_.origin)),
+      inclusions_(inclusion_arrays(computed_.cells)) {
     for (const std::string& name : computed_.materials.phase_names) {
         phase_names_.push_back(name.c_str());
     }
+    for (const std::string& name : job_.holes) hole_names_.push_back(name.c_str());
 }
 
 const PeriodicMesh& Result::periodic(MeshKind kind) const {
@@ -113,7 +141,7 @@ const PeriodicMesh& Result::periodic(MeshKind kind) const {
     check_job(job);
     return meshes_[kind_number(kind)].get([&] {
         require_memory_for_mesh(job, kind);
-        return from_geometry([&] { return plane_mesh(computed_.cells, kind); });
+        return from_geometry([&] { return mesh_outside_holes(computed_.cells, kind); });
     });
 }
 
@@ -160,6 +188,17 @@ pcvt_sites Result::sites() const {
     if (!materials.site_orientation.empty()) {
         view.orientations = &materials.site_orientation.front().phi1;
     }
+    return view;
+}
+
+pcvt_inclusions Result::inclusions() const {
+    pcvt_inclusions view{};
+    if (inclusions_.form.empty()) return view;
+    view.numbers = inclusions_.numbers.data();
+    view.begin = numbers(inclusions_.begin);
+    view.form = numbers(inclusions_.form);
+    view.tags = inclusions_.tags.data();
+    view.n_shapes = static_cast<std::int32_t>(inclusions_.form.size());
     return view;
 }
 
@@ -234,6 +273,8 @@ pcvt_tile Result::tile(const Layout& layout) const {
     view.n_edge_pairs = static_cast<std::int32_t>(made.edge_pairs.size());
     view.wall_edges = made.wall_edges.empty() ? nullptr : made.wall_edges.data();
     view.n_wall_edges = static_cast<std::int32_t>(made.wall_edges.size());
+    view.n_holes = static_cast<std::int32_t>(job_.holes.size());
+    if (!hole_names_.empty()) view.hole_names = hole_names_.data();
     return view;
 }
 

@@ -55,6 +55,15 @@ struct TileArrays {
     std::vector<pcvt_wall_edge> wall_edges;
 };
 
+/// Inclusions as the arrays that their view borrows.
+struct InclusionArrays {
+    std::vector<double> numbers;
+    std::vector<int> begin{0};
+    std::vector<int> form;
+    /// Names within the tessellation.
+    std::vector<const char*> tags;
+};
+
 /// A computed job, and views of it that are valid as long as it lives. Any number of threads may
 /// call it at once.
 class Result {
@@ -63,6 +72,7 @@ class Result {
 
     double energy_bound() const;
     pcvt_sites sites() const;
+    pcvt_inclusions inclusions() const;
     pcvt_statistics statistics() const;
     /// PCVT_MINIMUM_...
     std::int32_t minimum() const;
@@ -82,6 +92,8 @@ class Result {
     Computation computed_;
     Points sites_;
     std::vector<const char*> phase_names_;
+    std::vector<const char*> hole_names_;
+    InclusionArrays inclusions_;
     /// By the number of the kind, and of the outline.
     std::array<Lazy<PeriodicMesh>, kMeshKinds.size()> meshes_;
     std::array<std::array<Lazy<TileArrays>, 2>, kMeshKinds.size()> tiles_;

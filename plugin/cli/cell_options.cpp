@@ -107,6 +107,12 @@ void add_cell_options(CLI::App& app, CellOptions& options) {
     add("--fibres", options.fibres, "FRACTION,N[,GAP]",
         "in place of --inclusions, N equal circles of the tag fibre with this\n"
         "part of the area, at random places by --seed, not nearer than GAP");
+    app.add_option("--hole", options.holes,
+                   "leaves the cells of the inclusions with this tag out: their edges\n"
+                   "are walls TAG in the files; repeatable")
+        ->type_name("TAG")
+        ->option_text("TAG")
+        ->allow_extra_args(false);
 }
 
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
@@ -136,6 +142,7 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
             throw InvalidInput("--fibres " + std::string(error.what()));
         }
     }
+    job.holes = options.holes;
     read_density(app, options, job);
 }
 

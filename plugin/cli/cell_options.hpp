@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mesher/density/density.hpp"
 #include "plugin/job/job.hpp"
@@ -23,6 +24,7 @@ struct CellOptions {
     std::string fixed;
     std::string inclusions;
     std::string fibres;
+    std::vector<std::string> holes;
 };
 
 /// Adds the options to `app`; parsing fills `options`.

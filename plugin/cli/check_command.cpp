@@ -72,6 +72,7 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     for (std::string& path : question.files) path = without_slash(path);
     read_density(app, options, question);
     read_areas_option(app, options, question);
+    if (app.count("--inclusions") > 0) question.inclusions = read_inclusions(options.inclusions);
     if (question.files.empty()) throw InvalidInput("no file to check; give one or more");
     return question;
 }
@@ -110,6 +111,11 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
                    "`pcvt mesh --areas` takes it, built again from sites and weights;\n"
                    "grains: that the faces of each site have them")
         ->type_name("FILE");
+    app.add_option("--inclusions", options.inclusions,
+                   "prove as well that no cell crosses the outline of a shape of\n"
+                   "`pcvt mesh --inclusions FILE`, that the outline consists of edges of\n"
+                   "cells, and that the cells inside have its tag and its area")
+        ->type_name("FILE");
     app.add_option("--density", options.density,
                    "of the centroids of --cvt, as for `pcvt mesh`, in the file's lattice")
         ->type_name("EXPR|FILE.png");
@@ -126,6 +132,7 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
         "  pcvt check tile.obj tile.glb\n"
         "  pcvt check tile.obj --cvt 1e-4\n"
         "  pcvt check grains.obj --areas grains.txt\n"
+        "  pcvt check composite.obj --inclusions shapes.txt\n"
         "  pcvt check --period 2,1 from-elsewhere.obj\n");
 }
 

@@ -18,6 +18,7 @@ struct CheckOptions {
     std::string lattice;
     std::string cvt;
     std::string areas;
+    std::string inclusions;
     std::string density;
     std::string density_range;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <limits>
 
 #include "io/bytes/input_file.hpp"
@@ -11,12 +10,11 @@
 #include "io/file_proof.hpp"
 #include "io/outputs/recovery.hpp"
 #include "io/tile_formats.hpp"
-#include "mesher/areas/cell_areas.hpp"
-#include "mesher/areas/target_areas.hpp"
 #include "mesher/density/density_centroid.hpp"
-#include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/cell_options.hpp"
+#include "plugin/cli/checks/area_check.hpp"
+#include "plugin/cli/checks/inclusion_check.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/job/job_files.hpp"
 
@@ -86,110 +84,6 @@ std::string prove_cvt(const TileFile& file, const TileProof& proof, const Questi
            figure(tolerance) + " h)";
 }
 
-/// The cells of a tile with weights, as its file states them.
-StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
-    const Tile& tile = file.tile;
-    const auto n = static_cast<int>(tile.site_positions.size());
-    StatedCells cells{
-        .lattice = Lattice(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows),
-        .metric = tile.metric,
-        .walls = tile.walls,
-        .points = Points(2, n),
-        .weights = Eigen::Map<const Eigen::VectorXd>(tile.site_weights.data(), n),
-        .rounding = proof.tolerance,
-        .weight_rounding = file.precision == Precision::kDouble
-                               ? std::numeric_limits<double>::epsilon()
-                               : double(std::numeric_limits<float>::epsilon())};
-    for (int s = 0; s < n; ++s) cells.points.col(s) = tile.site_positions[s];
-    return cells;
-}
-
-/// The cells of voxels with weights. Positions are rounded as in tiles.
-StatedCells stated_cells(const VoxelCells& cells) {
-    constexpr double kUlps = 4;
-    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-    return {.lattice = cells.lattice,
-            .metric = cells.metric,
-            .points = cells.sites,
-            .weights = cells.weights,
-            .rounding = kUlps * kEpsilon * cells.sites.cwiseAbs().maxCoeff(),
-            .weight_rounding = kEpsilon};
-}
-
-/// Whether corners of cells may lie off those of the power cells of the stated weights.
-bool moves_corners(const Tile& tile) {
-    return tile.kind == MeshKind::kGrains ||
-           (tile.kind == MeshKind::kVoronoi && tile.short_edges > 0);
-}
-
-/// Compares the areas of the faces of each site with the wished ones.
-AreaComparison compare_face_areas(const Tile& tile, const TileProof& proof,
-                                  const Eigen::VectorXd& wanted) {
-    Eigen::VectorXd area = Eigen::VectorXd::Zero(wanted.size());
-    Eigen::VectorXd perimeter = area;
-    for (int f = 0; f < tile.n_faces(); ++f) {
-        Polygon polygon;
-        for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
-        area[tile.face_site[f]] += polygon_area(polygon) / (tile.columns * tile.rows);
-        perimeter[tile.face_site[f]] += polygon_perimeter(polygon) / (tile.columns * tile.rows);
-    }
-    AreaComparison worst{.site = -1, .area = 0, .error = 0, .tolerance = 0};
-    const double least =
-        file_area_tolerance(static_cast<int>(wanted.size()) * n_images(tile.walls));
-    for (int s = 0; s < wanted.size(); ++s) {
-        const double error = std::abs(area[s] - wanted[s]) / wanted[s];
-        const double tolerance = std::max(least, perimeter[s] * proof.tolerance / wanted[s]);
-        if (worst.site >= 0 && error * worst.tolerance <= worst.error * tolerance) continue;
-        worst = {.site = s, .area = area[s], .error = error, .tolerance = tolerance};
-    }
-    return worst;
-}
-
-[[noreturn]] void refuse_without_weights(const std::string& path) {
-    throw BadFile(path +
-                  ": states no weights of its sites, so it has no power cells; check it "
-                  "without --areas");
-}
-
-/// Compares the areas of n cells with the wished ones.
-/// @param compare  measures the cells and compares them with areas in units of the domain.
-std::string prove_areas(const AreaFile& wanted, int n, double domain_area,
-                        const std::function<AreaComparison(const Eigen::VectorXd&)>& compare) {
-    require_areas(wanted, n);
-    const Eigen::VectorXd areas = scaled_areas(wanted.areas, n, domain_area);
-    const AreaComparison found = compare(areas);
-    const std::string text =
-        figure(found.error) + " of " + wanted.name + " (tolerance " + figure(found.tolerance) + ")";
-    if (found.error <= found.tolerance) {
-        return ", areas of " + std::to_string(n) + " cells within " + text;
-    }
-    throw NotATile("law of the areas: the cell of site " + std::to_string(found.site) +
-                   " has the area " + figure(found.area) + ", not " + figure(areas[found.site]) +
-                   ": off by " + text);
-}
-
-/// Compares the areas of the power cells, built from nothing, or where corners were moved those of
-/// the faces.
-std::string prove_tile_areas(const std::string& path, const TileFile& file, const TileProof& proof,
-                             const AreaFile& wanted) {
-    if (file.tile.site_weights.empty()) refuse_without_weights(path);
-    const StatedCells cells = stated_cells(file, proof);
-    return prove_areas(wanted, static_cast<int>(cells.points.cols()), cells.lattice.area(),
-                       [&](const Eigen::VectorXd& areas) {
-                           return moves_corners(file.tile)
-                                      ? compare_face_areas(file.tile, proof, areas)
-                                      : compare_areas(cells, areas);
-                       });
-}
-
-std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,
-                              const AreaFile& wanted) {
-    if (!file.cells || file.cells->weights.size() == 0) refuse_without_weights(path);
-    const StatedCells cells = stated_cells(*file.cells);
-    return prove_areas(wanted, static_cast<int>(cells.points.cols()), cells.lattice.area(),
-                       [&](const Eigen::VectorXd& areas) { return compare_areas(cells, areas); });
-}
-
 /// A tile with these walls, as lines of proof and refutation name it.
 std::string content_of(Walls walls) {
     if (walls == Walls::kNone) return "a periodic tile";
@@ -208,6 +102,10 @@ std::string described(Walls walls) {
 
 /// What the tile becomes when its seam is glued.
 std::string glued_text(const Tile& tile, const TileProof& proof) {
+    if (tile.walls == Walls::kNone && !tile.holes.empty()) {
+        return std::to_string(proof.wall_edges.size()) +
+               " on holes, genus 1 after gluing and filling";
+    }
     if (tile.walls == Walls::kNone) return "genus 1 after gluing";
     return std::to_string(proof.wall_edges.size()) + " on walls, " +
            (tile.walls == Walls::kXY ? "a disc" : "an annulus after gluing");
@@ -252,6 +150,9 @@ std::string prove_grid(GridReader* read, const TileFormat& format, const std::st
     if (question.areas) {
         throw BadFile(path + ": --areas is not for MPAS files, which have no power cells");
     }
+    if (question.inclusions) {
+        throw BadFile(path + ": --inclusions is not for MPAS files; check a tile of the same run");
+    }
     const std::vector<EncodedFile> files = read_files(format, path);
     const MpasGrid grid = read(files);
     if (question.lattice) {
@@ -281,6 +182,9 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
                               const Question& question) {
     if (question.cvt_tolerance) {
         throw BadFile(path + ": --cvt is not for voxels; check a tile of the same run");
+    }
+    if (question.inclusions) {
+        throw BadFile(path + ": --inclusions is not for voxels; check a tile of the same run");
     }
     const std::vector<EncodedFile> files = read_files(format, path);
     const VoxelFile file = read(files);
@@ -319,6 +223,7 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
                        sites_text(file.tile) + orbits_text(file.site_orbits);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);
     if (question.areas) line += prove_tile_areas(path, file, proof, *question.areas);
+    if (question.inclusions) line += prove_inclusions(path, file, proof, *question.inclusions);
     return line + "\n";
 }
 

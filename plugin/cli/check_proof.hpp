@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/run_files/area_reader.hpp"
+#include "io/run_files/inclusion_reader.hpp"
 #include "mesher/lattice/lattice.hpp"
 
 namespace pcvt::cli {
@@ -17,6 +18,8 @@ struct Question {
     /// In units of h; `nullopt`: the Voronoi property is not checked.
     std::optional<double> cvt_tolerance;
     std::optional<AreaFile> areas = {};
+    /// Of which each cell lies inside or outside.
+    std::optional<InclusionFile> inclusions = {};
     /// As typed; empty: rho = 1.
     std::string density = {};
     std::string density_range = {};

@@ -78,7 +78,7 @@ std::string start_help() {
     for (const StartRow& row : start_rows()) {
         if (*row.help != '\0') text += std::string("; ") + row.word + ": " + row.help;
     }
-    return text + " [coarse from N = 1000 on,\nelse random]";
+    return text + " [coarse from N = 1000 on,\nwith --symmetry from 1000 orbits on, else random]";
 }
 
 std::string solver_help() {

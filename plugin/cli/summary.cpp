@@ -139,11 +139,24 @@ std::string area_lines(const Job& job, const AreaSummary& areas) {
 }
 
 std::string inclusion_text(const InterfaceFigures& figures) {
-    std::string text = counted(figures.n_shapes, "shape") + ", " +
+    std::string text = counted(static_cast<int>(figures.shapes.size()), "shape") + ", " +
                        counted(figures.n_chords, "chord") + ", " +
                        counted(figures.n_fixed, "site") + " in pairs beside them";
     if (figures.n_held > 0) text += ", " + counted(figures.n_held, "site") + " stopped at them";
     return text;
+}
+
+/// The holes, and the sites that files and tiles have.
+std::string hole_text(const Job& job, const RunSummary& summary) {
+    std::string names;
+    for (const std::string& hole : job.holes) names += (names.empty() ? "" : ", ") + hole;
+    int n_outside = 0;
+    for (const PhaseFigures& phase : summary.phases) {
+        const bool is_hole =
+            std::find(job.holes.begin(), job.holes.end(), phase.name) != job.holes.end();
+        if (!is_hole) n_outside += phase.n_cells;
+    }
+    return names + "; the " + counted(n_outside, "site") + " outside are numbered from 0";
 }
 
 std::string phase_lines(const RunSummary& summary) {
@@ -203,6 +216,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
                                   (summary.n_on_walls > 0 ? ", " + on_walls : ""));
     }
     if (summary.interfaces) text += line("inclusions", inclusion_text(*summary.interfaces));
+    if (!job.holes.empty()) text += line("holes", hole_text(job, summary));
     text += phase_lines(summary);
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += line("recovered", words);

@@ -122,6 +122,14 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
 }
 
+/// Keeps the entries of the sites outside of holes.
+void keep_outside_holes(const HoleSites& holes, std::vector<BungeAngles>& of_sites) {
+    if (holes.empty() || of_sites.empty()) return;
+    std::vector<BungeAngles> kept;
+    for (const SiteId s : holes.kept()) kept.push_back(of_sites[s]);
+    of_sites = std::move(kept);
+}
+
 void add_materials(const Job& job, Computation& computation) {
     const CellTable cells = cell_table(plane_mesh(computation.cells, MeshKind::kVoronoi));
     computation.materials = choose_materials(job.materials, cells, job.seed);
@@ -130,6 +138,7 @@ void add_materials(const Job& job, Computation& computation) {
         computation.phases = tag_figures(computation.cells, cells);
         computation.materials.phase_names = std::move(tags.phase_names);
         computation.materials.site_phase = std::move(tags.site_phase);
+        keep_outside_holes(computation.cells.holes, computation.materials.site_orientation);
         return;
     }
     computation.phases = phase_figures(job.materials, computation.materials, cells);

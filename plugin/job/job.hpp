@@ -59,7 +59,8 @@ struct Job {
     /// The sites, 2 x n, length units. If there are no columns, `n_sites` sites begin at `start`.
     Points points;
     int n_sites = 0;
-    /// `nullopt`: coarse for 1000 sites or more that are optimised without a density, else random.
+    /// `nullopt`: coarse for 1000 sites or more, with a symmetry 1000 for each asymmetric unit,
+    /// that are optimised without a density, else random.
     std::optional<Start> start;
     /// The most evaluations of the global search; 0: default_search_budget(n_sites).
     int budget = 0;
@@ -100,12 +101,18 @@ struct Job {
     /// stability, and starts that are not random.
     Points fixed;
     /// Inclusions, of which each cell lies inside or outside; their tags are the phases of the
-    /// cells. Some of the sites are placed in pairs along the outlines. Excludes given sites, other
-    /// phases, areas, aspect, symmetry, walls, the stability, and starts that are not random.
+    /// cells. Some of the sites are placed in pairs along the outlines. Between walls they lie off
+    /// these. Excludes given sites, other phases, areas, aspect, symmetry, the stability, and
+    /// starts that are not random.
     std::optional<InclusionFile> inclusions;
     /// Circular inclusions of the tag `fibre` in random places, drawn by `seed`; in place of
     /// `inclusions`, with the same exclusions.
     std::optional<RandomCircles> fibres;
+
+    /// Tags of inclusions whose cells are left out: the tile has holes there, with walls of these
+    /// names. The sites of these cells are in no file and in no view, and the others are numbered
+    /// from 0 again, in their order.
+    std::vector<std::string> holes;
 
     bool has_inclusions() const { return inclusions || fibres; }
 
@@ -176,9 +183,9 @@ struct Computation {
     /// coarse start.
     Tessellation cells;
     StartFigures start;
-    /// rho at each site; empty without a density.
+    /// rho at each site outside of holes; empty without a density.
     std::vector<double> site_densities;
-    /// Empty without materials.
+    /// Of the sites outside of holes; empty without materials.
     CellMaterials materials = {};
     std::vector<PhaseFigures> phases = {};
     /// Of the computation alone.

@@ -130,8 +130,9 @@ void check_symmetry(const Job& job) {
         throw InvalidInput(
             "the sites of a symmetry are drawn; leave the sites out, or the symmetry");
     }
-    if (job.start && *job.start != Start::kRandom) {
-        throw InvalidInput("sites with a symmetry start at random; leave the start out");
+    if (job.start && !start_row(*job.start).with_sizes) {
+        throw InvalidInput(
+            "a lattice knows no plane group; leave the start out, or take coarse or random");
     }
     if (job.areas) {
         throw InvalidInput("cells of prescribed areas have no symmetry; leave one of the two out");

@@ -1,14 +1,20 @@
 #include "plugin/job/job_constraints.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <string_view>
 
+#include "io/bytes/nearest_word.hpp"
+#include "io/bytes/text.hpp"
 #include "mesher/cvt/interface_cvt.hpp"
 #include "mesher/mesh/interface_proof.hpp"
 #include "mesher/mesh/voronoi.hpp"
 
 namespace pcvt {
 namespace {
+
+constexpr const char* kFibreTag = "fibre";
 
 /// A choice that fixed sites and inclusions exclude, and the remedy.
 struct Exclusion {
@@ -20,9 +26,6 @@ constexpr std::array kExclusions{
     Exclusion{[](const Job& job) { return job.points.cols() > 0; },
               "sites beside fixed ones and inclusions are drawn; give a number of sites instead of "
               "their positions"},
-    Exclusion{[](const Job& job) { return job.walls != Walls::kNone; },
-              "fixed sites and inclusions need a plane that is periodic along both directions; "
-              "leave the walls out"},
     Exclusion{[](const Job& job) { return job.symmetry.has_value(); },
               "fixed sites and inclusions have no symmetry; leave one of the two out"},
     Exclusion{[](const Job& job) { return job.areas.has_value(); },
@@ -32,6 +35,12 @@ constexpr std::array kExclusions{
               "sites beside fixed ones and inclusions start at random; leave the start out"},
     Exclusion{[](const Job& job) { return job.stability; },
               "the stability with fixed sites or inclusions is not known; leave one out"},
+};
+
+constexpr std::array kFixedExclusions{
+    Exclusion{[](const Job& job) { return job.walls != Walls::kNone; },
+              "fixed sites need a plane that is periodic along both directions; leave the walls "
+              "out"},
 };
 
 constexpr std::array kInclusionExclusions{
@@ -56,9 +65,72 @@ InclusionFile inclusions_of(const Job& job) {
     if (job.inclusions) return *job.inclusions;
     RandomCircles wanted = *job.fibres;
     wanted.seed = job.seed;
+    wanted.walls = job.walls;
     return {.name = "fibres",
             .inclusions = circular_inclusions(random_circles(job.lattice, wanted), 1),
-            .tags = {"fibre"}};
+            .tags = {kFibreTag}};
+}
+
+/// Names of patches, groups and sets that files have besides holes, in lower case; those that end
+/// with _ are the beginnings of names.
+constexpr std::array<std::string_view, 9> kTakenNames{"back",           "front",         "fixed",
+                                                      "grain_boundary", "triple_points", "seam_",
+                                                      "wall_",          "cell_",         "phase_"};
+
+void require_free_name(const std::string& tag) {
+    std::string name = tag;
+    for (char& c : name) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    for (const std::string_view taken : kTakenNames) {
+        if (taken.back() == '_' ? !name.starts_with(taken) : name != taken) continue;
+        throw InvalidInput(
+            "the hole " + tag + " would be a wall of this name, but files have " +
+            (taken.back() == '_' ? "other parts that begin with " : "another part ") +
+            std::string(taken) + "; rename the tag");
+    }
+}
+
+/// @param tags  of the inclusions.
+void require_hole(const std::string& hole, const std::vector<std::string>& tags) {
+    if (hole == kMatrixTag) {
+        throw InvalidInput("the cells of the matrix are no hole; name the tags of inclusions");
+    }
+    if (std::find(tags.begin(), tags.end(), hole) == tags.end()) {
+        const std::string meant = nearest_word(hole, tags);
+        throw InvalidInput(
+            "no inclusion has the tag " + in_quotes(hole) + " of a hole; " +
+            (meant.empty() ? "the first tag is " + tags.front() : "did you mean " + meant + "?"));
+    }
+    require_free_name(hole);
+}
+
+void check_holes(const Job& job) {
+    if (job.holes.empty()) return;
+    if (!job.has_inclusions()) {
+        throw InvalidInput("holes are inclusions that are left out; give inclusions or fibres");
+    }
+    const std::vector<std::string> tags =
+        job.inclusions ? job.inclusions->tags : std::vector<std::string>{kFibreTag};
+    for (std::size_t k = 0; k < job.holes.size(); ++k) {
+        require_hole(job.holes[k], tags);
+        if (std::find(job.holes.begin(), job.holes.begin() + k, job.holes[k]) ==
+            job.holes.begin() + k) {
+            continue;
+        }
+        throw InvalidInput("the hole " + job.holes[k] + " is given twice; leave one out");
+    }
+}
+
+/// The sites of the holes of a job.
+HoleSites hole_sites(const Job& job, const Tessellation& cells) {
+    HoleSites holes{.names = job.holes};
+    if (holes.empty()) return holes;
+    for (const int tag : cells.site_tags) {
+        const auto hole = std::find(job.holes.begin(), job.holes.end(), cells.tag_names[tag]);
+        holes.of_site.push_back(hole == job.holes.end() ? -1 : int(hole - job.holes.begin()));
+    }
+    return holes;
 }
 
 /// Calls `work`, whose refusals get the name of the file.
@@ -87,53 +159,67 @@ void set_tags(const InclusionFile& file, Tessellation& cells) {
 }  // namespace
 
 void check_constraints(const Job& job) {
+    check_holes(job);
     if (job.fixed.cols() > 0 || job.has_inclusions()) require_none(kExclusions, job);
+    if (job.fixed.cols() > 0) require_none(kFixedExclusions, job);
     if (job.fixed.cols() > job.n_sites) {
-        throw InvalidInput("there are " + std::to_string(job.fixed.cols()) +
-                           " fixed sites, more than all sites; take more sites in all");
+        throw InvalidInput("there are more fixed sites (" + std::to_string(job.fixed.cols()) +
+                           ") than sites (" + std::to_string(job.n_sites) + "); take more sites");
     }
     if (!job.has_inclusions()) return;
     require_none(kInclusionExclusions, job);
     if (job.inclusions) {
         named(*job.inclusions,
-              [&] { return InclusionSet(job.lattice, job.inclusions->inclusions); });
+              [&] { return InclusionSet(job.lattice, job.inclusions->inclusions, job.walls); });
     }
 }
 
 Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options) {
     const InclusionFile file = inclusions_of(job);
     InterfaceCvt result = named(file, [&] {
-        const InclusionSet set(job.lattice, file.inclusions);
-        return compute_interface_cvt(set, job.n_sites, job.seed, options);
+        InclusionSet set(job.lattice, file.inclusions, job.walls);
+        if (job.outline == Outline::kBox && !job.finds_origin) set.set_box(job.origin);
+        return compute_interface_cvt(set, job.n_sites, job.seed, options, job.wall_cells);
     });
     const PeriodicMesh cells = cell_mesh(result.cvt.delaunay);
     if (const auto wrong = interface_violation(cells, result.interfaces, result.inclusion)) {
         throw InternalError(*wrong);
     }
-    std::vector<Circle> fibres;
-    if (job.fibres) {
-        for (const Inclusion& fibre : file.inclusions) {
-            fibres.push_back(std::get<Circle>(fibre.shape));
-        }
-    }
     const InterfaceFigures figures{.source = file.name,
-                                   .n_shapes = static_cast<int>(file.inclusions.size()),
-                                   .fibres = std::move(fibres),
+                                   .shapes = file.inclusions,
+                                   .are_drawn = job.fibres.has_value(),
                                    .n_chords = static_cast<int>(result.interfaces.chords.size()),
                                    .n_fixed = result.interfaces.n_seeds(),
                                    .n_held = static_cast<int>(result.held.size())};
     Tessellation tessellation{.delaunay = std::move(result.cvt.delaunay),
+                              .walled = result.walled,
                               .run = result.cvt.run,
                               .counts = result.cvt.counts,
                               .density = result.cvt.density,
                               .site_tags = std::move(result.tag),
                               .interfaces = figures};
     set_tags(file, tessellation);
+    tessellation.holes = hole_sites(job, tessellation);
     return tessellation;
 }
 
 CellMaterials tag_materials(const Tessellation& tessellation) {
-    return {.phase_names = tessellation.tag_names, .site_phase = tessellation.site_tags};
+    const HoleSites& holes = tessellation.holes;
+    if (holes.empty()) {
+        return {.phase_names = tessellation.tag_names, .site_phase = tessellation.site_tags};
+    }
+    CellMaterials materials;
+    std::vector<int> phase_of_tag;
+    for (const std::string& name : tessellation.tag_names) {
+        const bool is_hole =
+            std::find(holes.names.begin(), holes.names.end(), name) != holes.names.end();
+        phase_of_tag.push_back(is_hole ? -1 : static_cast<int>(materials.phase_names.size()));
+        if (!is_hole) materials.phase_names.push_back(name);
+    }
+    for (const SiteId s : holes.kept()) {
+        materials.site_phase.push_back(phase_of_tag[tessellation.site_tags[s]]);
+    }
+    return materials;
 }
 
 std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells) {
@@ -142,7 +228,9 @@ std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const Ce
         const double share = tessellation.tag_areas[k] / tessellation.lattice().area();
         tags.phases.push_back({tessellation.tag_names[k], share});
     }
-    return phase_figures(tags, tag_materials(tessellation), cells);
+    const CellMaterials of_all{.phase_names = tessellation.tag_names,
+                               .site_phase = tessellation.site_tags};
+    return phase_figures(tags, of_all, cells);
 }
 
 }  // namespace pcvt

@@ -21,10 +21,12 @@ void check_constraints(const Job& job);
 /// @throws InternalError  an outline is no edge of the cells: a fault of pcvt.
 Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options);
 
-/// The tags of a run with inclusions as the phases of its cells, in the order matrix, 1, 2, ...
+/// The tags of a run with inclusions as the phases of its cells, in the order matrix, 1, 2, ...,
+/// without those of holes; one entry a site outside of holes.
 CellMaterials tag_materials(const Tessellation& tessellation);
 
-/// One entry a tag; wanted are the areas of the shapes.
+/// One entry a tag, also of holes; wanted are the areas of the shapes.
+/// @param cells  of all sites.
 std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells);
 
 }  // namespace pcvt

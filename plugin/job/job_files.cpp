@@ -100,6 +100,7 @@ FormatRequest format_request(const Job& job, MeshKind kind) {
             .n_sites = job.points.cols() > 0 ? double(job.points.cols()) : job.n_sites,
             .n_periods = double(job.columns) * job.rows,
             .walls = job.walls,
+            .has_holes = !job.holes.empty(),
             .files = job.file_options};
 }
 

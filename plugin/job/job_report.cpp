@@ -94,19 +94,22 @@ std::optional<Report::Walls> report_walls(const Job& job, const RunSummary& summ
                          summary.n_on_walls};
 }
 
-std::optional<Report::Inclusions> report_inclusions(const RunSummary& summary) {
+std::optional<Report::Inclusions> report_inclusions(const Job& job, const RunSummary& summary) {
     if (!summary.interfaces) return std::nullopt;
     const InterfaceFigures& figures = *summary.interfaces;
     std::vector<std::array<double, 3>> fibres;
-    for (const auto& [centre, radius] : figures.fibres) {
+    for (const Inclusion& inclusion : figures.shapes) {
+        if (!figures.are_drawn) break;
+        const auto& [centre, radius] = std::get<Circle>(inclusion.shape);
         fibres.push_back({centre.x(), centre.y(), radius});
     }
     return Report::Inclusions{.source = figures.source,
-                              .shapes = figures.n_shapes,
+                              .shapes = static_cast<int>(figures.shapes.size()),
                               .fibres = std::move(fibres),
                               .chords = figures.n_chords,
                               .fixed_sites = figures.n_fixed,
-                              .held_sites = figures.n_held};
+                              .held_sites = figures.n_held,
+                              .holes = job.holes};
 }
 
 std::vector<Report::Phase> report_phases(const RunSummary& summary) {
@@ -153,7 +156,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .aspect = report_aspect(job),
         .symmetry = report_symmetry(job, summary),
         .walls = report_walls(job, summary),
-        .inclusions = report_inclusions(summary),
+        .inclusions = report_inclusions(job, summary),
         .phases = report_phases(summary),
     });
 }

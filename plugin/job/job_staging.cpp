@@ -56,7 +56,7 @@ class FileEncoder {
 
     CellRows cell_rows() const {
         return {.sites = sites(),
-                .cells = cell_table(plane_mesh(result_.cells, MeshKind::kVoronoi)),
+                .cells = cell_table(mesh_outside_holes(result_.cells, MeshKind::kVoronoi)),
                 .weights = site_weights(result_.cells),
                 .materials = materials(),
                 .phases_are_tags = job_.has_inclusions(),

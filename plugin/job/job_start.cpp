@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mesher/cvt/coarse_start.hpp"
+#include "mesher/cvt/symmetric_coarse_start.hpp"
 #include "mesher/density/density_survey.hpp"
 #include "mesher/search/global_search.hpp"
 #include "mesher/symmetry/folded_density.hpp"
@@ -11,22 +12,41 @@
 namespace pcvt {
 namespace {
 
+/// The orbits of a job with a symmetry.
+OrbitPlan plan_of(const Job& job, const PlaneGroup& group) {
+    return distribute(group, special_positions(group), job.n_sites);
+}
+
 JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
     JobStart start;
+    if (job.symmetry) {
+        const PlaneGroup group(*job.symmetry, job.lattice);
+        std::optional<Density> density;
+        if (job.density) density = folded_density(*job.density, group);
+        start.symmetric =
+            numbered_by_columns(random_sites(group, plan_of(job, group), job.seed, density));
+        return start;
+    }
     start.points = job.density ? graded_points(job.lattice, *job.density, job.n_sites, job.seed)
                                : uniform_points(job.lattice, job.n_sites, job.seed);
     return start;
 }
 
 JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
+    const CoarseStartOptions options{.seed = job.seed,
+                                     .n_threads = job.n_threads,
+                                     .density = job.density,
+                                     .walls = job.walls,
+                                     .progress = callback};
     JobStart start;
-    start.points = coarse_start(job.lattice, job.n_sites,
-                                {.seed = job.seed,
-                                 .n_threads = job.n_threads,
-                                 .density = job.density,
-                                 .walls = job.walls,
-                                 .progress = callback});
     start.precondition_below = kPreconditionAfterCoarse;
+    if (job.symmetry) {
+        const PlaneGroup group(*job.symmetry, job.lattice);
+        start.symmetric = symmetric_coarse_start(group, plan_of(job, group), options);
+        start.cancelled = !start.symmetric;
+        return start;
+    }
+    start.points = coarse_start(job.lattice, job.n_sites, options);
     start.cancelled = start.points.cols() == 0;
     return start;
 }
@@ -92,15 +112,6 @@ Eigen::VectorXd target_areas(const Job& job) {
                         job.lattice.area());
 }
 
-/// Random sites with the symmetry of the job.
-SymmetricSites symmetric_start(const Job& job) {
-    const PlaneGroup group(*job.symmetry, job.lattice);
-    std::optional<Density> density;
-    if (job.density) density = folded_density(*job.density, group);
-    const OrbitPlan plan = distribute(group, special_positions(group), job.n_sites);
-    return numbered_by_columns(random_sites(group, plan, job.seed, density));
-}
-
 /// The fixed sites, then random ones.
 JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callback) {
     Job others = job;
@@ -117,12 +128,16 @@ JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callbac
 
 Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
-    const bool is_free = !job.symmetry && !job.has_inclusions() && job.fixed.cols() == 0;
+    const bool is_free = !job.has_inclusions() && job.fixed.cols() == 0;
     if (!is_free) return Start::kRandom;
     // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
     // cells know nothing of prescribed areas.
     const bool alike = !job.density && !job.areas;
-    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0 && alike;
+    // Where mirrors and centres bound an asymmetric unit with few sites, a coarse start may end
+    // higher.
+    const int order = job.symmetry ? PlaneGroup(*job.symmetry, job.lattice).order() : 1;
+    const bool many = job.n_sites / order >= kFewestForCoarse;
+    const bool coarse = many && job.max_iterations != 0 && alike;
     return coarse ? Start::kCoarse : Start::kRandom;
 }
 
@@ -139,8 +154,6 @@ JobStart job_start(const Job& job, const ProgressCallback& callback) {
         start.numbering = Numbering::kAsGiven;
     } else if (job.fixed.cols() > 0) {
         start = start_after_fixed_sites(job, callback);
-    } else if (job.symmetry) {
-        start.symmetric = symmetric_start(job);
     } else if (job.points.cols() > 0) {
         start.points = job.points;
     } else {

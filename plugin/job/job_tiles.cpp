@@ -24,6 +24,7 @@ BuiltTile built_tile(const Job& job, const Tessellation& cells, MeshKind kind,
                                        .elongation = cells.elongation,
                                        .walled = cells.walled,
                                        .site_tags = cells.site_tags,
+                                       .holes = cells.holes,
                                        .progress = progress});
 }
 

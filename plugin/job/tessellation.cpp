@@ -138,6 +138,10 @@ PeriodicMesh plane_mesh(const Tessellation& tessellation, MeshKind kind) {
     return from_round(std::move(mesh), elongation->metric, elongation->lattice);
 }
 
+PeriodicMesh mesh_outside_holes(const Tessellation& tessellation, MeshKind kind) {
+    return with_holes(plane_mesh(tessellation, kind), tessellation.holes);
+}
+
 std::vector<int> cell_sides(const Tessellation& tessellation) {
     if (!tessellation.elongation && !tessellation.walled) {
         return cell_sides(tessellation.delaunay);
@@ -187,7 +191,9 @@ Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {
         const Vec2 p = metric.from_round(sites.position(s));
         points.col(s) = p + lattice.translation(domain.offset_into(p));
     }
-    return points;
+    if (tessellation.holes.empty()) return points;
+    const std::vector<SiteId> kept = tessellation.holes.kept();
+    return points(Eigen::all, kept);
 }
 
 double energy_bound(const Tessellation& tessellation) {

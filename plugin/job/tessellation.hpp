@@ -13,6 +13,7 @@
 #include "mesher/lattice/walls.hpp"
 #include "mesher/mesh/elongated_mesh.hpp"
 #include "mesher/search/lattice_pattern.hpp"
+#include "mesher/tile/tile_holes.hpp"
 
 namespace pcvt {
 
@@ -24,9 +25,9 @@ class JobMonitor;
 struct InterfaceFigures {
     /// The file of the shapes, or their law.
     std::string source;
-    int n_shapes = 0;
-    /// The fibres that were drawn.
-    std::vector<Circle> fibres = {};
+    /// As given or drawn.
+    std::vector<Inclusion> shapes = {};
+    bool are_drawn = false;
     int n_chords = 0;
     /// Sites in pairs beside the chords, which do not move.
     int n_fixed = 0;
@@ -64,6 +65,8 @@ struct Tessellation {
     std::vector<std::string> tag_names = {};
     std::vector<double> tag_areas = {};
     std::optional<InterfaceFigures> interfaces = {};
+    /// The sites of a run with holes.
+    HoleSites holes = {};
 
     /// That of the user.
     const Lattice& lattice() const {
@@ -94,6 +97,9 @@ void map_back(const Metric& metric, LatticePattern& pattern);
 /// periodic_mesh() in the plane, or with walls the mesh between them.
 PeriodicMesh plane_mesh(const Tessellation& tessellation, MeshKind kind);
 
+/// plane_mesh() without the faces in holes.
+PeriodicMesh mesh_outside_holes(const Tessellation& tessellation, MeshKind kind);
+
 /// The number of sides of each site's cell, of those longer than kShortEdge h in the plane.
 std::vector<int> cell_sides(const Tessellation& tessellation);
 
@@ -112,7 +118,7 @@ AreaSummary area_summary(const Tessellation& tessellation);
 /// The weights of the sites, length^2; empty without areas.
 Eigen::VectorXd site_weights(const Tessellation& tessellation);
 
-/// The sites, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
+/// The sites outside of holes, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
 Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin);
 
 /// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. The cells

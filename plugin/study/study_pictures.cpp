@@ -65,15 +65,6 @@ std::vector<Polygon> pieces_in_domain(const Lattice& lattice, const Polygon& cel
     return pieces;
 }
 
-Polygon face_polygon(const PeriodicMesh& mesh, int face) {
-    Polygon polygon;
-    for (int c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
-        polygon.push_back(mesh.vertices[mesh.corner_vertex[c]] +
-                          mesh.lattice.translation(mesh.corner_offset[c]));
-    }
-    return polygon;
-}
-
 /// The images of a site in the closed domain: one, but more for a site on the border.
 void add_dots(const Lattice& lattice, const Vec2& site, std::vector<Vec2>& dots) {
     const Vec2 u = lattice.to_lattice(site);

@@ -121,6 +121,10 @@ def check_fibres(folder, _):
     require_near(float((folder / "mean.txt").read_text().split()[-1]), 3.080, 1e-3, "the mean conductivity")
 
 
+def check_cylinders(_, text):
+    require_near(float(text.split()[-1]), 51.53, 0.03, "the drag over mu U")
+
+
 def count_boundary(folder):
     """Returns the numbers of points of tile.vtu, and of those that are an image of another one."""
     text = (folder / "tile.vtu").read_text()
@@ -271,6 +275,7 @@ ROWS = {
         check_two_materials, programs=("gmsh", "getdp", "FreeFem++-nw"), modules=("dolfinx",)),
     ("Samples", "VTK"): Row(check_vtk, modules=("vtkmodules",)),
     ("Samples", "Fluid dynamics: OpenFOAM"): Row(check_openfoam, programs=("icoFoam",)),
+    ("Samples", "Flow past cylinders"): Row(check_cylinders, programs=("simpleFoam",)),
     ("Samples", "Graphics"): Row(check_graphics, programs=("meshlabserver", "xvfb-run", "xauth")),
     ("Samples", "Mathematics"): Row(check_mathematics),
     ("Samples", "Your own points"): Row(check_own_points),

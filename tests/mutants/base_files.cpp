@@ -7,6 +7,7 @@
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/symmetry/symmetric_sites.hpp"
 #include "mesher/voxels/voxel_image.hpp"
+#include "tests/support/holed_tiles.hpp"
 #include "tests/support/power_tiles.hpp"
 #include "tests/support/walled_tiles.hpp"
 
@@ -63,6 +64,13 @@ std::vector<WalledShape> walled_shapes() {
             {{"voronoi walled box", box}, Walls::kX, WallCells::kWhole, kSites},
             {{"delaunay walled half", triangles}, Walls::kY, WallCells::kHalf, 2 * kSites},
             {{"grains walled", grains}, Walls::kY, WallCells::kWhole, kSites}};
+}
+
+/// Cells and grains with holes.
+std::vector<Shape> holed_shapes() {
+    return {{"voronoi holes", {}},
+            {"grains holes box",
+             {.kind = MeshKind::kGrains, .outline = Outline::kBox, .grain_per_edge = 1}}};
 }
 
 /// A symmetric start of kSites sites: three pairs and a centre of rotation.
@@ -179,6 +187,9 @@ std::vector<BaseFile> base_files(const TileFormat& format) {
     for (const auto& [shape, walls, cells, n] :
          format.fields == nullptr ? std::vector<WalledShape>{} : walled_shapes()) {
         add_tile(format, walled_tile(walls, cells, n, shape.options), shape, {}, bases);
+    }
+    for (const Shape& shape : holed_shapes()) {
+        add_tile(format, tile_with_a_hole(shape.options), shape, {}, bases);
     }
     if (!format.states_orbits) return bases;
     const SymmetricSites start = symmetric_sites(lattice);

@@ -18,6 +18,7 @@ std::vector<Mutant> vtu_mutants(const BaseFile& base) {
 std::span<const Harmless> harmless_in_vtu() {
     static constexpr std::array kHarmless{
         Harmless{"PhaseNames*", "", "the names of the phases are the user's words, stated once"},
+        Harmless{"HoleNames*", "", "the names of the holes are the user's words, stated once"},
         Harmless{"Orbit Name*", "", kNoOrbits},
         Harmless{"Orbit value", "+1", kOwnOrbit, "voronoi symmetric"},
         Harmless{"Orbit value", "", kStatedOrbits, "delaunay"},

@@ -34,20 +34,25 @@ Tile power_tile(const Lattice& lattice, int n, int seed, const CellShape& shape,
 
 std::vector<TileOptions> tile_kinds() {
     std::vector<TileOptions> kinds;
+    const auto add = [&kinds](MeshKind kind, Outline outline, int columns) -> TileOptions& {
+        TileOptions& options = kinds.emplace_back();
+        options.kind = kind;
+        options.outline = outline;
+        options.columns = columns;
+        return options;
+    };
     for (const int columns : {1, 2}) {
         for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
-            kinds.push_back({.kind = MeshKind::kVoronoi, .outline = outline, .columns = columns});
-            kinds.push_back({.kind = MeshKind::kGrains, .outline = outline, .columns = columns});
-            kinds.push_back({.kind = MeshKind::kGrains,
-                             .outline = outline,
-                             .grain_per_edge = 1,
-                             .order = 2,
-                             .columns = columns,
-                             .rows = 2});
+            add(MeshKind::kVoronoi, outline, columns);
+            add(MeshKind::kGrains, outline, columns);
+            TileOptions& second_order = add(MeshKind::kGrains, outline, columns);
+            second_order.grain_per_edge = 1;
+            second_order.order = 2;
+            second_order.rows = 2;
         }
-        kinds.push_back({.kind = MeshKind::kDelaunay, .columns = columns});
+        add(MeshKind::kDelaunay, Outline::kWhole, columns);
     }
-    kinds.push_back({.kind = MeshKind::kVoronoi, .short_edges = 0.2});
+    add(MeshKind::kVoronoi, Outline::kWhole, 1).short_edges = 0.2;
     return kinds;
 }
 

@@ -35,6 +35,8 @@ struct RandomInclusions {
     double gap = 0.02;
     /// Polygons have no smaller angle, degrees.
     double sharpest = 20;
+    /// Twice the gap separates shapes from walls.
+    Walls walls = Walls::kNone;
 };
 
 /// A star-shaped polygon round `centre` of about the given radius.
@@ -95,7 +97,7 @@ inline std::vector<Inclusion> random_inclusions(const Lattice& lattice,
         inclusions.push_back({shape, 1 + k % 3, k + 1});
         bool fits = true;
         try {
-            const InclusionSet set(lattice, inclusions);
+            const InclusionSet set(lattice, inclusions, wanted.walls);
             for (const Vec2& p : points_on(shape, 40)) {
                 fits = fits && set.distance_to_others(k, p, 2 * gap) >= gap;
             }

@@ -33,7 +33,7 @@ from . import _library
 from ._callbacks import Callbacks, Progress
 from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, Handle,
                        LimitError, OutputError, checked, library)
-from ._views import KINDS, OUTLINES, STOPS, Statistics, Tile, TorusMesh
+from ._views import KINDS, OUTLINES, STOPS, Statistics, Tile, TorusMesh, inclusions_of
 
 __all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Progress", "Error",
            "Cancelled", "ArgumentError", "DensityError", "GeometryError", "LimitError",
@@ -162,7 +162,9 @@ def _shape_line(shape):
     return f"{word} {tag} " + " ".join(repr(float(x)) for part in numbers for x in np.ravel(part))
 
 
-def _set_inclusions(options, inclusions, fibres):
+def _set_inclusions(options, inclusions, fibres, holes):
+    if len(holes) > 0:
+        options.holes = _text("holes", holes if isinstance(holes, str) else ",".join(holes))
     if fibres is not None:
         options.fibres = ",".join(map(repr, fibres)).encode()
     if inclusions is None:
@@ -184,7 +186,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, aspect=1.0, phases=None,
-         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None):
+         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=()):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -231,6 +233,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     phases of the cells, after "matrix". See Result.phases
     fibres          (fraction, n) or (fraction, n, gap): in place of inclusions, n circles of the tag
                     "fibre" with this part of the area, at random places by `seed`, not nearer than gap
+    holes           tags of inclusions, or one tag: their cells are left out of tiles and files, whose edges
+                    there are walls with these names. See Tile.wall_edges
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -243,7 +247,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     _points, _areas = _set_sites(options, sites), _set_areas(options, areas)
     _angles = _set_materials(options, phases, orientations)
     _fixed = _set_fixed(options, fixed)
-    _set_inclusions(options, inclusions, fibres)
+    _set_inclusions(options, inclusions, fibres, holes)
     columns, rows = repeat
     _set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                   columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
@@ -281,6 +285,8 @@ class Result:
     phase_names in the order in which they were given
     orientations
                 (n, 3), phi1, Phi, phi2 in degrees, or None without orientations
+    inclusions  the shapes of the run as mesh() takes them, given or drawn: ("circle", tag, x, y, r), ("ellipse",
+                tag, x, y, a, b, degrees) or ("polygon", tag, corners of shape (k, 2)) each; () without
     orbits      (n,), equal for sites that the symmetry maps to each other, counted from 0 in the order of
                 their first sites; None without a symmetry
     statistics  a Statistics
@@ -297,6 +303,7 @@ class Result:
         self.weights = handle.array(view.weights, np.float64, view.n_sites)
         self.phases = handle.array(view.phases, np.int32, view.n_sites)
         self.phase_names = tuple(view.phase_names[k].decode() for k in range(view.n_phases))
+        self.inclusions = inclusions_of(handle)
         self.orbits = handle.array(view.orbits, np.int32, view.n_sites)
         self.orientations = handle.array(view.orientations, np.float64, view.n_sites, 3)
 

@@ -35,7 +35,10 @@ def cell_table(result):
     cells["circularity"] = np.pi * cells["diameter"] / np.add.reduceat(length, first)
     is_side = length > _SHORT_EDGE * np.sqrt(abs(np.linalg.det(mesh.lattice)) / len(first))
     cells["sides"] = np.add.reduceat(is_side.astype(np.int32), first)
-    across = mesh.site[face[mesh.opposite[is_side]]]
-    for cell, sites_across in enumerate(np.split(across, np.cumsum(cells["sides"])[:-1])):
+    # No cell lies across a wall, or in a hole.
+    has_neighbour = is_side & (mesh.opposite >= 0)
+    across = mesh.site[face[mesh.opposite[has_neighbour]]]
+    n_across = np.add.reduceat(has_neighbour.astype(np.int32), first)
+    for cell, sites_across in enumerate(np.split(across, np.cumsum(n_across)[:-1])):
         cells["neighbours"][cell] = sites_across
     return cells

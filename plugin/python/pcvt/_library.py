@@ -73,7 +73,8 @@ class Options(ctypes.Structure):
                 ("n_orientations", c_int32), ("random_orientations", c_int32),
                 ("symmetry", c_int32), ("walls", c_int32),
                 ("wall_cells", c_int32), ("reserved2", c_int32), ("inclusions", c_char_p), ("fibres", c_char_p),
-                ("fixed_sites", c_void_p), ("n_fixed_sites", c_int32), ("reserved3", c_int32)]
+                ("fixed_sites", c_void_p), ("n_fixed_sites", c_int32), ("reserved3", c_int32),
+                ("holes", c_char_p)]
 
 
 class Sites(ctypes.Structure):
@@ -81,6 +82,11 @@ class Sites(ctypes.Structure):
                 ("reserved", c_int32), ("weights", c_void_p), ("phases", c_void_p),
                 ("phase_names", ctypes.POINTER(c_char_p)), ("orientations", c_void_p), ("n_phases", c_int32),
                 ("n_orbits", c_int32), ("orbits", c_void_p)]
+
+
+class Inclusions(ctypes.Structure):
+    _fields_ = [("numbers", c_void_p), ("begin", c_void_p), ("form", c_void_p), ("tags", ctypes.POINTER(c_char_p)),
+                ("n_shapes", c_int32), ("reserved", c_int32)]
 
 
 class Mesh(ctypes.Structure):
@@ -97,7 +103,8 @@ class Tile(ctypes.Structure):
                 ("vertex_offset", c_void_p), ("edge_pairs", c_void_p), ("kind", c_int32),
                 ("outline", c_int32), ("n_vertices", c_int32), ("n_faces", c_int32),
                 ("n_corners", c_int32), ("n_edge_pairs", c_int32),
-                ("wall_edges", c_void_p), ("n_wall_edges", c_int32), ("reserved", c_int32)]
+                ("wall_edges", c_void_p), ("n_wall_edges", c_int32), ("n_holes", c_int32),
+                ("hole_names", ctypes.POINTER(c_char_p))]
 
 
 class Statistics(ctypes.Structure):
@@ -127,6 +134,7 @@ _FUNCTIONS = {
     "pcvt_generate": (c_int32, POINTER(Options), POINTER(c_void_p)),
     "pcvt_free": (None, c_void_p),
     "pcvt_get_sites": (c_int32, c_void_p, POINTER(Sites), c_size_t),
+    "pcvt_get_inclusions": (c_int32, c_void_p, POINTER(Inclusions), c_size_t),
     "pcvt_get_statistics": (c_int32, c_void_p, POINTER(Statistics), c_size_t),
     "pcvt_get_minimum": (c_int32, c_void_p, POINTER(c_int32)),
     "pcvt_get_mesh": (c_int32, c_void_p, c_int32, POINTER(Mesh), c_size_t),

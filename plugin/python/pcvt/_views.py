@@ -4,11 +4,29 @@ from typing import NamedTuple
 
 import numpy as np
 
+from . import _library
+
 KINDS = ("voronoi", "delaunay", "grains")
 OUTLINES = ("whole", "box")
+FORMS = ("circle", "ellipse", "polygon")
 STOPS = ("converged", "iteration-limit", "stalled")
 EDGE_PAIR = np.dtype([(name, np.int32) for name in ("v0", "v1", "w0", "w1", "i", "j")])
 WALL_EDGE = np.dtype([(name, np.int32) for name in ("wall", "v0", "v1")])
+
+
+def inclusions_of(handle):
+    """The shapes of a result, in the form that mesh() takes."""
+    view = handle.view(_library.library.pcvt_get_inclusions, _library.Inclusions)
+    if view.n_shapes == 0:
+        return ()
+    begin = handle.array(view.begin, np.int32, view.n_shapes + 1)
+    numbers = handle.array(view.numbers, np.float64, begin[-1])
+    forms = handle.array(view.form, np.int32, view.n_shapes)
+    shapes = []
+    for form, tag, own in zip(forms, view.tags[:view.n_shapes], np.split(numbers, begin[1:-1])):
+        values = (own.reshape(-1, 2),) if FORMS[form] == "polygon" else own.tolist()
+        shapes.append((FORMS[form], tag.decode(), *values))
+    return tuple(shapes)
 
 
 class Statistics(NamedTuple):
@@ -74,7 +92,8 @@ class TorusMesh:
 
 
 class Tile:
-    """One fundamental domain as an open disc, with the pairing of its boundary, the seam.
+    """One fundamental domain as an open disc, with the pairing of its boundary, the seam. With holes
+    it is no disc.
 
     The boundary edge v0 -> v1 (its face on the left) is glued to w0 -> w1 (its face on the right):
     points[w] = points[v] + (i, j) @ lattice. Each boundary edge belongs to one pair or one wall. For
@@ -92,8 +111,9 @@ class Tile:
     vertex_orbit   (n_vertices,), the smallest vertex on the same orbit
     vertex_offset  (n_vertices, 2), i, j
     seam           (n_pairs,) with the fields v0, v1, w0, w1, i, j
-    wall_edges     (n_wall_edges,) with the fields wall (0: left, 1: right, 2: bottom, 3: top), v0, v1:
-                   boundary edges on walls, which are in no pair
+    wall_edges     (n_wall_edges,) with the fields wall (0: left, 1: right, 2: bottom, 3: top, 4 + k:
+                   holes[k]), v0, v1: boundary edges on walls, which are in no pair
+    holes          the names of the holes
     """
 
     def __init__(self, handle, view):
@@ -113,6 +133,7 @@ class Tile:
         self.seam = np.empty(0, EDGE_PAIR) if seam is None else seam
         wall_edges = handle.array(view.wall_edges, WALL_EDGE, view.n_wall_edges)
         self.wall_edges = np.empty(0, WALL_EDGE) if wall_edges is None else wall_edges
+        self.holes = [view.hole_names[k].decode() for k in range(view.n_holes)]
 
     def polygons(self):
         """The corners of each face, a list of n_faces copies of shape (k, 2)."""

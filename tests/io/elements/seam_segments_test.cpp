@@ -99,13 +99,14 @@ TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
                 }
                 EXPECT_EQ(runs[r].offset, Offset{});
                 EXPECT_EQ(runs[r].partner, -1);
-                const int axis = wall_side_row(*runs[r].wall).axis;
+                const WallSide side = runs[r].wall->side();
+                const int axis = wall_side_row(side).axis;
                 for (std::size_t k = 0; k + 1 < runs[r].vertices.size(); ++k) {
                     edges.insert({*runs[r].wall, runs[r].vertices[k], runs[r].vertices[k + 1]});
                 }
                 for (const int v : runs[r].middles) {
                     EXPECT_EQ(middles.points.at(v - tile.n_vertices())[axis],
-                              wall_line(*runs[r].wall, tile.lattice));
+                              wall_line(side, tile.lattice));
                 }
                 EXPECT_EQ(runs[r].middles.size() + 1,
                           tile.order == 2 ? runs[r].vertices.size() : 1);
@@ -118,7 +119,9 @@ TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
 TEST(SeamSegments, ABoxHasFourWalls) {
     for (const Tile& tile : testing::walled_tiles(Walls::kXY)) {
         std::multiset<WallSide> sides;
-        for (const SeamSegment& run : seam_segments(tile, {})) sides.insert(run.wall.value());
+        for (const SeamSegment& run : seam_segments(tile, {})) {
+            sides.insert(run.wall.value().side());
+        }
         EXPECT_THAT(sides, ::testing::ElementsAre(WallSide::kLeft, WallSide::kRight,
                                                   WallSide::kBottom, WallSide::kTop));
     }

@@ -95,8 +95,9 @@ TEST(FoamWalls, TheFieldsHaveConditionsOnWalls) {
 TEST(FoamWalls, FalsePatchesAreRefused) {
     const std::string boundary = "constant/polyMesh/boundary";
     EXPECT_THAT(fault_with(boundary, "wall_top", "wall_left"), HasSubstr("lies off its patch"));
-    EXPECT_THAT(fault_with(boundary, "wall_top", "lid"), HasSubstr("'lid' is neither an empty"));
-    EXPECT_THAT(fault_with(boundary, "wall_top", "back"), HasSubstr("'back' is neither an empty"));
+    EXPECT_THAT(fault_with(boundary, "wall_top", "lid"),
+                HasSubstr("a wall without the one opposite to it"));
+    EXPECT_THAT(fault_with(boundary, "wall_top", "back"), HasSubstr("two patches have one name"));
     EXPECT_THAT(fault_with(boundary, " wall;", " empty;"), HasSubstr("is neither an empty"));
     EXPECT_THAT(fault_with(boundary, " wall;", " patch;"), HasSubstr("is neither an empty"));
     EXPECT_THAT(fault_with(boundary, " walls 0 1", " walls 1 1"),

@@ -5,9 +5,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "io/colours/site_classes.hpp"
 #include "io/page/page_parts.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/tile/site_classes.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/walled_tiles.hpp"
@@ -97,7 +97,7 @@ TEST(HtmlPage, EdgesOnWallsNameTheirWall) {
             ASSERT_EQ(json["wall_edges"].size(), tile.wall_edges.size());
             for (std::size_t k = 0; k < tile.wall_edges.size(); ++k) {
                 const WallEdge& edge = tile.wall_edges[k];
-                const nlohmann::json wanted{edge.v0, edge.v1, wall_side_row(edge.side).word};
+                const nlohmann::json wanted{edge.v0, edge.v1, wall_side_row(edge.wall.side()).word};
                 EXPECT_EQ(json["wall_edges"][k], wanted);
             }
         }

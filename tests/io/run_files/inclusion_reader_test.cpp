@@ -50,8 +50,9 @@ TEST(InclusionReader, EachFaultNamesItsLineAndARemedy) {
                 StartsWith("i.txt:2: 'square' is no shape; write \"circle TAG x y r\""));
     EXPECT_THAT(fault_of("circle\n"), StartsWith("i.txt:1: a tag is missing; write"));
     EXPECT_EQ(fault_of("circle a 1 2\n"),
-              "i.txt:1: a circle has not 2 numbers; write \"circle TAG x y r\"");
-    EXPECT_THAT(fault_of("ellipse a 1 2 3 4 5 6\n"), HasSubstr("an ellipse has not 6 numbers"));
+              "i.txt:1: a circle does not take 2 numbers; write \"circle TAG x y r\"");
+    EXPECT_THAT(fault_of("ellipse a 1 2 3 4 5 6\n"),
+                HasSubstr("an ellipse does not take 6 numbers"));
     for (const char* numbers : {"", "0 0 1 0", "0 0 1 0 1", "0 0 1 0 1 1 2"}) {
         EXPECT_THAT(fault_of("polygon a " + std::string(numbers)),
                     HasSubstr("write \"polygon TAG x1 y1 x2 y2 x3 y3 ...\""));

@@ -92,9 +92,9 @@ TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
                 ASSERT_EQ(points.contains(v), is_end);
             }
             if (curve.wall) {
-                const int axis = wall_side_row(*curve.wall).axis;
+                const int axis = wall_side_row(curve.wall->side()).axis;
                 for (const int v : curve.vertices) {
-                    EXPECT_EQ(tile.points[v][axis], wall_line(*curve.wall, tile.lattice));
+                    EXPECT_EQ(tile.points[v][axis], wall_line(curve.wall->side(), tile.lattice));
                 }
                 EXPECT_EQ(curve.partner, -1);
             }

@@ -162,9 +162,9 @@ TEST(WalledInp, WallsAreSetsAndSurfaces) {
     for (const int order : {1, 2}) {
         const Tile tile = channel(order);
         const std::string text = text_of(tile, "t.inp");
-        const auto n_on =
-            std::count_if(tile.wall_edges.begin(), tile.wall_edges.end(),
-                          [](const WallEdge& edge) { return edge.side == WallSide::kBottom; });
+        const auto n_on = std::count_if(
+            tile.wall_edges.begin(), tile.wall_edges.end(),
+            [](const WallEdge& edge) { return edge.wall.side() == WallSide::kBottom; });
         const auto sides = data_of(text, "*SURFACE,NAME=WALL_BOTTOM_SIDES,TYPE=ELEMENT");
         EXPECT_EQ(static_cast<std::ptrdiff_t>(sides.size()), n_on);
         for (const std::string& side : sides) {

@@ -20,7 +20,7 @@ const Lattice kOblique({1, 0}, {0.37, 0.81});
 
 std::string comments(const Tile& tile) {
     std::string text;
-    append_note_comments(text, "", tile);
+    append_note_comments(text, "", tile, 0);
     return text;
 }
 

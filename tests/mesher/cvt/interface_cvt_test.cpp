@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <set>
 
 #include "mesher/interfaces/empty_circles.hpp"
 #include "mesher/interfaces/random_circles.hpp"
 #include "mesher/mesh/interface_proof.hpp"
 #include "mesher/mesh/voronoi.hpp"
+#include "mesher/mesh/walled_mesh.hpp"
 #include "tests/support/densities.hpp"
 #include "tests/support/energy_at.hpp"
 #include "tests/support/random_inclusions.hpp"
@@ -46,13 +48,13 @@ int suggested_number(const std::string& message) {
 }
 
 /// With the number of sites that a refusal names.
-InterfaceCvt compute(const InclusionSet& set, int n, std::uint64_t seed,
-                     const CvtOptions& options) {
+InterfaceCvt compute(const InclusionSet& set, int n, std::uint64_t seed, const CvtOptions& options,
+                     WallCells cells = WallCells::kWhole) {
     try {
-        return compute_interface_cvt(set, n, seed, options);
+        return compute_interface_cvt(set, n, seed, options, cells);
     } catch (const InvalidInput& error) {
         EXPECT_THAT(error.what(), ::testing::HasSubstr("sites are too few for the inclusions"));
-        return compute_interface_cvt(set, suggested_number(error.what()), seed, options);
+        return compute_interface_cvt(set, suggested_number(error.what()), seed, options, cells);
     }
 }
 
@@ -63,13 +65,14 @@ void expect_laws(const InclusionSet& set, const InterfaceCvt& result) {
     EXPECT_EQ(sites.coordinates().leftCols(pairs.n_seeds()), pairs.coordinates);
     // Law (2).
     const EmptyCircles circles(set.reduction().reduced, pairs.circles);
-    for (SiteId s = pairs.n_seeds(); s < sites.n_sites(); ++s) {
+    const auto n = static_cast<SiteId>(result.inclusion.size());
+    for (SiteId s = pairs.n_seeds(); s < n; ++s) {
         EXPECT_FALSE(circles.contain(sites.coordinates().col(s))) << "site " << s;
     }
     // Law (3).
     const auto wrong = interface_violation(cell_mesh(result.cvt.delaunay), pairs, result.inclusion);
     EXPECT_FALSE(wrong) << *wrong;
-    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+    for (SiteId s = 0; s < n; ++s) {
         const int i = result.inclusion[s];
         EXPECT_EQ(result.tag[s], i < 0 ? 0 : set[i].tag);
     }
@@ -188,6 +191,116 @@ TEST(InterfaceCvt, IsTheSameForAnyNumberOfThreads) {
     options.n_threads = 3;
     const InterfaceCvt other = compute_interface_cvt(set, 600, 1, options);
     EXPECT_EQ(one.cvt.delaunay.sites().coordinates(), other.cvt.delaunay.sites().coordinates());
+}
+
+/// Shapes between walls.
+InclusionSet random_walled_set(std::mt19937_64& random, Walls walls) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    const Lattice domain = Lattice::rectangle(0.5 + 1.5 * unit(random), 0.5 + 1.5 * unit(random));
+    if (unit(random) < 0.3) {
+        const auto circles = random_circles(
+            domain,
+            {.fraction = 0.1 + 0.3 * unit(random), .n = 12, .seed = random(), .walls = walls});
+        return {domain, circular_inclusions(circles, 1), walls};
+    }
+    const int n_shapes = 1 + int(12 * unit(random));
+    const testing::RandomInclusions wanted{.n_shapes = n_shapes, .gap = 0.03, .walls = walls};
+    return {domain, testing::random_inclusions(domain, wanted, random), walls};
+}
+
+/// The areas of inclusions in the mesh between walls, without the matrix.
+std::vector<double> areas_between_walls(const InclusionSet& set, const InterfaceCvt& result) {
+    const PeriodicMesh cells = part_between_walls(cell_mesh(result.cvt.delaunay), *result.walled);
+    std::vector<double> areas(static_cast<std::size_t>(set.n_given()), 0);
+    for (int f = 0; f < cells.n_faces(); ++f) {
+        Polygon cell;
+        for (int c = cells.face_begin[f]; c < cells.face_begin[f + 1]; ++c) {
+            cell.push_back(cells.point(c) - cells.site_points[f]);
+        }
+        const int i = result.inclusion[cells.site[f]];
+        if (i >= 0) areas[i] += polygon_area(cell);
+    }
+    return areas;
+}
+
+void expect_mirror_symmetry(const InclusionSet& set, const InterfaceCvt& result) {
+    const Sites& sites = result.cvt.delaunay.sites();
+    const Lattice& reduced = sites.reduction().reduced;
+    std::set<std::pair<double, double>> places;
+    for (const auto& u : sites.coordinates().colwise()) places.emplace(u.x(), u.y());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        for (int r = 1; r < n_images(set.walls()); ++r) {
+            Vec2 image = sites.coordinates().col(s);
+            // The reduced basis lies along the axes.
+            for (int k = 0; k < 2; ++k) {
+                const Vec2 along = k == 0 ? reduced.a() : reduced.b();
+                if (mirror_image(along, set.walls(), r) != along)
+                    image[k] = wrap(-image[k]).fraction;
+            }
+            EXPECT_TRUE(places.contains({image.x(), image.y()})) << "site " << s;
+        }
+    }
+}
+
+TEST(InterfaceCvt, KeepsItsLawsBetweenWallsSlow) {
+    for (int k = 0; k < 60; ++k) {
+        std::mt19937_64 random(k);
+        std::uniform_real_distribution<double> unit(0, 1);
+        const Walls walls = kWalls[1 + k % 3].walls;
+        const InclusionSet set = random_walled_set(random, walls);
+        const int n = int(300 * std::pow(5, unit(random)));
+        SCOPED_TRACE("case " + std::to_string(k) + ", n = " + std::to_string(n));
+        const InterfaceCvt result = compute(set, n, std::uint64_t(k), {});
+        EXPECT_EQ(result.cvt.run.stop, Stop::kConverged);
+        EXPECT_GE(result.cvt.run.energy, result.cvt.energy_bound);
+        expect_laws(set, result);
+        expect_mirror_symmetry(set, result);
+        const std::vector<double> areas = areas_between_walls(set, result);
+        for (int i = 0; i < set.n_given(); ++i) {
+            EXPECT_NEAR(areas[i], shape_area(set[i].shape), 1e-12 * set.domain().area());
+        }
+    }
+}
+
+TEST(InterfaceCvt, HasHalfCellsOrSaysThatAWallIsTooNear) {
+    int n_refused = 0;
+    for (int k = 0; k < 12; ++k) {
+        std::mt19937_64 random(k);
+        const Walls walls = kWalls[1 + k % 3].walls;
+        const double radius = 0.15 + 0.02 * k;
+        const InclusionSet set(Lattice::rectangle(1.5, 1), {{Circle{{0.75, 0.5}, radius}, 1, 1}},
+                               walls);
+        try {
+            CvtOptions options;
+            options.tolerance = 1e-3;
+            const InterfaceCvt result = compute(set, 500, 1, options, WallCells::kHalf);
+            expect_laws(set, result);
+            EXPECT_GT(result.walled->n_on_walls, 20);
+            EXPECT_NEAR(areas_between_walls(set, result)[0], shape_area(set[0].shape), 1.5e-12);
+        } catch (const InvalidInput& error) {
+            EXPECT_THAT(error.what(), ::testing::HasSubstr("too near to a wall for half cells"));
+            ++n_refused;
+        }
+    }
+    EXPECT_LT(n_refused, 4);
+}
+
+TEST(InterfaceCvt, TakesPolygonsWithParallelSidesAtAnyAngle) {
+    for (int k = 0; k < 200; ++k) {
+        const double turn = 0.0173 * k;
+        const Vec2 along(std::cos(turn), std::sin(turn));
+        const Vec2 up(-along.y(), along.x());
+        const Vec2 centre(0.5, 0.5);
+        const InclusionSet set(
+            kUnit, {{Polygon{centre - 0.2 * along - 0.1 * up, centre + 0.2 * along - 0.1 * up,
+                             centre + 0.2 * along + 0.1 * up, centre - 0.2 * along + 0.1 * up},
+                     1, 1}});
+        CvtOptions options;
+        options.max_iterations = 0;
+        const InterfaceCvt result = compute_interface_cvt(set, 400, 1, options);
+        EXPECT_LT(result.interfaces.chords.size(), 80u) << k;
+        expect_laws(set, result);
+    }
 }
 
 TEST(InterfaceCvt, WithoutInclusionsIsACvt) {

@@ -65,8 +65,8 @@ TEST(ExtrudedWalls, ThePatchesFollowTheSeamInTheOrderOfTheWalls) {
     const ExtrudedMesh extruded = extruded_mesh(channel());
     const std::size_t n = extruded.patches.size();
     EXPECT_EQ(extruded.patches[n - 5].partner, static_cast<int>(n) - 6);
-    EXPECT_EQ(extruded.patches[n - 4].wall, WallSide::kBottom);
-    EXPECT_EQ(extruded.patches[n - 3].wall, WallSide::kTop);
+    EXPECT_EQ(extruded.patches[n - 4].wall, WallId::side(WallSide::kBottom));
+    EXPECT_EQ(extruded.patches[n - 3].wall, WallId::side(WallSide::kTop));
 }
 
 TEST(ExtrudedWalls, TheThicknessIsTheGivenOne) {
@@ -104,9 +104,9 @@ TEST(ExtrudedWalls, FalseWallsAreRefused) {
                 HasSubstr("lies off its patch wall_top"));
     EXPECT_THAT(fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
                     low.name = "wall_left";
-                    low.wall = WallSide::kLeft;
+                    low.wall = WallId::side(WallSide::kLeft);
                     high.name = "wall_right";
-                    high.wall = WallSide::kRight;
+                    high.wall = WallId::side(WallSide::kRight);
                 }),
                 HasSubstr(law));
     EXPECT_THAT(fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {

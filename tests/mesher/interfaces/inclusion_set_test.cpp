@@ -149,6 +149,52 @@ TEST(InclusionSet, NamesTheLinesOfWhatItRefuses) {
     }
 }
 
+TEST(InclusionSet, RefusesShapesThatTouchAWall) {
+    const Lattice box = Lattice::rectangle(2, 1);
+    const std::vector<std::pair<Shape, const char*>> shapes{
+        {Circle{{0.2, 0.5}, 0.2}, "wall_left"},
+        {Circle{{1.9, 0.5}, 0.2}, "wall_right"},
+        {Ellipse{{1, 0.2}, 0.1, 0.3, 10}, "wall_bottom"},
+        {Polygon{{1, 0.5}, {1.3, 0.5}, {1.2, 1}}, "wall_top"},
+        {Polygon{{1, -0.5}, {1.3, -0.5}, {1.2, -0.1}}, "wall_bottom"},
+    };
+    for (const auto& [shape, wall] : shapes) {
+        try {
+            const InclusionSet set(box, {{shape, 1, 7}}, Walls::kXY);
+            ADD_FAILURE() << "accepted at " << wall;
+        } catch (const InvalidInput& error) {
+            const std::string message = std::string("line 7: the shape touches or crosses ") + wall;
+            EXPECT_THAT(error.what(), ::testing::StartsWith(message));
+        }
+    }
+    // Only walls matter.
+    EXPECT_NO_THROW(InclusionSet(box, {{Circle{{0.2, 0.5}, 0.2}, 1, 1}}, Walls::kY));
+    EXPECT_NO_THROW(InclusionSet(box, {{Ellipse{{1, 0.35}, 0.1, 0.3, 10}, 1, 1}}, Walls::kY));
+}
+
+TEST(InclusionSet, ContainsTheMirrorImagesOfShapesBetweenWalls) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> unit(-3, 3);
+    for (int k = 0; k < 300; ++k) {
+        const Walls walls = kWalls[1 + k % 3].walls;
+        const Lattice domain = Lattice::rectangle(1.3, 1);
+        const InclusionSet set(domain, testing::random_inclusions(domain, {.walls = walls}, random),
+                               walls);
+        EXPECT_EQ(set.size(), set.n_given() * n_images(walls));
+        for (int m = 0; m < 20; ++m) {
+            const Vec2 p(unit(random), unit(random));
+            const int inside = set.containing(p);
+            for (int r = 0; r < n_images(walls); ++r) {
+                const int image = set.containing(mirror_image(p, walls, r));
+                ASSERT_EQ(image < 0, inside < 0);
+                if (inside >= 0) {
+                    EXPECT_EQ(image % set.n_given(), inside % set.n_given());
+                }
+            }
+        }
+    }
+}
+
 TEST(InclusionSet, TurnsPolygonsCounterClockwise) {
     const InclusionSet set(kUnit, {{Polygon{{0, 0}, {0, 0.3}, {0.3, 0}}, 1, 1}});
     EXPECT_NEAR(polygon_area(std::get<Polygon>(set[0].shape)), 0.045, 1e-15);

@@ -47,6 +47,31 @@ TEST(RandomCircles, KeepTheGapAndHaveTheArea) {
     }
 }
 
+TEST(RandomCircles, KeepTheGapFromWalls) {
+    const Lattice lattice = Lattice::rectangle(1.5, 1);
+    for (const WallsRow& row : kWalls) {
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const auto circles = random_circles(
+                lattice,
+                {.fraction = 0.35, .n = 15, .gap = 0.01, .seed = seed, .walls = row.walls});
+            ASSERT_EQ(circles.size(), 15u);
+            for (int axis = 0; axis < 2; ++axis) {
+                if (!row.across[axis]) continue;
+                for (const Circle& circle : circles) {
+                    const double at = circle.centre[axis];
+                    const double least = circle.radius + 0.01 - 1e-12;
+                    EXPECT_GE(std::min(at, side_length(lattice, axis) - at), least);
+                }
+            }
+            // Circles on both sides of a wall are not neighbours.
+            const Lattice apart({row.across[0] ? 9.0 : 1.5, 0}, {0, row.across[1] ? 9.0 : 1.0});
+            EXPECT_GE(least_gap(apart, circles), 0.01 - 1e-12);
+            EXPECT_EQ(InclusionSet(lattice, circular_inclusions(circles, 1), row.walls).n_given(),
+                      15);
+        }
+    }
+}
+
 TEST(RandomCircles, AreInclusions) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const auto circles = random_circles(kOblique, {.fraction = 0.6, .n = 30, .seed = seed});

@@ -129,7 +129,7 @@ TEST(AreaFit, TopologyAndFramesStay) {
     EXPECT_NEAR(areas_by_site(fitted.cells, 100).sum(), lattice.area(), 1e-12);
 }
 
-// Law 1, where so many edges are removed that no weights may give the areas.
+// Law 1, where too many edges are removed for any weights to give the areas.
 TEST(AreaFit, CellsStaySimpleWhereAreasAreNotReached) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     int n_missed = 0;

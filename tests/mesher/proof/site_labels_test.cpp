@@ -17,14 +17,20 @@ const Lattice kOblique({1, 0}, {0.37, 0.81});
 
 std::vector<TileOptions> all_options() {
     std::vector<TileOptions> all;
-    const auto add = [&all](const TileOptions& options) { all.push_back(options); };
     for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
         for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
             if (kind == MeshKind::kDelaunay && outline == Outline::kBox) continue;
-            add({.kind = kind, .outline = outline});
-            add({.kind = kind, .outline = outline, .columns = 3, .rows = 2});
-            if (kind == MeshKind::kDelaunay) continue;
-            add({.kind = kind, .outline = outline, .short_edges = 0.3});
+            const auto add = [&]() -> TileOptions& {
+                TileOptions& options = all.emplace_back();
+                options.kind = kind;
+                options.outline = outline;
+                return options;
+            };
+            add();
+            TileOptions& repeated = add();
+            repeated.columns = 3;
+            repeated.rows = 2;
+            if (kind != MeshKind::kDelaunay) add().short_edges = 0.3;
         }
     }
     return all;

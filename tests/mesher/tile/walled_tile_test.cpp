@@ -33,9 +33,9 @@ WalledCvt walled(const Lattice& lattice, Walls walls, WallCells cells, int n, st
 /// Whether the vertices of wall edges lie on the walls exactly, and others between them.
 void expect_on_walls(const Tile& tile) {
     for (const WallEdge& edge : tile.wall_edges) {
-        const int axis = wall_side_row(edge.side).axis;
-        EXPECT_EQ(tile.points[edge.v0][axis], wall_line(edge.side, tile.lattice));
-        EXPECT_EQ(tile.points[edge.v1][axis], wall_line(edge.side, tile.lattice));
+        const int axis = wall_side_row(edge.wall.side()).axis;
+        EXPECT_EQ(tile.points[edge.v0][axis], wall_line(edge.wall.side(), tile.lattice));
+        EXPECT_EQ(tile.points[edge.v1][axis], wall_line(edge.wall.side(), tile.lattice));
     }
 }
 
@@ -43,7 +43,8 @@ void expect_on_walls(const Tile& tile) {
 double length_on(const Tile& tile, WallSide side) {
     double length = 0;
     for (const WallEdge& edge : tile.wall_edges) {
-        if (edge.side == side) length += (tile.points[edge.v1] - tile.points[edge.v0]).norm();
+        if (edge.wall.side() == side)
+            length += (tile.points[edge.v1] - tile.points[edge.v0]).norm();
     }
     return length;
 }

@@ -49,6 +49,9 @@ static void print_numbers(void) {
     NUMBER(PCVT_COLOUR_DENSITY);
     NUMBER(PCVT_COLOUR_PHASE);
     NUMBER(PCVT_COLOUR_ORBIT);
+    NUMBER(PCVT_CIRCLE);
+    NUMBER(PCVT_ELLIPSE);
+    NUMBER(PCVT_POLYGON);
     NUMBER(PCVT_SYMMETRY_NONE);
     NUMBER(PCVT_SYMMETRY_P1);
     NUMBER(PCVT_SYMMETRY_P2);
@@ -141,6 +144,7 @@ static void print_options(void) {
     FIELD(pcvt_options, fixed_sites);
     FIELD(pcvt_options, n_fixed_sites);
     FIELD(pcvt_options, reserved3);
+    FIELD(pcvt_options, holes);
 }
 
 static void print_sites(void) {
@@ -156,6 +160,16 @@ static void print_sites(void) {
     FIELD(pcvt_sites, n_phases);
     FIELD(pcvt_sites, n_orbits);
     FIELD(pcvt_sites, orbits);
+}
+
+static void print_inclusions(void) {
+    STRUCT(pcvt_inclusions);
+    FIELD(pcvt_inclusions, numbers);
+    FIELD(pcvt_inclusions, begin);
+    FIELD(pcvt_inclusions, form);
+    FIELD(pcvt_inclusions, tags);
+    FIELD(pcvt_inclusions, n_shapes);
+    FIELD(pcvt_inclusions, reserved);
 }
 
 static void print_mesh(void) {
@@ -204,7 +218,8 @@ static void print_tile(void) {
     FIELD(pcvt_tile, n_edge_pairs);
     FIELD(pcvt_tile, wall_edges);
     FIELD(pcvt_tile, n_wall_edges);
-    FIELD(pcvt_tile, reserved);
+    FIELD(pcvt_tile, n_holes);
+    FIELD(pcvt_tile, hole_names);
 }
 
 static void print_statistics(void) {
@@ -256,6 +271,7 @@ int main(void) {
     print_progress();
     print_options();
     print_sites();
+    print_inclusions();
     print_mesh();
     print_edge_pair();
     print_tile();

@@ -193,6 +193,7 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(wall_cells, PCVT_WALL_CELLS_HALF, "there are none; give the walls");
     FIELD_REFUSED(inclusions, "circle", "inclusions:1: a tag is missing");
     FIELD_REFUSED(fibres, "0.5", "write FRACTION,N");
+    FIELD_REFUSED(holes, "fibre", "give inclusions or fibres");
     FIELD_REFUSED(n_fixed_sites, 1, "fixed_sites is a null pointer");
     options.orientations = angles;
     options.n_orientations = 2;
@@ -254,8 +255,8 @@ static void symmetries_that_do_not_fit_name_what_fits(void) {
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "take 6 or 8");
     options = options_for(8);
     options.symmetry = PCVT_SYMMETRY_P2;
-    options.start = PCVT_START_COARSE;
-    REFUSED(&options, PCVT_ERROR_ARGUMENT, "start at random");
+    options.start = PCVT_START_LATTICE;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "take coarse or random");
     options.start = PCVT_START_RANDOM;
     options.area_law = "equal";
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "have no symmetry");

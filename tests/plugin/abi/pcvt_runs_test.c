@@ -1,6 +1,7 @@
 /* Runs seen by a C99 host: how they end and how they call its callbacks. */
 #include <fenv.h>
 #include <math.h>
+#include <string.h>
 
 #include "tests/support/claims.h"
 
@@ -79,6 +80,62 @@ static void cells_have_phases_and_orientations(void) {
     CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
     CHECK(sites.phases == NULL && sites.phase_names == NULL && sites.orientations == NULL);
     CHECK(sites.n_phases == 0);
+    pcvt_free(result);
+}
+
+static void inclusions_are_those_that_were_given(void) {
+    const double numbers[14] = {0.5, 0.9, 0.1, 0.5, 0.4, 0.2, 0.1,
+                                30,  0.1, 0.1, 0.3, 0.1, 0.2, 0.3};
+    pcvt_options options = options_for(500);
+    pcvt_result* result = NULL;
+    pcvt_inclusions shapes;
+    int32_t k;
+    options.inclusions =
+        "circle a 0.5 0.9 0.1\nellipse b 0.5 0.4 0.2 0.1 30\npolygon a .1 .1 .3 .1 .2 .3";
+    options.tolerance = 1e-2;
+    CHECK(pcvt_generate(&options, &result) == PCVT_OK);
+    CHECK(pcvt_get_inclusions(result, &shapes, sizeof shapes) == PCVT_OK);
+    CHECK(shapes.n_shapes == 3);
+    CHECK(shapes.begin[0] == 0 && shapes.begin[1] == 3 && shapes.begin[2] == 8);
+    CHECK(shapes.begin[3] == 14);
+    CHECK(shapes.form[0] == PCVT_CIRCLE && shapes.form[1] == PCVT_ELLIPSE);
+    CHECK(shapes.form[2] == PCVT_POLYGON);
+    CHECK(strcmp(shapes.tags[0], "a") == 0 && strcmp(shapes.tags[1], "b") == 0);
+    CHECK(strcmp(shapes.tags[2], "a") == 0);
+    for (k = 0; k < 14; ++k) CHECK(shapes.numbers[k] == numbers[k]);
+    pcvt_free(result);
+    options = options_for(4);
+    CHECK(pcvt_generate(&options, &result) == PCVT_OK);
+    CHECK(pcvt_get_inclusions(result, &shapes, sizeof shapes) == PCVT_OK);
+    CHECK(shapes.n_shapes == 0 && shapes.numbers == NULL && shapes.begin == NULL);
+    CHECK(pcvt_get_inclusions(NULL, &shapes, sizeof shapes) == PCVT_ERROR_ARGUMENT);
+    pcvt_free(result);
+}
+
+static void tiles_with_holes_know_their_edges(void) {
+    pcvt_options options = options_for(300);
+    pcvt_result* result = NULL;
+    pcvt_tile tile;
+    pcvt_mesh mesh;
+    pcvt_sites sites;
+    int32_t k, n_at_holes = 0;
+    options.inclusions = "circle core 0.1 0.9 0.15\ncircle pipe 0.5 0.4 0.2\n";
+    options.holes = "pipe,core";
+    result = generated(&options);
+    CHECK(pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, &tile, sizeof tile) == PCVT_OK);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    CHECK(tile.n_faces == sites.n_sites && sites.n_sites < 300);
+    CHECK(sites.n_phases == 1 && strcmp(sites.phase_names[0], "matrix") == 0);
+    CHECK(tile.n_holes == 2 && tile.n_wall_edges > 10);
+    CHECK(strcmp(tile.hole_names[0], "pipe") == 0 && strcmp(tile.hole_names[1], "core") == 0);
+    for (k = 0; k < tile.n_wall_edges; ++k) {
+        const int32_t hole = tile.wall_edges[k].wall - PCVT_WALL_HOLE;
+        CHECK(hole == 0 || hole == 1);
+    }
+    CHECK(pcvt_get_mesh(result, PCVT_VORONOI, &mesh, sizeof mesh) == PCVT_OK);
+    CHECK(mesh.n_faces == sites.n_sites);
+    for (k = 0; k < mesh.n_corners; ++k) n_at_holes += mesh.opposite[k] < 0;
+    CHECK(n_at_holes == tile.n_wall_edges);
     pcvt_free(result);
 }
 
@@ -238,8 +295,10 @@ int main(void) {
     the_floating_point_environment_of_the_host_is_kept_and_does_not_matter();
     cells_of_given_areas_have_weights();
     cells_have_phases_and_orientations();
+    inclusions_are_those_that_were_given();
     sites_of_a_symmetry_have_orbits();
     tiles_between_walls_know_their_edges();
+    tiles_with_holes_know_their_edges();
     an_invalid_density_is_a_domain_error();
     a_density_grades_the_cells();
     return end_of_claims();

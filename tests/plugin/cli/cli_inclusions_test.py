@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import re
 
 from support.cli import CliTest, main
 
@@ -100,13 +101,153 @@ class Inclusions(CliTest):
         self.refuse(2, "nothing.txt: cannot read", "mesh", "--sites", 99, "--inclusions", "nothing.txt")
 
     def test_choices_that_inclusions_exclude_are_refused(self):
-        for options, words in ((("--walls", "y"), "walls"), (("--areas", "equal"), "areas"), (("--aspect", 2), "aspect"),
+        for options, words in ((("--areas", "equal"), "areas"), (("--aspect", 2), "aspect"),
                                (("--symmetry", "p2"), "symmetry"), (("--start", "coarse"), "start"),
                                (("--phases", "a:1"), "tags"), (("--stability",), "stability"),
                                (("--fixed", "fixed.txt"), "fixed sites of their own")):
             self.path("fixed.txt").write_text("0.1 0.1\n")
             self.refuse_shapes(2, words, SHAPES, *options)
         self.refuse_shapes(2, "Delaunay", SHAPES, "--mesh", "delaunay", "-o", "t.msh")
+
+
+INSIDE = ("circle glass 0.95 0.75 0.15\n"
+          "ellipse steel 0.7 0.4 0.2 0.1 30\n"
+          "polygon glass 0.2 0.3 0.4 0.3 0.3 0.6\n")
+
+
+class Walls(CliTest):
+    """Inclusions in channels and boxes."""
+
+    def mesh(self, walls, *arguments, shapes=INSIDE):
+        self.path("shapes.txt").write_text(shapes)
+        return self.succeed("mesh", "--period", "1.3,1", "--sites", 700, "--tolerance", "1e-3", "--inclusions",
+                            "shapes.txt", "--walls", walls, "--force", "--quiet", *arguments)
+
+    def test_every_format_of_every_mesh_is_proved_with_its_inclusions(self):
+        for walls, glued in (("x", "an annulus"), ("y", "an annulus"), ("xy", "a disc")):
+            for mesh, extensions, options in (("voronoi", TILES, ()), ("voronoi", TILES[:-1], ("--outline", "box")),
+                                              ("grains", SOLVERS, ()), ("grains", SOLVERS, ("--outline", "box")),
+                                              ("voronoi", ("obj", "vtu"), ("--short-edges", 0.2)),
+                                              ("voronoi", ("obj", "vtu"), ("--wall-cells", "half")),
+                                              ("grains", ("obj", "msh"), ("--wall-cells", "half"))):
+                self.mesh(walls, "--mesh", mesh, *options, *outputs(*extensions))
+                text = self.succeed("check", *(f"t.{extension}" for extension in extensions),
+                                    "--inclusions", "shapes.txt")
+                self.assertEqual(text.count("3 inclusions of shapes.txt with "), len(extensions), text)
+                self.assertEqual(text.count(glued), len(extensions), text)
+
+    def test_delaunay_triangles_need_half_cells(self):
+        self.mesh("xy", "--mesh", "delaunay", "--wall-cells", "half", *outputs("obj", "glb"))
+        self.succeed("check", "t.obj", "t.glb")
+
+    def test_fibres_lie_between_walls(self):
+        for walls in ("x", "y", "xy"):
+            self.succeed("mesh", "--sites", 1500, "--fibres", "0.4,12,0.02", "--walls", walls, "--tolerance", "1e-2",
+                         "--report", "r.json", *outputs("obj"), "--force")
+            report = json.loads(self.path("r.json").read_text())
+            self.assertAlmostEqual(report["phases"][1]["reached"], 0.4, delta=1e-12)
+            fibres = report["inclusions"]["fibres"]
+            for axis, word in enumerate("xy"):
+                for fibre in fibres if word in walls else ():
+                    self.assertGreaterEqual(min(fibre[axis], 1 - fibre[axis]), fibre[2] + 0.02 - 1e-9)
+            self.path("fibres.txt").write_text("".join(f"circle fibre {x!r} {y!r} {r!r}\n" for x, y, r in fibres))
+            self.assertIn("12 inclusions", self.succeed("check", "t.obj", "--inclusions", "fibres.txt"))
+
+    def test_shapes_at_walls_are_refused_with_file_and_line(self):
+        self.path("shapes.txt").write_text(SHAPES)
+        for walls, wall in (("x", "wall_right"), ("y", "wall_top"), ("xy", "wall_right")):
+            self.refuse(2, rf"shapes\.txt: line 2: the shape touches or crosses {wall}; move it", "mesh", "--sites", 600,
+                        "--inclusions", "shapes.txt", "--walls", walls)
+        near = "circle a 0.5 0.21 0.2\n"
+        self.path("shapes.txt").write_text(near)
+        self.refuse(2, "too near to a wall for half cells", "mesh", "--sites", 400, "--inclusions", "shapes.txt",
+                    "--walls", "y", "--wall-cells", "half")
+
+    def test_threads_do_not_change_a_byte(self):
+        self.mesh("xy", "--density", "1 + u", "--threads", 1, *outputs("obj", "txt"))
+        one = self.contents()
+        self.mesh("xy", "--density", "1 + u", "--threads", 3, *outputs("obj", "txt"))
+        self.assertEqual(self.contents(), one)
+
+
+class Check(CliTest):
+    """pcvt check FILE --inclusions SHAPES."""
+
+    def mesh(self, *arguments):
+        self.path("shapes.txt").write_text(SHAPES)
+        self.succeed("mesh", "--sites", 600, "--tolerance", "1e-3", "--inclusions", "shapes.txt", "--force", "--quiet",
+                     *arguments)
+
+    def refute(self, pattern, file="t.obj", shapes="shapes.txt"):
+        self.refuse(2, pattern, "check", file, "--inclusions", shapes)
+
+    def test_every_format_is_proved(self):
+        for mesh, extensions, options in (("voronoi", TILES, ()), ("voronoi", TILES[:-1], ("--outline", "box")),
+                                          ("voronoi", ("obj", "ply", "vtu"), ("--repeat", "2x3")),
+                                          ("voronoi", ("obj",), ("--short-edges", 0.3)),
+                                          ("grains", SOLVERS, ("--outline", "box", "--repeat", "2x1")),
+                                          ("grains", ("obj", "vtu", "msh", "inp"), ("--order", 2))):
+            self.mesh("--mesh", mesh, *options, *outputs(*extensions))
+            text = self.succeed("check", *(f"t.{extension}" for extension in extensions), "--inclusions", "shapes.txt")
+            self.assertEqual(text.count("3 inclusions of shapes.txt with "), len(extensions), text)
+
+    def test_other_shapes_are_refuted(self):
+        self.mesh(*outputs("obj", "vtu"))
+        lines = SHAPES.splitlines()[1:]
+        for other, words in ((lines[0].replace("0.15", "0.1500001"), r"other\.txt:1: the cells inside have the area"),
+                             (lines[0].replace("glass", "steel"), "has the tag glass, but its site lies in steel"),
+                             (lines[0].replace("0.95", "0.9500001"), r"other\.txt:1: "),
+                             (lines[1].replace("30", "30.00001"), r"other\.txt:1: "),
+                             (lines[1].replace("0.2 0.1", "0.1 0.2").replace("30", "120.1"), r"other\.txt:1: "),
+                             (lines[2].replace("0.3 0.6", "0.31 0.6"), r"(other\.txt:1: |its site lies in matrix)")):
+            rest = [line for line in lines if line.split()[0] != other.split()[0]]
+            self.path("other.txt").write_text("\n".join([other, *rest]))
+            # Only files for solvers state the tags.
+            for file in ("t.vtu",) if "tag" in words else ("t.obj", "t.vtu"):
+                self.refute("law of the inclusions: .*" + words, file, "other.txt")
+        self.path("other.txt").write_text("\n".join(lines[:2]))
+        self.refute("but its site lies in matrix", "t.vtu", "other.txt")
+
+    def test_a_cell_across_an_outline_is_refuted(self):
+        # The same sites without the shapes: a Voronoi diagram that knows nothing of them.
+        self.mesh(*outputs("txt"))
+        self.succeed("mesh", "--input", "t.txt", "--max-iterations", 0, "-o", "same.ply")
+        self.succeed("check", "same.ply", "--inclusions", "shapes.txt")
+        self.succeed("mesh", "--sites", 600, "--tolerance", "1e-3", "-o", "other.ply")
+        self.refute(r"law of the inclusions: shapes\.txt:\d: the cells inside have the area", "other.ply")
+
+    def test_what_cannot_be_checked_is_refused(self):
+        self.mesh("--mesh", "delaunay", *outputs("obj"))
+        self.refute("Delaunay triangles cross the outlines")
+        self.path("bad.txt").write_text("circle a 0 0 0.7\n")
+        self.mesh(*outputs("obj"))
+        self.refute(r"bad\.txt: line 1: the shape is larger", "t.obj", "bad.txt")
+        self.succeed("mesh", "--sites", 64, "--tolerance", "1e-2", "-o", "t.vti")
+        self.refute("--inclusions is not for voxels", "t.vti")
+
+
+class Boxes(CliTest):
+    """Sides of a box that run through the centres of shapes."""
+
+    def test_grains_have_good_angles(self):
+        lattice = "1.5330612955270297,0,0,0.6522896396365052"
+        shapes = ("circle t 0 0.523 0.081\ncircle t 0 0.361 0.0386\ncircle t 0.302 0 0.0612\ncircle t 0.924 0 0.0856\n"
+                  "ellipse t 0.6922 0 0.0628 0.0378 331.98\npolygon t -0.03 0.1 0.05 0.11 0.02 0.2\n"
+                  "circle t 1.26 0.09 0.0529\ncircle t 0.44 0.3 0.1\n")
+        self.path("shapes.txt").write_text(shapes)
+        for seed in range(3):
+            text = self.succeed("mesh", "--lattice", lattice, "--sites", 1586, "--seed", seed, "--mesh", "grains",
+                                "--tolerance", "1e-2", "--outline", "box", "--inclusions", "shapes.txt", "-o", "t.msh",
+                                "--force", timeout=60)
+            self.assertLess(int(re.search(r"(\d+) triangles", text)[1]), 60000)
+            self.assertIn("8 inclusions", self.succeed("check", "t.msh", "--inclusions", "shapes.txt"))
+
+    def test_a_piece_that_is_too_thin_is_refused_at_once(self):
+        # A side of the polygon lies 1e-8 beside the box.
+        self.path("shapes.txt").write_text("polygon t 0.00000001 0.2 0.3 0.2 0.3 0.6 0.00000001 0.6\n")
+        self.refuse(4, "too thin to be meshed by grains; give another origin, or use the whole outline", "mesh",
+                    "--sites", 900, "--mesh", "grains", "--outline", "box", "--inclusions", "shapes.txt", "-o", "t.msh",
+                    "--tolerance", "1e-2", timeout=60)
 
 
 class FixedSites(CliTest):
@@ -124,7 +265,7 @@ class FixedSites(CliTest):
 
     def test_too_many_and_wrong_choices_are_refused(self):
         self.path("fixed.txt").write_text("0.1 0.1\n0.2 0.2\n")
-        self.refuse(2, "2 fixed sites, more than all", "mesh", "--sites", 1, "--fixed", "fixed.txt")
+        self.refuse(2, "more fixed sites .2. than sites .1.; take more sites", "mesh", "--sites", 1, "--fixed", "fixed.txt")
         self.refuse(2, "give a number of sites", "mesh", "--input", "fixed.txt", "--fixed", "fixed.txt")
         self.refuse(2, "site 0 and site 1|sites 0 and 1|coincide", "mesh", "--sites", 5, "--fixed", self.doubled())
 

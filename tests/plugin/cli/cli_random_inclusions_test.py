@@ -91,7 +91,7 @@ def random_shapes(draw, torus):
 
 def options_of(draw, torus):
     mesh = draw.choice(("voronoi", "voronoi", "grains"))
-    # With so many sites, the random shapes leave enough for the matrix.
+    # From 300 sites on, the random shapes leave room for cells of the matrix.
     options = ["--lattice", torus.option(), "--sites", round(draw.choice((300, 1000, 3000)) * draw.uniform(1, 3)),
                "--seed", draw.randrange(10**6), "--mesh", mesh, "--tolerance", "1e-3"]
     if draw.random() < 0.3:

@@ -47,6 +47,12 @@ def job(draw):
 
 
 class RandomWalls(CliTest):
+    def test_a_cell_that_holds_two_corners_leaves_the_one_that_has_a_site(self):
+        self.succeed("mesh", "--walls", "xy", "--wall-cells", "half", "--sites", 40, "--seed", 573719, "--period",
+                     "0.372589,2.68393", "--mesh", "delaunay", "--tolerance", "1e-4", "--areas", "equal",
+                     "--max-iterations", 1, "-o", "box.obj")
+        self.assertIn("a box with four walls", self.succeed("check", "box.obj"))
+
     def test_files_of_random_jobs_are_accepted(self):
         draw = random.Random(int(os.environ.get("PCVT_WALL_SEED", "1")))
         refused = {}

@@ -115,6 +115,15 @@ class Symmetry(CliTest):
         self.succeed(*run, "--mesh", "delaunay", "-o", "t.svg", "-o", "t.ply", "-o", "t.png", "-o", "t.html")
         self.refuse(2, "there is no symmetry whose orbits", "mesh", "--sites", 9, "--colour", "orbit", "-o", "v.svg")
 
+    def test_coarse_starts_keep_the_symmetry_and_are_the_default_of_many_orbits(self):
+        for group in GROUPS:
+            report = self.report("--sites", 240, "--symmetry", group, "--start", "coarse", "-o", "t.obj")
+            self.assertEqual(report["start"], "coarse")
+            self.assertIn("orbits agree", self.succeed("check", "t.obj"))
+        for n_sites, start in ((1998, "random"), (2000, "coarse")):
+            report = self.report("--sites", n_sites, "--symmetry", "pm", "--tolerance", "1e-3")
+            self.assertEqual(report["start"], start)
+
     def test_the_bytes_are_the_same_for_any_number_of_threads(self):
         for threads in (1, 3):
             self.succeed("mesh", "--sites", 600, "--symmetry", "p6m", "--threads", threads, "-o", f"{threads}.obj",
@@ -131,7 +140,7 @@ class Symmetry(CliTest):
                 (("--sites", 8, "--symmetry", "pm", "--lattice", "1,0,0.37,0.81"), "it fits rectangles"),
                 (("--sites", 7, "--symmetry", "pg"), "take 6 or 8"),
                 (("--input", "s.txt", "--symmetry", "p2"), "--input gives them"),
-                (("--sites", 8, "--symmetry", "p2", "--start", "best"), "start at random"),
+                (("--sites", 8, "--symmetry", "p2", "--start", "best"), "take coarse or random"),
                 (("--sites", 8, "--symmetry", "p2", "--areas", "equal"), "leave one of the two out"),
                 (("--sites", 8, "--symmetry", "p4", "--aspect", "2"), "elongated by the aspect")):
             self.refuse(2, words, "mesh", *arguments, "-o", "t.obj")

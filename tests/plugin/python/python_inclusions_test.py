@@ -38,12 +38,55 @@ class Inclusions(unittest.TestCase):
 
     def test_refusals_name_the_line(self):
         for shapes, words in ((TEXT + "circle b 0.95 0.9 0.1", "line 1 and line 4 overlap"),
-                              ("circle b 0 0", "inclusions:1: a circle has not 2 numbers"),
+                              ("circle b 0 0", "inclusions:1: a circle does not take 2 numbers"),
                               ("circle b 0 0 0.7", "line 1: the shape is larger than the domain")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 mesh(inclusions=shapes)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "leave the walls out"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "line 1: the shape touches or crosses wall_top"):
             mesh(inclusions=TEXT, walls="y")
+
+    def test_the_shapes_of_a_result_are_those_that_were_given(self):
+        result = mesh(inclusions=SHAPES)
+        self.assertEqual(len(result.inclusions), 3)
+        self.assertEqual(result.inclusions[:2], SHAPES[:2])
+        word, tag, corners = result.inclusions[2]
+        self.assertEqual((word, tag), SHAPES[2][:2])
+        np.testing.assert_array_equal(corners, CORNERS)
+        np.testing.assert_array_equal(mesh(inclusions=result.inclusions).sites, result.sites)
+        self.assertEqual(mesh(20).inclusions, ())
+
+    def test_the_fibres_of_a_result_make_it_again(self):
+        result = mesh(1500, fibres=(0.4, 12), seed=3)
+        self.assertEqual({shape[:2] for shape in result.inclusions}, {("circle", "fibre")})
+        self.assertAlmostEqual(sum(math.pi * r**2 for *_, r in result.inclusions), 0.4, delta=1e-12)
+        again = mesh(1500, inclusions=result.inclusions, seed=3)
+        np.testing.assert_array_equal(again.sites, result.sites)
+
+    def test_channels_hold_their_inclusions(self):
+        result = mesh(900, inclusions=[("circle", "a", 0.5, 0.5, 0.3)], walls="xy")
+        tile = result.tile()
+        inside = np.array([np.hypot(*(points.mean(axis=0) - 0.5)) < 0.3 for points in tile.polygons()])
+        np.testing.assert_array_equal(inside, result.phases[tile.face_site] == 1)
+        self.assertAlmostEqual(result.cells["area"][result.phases == 1].sum(), math.pi * 0.09, delta=1e-12)
+
+
+class Holes(unittest.TestCase):
+    def test_their_cells_are_left_out_and_their_edges_have_names(self):
+        result = mesh(inclusions=SHAPES, holes=["steel", "glass"])
+        self.assertEqual(result.phase_names, ("matrix",))
+        self.assertAlmostEqual(result.cells["area"].sum(), 1 - sum(AREAS.values()), delta=1e-12)
+        tile = result.tile()
+        self.assertEqual(tile.holes, ["steel", "glass"])
+        self.assertEqual([shape[1] for shape in result.inclusions], [shape[1] for shape in SHAPES])
+        self.assertEqual(sorted(tile.face_site), list(range(len(result.sites))))
+        self.assertEqual(set(tile.wall_edges["wall"]), {4, 5})
+
+    def test_one_tag_may_be_a_text(self):
+        self.assertEqual(mesh(inclusions=SHAPES, holes="steel").phase_names, ("matrix", "glass"))
+
+    def test_unknown_tags_are_refused(self):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "did you mean steel"):
+            mesh(inclusions=SHAPES, holes=["stel"])
 
 
 class FixedSites(unittest.TestCase):
@@ -59,7 +102,7 @@ class FixedSites(unittest.TestCase):
         np.testing.assert_allclose(mesh(7, fixed=points).sites, points, atol=1e-15)
 
     def test_more_fixed_sites_than_sites_are_refused(self):
-        with self.assertRaisesRegex(pcvt.ArgumentError, "3 fixed sites, more than all sites"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "more fixed sites .3. than sites"):
             mesh(2, fixed=np.eye(3)[:, :2])
 
 

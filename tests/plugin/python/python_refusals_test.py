@@ -52,7 +52,7 @@ class Refusals(unittest.TestCase):
 
 class Layout(unittest.TestCase):
     STRUCTS = {"pcvt_progress": _library.Progress, "pcvt_options": _library.Options,
-               "pcvt_sites": _library.Sites, "pcvt_mesh": _library.Mesh,
+               "pcvt_sites": _library.Sites, "pcvt_inclusions": _library.Inclusions, "pcvt_mesh": _library.Mesh,
                "pcvt_tile": _library.Tile, "pcvt_statistics": _library.Statistics,
                "pcvt_write_options": _library.WriteOptions}
 

@@ -64,7 +64,7 @@ class Symmetry(unittest.TestCase):
                 ({"symmetry": "p4m", "period": (1, 2)}, "it fits squares"),
                 ({"symmetry": "p3", "period": (1, 1)}, "it fits hexagonal lattices"),
                 ({"symmetry": "pm", "lattice": OBLIQUE}, "it fits rectangles"),
-                ({"symmetry": "p2", "start": "best"}, "start at random"),
+                ({"symmetry": "p2", "start": "best"}, "take coarse or random"),
                 ({"symmetry": "p2", "areas": "equal"}, "have no symmetry"),
                 ({"symmetry": "p4", "aspect": 2}, "elongated by the aspect")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words) as refusal:

@@ -1,4 +1,4 @@
-#include "mesher/tile/site_classes.hpp"
+#include "io/colours/site_classes.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,122 @@
+#include "mesher/space/moving_tetrahedra.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/space/space_mirrors.hpp"
+#include "mesher/space/tetrahedra_flips.hpp"
+
+namespace pcvt {
+namespace {
+
+double unit_near(double length) {
+    int exponent = 0;
+    std::frexp(length, &exponent);
+    return std::ldexp(1.0, exponent);
+}
+
+}  // namespace
+
+MovingTetrahedra::MovingTetrahedra(const SpaceSites& sites)
+    : lattice_(sites.lattice()),
+      reduction_(sites.reduction()),
+      gram_(gram_of(reduction_.reduced)),
+      unit_(unit_near(sites.spacing())),
+      spacing_(sites.spacing() / unit_),
+      frame_(reduction_.reduced, unit_),
+      coordinates_(sites.coordinates()),
+      tetrahedra_(sites.n_sites(), space_mirrors(sites).tetrahedra) {}
+
+bool MovingTetrahedra::step(const Eigen::VectorXf& direction, double t) {
+    constexpr double kFarthest = 2;
+    Points3 moved(3, n_sites());
+    bool valid = true;
+    for (SiteId s = 0; s < n_sites(); ++s) {
+        checkpoint_each(s);
+        const auto d = direction.segment<3>(kNumbersPerSite * Eigen::Index{s}).cast<double>();
+        const Vec3 move = frame_.to_lattice(t * d);
+        valid = valid && move.cwiseAbs().maxCoeff() <= kFarthest;
+        moved.col(s) = coordinates_.col(s) + snapped_displacement(move);
+    }
+    if (!valid) return false;
+    before_ = std::move(coordinates_);
+    coordinates_ = std::move(moved);
+    settled_ = false;
+    keep_in_range();
+    return true;
+}
+
+void MovingTetrahedra::step_back() {
+    coordinates_ = std::move(before_);
+    settled_ = true;
+    keep_in_range();
+}
+
+void MovingTetrahedra::keep_in_range() {
+    std::vector<Offset3> change(static_cast<std::size_t>(n_sites()));
+    bool changes = false;
+    for (SiteId s = 0; s < n_sites(); ++s) {
+        const Vec3 whole = coordinates_.col(s).array().floor();
+        if (whole.minCoeff() >= -1 && whole.maxCoeff() <= 1) continue;
+        coordinates_.col(s) -= whole;
+        if (!settled_) before_.col(s) -= whole;
+        change[s] = {int(whole.x()), int(whole.y()), int(whole.z())};
+        changes = true;
+    }
+    if (changes) tetrahedra_.add_to_offsets(change);
+}
+
+bool MovingTetrahedra::all_positive(const SpaceSuspects& suspects) const {
+    const auto positive = [this](int t) { return is_positive(tetrahedra_, coordinates_, t); };
+    return std::all_of(suspects.tetrahedra.begin(), suspects.tetrahedra.end(), positive);
+}
+
+bool MovingTetrahedra::is_restored(const SpaceSuspects& suspects) const {
+    const auto delaunay = [this](int f) {
+        return is_locally_delaunay(tetrahedra_, coordinates_, gram_, f);
+    };
+    return all_positive(suspects) &&
+           std::all_of(suspects.facets.begin(), suspects.facets.end(), delaunay);
+}
+
+bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
+    const auto pass = [&] {
+        return evaluate_space_energy(tetrahedra_, coordinates_, frame_, workers, energy);
+    };
+    const SpaceSuspects suspects = pass();
+    if (is_restored(suspects)) return true;
+    if (restore_by_flips(suspects) && is_restored(pass())) return true;
+    if (!rebuild()) return false;
+    if (!is_restored(pass())) throw InternalError("a new build in space is not Delaunay");
+    return true;
+}
+
+bool MovingTetrahedra::restore_by_flips(const SpaceSuspects& suspects) {
+    if (!all_positive(suspects)) return false;
+    TetrahedraFlips flips(tetrahedra_, coordinates_, gram_);
+    const bool done = flips.flip(suspects.facets);
+    n_flips_ += flips.n_flips();
+    return done;
+}
+
+bool MovingTetrahedra::rebuild() {
+    const SpaceSites sites = wrapped_sites();
+    if (sites.duplicates().first >= 0) return false;
+    // The sites before the step get the same offsets.
+    if (!settled_) before_ -= coordinates_ - sites.coordinates();
+    coordinates_ = sites.coordinates();
+    tetrahedra_ = TorusTetrahedra(n_sites(), space_mirrors(sites).tetrahedra);
+    ++n_rebuilds_;
+    return true;
+}
+
+SpaceDelaunay MovingTetrahedra::release() {
+    std::vector<Offset3> change(static_cast<std::size_t>(n_sites()));
+    for (SiteId s = 0; s < n_sites(); ++s) change[s] = wrap(coordinates_.col(s)).whole;
+    tetrahedra_.add_to_offsets(change);
+    return {wrapped_sites(), std::move(tetrahedra_)};
+}
+
+}  // namespace pcvt

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "mesher/space/space_delaunay.hpp"
+#include "mesher/space/space_energy.hpp"
+
+namespace pcvt {
+
+/// The periodic Delaunay triangulation of moving sites in space, and their energy.
+///
+/// Coordinates in the reduced basis are wrapped only when they leave [-1, 2), and remain multiples
+/// of 2^-50. All lengths are in `unit()`, a power of two near h, and in the SpaceFrame.
+///
+/// `step()` moves the sites to a trial position. Then either `settle()` accepts the position, or
+/// `step_back()` returns to the old one.
+///
+/// Example usage:
+///
+///     MovingTetrahedra moving(sites);
+///     moving.evaluate(workers, energy);
+///     const double before = energy.value;
+///     if (moving.step(direction, t)) {
+///         const bool lower = moving.evaluate(workers, energy) && energy.value < before;
+///         lower ? moving.settle() : moving.step_back();
+///     }
+///
+/// Laws, tested by number:
+///   (1) After evaluate(), every tetrahedron is positive and every facet locally Delaunay. Exact;
+///       together the two prove the global periodic Delaunay property.
+///   (2) After evaluate(), the triangulation equals that of a new build, ties included.
+class MovingTetrahedra {
+   public:
+    /// The numbers in a direction for each site: x, y, z, and one that is not used, so that a site
+    /// is two whole pairs of variables (objective.hpp).
+    static constexpr int kNumbersPerSite = 4;
+
+    explicit MovingTetrahedra(const SpaceSites& sites);
+
+    int n_sites() const { return static_cast<int>(coordinates_.cols()); }
+    /// 3 x n, reduced basis, in [-1, 2).
+    const Points3& coordinates() const { return coordinates_; }
+    const TorusTetrahedra& tetrahedra() const { return tetrahedra_; }
+    /// Length units.
+    double unit() const { return unit_; }
+    /// h in units.
+    double spacing() const { return spacing_; }
+    /// The frame, in units.
+    const SpaceFrame& frame() const { return frame_; }
+    /// Builds after the first one, and flips.
+    int n_rebuilds() const { return n_rebuilds_; }
+    std::int64_t n_flips() const { return n_flips_; }
+
+    /// Moves the sites by t times `direction`, kNumbersPerSite numbers a site (frame, units).
+    /// @returns false if a move is not finite or longer than two periods; no site has moved then.
+    bool step(const Eigen::VectorXf& direction, double t);
+    /// Moves the sites back to their positions before the last step.
+    void step_back();
+    /// Accepts the current positions.
+    void settle() { settled_ = true; }
+    bool settled() const { return settled_; }
+
+    /// Evaluates, and certifies the triangulation in the same pass. Where a facet is no longer
+    /// Delaunay, it restores the triangulation by flips and evaluates again; it builds the
+    /// triangulation from scratch if a tetrahedron is not positive, or if flips get stuck.
+    /// @returns false if two sites coincide: the only valid next call is then step_back.
+    bool evaluate(Workers& workers, SpaceEnergy& energy);
+
+    /// Returns the sites and their triangulation. The object must not be used afterwards.
+    SpaceDelaunay release();
+
+   private:
+    bool all_positive(const SpaceSuspects& suspects) const;
+    bool is_restored(const SpaceSuspects& suspects) const;
+    bool restore_by_flips(const SpaceSuspects& suspects);
+    bool rebuild();
+    void keep_in_range();
+    SpaceSites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
+
+    SpaceLattice lattice_;
+    SpaceReduction reduction_;
+    Gram3 gram_;
+    double unit_;
+    double spacing_;
+    SpaceFrame frame_;
+    Points3 coordinates_;
+    /// The coordinates before the last step, with offsets that fit the tetrahedra.
+    Points3 before_;
+    TorusTetrahedra tetrahedra_;
+    bool settled_ = true;
+    int n_rebuilds_ = 0;
+    std::int64_t n_flips_ = 0;
+};
+
+}  // namespace pcvt

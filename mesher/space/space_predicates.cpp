@@ -1,0 +1,215 @@
+#include "mesher/space/space_predicates.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "mesher/space/wide_integer.hpp"
+
+namespace pcvt {
+namespace {
+
+/// A difference has 54 bits and a determinant of three of them 165. The Gram matrix has at most 101
+/// bits (its largest entry is below 2^41), a squared length 213, and their product 380.
+using Determinant = WideInteger<3>;
+using SquaredLength = WideInteger<4>;
+using Product = WideInteger<6>;
+
+/// Error bounds in units of the product of the largest entries of each column. Differences are
+/// exact; a determinant adds 6 products, each with at most 5 roundings on its way, and in_sphere 4
+/// products of such a determinant with a height, which has 7 more. Both are rounded up.
+constexpr double kOrientationError = 64 * 0x1p-53;
+constexpr double kInSphereError = 1024 * 0x1p-53;
+/// The unit in which the Gram matrix is an integer.
+constexpr double kGramGrid = 0x1p60;
+/// Products below this may have lost bits to underflow.
+constexpr double kSmallestBound = 1e-290;
+
+int sign(double x) { return (x > 0) - (x < 0); }
+
+template <class Number>
+struct Vector3 {
+    Number x;
+    Number y;
+    Number z;
+};
+
+template <class Number>
+Number determinant(const Vector3<Number>& p, const Vector3<Number>& q, const Vector3<Number>& r) {
+    return p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) +
+           p.z * (q.x * r.y - q.y * r.x);
+}
+
+Vector3<double> difference(const Image3& from, const Image3& to) {
+    return {to.at.x() - from.at.x(), to.at.y() - from.at.y(), to.at.z() - from.at.z()};
+}
+
+Determinant integer(double difference) {
+    return Determinant(static_cast<std::int64_t>(difference * kGrid3));
+}
+
+Vector3<Determinant> integers(const Vector3<double>& d) {
+    return {integer(d.x), integer(d.y), integer(d.z)};
+}
+
+/// An entry of the Gram matrix times 2^60; it is a multiple of 2^-60 with at most 53 digits.
+SquaredLength gram_integer(double entry) {
+    int exponent = 0;
+    const double mantissa = std::frexp(entry, &exponent);
+    const int shift = std::max(exponent - 53 + 60, 0);
+    const double digits = std::ldexp(mantissa, exponent + 60 - shift);
+    const SquaredLength low(static_cast<std::int64_t>(digits));
+    return low * SquaredLength(std::int64_t{1} << std::min(shift, 62));
+}
+
+/// The squared length of a difference, times 2^160.
+SquaredLength squared_length(const Gram3& g, const Vector3<double>& d) {
+    const auto number = [](double x) {
+        return SquaredLength(static_cast<std::int64_t>(x * kGrid3));
+    };
+    const SquaredLength x = number(d.x);
+    const SquaredLength y = number(d.y);
+    const SquaredLength z = number(d.z);
+    const SquaredLength two(2);
+    return x * (gram_integer(g.aa) * x + two * (gram_integer(g.ab) * y + gram_integer(g.ac) * z)) +
+           y * (gram_integer(g.bb) * y + two * (gram_integer(g.bc) * z)) +
+           gram_integer(g.cc) * z * z;
+}
+
+Vector3<double> largest(const Vector3<double>& s, const Vector3<double>& t) {
+    return {std::max(s.x, std::abs(t.x)), std::max(s.y, std::abs(t.y)),
+            std::max(s.z, std::abs(t.z))};
+}
+
+int exact_in_sphere(const Gram3& gram, const std::array<Vector3<double>, 4>& d) {
+    const std::array<Vector3<Determinant>, 4> e{integers(d[0]), integers(d[1]), integers(d[2]),
+                                                integers(d[3])};
+    const auto term = [&](int k, const Determinant& minor) {
+        return Product(squared_length(gram, d[k])) * Product(minor);
+    };
+    const Product value =
+        term(0, determinant(e[1], e[2], e[3])) - term(1, determinant(e[0], e[2], e[3])) +
+        term(2, determinant(e[0], e[1], e[3])) - term(3, determinant(e[0], e[1], e[2]));
+    return value.sign();
+}
+
+/// The coordinates of a point without that of an axis, in cyclic order.
+std::array<double, 2> projected(int axis, const Vector3<double>& d) {
+    if (axis == 0) return {d.y, d.z};
+    if (axis == 1) return {d.z, d.x};
+    return {d.x, d.y};
+}
+
+Determinant projected_cross(int axis, const Vector3<double>& d, const Vector3<double>& e) {
+    const auto p = projected(axis, d);
+    const auto q = projected(axis, e);
+    return integer(p[0]) * integer(q[1]) - integer(p[1]) * integer(q[0]);
+}
+
+}  // namespace
+
+Gram3 gram_of(const SpaceLattice& reduced) {
+    int exponent = 0;
+    std::frexp(reduced.a().norm(), &exponent);
+    const double unit = std::ldexp(1.0, exponent);
+    const auto entry = [unit](const Vec3& p, const Vec3& q) {
+        const double product = (p / unit).dot(q / unit);
+        return std::nearbyint(product * kGramGrid) / kGramGrid;
+    };
+    const auto& [a, b, c] = reduced.periods();
+    return {entry(a, a), entry(a, b), entry(a, c), entry(b, b), entry(b, c), entry(c, c)};
+}
+
+int orientation(const Image3& p, const Image3& q, const Image3& r, const Image3& s) {
+    const auto d = difference(p, q);
+    const auto e = difference(p, r);
+    const auto f = difference(p, s);
+    const double value = determinant(d, e, f);
+    const auto scale = largest(largest(largest({0, 0, 0}, d), e), f);
+    const double bound = kOrientationError * scale.x * scale.y * scale.z;
+    if (std::abs(value) > bound) return sign(value);
+    if (bound == 0) return 0;
+    return determinant(integers(d), integers(e), integers(f)).sign();
+}
+
+int in_sphere(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r, const Image3& s,
+              const Image3& t) {
+    const std::array<Vector3<double>, 4> d{difference(t, p), difference(t, q), difference(t, r),
+                                           difference(t, s)};
+    const auto height = [&](int k) { return gram.squared_length(d[k].x, d[k].y, d[k].z); };
+    // Share the minors of x and y between the four determinants.
+    const auto minor = [&](int k, int l) { return d[k].x * d[l].y - d[l].x * d[k].y; };
+    const double pq = minor(0, 1);
+    const double pr = minor(0, 2);
+    const double ps = minor(0, 3);
+    const double qr = minor(1, 2);
+    const double qs = minor(1, 3);
+    const double rs = minor(2, 3);
+    const double value = height(0) * (d[1].z * rs - d[2].z * qs + d[3].z * qr) -
+                         height(1) * (d[0].z * rs - d[2].z * ps + d[3].z * pr) +
+                         height(2) * (d[0].z * qs - d[1].z * ps + d[3].z * pq) -
+                         height(3) * (d[0].z * qr - d[1].z * pr + d[2].z * pq);
+    const auto m = largest(largest(largest(largest({0, 0, 0}, d[0]), d[1]), d[2]), d[3]);
+    const Gram3 g{gram.aa, std::abs(gram.ab), std::abs(gram.ac),
+                  gram.bb, std::abs(gram.bc), gram.cc};
+    const double bound = kInSphereError * m.x * m.y * m.z * g.squared_length(m.x, m.y, m.z);
+    if (std::abs(value) > bound + kSmallestBound) return sign(value);
+    return exact_in_sphere(gram, d);
+}
+
+bool violates_delaunay(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r,
+                       const Image3& s, const Image3& t) {
+    const int side = in_sphere(gram, p, q, r, s, t);
+    if (side != 0) return side > 0;
+    // The greatest point whose perturbation changes the determinant decides.
+    std::array<const Image3*, 5> order{&p, &q, &r, &s, &t};
+    std::sort(order.begin(), order.end(), [](const Image3* one, const Image3* other) {
+        return is_lexicographically_less(*other, *one);
+    });
+    for (const Image3* const point : order) {
+        if (point == &t) return false;
+        const auto or_t = [&](const Image3& corner) -> const Image3& {
+            return &corner == point ? t : corner;
+        };
+        const int turn = orientation(or_t(p), or_t(q), or_t(r), or_t(s));
+        if (turn != 0) return turn > 0;
+    }
+    return false;
+}
+
+int in_coplanar_circle(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r,
+                       const Image3& t) {
+    int axis = 2;
+    while (axis > 0 && projected_orientation(axis, p, q, r) == 0) --axis;
+    const std::array<Vector3<double>, 3> d{difference(t, p), difference(t, q), difference(t, r)};
+    const auto term = [&](int k, int l, int m) {
+        return Product(squared_length(gram, d[k])) * Product(projected_cross(axis, d[l], d[m]));
+    };
+    const Product value = term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1);
+    return value.sign() * projected_orientation(axis, p, q, r);
+}
+
+int projected_orientation(int axis, const Image3& p, const Image3& q, const Image3& r) {
+    return projected_cross(axis, difference(p, q), difference(p, r)).sign();
+}
+
+Vec3 circumcentre(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r,
+                  const Image3& s) {
+    const std::array<Vec3, 3> d{q.at - p.at, r.at - p.at, s.at - p.at};
+    // Solve 2 d_k . G c = |d_k|^2 for G c, then for c.
+    const Vec3 first = d[1].cross(d[2]);
+    const double twice_det = 2 * d[0].dot(first);
+    const auto height = [&](int k) { return gram.squared_length(d[k].x(), d[k].y(), d[k].z()); };
+    const Vec3 gc =
+        (height(0) * first + height(1) * d[2].cross(d[0]) + height(2) * d[0].cross(d[1])) /
+        twice_det;
+    const Vec3 rows[3] = {
+        {gram.aa, gram.ab, gram.ac}, {gram.ab, gram.bb, gram.bc}, {gram.ac, gram.bc, gram.cc}};
+    const Vec3 yz = rows[1].cross(rows[2]);
+    return (gc.x() * yz + gc.y() * rows[2].cross(rows[0]) + gc.z() * rows[0].cross(rows[1])) /
+           rows[0].dot(yz);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "mesher/space/space_sites.hpp"
+
+namespace pcvt {
+
+/// A corner of a tetrahedron: the image of a site, offset in the reduced basis.
+struct Corner3 {
+    SiteId site;
+    Offset3 offset;
+
+    friend constexpr auto operator<=>(const Corner3&, const Corner3&) = default;
+};
+
+/// An image of a site: its coordinates in the reduced basis, multiples of 2^-50 in (-4, 4)^3, which
+/// include the offset.
+///
+/// Example usage (whether site 4 translated by b lies inside of the sphere through four sites):
+///
+///     const Gram3 gram = gram_of(sites.reduction().reduced);
+///     const auto at = [&](SiteId s) { return image(sites.coordinates(), {s, {}}); };
+///     if (orientation(at(0), at(1), at(2), at(3)) > 0)
+///         inside = in_sphere(gram, at(0), at(1), at(2), at(3),
+///                            image(sites.coordinates(), {4, {0, 1, 0}})) > 0;
+struct Image3 {
+    Vec3 at;
+    Corner3 name;
+};
+
+/// @param coordinates  3 x n, reduced basis.
+inline Image3 image(const Points3& coordinates, const Corner3& corner) {
+    return {coordinates.col(corner.site) + corner.offset.vector(), corner};
+}
+
+/// The Gram matrix of the reduced basis, scaled by a power of four and rounded to multiples of
+/// 2^-60, where the shortest period has a length in [0.5, 1). For every predicate this rounded
+/// matrix *is* the lattice, so that all images of a tetrahedron give the same answer.
+struct Gram3 {
+    double aa;
+    double ab;
+    double ac;
+    double bb;
+    double bc;
+    double cc;
+
+    /// The squared length of a displacement in coordinates of the reduced basis.
+    template <class Number>
+    Number squared_length(const Number& u, const Number& v, const Number& w) const {
+        return u * (aa * u + 2 * (ab * v + ac * w)) + v * (bb * v + 2 * bc * w) + cc * w * w;
+    }
+};
+
+Gram3 gram_of(const SpaceLattice& reduced);
+
+/// The predicates are exact: a filter in doubles decides nearly all cases, integers the others.
+/// They depend only on differences of images, so a common translation never changes an answer.
+
+/// Returns +1 if s lies on the side of the triangle p, q, r from which it turns counter-clockwise
+/// (in a right-handed basis), -1 if on the other side, 0 if the four are coplanar.
+int orientation(const Image3& p, const Image3& q, const Image3& r, const Image3& s);
+
+/// Returns +1 if t lies inside of the sphere through the positively oriented p, q, r, s, -1 if
+/// outside, 0 if on it.
+int in_sphere(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r, const Image3& s,
+              const Image3& t);
+
+/// The same with ties broken by one rule for all images: a sphere is thought to lie a little off
+/// its points, the more the greater a point is in the lexicographic order of coordinates (O.
+/// Devillers and M. Teillaud 2011). Of any number of cospherical images exactly one triangulation
+/// by tetrahedra of positive volume satisfies the rule, and translations of it by the lattice do
+/// too.
+bool violates_delaunay(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r,
+                       const Image3& s, const Image3& t);
+
+/// Of coplanar images, p, q and r not collinear: returns +1 if t lies inside of the circle through
+/// the others, -1 if outside, 0 if on it. Always exact arithmetic.
+int in_coplanar_circle(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r,
+                       const Image3& t);
+
+/// The orientation of three points projected along the coordinate axis `axis`: +1, 0, -1.
+int projected_orientation(int axis, const Image3& p, const Image3& q, const Image3& r);
+
+/// The lexicographic order of coordinates.
+inline bool is_lexicographically_less(const Image3& p, const Image3& q) {
+    if (p.at.x() != q.at.x()) return p.at.x() < q.at.x();
+    if (p.at.y() != q.at.y()) return p.at.y() < q.at.y();
+    return p.at.z() < q.at.z();
+}
+
+/// The circumcentre minus p, coordinates of the reduced basis, in doubles.
+Vec3 circumcentre(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r,
+                  const Image3& s);
+
+}  // namespace pcvt

@@ -1,0 +1,86 @@
+#include "mesher/space/space_sites.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "mesher/base/cancellable_sort.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+/// A point further than this many periods from the origin is rejected instead of wrapped.
+constexpr double kFarthest = 0x1p30;
+
+}  // namespace
+
+SpaceSites::SpaceSites(const SpaceLattice& lattice, const Points3& points)
+    : lattice_(lattice), reduction_(reduce(lattice)), coordinates_(3, points.cols()) {
+    if (points.cols() == 0) throw InvalidInput("there is no site; give at least one");
+    if (points.cols() > kMostSpaceSites) throw InvalidInput("there are more than 2^26 sites");
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        if (!points.col(s).allFinite()) {
+            throw InvalidInput("site " + std::to_string(s) +
+                               " is not finite; give finite coordinates");
+        }
+        const Vec3 u = reduction_.reduced.to_lattice(points.col(s));
+        if (!(u.cwiseAbs().maxCoeff() < kFarthest)) {
+            throw InvalidInput("site " + std::to_string(s) +
+                               " lies more than 2^30 periods away; wrap it into the domain");
+        }
+        coordinates_.col(s) = wrap(u).fraction;
+    }
+    const auto [first, second] = duplicates();
+    if (first >= 0) throw DuplicateSites(first, second);
+}
+
+SpaceSites::SpaceSites(const SpaceLattice& lattice, const SpaceReduction& reduction,
+                       Points3 coordinates)
+    : lattice_(lattice), reduction_(reduction), coordinates_(std::move(coordinates)) {
+    for (Eigen::Index s = 0; s < coordinates_.cols(); ++s) {
+        coordinates_.col(s) = wrap(coordinates_.col(s)).fraction;
+    }
+}
+
+Vec3 SpaceSites::position(SiteId site) const {
+    return reduction_.reduced.to_space(coordinates_.col(site));
+}
+
+double SpaceSites::spacing() const { return std::cbrt(lattice_.volume() / n_sites()); }
+
+std::pair<SiteId, SiteId> SpaceSites::duplicates() const {
+    std::vector<SiteId> order(static_cast<std::size_t>(n_sites()));
+    std::iota(order.begin(), order.end(), 0);
+    const auto key = [this](SiteId s) {
+        return std::tuple(coordinates_(0, s), coordinates_(1, s), coordinates_(2, s), s);
+    };
+    cancellable_sort(order.begin(), order.end(),
+                     [&](SiteId s, SiteId t) { return key(s) < key(t); });
+    std::pair<SiteId, SiteId> found{-1, -1};
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        const std::pair<SiteId, SiteId> pair{order[k - 1], order[k]};
+        const bool same = coordinates_.col(pair.first) == coordinates_.col(pair.second);
+        if (same && (found.first < 0 || pair < found)) found = pair;
+    }
+    return found;
+}
+
+Points3 uniform_points(const SpaceLattice& lattice, int n, std::uint64_t seed) {
+    if (n < 1) throw InvalidInput("the number of sites must be at least 1");
+    std::mt19937_64 generator(seed);
+    const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -53); };
+    Points3 points(3, n);
+    for (int s = 0; s < n; ++s) {
+        const double u = uniform();
+        const double v = uniform();
+        const double w = uniform();
+        points.col(s) = lattice.to_space({u, v, w});
+    }
+    return points;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "mesher/space/space_delaunay.hpp"
+
+namespace pcvt {
+
+/// Bistellar flips on a triangulation of the 3-torus (B. Joe 1991): 2-3, 3-2, and 4-4 where four
+/// corners are coplanar. A facet that is not locally Delaunay but cannot be flipped waits until the
+/// flips of its neighbours put it into the queue again.
+///
+/// Example usage:
+///
+///     TetrahedraFlips flips(tetrahedra, coordinates, gram);
+///     if (!flips.flip(suspects.facets)) rebuild();
+class TetrahedraFlips {
+   public:
+    /// @param coordinates  3 x n, reduced basis; it and the triangulation must outlive this object.
+    TetrahedraFlips(TorusTetrahedra& tetrahedra, const Points3& coordinates, const Gram3& gram)
+        : tetrahedra_(tetrahedra), coordinates_(coordinates), gram_(gram) {}
+
+    /// Flips the suspects that are not locally Delaunay, then the facets that become suspects.
+    /// Every tetrahedron must be positive, and remains so.
+    /// @param facets  all facets that may not be locally Delaunay.
+    /// @returns false if facets remain that no flip can mend.
+    bool flip(const std::vector<int>& facets);
+    std::int64_t n_flips() const { return n_flips_; }
+
+   private:
+    bool try_flip(int facet);
+    bool flip_edge(int facet, int edge, bool is_flat);
+    /// The facet of a tetrahedron, placed in a frame, opposite to one of its corners.
+    int facet_opposite_to(int tetrahedron, const Corner3& corner, Offset3 frame) const;
+    int turn(const Corner3& p, const Corner3& q, const Corner3& r, const Corner3& s) const;
+    bool replace(const std::vector<TorusTetrahedra::Placed>& old,
+                 const std::vector<Tetrahedron>& fresh);
+
+    TorusTetrahedra& tetrahedra_;
+    const Points3& coordinates_;
+    const Gram3& gram_;
+    std::vector<int> queue_;
+    std::int64_t n_flips_ = 0;
+};
+
+}  // namespace pcvt

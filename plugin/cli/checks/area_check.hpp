@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "io/run_files/area_reader.hpp"
+#include "io/tiles/tile_file.hpp"
+#include "io/voxels/vti_reader.hpp"
+
+namespace pcvt::cli {
+
+/// Compares the areas of the power cells, built from nothing, or where corners were moved those of
+/// the faces, with the wished ones.
+///
+/// Example usage:
+///     line += prove_tile_areas(path, file, proof, read_areas("grains.txt"));
+///
+/// @returns the end of a line of proof.
+/// @throws NotATile  naming the cell with another area.
+/// @throws BadFile   the file states no weights.
+std::string prove_tile_areas(const std::string& path, const TileFile& file, const TileProof& proof,
+                             const AreaFile& wanted);
+
+/// The same for the sites of a voxel image.
+std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,
+                              const AreaFile& wanted);
+
+}  // namespace pcvt::cli

@@ -1,0 +1,99 @@
+#include <gmock/gmock.h>
+
+#include "io/file_proof.hpp"
+#include "io/tile_formats.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/proof/generated_tile.hpp"
+#include "tests/support/holed_tiles.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using Files = std::vector<EncodedFile>;
+
+const std::vector<Tile>& tiles() {
+    static const std::vector<Tile> tiles = [] {
+        std::vector<Tile> made;
+        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
+            for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+                made.push_back(testing::holed_tile({.kind = kind, .outline = outline}));
+            }
+        }
+        made.push_back(testing::holed_tile({.kind = MeshKind::kGrains, .order = 2}));
+        made.push_back(testing::holed_tile({.kind = MeshKind::kDelaunay}));
+        made.push_back(testing::holed_tile({.columns = 2}));
+        return made;
+    }();
+    return tiles;
+}
+
+bool holds(const TileFormat& format, const Tile& tile) {
+    if (!format.needs_tile() || !format.is_readable()) return false;
+    if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) return false;
+    const bool is_cut = tile.kind == MeshKind::kVoronoi && !tile.whole_sides.empty();
+    return !(format.is_folder && is_cut);
+}
+
+/// Calls visit(format, tile, files) for each format and each tile that it holds.
+template <class Visit>
+void for_each_file(const Visit& visit) {
+    for (const TileFormat& format : tile_formats()) {
+        for (const Tile& tile : tiles()) {
+            if (!holds(format, tile)) continue;
+            const std::string path = "t" + std::string(format.extension);
+            SCOPED_TRACE(path + " of " + mesh_kind_row(tile.kind).word + ", " +
+                         std::to_string(tile.n_faces()) + " faces");
+            visit(format, tile, encode_tile(format, tile, path));
+        }
+    }
+}
+
+TEST(HoledFiles, EachFormatGivesTheHolesBackAndIsProved) {
+    for_each_file([](const TileFormat& format, const Tile& tile, const Files& files) {
+        const TileFile file = decode_tile(format, files, std::nullopt);
+        EXPECT_EQ(file.tile.holes, tile.holes);
+        EXPECT_EQ(file.tile.wall_edges, tile.wall_edges);
+        const TileProof proof = prove_file(format, files, file);
+        EXPECT_EQ(proof.wall_edges, tile.wall_edges);
+        prove_tile_files(format, files, tile, Vec2::Zero(), {});
+    });
+}
+
+/// The complaint about a tile as it was read.
+std::string complaint(const TileFile& file) {
+    try {
+        prove_tile_file(file);
+        return "";
+    } catch (const NotATile& fault) {
+        return fault.what();
+    }
+}
+
+TEST(HoledFiles, AFileThatLacksAnEdgeOfAHoleIsRefused) {
+    for_each_file([](const TileFormat& format, const Tile&, const Files& files) {
+        TileFile file = decode_tile(format, files, std::nullopt);
+        const WallEdge last = file.tile.wall_edges.back();
+        file.tile.wall_edges.pop_back();
+        EXPECT_THAT(complaint(file), HasSubstr("has no reversed partner"));
+        file.tile.wall_edges.push_back(last);
+        EXPECT_EQ(complaint(file), "");
+        file.tile.wall_edges.front().wall = WallId::hole(1);
+        EXPECT_THAT(complaint(file), HasSubstr("has two names"));
+    });
+}
+
+TEST(HoledFiles, EdgesOfVerticesThatDoNotExistAreRefused) {
+    for_each_file([](const TileFormat& format, const Tile& tile, Files files) {
+        for (EncodedFile& file : files) {
+            const std::size_t at = file.bytes.find("pcvt hole hole_1 ");
+            if (at == std::string::npos) continue;
+            const std::size_t number = at + std::string("pcvt hole hole_1 ").size();
+            file.bytes.insert(number, std::to_string(10 + tile.n_vertices()) + "0");
+            EXPECT_THROW(decode_tile(format, files, std::nullopt), InvalidInput);
+        }
+    });
+}
+
+}  // namespace
+}  // namespace pcvt

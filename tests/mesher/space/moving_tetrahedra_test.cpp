@@ -1,0 +1,91 @@
+#include "mesher/space/moving_tetrahedra.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/space_families.hpp"
+#include "tests/support/space_laws.hpp"
+
+namespace pcvt {
+namespace {
+
+Eigen::VectorXf random_direction(int n, double size, std::mt19937_64& random) {
+    std::uniform_real_distribution<float> uniform(-float(size), float(size));
+    Eigen::VectorXf direction(MovingTetrahedra::kNumbersPerSite * n);
+    for (float& x : direction) x = uniform(random);
+    return direction;
+}
+
+/// Laws 1 and 2 after jumps of all sizes, some of which are taken back.
+TEST(MovingTetrahedra, EqualsANewBuildAfterJumps) {
+    std::mt19937_64 random(1);
+    Workers workers(1);
+    for (int job = 0; job < 12; ++job) {
+        SCOPED_TRACE(job);
+        const SpaceLattice lattice = testing::random_space_lattice(random);
+        const int n = 1 + int(random() % 40);
+        MovingTetrahedra moving(SpaceSites(lattice, uniform_points(lattice, n, random())));
+        SpaceEnergy energy;
+        for (int jump = 0; jump < 6; ++jump) {
+            const double size = moving.frame().ax * std::pow(10.0, -double(random() % 5));
+            const Eigen::VectorXf direction = random_direction(n, size, random);
+            ASSERT_TRUE(moving.step(direction, 0.5));
+            if (jump % 3 == 2) moving.step_back();
+            ASSERT_TRUE(moving.evaluate(workers, energy));
+            moving.settle();
+            testing::expect_torus(moving.tetrahedra(), moving.coordinates());
+            const SpaceSites sites(lattice, reduce(lattice), moving.coordinates());
+            const SpaceDelaunay fresh = space_delaunay(sites);
+            SpaceEnergy expected;
+            evaluate_space_energy(fresh.tetrahedra, sites.coordinates(), moving.frame(), workers,
+                                  expected);
+            EXPECT_NEAR(energy.value, expected.value, 1e-12 * expected.value);
+        }
+    }
+}
+
+TEST(MovingTetrahedra, StepBackRestoresEveryCoordinate) {
+    std::mt19937_64 random(2);
+    Workers workers(1);
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    MovingTetrahedra moving(SpaceSites(cube, uniform_points(cube, 20, 1)));
+    SpaceEnergy energy;
+    ASSERT_TRUE(moving.evaluate(workers, energy));
+    const double before = energy.value;
+    for (const double size : {1e-6, 0.1, 1.0}) {
+        const Eigen::VectorXf direction = random_direction(20, size, random);
+        ASSERT_TRUE(moving.step(direction, 1));
+        ASSERT_TRUE(moving.evaluate(workers, energy));
+        moving.step_back();
+        ASSERT_TRUE(moving.evaluate(workers, energy));
+        EXPECT_NEAR(energy.value, before, 1e-14 * before);
+    }
+}
+
+TEST(MovingTetrahedra, RefusesMovesThatAreNotFinite) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    MovingTetrahedra moving(SpaceSites(cube, uniform_points(cube, 5, 1)));
+    Eigen::VectorXf direction = Eigen::VectorXf::Zero(20);
+    direction[9] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(moving.step(direction, 1));
+    direction[9] = std::numeric_limits<float>::infinity();
+    EXPECT_FALSE(moving.step(direction, 1));
+    EXPECT_TRUE(moving.settled());
+}
+
+TEST(MovingTetrahedra, ReportsSitesThatCoincide) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    Points3 points(3, 2);
+    points << 0.25, 0.5, 0.25, 0.5, 0.25, 0.5;
+    MovingTetrahedra moving(SpaceSites(cube, points));
+    Eigen::VectorXf direction = Eigen::VectorXf::Zero(8);
+    direction.segment<3>(0).setConstant(float(0.25 / moving.unit()));
+    Workers workers(1);
+    SpaceEnergy energy;
+    ASSERT_TRUE(moving.step(direction, 1));
+    EXPECT_FALSE(moving.evaluate(workers, energy));
+    moving.step_back();
+    EXPECT_TRUE(moving.evaluate(workers, energy));
+}
+
+}  // namespace
+}  // namespace pcvt

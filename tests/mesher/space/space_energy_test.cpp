@@ -1,0 +1,180 @@
+#include "mesher/space/space_energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesher/space/space_delaunay.hpp"
+#include "tests/support/space_cells.hpp"
+#include "tests/support/space_families.hpp"
+#include "tests/support/space_laws.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::Cubic;
+
+struct Evaluated {
+    SpaceEnergy energy;
+    SpaceSuspects suspects;
+};
+
+Evaluated evaluated(const SpaceDelaunay& delaunay, int n_threads = 1) {
+    Workers workers(n_threads);
+    Evaluated result;
+    result.suspects = evaluate_space_energy(delaunay.tetrahedra, delaunay.sites.coordinates(),
+                                            SpaceFrame(delaunay.sites.reduction().reduced, 1),
+                                            workers, result.energy);
+    return result;
+}
+
+SpaceEnergy energy_of(const SpaceSites& sites) { return evaluated(space_delaunay(sites)).energy; }
+
+/// F n^(2/3) / (3 V^(5/3))
+double normalised(const SpaceSites& sites, const SpaceEnergy& energy) {
+    const double volume = sites.lattice().volume();
+    return energy.value * std::cbrt(double(sites.n_sites()) * sites.n_sites()) /
+           (3 * std::pow(volume, 5.0 / 3));
+}
+
+TEST(SpaceFrame, IsARotationOfTheReducedBasis) {
+    for (const auto& [name, lattice] : testing::space_lattices()) {
+        SCOPED_TRACE(name);
+        const SpaceLattice reduced = reduce(lattice).reduced;
+        const SpaceFrame frame(reduced, 2);
+        EXPECT_NEAR(8 * frame.volume(), reduced.volume(), 1e-12 * reduced.volume());
+        for (const Vec3& u : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.3, -2, 1.4)}) {
+            const double length = reduced.to_space(u).norm();
+            EXPECT_NEAR(2 * frame.to_space(u).norm(), length, 1e-13 * length);
+            EXPECT_LT((frame.to_lattice(frame.to_space(u)) - u).norm(), 1e-13);
+        }
+    }
+}
+
+TEST(SpaceEnergy, SlowEqualsClippedCells) {
+    for (const auto& [name, sites] : testing::space_site_families(7)) {
+        if (sites.n_sites() > 9) continue;
+        SCOPED_TRACE(name);
+        const SpaceEnergy energy = energy_of(sites);
+        const auto brute = testing::brute_force_energy(sites);
+        EXPECT_NEAR(energy.value, brute.value, 1e-11 * brute.value);
+        const double volume = sites.lattice().volume();
+        for (SiteId s = 0; s < sites.n_sites(); ++s) {
+            EXPECT_NEAR(energy.volume[s], brute.volumes[s], 1e-11 * volume);
+            const double length = brute.gradient[s].norm();
+            EXPECT_NEAR(energy.gradient.segment<3>(3 * s).norm(), length,
+                        1e-11 * (length + volume * sites.reduction().reduced.c().norm()));
+        }
+    }
+}
+
+TEST(SpaceEnergy, GradientEqualsDifferences) {
+    std::mt19937_64 random(8);
+    for (int job = 0; job < 20; ++job) {
+        const SpaceLattice lattice = testing::random_space_lattice(random);
+        const int n = 1 + int(random() % 12);
+        const SpaceSites sites(lattice, uniform_points(lattice, n, random()));
+        const SpaceEnergy energy = energy_of(sites);
+        const SpaceFrame frame(sites.reduction().reduced, 1);
+        const auto s = SiteId(random() % std::uint64_t(n));
+        const double step = 1e-5 * sites.spacing();
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto moved = [&](double t) {
+                Points3 u = sites.coordinates();
+                u.col(s) += snapped_displacement(frame.to_lattice(t * Vec3::Unit(axis)));
+                return energy_of(SpaceSites(lattice, sites.reduction(), u)).value;
+            };
+            const double difference = (moved(step) - moved(-step)) / (2 * step);
+            EXPECT_NEAR(energy.gradient[3 * s + axis], difference,
+                        1e-6 * lattice.volume() * sites.spacing());
+        }
+    }
+}
+
+TEST(SpaceEnergy, DoesNotChangeWithTranslations) {  // law 1
+    const SpaceLattice lattice = testing::space_lattices()[6].lattice;
+    const Points3 points = uniform_points(lattice, 50, 1);
+    Points3 moved = points;
+    for (Eigen::Index s = 0; s < 50; ++s) {
+        moved.col(s) += lattice.translation({int(s % 3), int(s % 4) - 2, 1});
+    }
+    moved.colwise() += Vec3(0.3, 0.2, 0.1);
+    const double value = energy_of(SpaceSites(lattice, points)).value;
+    EXPECT_NEAR(energy_of(SpaceSites(lattice, moved)).value, value, 1e-12 * value);
+}
+
+TEST(SpaceEnergy, SlowSumsAndBound) {  // laws 2 to 4
+    for (const auto& [name, sites] : testing::space_site_families(9)) {
+        SCOPED_TRACE(name);
+        const SpaceEnergy energy = energy_of(sites);
+        const double volume = sites.lattice().volume();
+        EXPECT_NEAR(energy.volume.sum(), volume, 1e-12 * volume);
+        EXPECT_GT(energy.volume.minCoeff(), 0);
+        const Eigen::Map<const Points3> gradient(energy.gradient.data(), 3, sites.n_sites());
+        EXPECT_LT(gradient.rowwise().sum().norm(),
+                  1e-11 * volume * sites.reduction().reduced.c().norm());
+        const double radius = std::cbrt(3 * volume / sites.n_sites() / (4 * std::acos(-1.0)));
+        EXPECT_GT(energy.value, 0.6 * volume * radius * radius);
+    }
+}
+
+TEST(SpaceEnergy, ThreadsChangeNoBit) {  // law 5
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const SpaceDelaunay delaunay =
+        space_delaunay(SpaceSites(cube, uniform_points(cube, 20'000, 1)));
+    const Evaluated one = evaluated(delaunay, 1);
+    const Evaluated three = evaluated(delaunay, 3);
+    EXPECT_EQ(one.energy.value, three.energy.value);
+    EXPECT_EQ(one.energy.gradient, three.energy.gradient);
+    EXPECT_EQ(one.energy.volume, three.energy.volume);
+    EXPECT_EQ(one.suspects.facets, three.suspects.facets);
+}
+
+TEST(SpaceEnergy, EqualsClosedFormsOfCubicLattices) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const auto expect = [&](Cubic kind, int m, double g) {
+        const SpaceSites sites(cube, testing::cubic_points(kind, m));
+        SCOPED_TRACE(sites.n_sites());
+        const SpaceEnergy energy = energy_of(sites);
+        EXPECT_NEAR(normalised(sites, energy), g, 1e-13);
+        EXPECT_LT(energy.gradient.cwiseAbs().maxCoeff(), 1e-14);
+    };
+    for (const int m : {1, 2, 3, 4}) {
+        expect(Cubic::kBodyCentred, m, 19.0 / (192.0 * std::cbrt(2.0)));
+        expect(Cubic::kFaceCentred, m, std::pow(2.0, -11.0 / 3));
+        expect(Cubic::kSimple, m, 1.0 / 12);
+    }
+}
+
+/// The certificate: facets that are not locally Delaunay are among the suspects, on both or either
+/// side, and so are tetrahedra that are not positive.
+TEST(SpaceSuspects, SlowContainEverythingThatIsWrong) {
+    std::mt19937_64 random(10);
+    std::normal_distribution<double> normal;
+    for (auto& [name, sites] : testing::space_site_families(11)) {
+        SCOPED_TRACE(name);
+        const SpaceDelaunay delaunay = space_delaunay(sites);
+        Points3 u = sites.coordinates();
+        const double noise = 0.2 * sites.spacing() / sites.reduction().reduced.c().norm();
+        for (double& x : u.reshaped()) {
+            x = std::nearbyint((x + noise * normal(random)) * kGrid3) / kGrid3;
+        }
+        Workers workers(1);
+        SpaceEnergy energy;
+        const SpaceSuspects suspects = evaluate_space_energy(
+            delaunay.tetrahedra, u, SpaceFrame(sites.reduction().reduced, 1), workers, energy);
+        const std::set<int> facets(suspects.facets.begin(), suspects.facets.end());
+        const std::set<int> thin(suspects.tetrahedra.begin(), suspects.tetrahedra.end());
+        const Gram3 gram = gram_of(sites.reduction().reduced);
+        for (int t = 0; t < delaunay.tetrahedra.n_tetrahedra(); ++t) {
+            EXPECT_TRUE(is_positive(delaunay.tetrahedra, u, t) || thin.contains(t));
+        }
+        for (int f = 0; f < delaunay.tetrahedra.n_facets(); ++f) {
+            const int o = delaunay.tetrahedra.opposite(f);
+            if (thin.contains(f / 4) || thin.contains(o / 4)) continue;
+            if (is_locally_delaunay(delaunay.tetrahedra, u, gram, f)) continue;
+            EXPECT_TRUE(facets.contains(f) || facets.contains(o));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pcvt

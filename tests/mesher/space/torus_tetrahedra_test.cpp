@@ -1,0 +1,84 @@
+#include "mesher/space/torus_tetrahedra.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "mesher/base/error.hpp"
+#include "tests/support/space_families.hpp"
+#include "tests/support/space_laws.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::canonical_tetrahedra;
+
+TEST(TorusTetrahedra, SlowLinkFacetsOfAllFamilies) {  // laws 1 to 3
+    for (const auto& [name, sites] : testing::space_site_families(5)) {
+        SCOPED_TRACE(name);
+        const SpaceDelaunay delaunay = space_delaunay(sites);
+        testing::expect_torus(delaunay.tetrahedra, sites.coordinates());
+    }
+}
+
+TEST(TorusTetrahedra, OneSiteHasSixTetrahedra) {
+    for (const auto& [name, lattice] : testing::space_lattices()) {
+        SCOPED_TRACE(name);
+        const SpaceSites sites(lattice, Points3::Constant(3, 1, 0.3));
+        EXPECT_EQ(space_delaunay(sites).tetrahedra.n_tetrahedra(), 6);
+    }
+}
+
+TEST(TorusTetrahedra, FacetsTurnTowardsTheirCorner) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const SpaceDelaunay delaunay = space_delaunay(SpaceSites(cube, uniform_points(cube, 9, 1)));
+    const Points3& u = delaunay.sites.coordinates();
+    const TorusTetrahedra& t = delaunay.tetrahedra;
+    for (int f = 0; f < t.n_facets(); ++f) {
+        const auto [a, b, c] = t.facet(f);
+        EXPECT_EQ(orientation(image(u, a), image(u, b), image(u, c), image(u, t.corner(f))), 1);
+        EXPECT_EQ(orientation(image(u, a), image(u, b), image(u, c), image(u, t.apex_across(f))),
+                  -1);
+    }
+}
+
+TEST(TorusTetrahedra, RejectsAHole) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const SpaceDelaunay delaunay = space_delaunay(SpaceSites(cube, uniform_points(cube, 9, 1)));
+    std::vector<Tetrahedron> all = canonical_tetrahedra(delaunay.tetrahedra);
+    EXPECT_TRUE(match_facets(9, all));
+    all.pop_back();
+    EXPECT_FALSE(match_facets(9, all));
+    EXPECT_THROW(TorusTetrahedra(9, all), InternalError);
+    all.push_back(all.front());
+    all.push_back(all.front());
+    EXPECT_FALSE(match_facets(9, all));
+}
+
+TEST(TorusTetrahedra, OffsetsFollowWrappedSites) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    for (const int n : {1, 2, 20}) {
+        SpaceDelaunay delaunay = space_delaunay(SpaceSites(cube, uniform_points(cube, n, 1)));
+        Points3 moved = delaunay.sites.coordinates();
+        std::vector<Offset3> change(static_cast<std::size_t>(n));
+        for (SiteId s = 0; s < n; ++s) {
+            change[s] = {s % 3 - 1, s % 2, -(s % 5)};
+            moved.col(s) -= change[s].vector();
+        }
+        delaunay.tetrahedra.add_to_offsets(change);
+        testing::expect_torus(delaunay.tetrahedra, moved);
+    }
+}
+
+TEST(TorusTetrahedra, RenumberingKeepsTheComplex) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const int n = 20;
+    SpaceDelaunay delaunay = space_delaunay(SpaceSites(cube, uniform_points(cube, n, 1)));
+    std::vector<SiteId> number(n);
+    std::iota(number.rbegin(), number.rend(), 0);
+    delaunay.tetrahedra.renumber_sites(number);
+    testing::expect_torus(delaunay.tetrahedra, delaunay.sites.coordinates().rowwise().reverse());
+}
+
+}  // namespace
+}  // namespace pcvt

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/space/space_sites.hpp"
+
+namespace pcvt::testing {
+
+/// The Voronoi cell of a site by brute force: a polyhedron cut by the bisectors of all images near
+/// it, without any triangulation. Length units of the lattice; the site is the origin.
+struct ClippedCell {
+    /// Convex polygons, each seen counter-clockwise from outside.
+    std::vector<std::vector<Vec3>> faces;
+
+    double volume() const;
+    /// The integral of |p|^2.
+    double second_moment() const;
+    /// The integral of p.
+    Vec3 first_moment() const;
+};
+
+/// The cells of all sites; cost n^2.
+std::vector<ClippedCell> clipped_cells(const SpaceSites& sites);
+
+/// The sums over clipped_cells().
+struct BruteForceEnergy {
+    double value = 0;
+    std::vector<double> volumes;
+    /// 2 V_i (x_i - g_i), length units.
+    std::vector<Vec3> gradient;
+};
+
+BruteForceEnergy brute_force_energy(const SpaceSites& sites);
+
+}  // namespace pcvt::testing
