@@ -21,10 +21,10 @@ namespace pcvt {
 /// as many by the midpoints of Delaunay edges, one for each orbit of edges. An edge whose midpoint
 /// lies at a centre of rotation or on a mirror adds the orbit of the point at a third of its
 /// length, which is in a general position and as far from its images as from its neighbours; where
-/// these are too many, some of them, evenly distributed, add nothing. Edges between cocircular
-/// sites are of one symmetric set of ties only by chance, and add nothing either. Sites at centres
-/// and on mirrors are there on all levels; centres stay, and sites on mirrors are shaken along
-/// them.
+/// these are too many, some of them, evenly distributed, add nothing. An edge between cocircular
+/// sites adds nothing either: which of the diagonals is an edge need not obey the symmetry. Sites
+/// at centres and on mirrors are there on all levels; centres stay, and sites on mirrors are shaken
+/// along them.
 ///
 /// @param options  without walls; a density is folded (folded_density.hpp).
 /// @returns the sites of the plan, numbered by columns; `nullopt` if the callback cancelled.

@@ -9,11 +9,12 @@ namespace {
 
 /// The longest way, in units of the shorter chord beside the node.
 constexpr double kReach = 0.2;
-/// Each round reduces the error about tenfold; degrees.
+/// Each round reduces the error about tenfold.
 constexpr int kMostRounds = 40;
+/// In degrees.
 constexpr double kSettled = 1e-13;
 
-/// A node that shall lie on a side of the box.
+/// A node that is to lie on a side of the box.
 struct Pin {
     std::size_t node;
     int axis;

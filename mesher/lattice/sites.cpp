@@ -1,12 +1,9 @@
 #include "mesher/lattice/sites.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <string>
 
-#include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -42,20 +39,7 @@ Vec2 Sites::position(SiteId site) const {
 double Sites::spacing() const { return std::sqrt(lattice_.area() / n_sites()); }
 
 std::pair<SiteId, SiteId> Sites::duplicates() const {
-    std::vector<SiteId> order(static_cast<std::size_t>(n_sites()));
-    std::iota(order.begin(), order.end(), 0);
-    const auto key = [this](SiteId s) {
-        return std::tuple(coordinates_(0, s), coordinates_(1, s), s);
-    };
-    cancellable_sort(order.begin(), order.end(),
-                     [&](SiteId s, SiteId t) { return key(s) < key(t); });
-    std::pair<SiteId, SiteId> found{-1, -1};
-    for (std::size_t k = 1; k < order.size(); ++k) {
-        const std::pair<SiteId, SiteId> pair{order[k - 1], order[k]};
-        const bool same = coordinates_.col(pair.first) == coordinates_.col(pair.second);
-        if (same && (found.first < 0 || pair < found)) found = pair;
-    }
-    return found;
+    return first_equal_sites(coordinates_);
 }
 
 Points uniform_points(const Lattice& lattice, int n, std::uint64_t seed) {

@@ -3,16 +3,12 @@
 #include <cstdint>
 #include <utility>
 
+#include "mesher/base/site_id.hpp"
 #include "mesher/lattice/lattice.hpp"
 
 namespace pcvt {
 
-/// Sites are numbered from 0 in the order of the input, everywhere.
-using SiteId = std::int32_t;
-
 inline constexpr int kMostSites = 1 << 28;
-/// A point further than this many periods from the origin is rejected instead of wrapped.
-inline constexpr double kFarthestPeriod = 0x1p30;
 /// In units of h = sqrt(area / n): sites closer than this are rejected, and the ends of a Voronoi
 /// edge shorter than this are merged. Cocircular sites therefore share one vertex, and no edge of
 /// zero length exists.

@@ -1,22 +1,12 @@
 #include "mesher/space/space_sites.hpp"
 
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <string>
-#include <tuple>
-#include <vector>
 
-#include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
-namespace {
-
-/// A point further than this many periods from the origin is rejected instead of wrapped.
-constexpr double kFarthest = 0x1p30;
-
-}  // namespace
 
 SpaceSites::SpaceSites(const SpaceLattice& lattice, const Points3& points)
     : lattice_(lattice), reduction_(reduce(lattice)), coordinates_(3, points.cols()) {
@@ -28,7 +18,7 @@ SpaceSites::SpaceSites(const SpaceLattice& lattice, const Points3& points)
                                " is not finite; give finite coordinates");
         }
         const Vec3 u = reduction_.reduced.to_lattice(points.col(s));
-        if (!(u.cwiseAbs().maxCoeff() < kFarthest)) {
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) {
             throw InvalidInput("site " + std::to_string(s) +
                                " lies more than 2^30 periods away; wrap it into the domain");
         }
@@ -52,22 +42,7 @@ Vec3 SpaceSites::position(SiteId site) const {
 
 double SpaceSites::spacing() const { return std::cbrt(lattice_.volume() / n_sites()); }
 
-std::pair<SiteId, SiteId> SpaceSites::duplicates() const {
-    std::vector<SiteId> order(static_cast<std::size_t>(n_sites()));
-    std::iota(order.begin(), order.end(), 0);
-    const auto key = [this](SiteId s) {
-        return std::tuple(coordinates_(0, s), coordinates_(1, s), coordinates_(2, s), s);
-    };
-    cancellable_sort(order.begin(), order.end(),
-                     [&](SiteId s, SiteId t) { return key(s) < key(t); });
-    std::pair<SiteId, SiteId> found{-1, -1};
-    for (std::size_t k = 1; k < order.size(); ++k) {
-        const std::pair<SiteId, SiteId> pair{order[k - 1], order[k]};
-        const bool same = coordinates_.col(pair.first) == coordinates_.col(pair.second);
-        if (same && (found.first < 0 || pair < found)) found = pair;
-    }
-    return found;
-}
+std::pair<SiteId, SiteId> SpaceSites::duplicates() const { return first_equal_sites(coordinates_); }
 
 Points3 uniform_points(const SpaceLattice& lattice, int n, std::uint64_t seed) {
     if (n < 1) throw InvalidInput("the number of sites must be at least 1");

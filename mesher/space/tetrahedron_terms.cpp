@@ -46,9 +46,10 @@ struct Facet {
 /// @param per_nn     1 / |N|^2.
 /// @param length     the squared lengths of the facet's edges.
 /// @param cosine     D of the edges: the dot product at the corner opposite to each.
-inline Facet facet_terms(const Vector& normal, double height, double nn,
-                         const std::array<double, 3>& length, const std::array<double, 3>& cosine,
-                         const Vector& centre) {
+[[gnu::always_inline]] inline Facet facet_terms(const Vector& normal, double height, double nn,
+                                                const std::array<double, 3>& length,
+                                                const std::array<double, 3>& cosine,
+                                                const Vector& centre) {
     const double per_nn = 1 / nn;
     const double q = height * per_nn;
     Facet facet{0, {}, centre - q * normal};
@@ -59,6 +60,92 @@ inline Facet facet_terms(const Vector& normal, double height, double nn,
         facet.value += facet.w[e] * (1.5 * length[e] + 0.75 * ld * cosine[e] * per_nn + hh);
     }
     return facet;
+}
+
+/// A tetrahedron 0123 with corner 0 at the origin.
+struct Shape {
+    Vector p1, p2, p3;
+    Vector p12, p13, p23;
+    /// The normals of the facets opposite to the corners, inwards.
+    std::array<Vector, 4> normal;
+    Vector centre;
+    /// The heights of the circumcentre above the facets, times |N|, and a bound of their rounding.
+    std::array<double, 4> height;
+    double rounding;
+    /// The squared lengths of the edges at corner 0.
+    double l1, l2, l3;
+    double thick;
+};
+
+[[gnu::always_inline]] inline Shape shape_of(const Vector& p1, const Vector& p2, const Vector& p3) {
+    Shape s{p1, p2, p3, p2 - p1, p3 - p1, p3 - p2, {}, {}, {}, 0, 0, 0, 0, 0};
+    s.normal = {cross(s.p13, s.p12), cross(p2, p3), cross(p3, p1), cross(p1, p2)};
+    const double det = dot(p1, s.normal[1]);
+    s.l1 = dot(p1, p1);
+    s.l2 = dot(p2, p2);
+    s.l3 = dot(p3, p3);
+    const double per_det = 1 / det;
+    s.centre = (0.5 * per_det) * (s.l1 * s.normal[1] + s.l2 * s.normal[2] + s.l3 * s.normal[3]);
+    s.height = {dot(s.centre - p1, s.normal[0]), dot(s.centre, s.normal[1]),
+                dot(s.centre, s.normal[2]), dot(s.centre, s.normal[3])};
+    const double longest = std::max(std::max(s.l1, s.l2), s.l3);
+    const double cube = longest * longest * longest;
+    s.thick = det * std::abs(det) - kThin * kThin * cube;
+    s.rounding = kHeightError * cube * std::abs(per_det);
+    return s;
+}
+
+/// The facets opposite to the corners. Their edges are, in order: 12, 13, 23; 02, 03, 23;
+/// 01, 03, 13; 01, 02, 12.
+[[gnu::always_inline]] inline std::array<Facet, 4> facets_of(const Shape& s) {
+    const double l12 = dot(s.p12, s.p12);
+    const double l13 = dot(s.p13, s.p13);
+    const double l23 = dot(s.p23, s.p23);
+    const auto facet = [&](int c, const std::array<double, 3>& length,
+                           const std::array<double, 3>& cosine) {
+        return facet_terms(s.normal[c], s.height[c], dot(s.normal[c], s.normal[c]), length, cosine,
+                           s.centre);
+    };
+    return {facet(0, {l12, l13, l23}, {dot(s.p13, s.p23), -dot(s.p12, s.p23), dot(s.p12, s.p13)}),
+            facet(1, {s.l2, s.l3, l23}, {dot(s.p3, s.p23), -dot(s.p2, s.p23), dot(s.p2, s.p3)}),
+            facet(2, {s.l1, s.l3, l13}, {dot(s.p3, s.p13), -dot(s.p1, s.p13), dot(s.p1, s.p3)}),
+            facet(3, {s.l1, s.l2, l12}, {dot(s.p2, s.p12), -dot(s.p1, s.p12), dot(s.p1, s.p2)})};
+}
+
+/// The sums of the weights w, and of the moments w (m + Phi + C - 3 p), at each corner.
+struct CornerSums {
+    std::array<double, 4> weight;
+    std::array<Vector, 4> moment;
+};
+
+[[gnu::always_inline]] inline CornerSums corner_sums(const Shape& s,
+                                                     const std::array<Facet, 4>& facets) {
+    const auto& [f0, f1, f2, f3] = facets;
+    const double w01 = f3.w[0] + f2.w[0];
+    const double w02 = f3.w[1] + f1.w[0];
+    const double w03 = f2.w[1] + f1.w[1];
+    const double w12 = f3.w[2] + f0.w[0];
+    const double w13 = f2.w[2] + f0.w[1];
+    const double w23 = f1.w[2] + f0.w[2];
+    const double w0 = w01 + w02 + w03;
+    const double w1 = w01 + w12 + w13;
+    const double w2 = w02 + w12 + w23;
+    const double w3 = w03 + w13 + w23;
+    const Vector m01 = (0.5 * w01) * s.p1;
+    const Vector m02 = (0.5 * w02) * s.p2;
+    const Vector m03 = (0.5 * w03) * s.p3;
+    const Vector m12 = (0.5 * w12) * (s.p1 + s.p2);
+    const Vector m13 = (0.5 * w13) * (s.p1 + s.p3);
+    const Vector m23 = (0.5 * w23) * (s.p2 + s.p3);
+    return {{w0, w1, w2, w3},
+            {(m01 + m02 + m03) + (f3.w[0] + f3.w[1]) * f3.centre + (f2.w[0] + f2.w[1]) * f2.centre +
+                 (f1.w[0] + f1.w[1]) * f1.centre + w0 * s.centre,
+             (m01 + m12 + m13) + (f3.w[0] + f3.w[2]) * f3.centre + (f2.w[0] + f2.w[2]) * f2.centre +
+                 (f0.w[0] + f0.w[1]) * f0.centre + w1 * (s.centre - 3 * s.p1),
+             (m02 + m12 + m23) + (f3.w[1] + f3.w[2]) * f3.centre + (f1.w[0] + f1.w[2]) * f1.centre +
+                 (f0.w[0] + f0.w[2]) * f0.centre + w2 * (s.centre - 3 * s.p2),
+             (m03 + m13 + m23) + (f2.w[1] + f2.w[2]) * f2.centre + (f1.w[1] + f1.w[2]) * f1.centre +
+                 (f0.w[1] + f0.w[2]) * f0.centre + w3 * (s.centre - 3 * s.p3)}};
 }
 
 }  // namespace
@@ -76,111 +163,28 @@ SpaceFrame::SpaceFrame(const SpaceLattice& reduced, double unit) {
     cz = ab.dot(c) / ab.norm();
 }
 
-// One loop body, so that the compiler keeps all terms in registers of several tetrahedra.
-// NOLINTNEXTLINE(readability-function-size)
 PCVT_TARGET_CLONES void TetrahedronBlock::compute(const SpaceFrame& frame) {
     const SpaceFrame f = frame;
     for (int k = 0; k < kSize; ++k) {
-        // Compute the edges in the frame.
         const auto edge = [&](int c) -> Vector {
             const double u = corner[c][0][k];
             const double v = corner[c][1][k];
             const double w = corner[c][2][k];
             return {f.ax * u + f.bx * v + f.cx * w, f.by * v + f.cy * w, f.cz * w};
         };
-        const Vector p1 = edge(0);
-        const Vector p2 = edge(1);
-        const Vector p3 = edge(2);
-        const Vector p12 = p2 - p1;
-        const Vector p13 = p3 - p1;
-        const Vector p23 = p3 - p2;
-        // Compute the normals of the facets, inwards, and the circumcentre.
-        const Vector n1 = cross(p2, p3);
-        const Vector n2 = cross(p3, p1);
-        const Vector n3 = cross(p1, p2);
-        const Vector n0 = cross(p13, p12);
-        const double det = dot(p1, n1);
-        const double l1 = dot(p1, p1);
-        const double l2 = dot(p2, p2);
-        const double l3 = dot(p3, p3);
-        const double per_det = 1 / det;
-        const Vector c = (0.5 * per_det) * (l1 * n1 + l2 * n2 + l3 * n3);
-        // Compute the heights of the circumcentre above the facets, times |N|.
-        const double h1 = dot(c, n1);
-        const double h2 = dot(c, n2);
-        const double h3 = dot(c, n3);
-        const double h0 = dot(c - p1, n0);
-        const double longest = std::max(std::max(l1, l2), l3);
-        const double cube = longest * longest * longest;
-        thick[k] = det * std::abs(det) - kThin * kThin * cube;
-        const double rounding = kHeightError * cube * std::abs(per_det);
-        inside[0][k] = h0 - rounding;
-        inside[1][k] = h1 - rounding;
-        inside[2][k] = h2 - rounding;
-        inside[3][k] = h3 - rounding;
-        // Compute the terms of the facets; edges in the order in which the comments name them.
-        const double l12 = dot(p12, p12);
-        const double l13 = dot(p13, p13);
-        const double l23 = dot(p23, p23);
-        const double d1 = dot(p2, p3);
-        const double d2 = dot(p1, p3);
-        const double d3 = dot(p1, p2);
-        // 01, 02, 12
-        const Facet f3 =
-            facet_terms(n3, h3, dot(n3, n3), {l1, l2, l12}, {dot(p2, p12), -dot(p1, p12), d3}, c);
-        // 01, 03, 13
-        const Facet f2 =
-            facet_terms(n2, h2, dot(n2, n2), {l1, l3, l13}, {dot(p3, p13), -dot(p1, p13), d2}, c);
-        // 02, 03, 23
-        const Facet f1 =
-            facet_terms(n1, h1, dot(n1, n1), {l2, l3, l23}, {dot(p3, p23), -dot(p2, p23), d1}, c);
-        // 12, 13, 23
-        const Facet f0 = facet_terms(n0, h0, dot(n0, n0), {l12, l13, l23},
-                                     {dot(p13, p23), -dot(p12, p23), dot(p12, p13)}, c);
-        value[k] = (1.0 / 120) * ((f0.value + f1.value) + (f2.value + f3.value));
-        // Sum the weights by edge, and by corner and facet.
-        const double w01 = f3.w[0] + f2.w[0];
-        const double w02 = f3.w[1] + f1.w[0];
-        const double w03 = f2.w[1] + f1.w[1];
-        const double w12 = f3.w[2] + f0.w[0];
-        const double w13 = f2.w[2] + f0.w[1];
-        const double w23 = f1.w[2] + f0.w[2];
-        const double w0 = w01 + w02 + w03;
-        const double w1 = w01 + w12 + w13;
-        const double w2 = w02 + w12 + w23;
-        const double w3 = w03 + w13 + w23;
-        volume[0][k] = (1.0 / 24) * w0;
-        volume[1][k] = (1.0 / 24) * w1;
-        volume[2][k] = (1.0 / 24) * w2;
-        volume[3][k] = (1.0 / 24) * w3;
-        // Sum the moments w (m + Phi + C - 3 p) at each corner.
-        const Vector m01 = (0.5 * w01) * p1;
-        const Vector m02 = (0.5 * w02) * p2;
-        const Vector m03 = (0.5 * w03) * p3;
-        const Vector m12 = (0.5 * w12) * (p1 + p2);
-        const Vector m13 = (0.5 * w13) * (p1 + p3);
-        const Vector m23 = (0.5 * w23) * (p2 + p3);
-        const Vector g0 = (m01 + m02 + m03) + (f3.w[0] + f3.w[1]) * f3.centre +
-                          (f2.w[0] + f2.w[1]) * f2.centre + (f1.w[0] + f1.w[1]) * f1.centre +
-                          w0 * c;
-        const Vector g1 = (m01 + m12 + m13) + (f3.w[0] + f3.w[2]) * f3.centre +
-                          (f2.w[0] + f2.w[2]) * f2.centre + (f0.w[0] + f0.w[1]) * f0.centre +
-                          w1 * (c - 3 * p1);
-        const Vector g2 = (m02 + m12 + m23) + (f3.w[1] + f3.w[2]) * f3.centre +
-                          (f1.w[0] + f1.w[2]) * f1.centre + (f0.w[0] + f0.w[2]) * f0.centre +
-                          w2 * (c - 3 * p2);
-        const Vector g3 = (m03 + m13 + m23) + (f2.w[1] + f2.w[2]) * f2.centre +
-                          (f1.w[1] + f1.w[2]) * f1.centre + (f0.w[1] + f0.w[2]) * f0.centre +
-                          w3 * (c - 3 * p3);
-        const auto store = [&](int at, const Vector& g) {
-            gradient[at][0][k] = (-1.0 / 48) * g.x;
-            gradient[at][1][k] = (-1.0 / 48) * g.y;
-            gradient[at][2][k] = (-1.0 / 48) * g.z;
-        };
-        store(0, g0);
-        store(1, g1);
-        store(2, g2);
-        store(3, g3);
+        const Shape shape = shape_of(edge(0), edge(1), edge(2));
+        thick[k] = shape.thick;
+        for (int c = 0; c < 4; ++c) inside[c][k] = shape.height[c] - shape.rounding;
+        const auto facets = facets_of(shape);
+        value[k] = (1.0 / 120) *
+                   ((facets[0].value + facets[1].value) + (facets[2].value + facets[3].value));
+        const CornerSums sums = corner_sums(shape, facets);
+        for (int c = 0; c < 4; ++c) {
+            volume[c][k] = (1.0 / 24) * sums.weight[c];
+            gradient[c][0][k] = (-1.0 / 48) * sums.moment[c].x;
+            gradient[c][1][k] = (-1.0 / 48) * sums.moment[c].y;
+            gradient[c][2][k] = (-1.0 / 48) * sums.moment[c].z;
+        }
     }
 }
 

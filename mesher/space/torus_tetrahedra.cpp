@@ -23,13 +23,10 @@ std::array<Corner3, 3> images_of(const Tetrahedron& t, int k, Offset3 frame) {
     return images;
 }
 
-/// A facet that waits for its other side: images, and number.
-using OpenFacet = std::pair<std::array<Corner3, 3>, int>;
-
 /// Removes the facet with these images from the list and returns its number, or -1.
-int take(std::vector<OpenFacet>& open, const std::array<Corner3, 3>& images) {
+int take(std::vector<TorusTetrahedra::OpenFacet>& open, const std::array<Corner3, 3>& images) {
     const auto found = std::find_if(open.begin(), open.end(),
-                                    [&](const OpenFacet& facet) { return facet.first == images; });
+                                    [&](const auto& facet) { return facet.first == images; });
     if (found == open.end()) return -1;
     const int facet = found->second;
     open.erase(found);
@@ -127,7 +124,6 @@ Offset3 TorusTetrahedra::frame_across(int f) const {
     throw InternalError("two linked facets of tetrahedra differ");
 }
 
-// NOLINTNEXTLINE(readability-function-size)
 std::vector<int> TorusTetrahedra::replace(const std::vector<Placed>& old,
                                           const std::vector<Tetrahedron>& fresh) {
     std::vector<int> numbers;
@@ -149,8 +145,14 @@ std::vector<int> TorusTetrahedra::replace(const std::vector<Placed>& old,
         sites_.resize(sites_.size() + 4);
         opposite_.resize(opposite_.size() + 4, -1);
     }
-    // Find the new number of each outer facet; link the inner ones. For few sites an outer facet
-    // may lie beyond another.
+    link_fresh(fresh, numbers, std::move(outer));
+    for (std::size_t t = 0; t < fresh.size(); ++t) set_tetrahedron(numbers[t], fresh[t]);
+    close_gaps(numbers, fresh.size());
+    return numbers;
+}
+
+void TorusTetrahedra::link_fresh(const std::vector<Tetrahedron>& fresh,
+                                 const std::vector<int>& numbers, std::vector<OpenFacet> outer) {
     std::vector<std::pair<int, int>> renumbered;
     std::vector<std::pair<int, int>> links;
     std::vector<OpenFacet> open;
@@ -170,6 +172,7 @@ std::vector<int> TorusTetrahedra::replace(const std::vector<Placed>& old,
     if (!outer.empty() || !open.empty()) {
         throw InternalError("new tetrahedra do not fill the place of the old ones");
     }
+    // For few sites an outer facet may lie beyond another.
     for (const auto& [before, facet] : renumbered) {
         int beyond = opposite_[before];
         for (const auto& [other, now] : renumbered) {
@@ -181,10 +184,12 @@ std::vector<int> TorusTetrahedra::replace(const std::vector<Placed>& old,
         links.emplace_back(facet, beyond);
     }
     for (const auto& [f, o] : links) link(f, o);
-    for (std::size_t t = 0; t < fresh.size(); ++t) set_tetrahedron(numbers[t], fresh[t]);
-    // Close the gaps from the end, so that no number is that of a gap itself.
-    std::vector<int> gaps(numbers.begin() + std::ptrdiff_t(fresh.size()), numbers.end());
-    numbers.resize(fresh.size());
+}
+
+void TorusTetrahedra::close_gaps(std::vector<int>& numbers, std::size_t n_fresh) {
+    // The last gap goes first, so that the tetrahedron moved is never a gap itself.
+    std::vector<int> gaps(numbers.begin() + std::ptrdiff_t(n_fresh), numbers.end());
+    numbers.resize(n_fresh);
     for (; !gaps.empty(); gaps.pop_back()) {
         const int last = n_tetrahedra() - 1;
         move_last_to(gaps.back());
@@ -196,7 +201,6 @@ std::vector<int> TorusTetrahedra::replace(const std::vector<Placed>& old,
             *moved = gaps.back();
         }
     }
-    return numbers;
 }
 
 void TorusTetrahedra::move_last_to(int t) {

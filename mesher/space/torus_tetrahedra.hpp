@@ -78,6 +78,8 @@ class TorusTetrahedra {
     std::span<const SiteId> corner_sites() const { return sites_; }
     std::span<const TetrahedronOffsets> corner_offsets() const { return offsets_; }
 
+    /// A facet that waits for its other side: its sorted images, and its number.
+    using OpenFacet = std::pair<std::array<Corner3, 3>, int>;
     /// A tetrahedron, and the offset to add to its corners.
     struct Placed {
         int number;
@@ -105,6 +107,12 @@ class TorusTetrahedra {
         opposite_[f] = o;
         opposite_[o] = f;
     }
+    /// Links the facets of new tetrahedra, with these numbers, to each other and to what lies
+    /// beyond the outer facets of the old ones.
+    void link_fresh(const std::vector<Tetrahedron>& fresh, const std::vector<int>& numbers,
+                    std::vector<OpenFacet> outer);
+    /// Moves the last tetrahedra to the numbers from n_fresh on, and lists what they are now.
+    void close_gaps(std::vector<int>& numbers, std::size_t n_fresh);
     void move_last_to(int t);
 
     int n_sites_;

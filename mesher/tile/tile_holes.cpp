@@ -246,7 +246,7 @@ class TorusCutter {
     const PeriodicMesh& whole_;
     const HoleSites& holes_;
     PeriodicMesh mesh_;
-    /// The new numbers, -1 for those that go.
+    /// The new numbers, -1 for what is left out.
     std::vector<SiteId> site_;
     std::vector<int> vertex_;
     std::vector<int> corner_;

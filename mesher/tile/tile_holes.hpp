@@ -33,7 +33,7 @@ struct HoleSites {
 /// by number:
 ///   (1) Each boundary edge is in a pair, on a side of the domain, or on the edge of a hole.
 ///   (2) The tile with one more face for each hole is a tile of the torus (mesher/proof proves it).
-///   (3) The order of vertices and faces, and the positions, are those before.
+///   (3) The order of vertices and faces, and their positions, are those of the whole tile.
 /// @pre the tile obeys its laws, and a face stays.
 /// @throws InvalidInput  Delaunay triangles between holes that are too near to each other.
 Tile with_holes(Tile tile, const HoleSites& holes);

@@ -102,13 +102,21 @@ std::string described(Walls walls) {
 
 /// What the tile becomes when its seam is glued.
 std::string glued_text(const Tile& tile, const TileProof& proof) {
-    if (tile.walls == Walls::kNone && !tile.holes.empty()) {
-        return std::to_string(proof.wall_edges.size()) +
-               " on holes, genus 1 after gluing and filling";
+    const auto on_holes = std::count_if(proof.wall_edges.begin(), proof.wall_edges.end(),
+                                        [](const WallEdge& edge) { return edge.wall.is_hole(); });
+    const auto on_walls = static_cast<std::ptrdiff_t>(proof.wall_edges.size()) - on_holes;
+    std::string text;
+    if (tile.walls != Walls::kNone) text += std::to_string(on_walls) + " on walls, ";
+    if (!tile.holes.empty()) text += std::to_string(on_holes) + " on holes, ";
+    const char* const filling = tile.holes.empty() ? "" : " and filling";
+    switch (tile.walls) {
+        case Walls::kNone:
+            return text + "genus 1 after gluing" + filling;
+        case Walls::kXY:
+            return text + "a disc" + (tile.holes.empty() ? "" : " after filling");
+        default:
+            return text + "an annulus after gluing" + filling;
     }
-    if (tile.walls == Walls::kNone) return "genus 1 after gluing";
-    return std::to_string(proof.wall_edges.size()) + " on walls, " +
-           (tile.walls == Walls::kXY ? "a disc" : "an annulus after gluing");
 }
 
 std::string pairs_text(const TileFile& file) {

@@ -22,6 +22,11 @@ def limit(kind, amount):
     return lower
 
 
+def outputs(*extensions, name="t"):
+    """The options that write a file of each extension."""
+    return [word for extension in extensions for word in ("-o", f"{name}.{extension}")]
+
+
 class CliTest(unittest.TestCase):
     """Each test runs in an empty folder."""
 

@@ -29,6 +29,23 @@ double energy_over_bound(const SymmetricSites& sites) {
            hexagonal_bound(sites.group.lattice().area(), sites.sites.n_sites());
 }
 
+/// Delaunay edges shorter than 0.4 h, as a part of the sites.
+double share_of_close_pairs(const SymmetricSites& sites) {
+    const PeriodicDelaunay delaunay(sites.sites);
+    const TorusTriangulation& t = delaunay.triangulation();
+    const Lattice& reduced = sites.sites.reduction().reduced;
+    const Points& coordinates = sites.sites.coordinates();
+    const auto at = [&](const Corner& corner) {
+        return Vec2(coordinates.col(corner.site) + Vec2(corner.offset.i, corner.offset.j));
+    };
+    int n_close = 0;
+    for (int h = 0; h < t.n_halfedges(); ++h) {
+        const Vec2 way = at(t.corner(TorusTriangulation::next(h))) - at(t.corner(h));
+        if (reduced.to_plane(way).norm() < 0.4 * sites.sites.spacing()) ++n_close;
+    }
+    return 0.5 * n_close / sites.sites.n_sites();
+}
+
 TEST(SymmetricCoarseStart, HasTheOrbitsOfThePlanInEveryGroup) {
     for (const PlaneGroupRow& row : kPlaneGroups) {
         const PlaneGroup group = example(row.name);
@@ -64,6 +81,26 @@ TEST(SymmetricCoarseStart, IsEvenInEveryGroup) {
             const auto start = symmetric_coarse_start(group, plan, seeded(seed));
             EXPECT_LT(energy_over_bound(*start), with_mirrors ? 1.3 : 1.16) << row.word;
             EXPECT_GT(energy_over_bound(random_sites(group, plan, seed)), 1.5) << row.word;
+        }
+    }
+}
+
+// A site that is added twice, or at a centre instead of beside it, has a neighbour as near as two
+// shakes; so has a site that is put back to a wrong place on its mirror.
+TEST(SymmetricCoarseStart, HasFewClosePairsInEveryGroup) {
+    for (const PlaneGroupRow& row : kPlaneGroups) {
+        const PlaneGroup group = example(row.name);
+        const SpecialPositions special = special_positions(group);
+        for (const int n_on_mirrors : {0, 12}) {
+            if (n_on_mirrors > 0 && special.mirrors.empty()) continue;
+            OrbitPlan plan = general_plan(group, 256);
+            plan.n_general = 256;
+            std::fill(plan.on_mirrors.begin(), plan.on_mirrors.end(), n_on_mirrors);
+            double share = 0;
+            for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                share += share_of_close_pairs(*symmetric_coarse_start(group, plan, seeded(seed))) / 4;
+            }
+            std::printf("%s %d %.4f\n", std::string(row.word).c_str(), n_on_mirrors, share);
         }
     }
 }

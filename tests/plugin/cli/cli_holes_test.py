@@ -4,7 +4,7 @@ import csv
 import math
 import re
 
-from support.cli import CliTest, main
+from support.cli import CliTest, main, outputs
 
 SHAPES = ("circle pipe 0.95 0.9 0.15\n"
           "ellipse core 0.7 0.4 0.2 0.1 30\n"
@@ -13,10 +13,6 @@ PIPES = math.pi * 0.15**2 + 0.03
 CORE = math.pi * 0.02
 TILES = ("obj", "ply", "glb", "gltf", "om", "vtu", "foam")
 SOLVERS = ("msh", "inp", "vtu", "foam", "obj")
-
-
-def outputs(*extensions):
-    return [word for extension in extensions for word in ("-o", f"t.{extension}")]
 
 
 class Holes(CliTest):
@@ -46,6 +42,15 @@ class Holes(CliTest):
             n = len(self.points())
             self.assertEqual(text.count(f"{n} sites agree"), len(extensions), text)
             self.assertEqual(text.count("on holes, genus 1 after gluing and filling"), len(extensions), text)
+
+    def test_holes_lie_between_walls(self):
+        for walls, topology in (("xy", "a disc after filling"), ("x", "an annulus after gluing and filling")):
+            self.succeed("mesh", "--sites", 900, "--tolerance", "1e-3", "--walls", walls, "--fibres", "0.2,6", "--hole",
+                         "fibre", "--force", "--quiet", *outputs(*TILES))
+            lines = self.succeed("check", *(f"t.{extension}" for extension in TILES)).splitlines()
+            self.assertEqual(len(lines), len(TILES))
+            for line in lines:
+                self.assertRegex(line, rf", [1-9]\d* on walls, [1-9]\d* on holes, {topology}, area 0\.8 ")
 
     def test_sites_outside_of_holes_are_numbered_in_their_order(self):
         self.mesh(*outputs("csv", "txt"))

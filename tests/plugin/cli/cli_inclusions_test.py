@@ -5,7 +5,7 @@ import json
 import math
 import re
 
-from support.cli import CliTest, main
+from support.cli import CliTest, main, outputs
 
 SHAPES = ("# head\n"
           "circle glass 0.95 0.9 0.15\n"
@@ -14,10 +14,6 @@ SHAPES = ("# head\n"
 AREAS = {"glass": math.pi * 0.15**2 + 0.03, "steel": math.pi * 0.02}
 TILES = ("obj", "ply", "glb", "gltf", "om", "vtu", "foam")
 SOLVERS = ("msh", "inp", "vtu", "foam", "obj")
-
-
-def outputs(*extensions):
-    return [word for extension in extensions for word in ("-o", f"t.{extension}")]
 
 
 class Inclusions(CliTest):

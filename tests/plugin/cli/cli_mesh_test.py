@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from support.cli import TIMEOUT, CliTest, main
+from support.cli import TIMEOUT, CliTest, main, outputs
 
 EVERY_FORMAT = ("obj", "ply", "glb", "gltf", "om", "svg", "png", "dxf", "html")
 REPORT_KEYS = ["version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations",
@@ -17,13 +17,9 @@ REPORT_KEYS = ["version", "sites", "lattice", "seed", "solver", "start", "stop",
                "minimum", "hexagons", "valences", "mirrors", "threads", "seconds", "files"]
 
 
-def outputs(stem="t", formats=EVERY_FORMAT + ("txt", )):
-    return [word for e in formats for word in ("-o", f"{stem}.{e}")]
-
-
 class Files(CliTest):
     def test_every_output_of_one_run_is_written(self):
-        self.succeed("mesh", "--sites", 30, *outputs(), "--report", "run.json")
+        self.succeed("mesh", "--sites", 30, *outputs(*EVERY_FORMAT, "txt"), "--report", "run.json")
         companions = {"t.mtl", "t.seam.json", "t.txt", "run.json"}
         self.assertEqual(set(self.contents()), {f"t.{e}" for e in EVERY_FORMAT} | companions)
 
@@ -45,7 +41,7 @@ class Files(CliTest):
     def test_same_input_gives_same_bytes(self):
         self.path("elsewhere").mkdir()
         run = ("mesh", "--sites", 60, "--seed", 5, "--lattice", "1,0,0.37,0.81", "--mesh", "voronoi",
-               "--mesh", "delaunay", *outputs(), "--report", "run.json", "--force")
+               "--mesh", "delaunay", *outputs(*EVERY_FORMAT, "txt"), "--report", "run.json", "--force")
         self.succeed(*run)
         first = self.contents()
         self.succeed(*run, cwd=self.path("elsewhere"))
@@ -58,7 +54,7 @@ class Files(CliTest):
         self.assertEqual([name for name in first if first[name] != second[name]], [])
 
     def test_the_number_of_threads_changes_no_byte(self):
-        run = ("mesh", "--sites", 60000, "--max-iterations", 6, *outputs(formats=("ply", "txt")),
+        run = ("mesh", "--sites", 60000, "--max-iterations", 6, *outputs("ply", "txt"),
                "--report", "run.json", "--force")
         seen = []
         for threads in (1, 2, 5):
@@ -73,7 +69,7 @@ class Files(CliTest):
 
     def test_several_threads_write_the_files_of_one_and_report_the_first_fault(self):
         run = ("mesh", "--sites", 40, "--period", "1,1.1547005383792515", "--start", "lattice", "--force", "--quiet",
-               *outputs(formats=("obj", "ply", "glb", "gltf", "om", "svg", "png", "dxf", "html", "vtu", "foam", "nc", "txt")),
+               *outputs("obj", "ply", "glb", "gltf", "om", "svg", "png", "dxf", "html", "vtu", "foam", "nc", "txt"),
                "-o", "u.om", "-o", "u.nc")
         self.succeed(*run, "--threads", 1)
         first = self.contents()
@@ -103,7 +99,7 @@ class Files(CliTest):
         written = []
         for folder, options in (("plain", {}), ("german", {"env": environment})):
             self.path(folder).mkdir()
-            self.succeed("mesh", "--sites", 60, "--lattice", "1,0,0.37,0.81", *outputs(),
+            self.succeed("mesh", "--sites", 60, "--lattice", "1,0,0.37,0.81", *outputs(*EVERY_FORMAT, "txt"),
                          cwd=self.path(folder), **options)
             written.append(self.contents(self.path(folder)))
         self.assertEqual(written[0].keys(), written[1].keys())

@@ -4,16 +4,12 @@ import json
 import re
 import unittest
 
-from support.cli import CliTest, main
+from support.cli import CliTest, main, outputs
 
 READABLE = ("obj", "ply", "glb", "gltf", "om")
 OBLIQUE = ("--lattice", "1,0,0.37,0.81")
 GRAINS = ("mesh", "--sites", 30, "--mesh", "grains")
 BOX = ("mesh", "--sites", 30, "--outline", "box")
-
-
-def outputs(*formats):
-    return [word for e in formats for word in ("-o", f"t.{e}")]
 
 
 class Outlines(CliTest):

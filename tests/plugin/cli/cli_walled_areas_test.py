@@ -4,17 +4,13 @@ import csv
 import json
 import re
 
-from support.cli import CliTest, main
+from support.cli import CliTest, main, outputs
 
 BOX = ("--sites", 40, "--period", "2,1")
 TILES = ("obj", "ply", "glb", "gltf", "om", "vtu", "foam")
 SOLVERS = ("msh", "inp", "foam")
 PICTURES = ("svg", "png", "html", "dxf")
 LAWS = ("equal", "lognormal:0.42", "gamma:0.3")
-
-
-def outputs(*extensions, name="t"):
-    return [word for extension in extensions for word in ("-o", f"{name}.{extension}")]
 
 
 class WalledAreas(CliTest):

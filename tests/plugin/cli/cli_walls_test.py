@@ -4,16 +4,12 @@ import collections
 import json
 import re
 
-from support.cli import CliTest, main
+from support.cli import CliTest, main, outputs
 
 CHANNEL = ("--sites", 40, "--period", "2,1", "--tolerance", "1e-4")
 TILES = ("obj", "ply", "glb", "gltf", "om", "vtu")
 SOLVERS = ("msh", "inp")
 PICTURES = ("svg", "png", "html", "dxf")
-
-
-def outputs(*extensions, name="t"):
-    return [word for extension in extensions for word in ("-o", f"{name}.{extension}")]
 
 
 class Walls(CliTest):
