@@ -123,6 +123,21 @@ bool has_phases(const SiteQuantities& quantities) {
     return quantities.materials != nullptr && !quantities.materials->site_phase.empty();
 }
 
+bool are_there(ColouringNeed needs, const SiteQuantities& quantities) {
+    switch (needs) {
+        case ColouringNeed::kNothing:
+            return true;
+        case ColouringNeed::kDensity:
+            return !quantities.densities.empty();
+        case ColouringNeed::kPhases:
+        case ColouringNeed::kTags:
+            return has_phases(quantities);
+        case ColouringNeed::kOrbits:
+            return !quantities.orbits.empty();
+    }
+    return false;
+}
+
 }  // namespace
 
 TileColours colours_by_sides(const Tile& tile, const SiteQuantities&) {
@@ -187,6 +202,12 @@ TileColours colours_by_phase(const Tile& tile, const SiteQuantities& quantities)
     return colours;
 }
 
+TileColours colours_by_tag(const Tile& tile, const SiteQuantities& quantities) {
+    TileColours colours = colours_by_phase(tile, quantities);
+    colours.explanation = " by tag";
+    return colours;
+}
+
 TileColours colours_by_orbit(const Tile& tile, const SiteQuantities& quantities) {
     const std::span<const int> orbits = quantities.orbits;
     TileColours colours{.class_of = {}, .classes = {}, .explanation = " by orbit"};
@@ -213,9 +234,7 @@ TileColours colours_by_orbit(const Tile& tile, const SiteQuantities& quantities)
 
 TileColours tile_colours(const Tile& tile, Colouring colouring, const SiteQuantities& quantities) {
     const ColouringRow& row = colouring_row(colouring);
-    if ((row.needs_density && quantities.densities.empty()) ||
-        (row.needs_phases && !has_phases(quantities)) ||
-        (row.needs_orbits && quantities.orbits.empty())) {
+    if (!are_there(row.needs, quantities)) {
         throw InternalError(std::string("there is no ") + row.word + " to show in colours");
     }
     return row.colours(tile, quantities);

@@ -14,7 +14,10 @@
 namespace pcvt {
 
 /// The quantity that the colours of a tile show.
-enum class Colouring { kSides, kSize, kCells, kDensity, kPhase, kOrbit };
+enum class Colouring { kSides, kSize, kCells, kDensity, kPhase, kOrbit, kTag };
+
+/// What a run must have besides its tile, so that colours can show it.
+enum class ColouringNeed { kNothing, kDensity, kPhases, kOrbits, kTags };
 
 /// One colour of a tile.
 struct ColourClass {
@@ -63,6 +66,8 @@ TileColourer colours_by_phase;
 /// One class for each orbit of sites; neighbouring cells of different orbits have different
 /// colours.
 TileColourer colours_by_orbit;
+/// By the tag of each cell, which is its phase, in a run with inclusions.
+TileColourer colours_by_tag;
 
 /// One row of the table of colourings.
 struct ColouringRow {
@@ -70,9 +75,7 @@ struct ColouringRow {
     const char* word;
     /// PCVT_COLOUR_SIDES, ... of pcvt.h.
     int abi_value;
-    bool needs_density;
-    bool needs_phases;
-    bool needs_orbits;
+    ColouringNeed needs;
     /// Whether colours are classes of values. Such cells have dark edges and no dots.
     bool shows_values;
     TileColourer* colours;
@@ -82,51 +85,45 @@ struct ColouringRow {
 inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSides,
                                                      .word = "sides",
                                                      .abi_value = 1,
-                                                     .needs_density = false,
-                                                     .needs_phases = false,
-                                                     .needs_orbits = false,
+                                                     .needs = ColouringNeed::kNothing,
                                                      .shows_values = false,
                                                      .colours = colours_by_sides},
                                         ColouringRow{.colouring = Colouring::kSize,
                                                      .word = "size",
                                                      .abi_value = 2,
-                                                     .needs_density = false,
-                                                     .needs_phases = false,
-                                                     .needs_orbits = false,
+                                                     .needs = ColouringNeed::kNothing,
                                                      .shows_values = true,
                                                      .colours = colours_by_size},
                                         ColouringRow{.colouring = Colouring::kCells,
                                                      .word = "cells",
                                                      .abi_value = 3,
-                                                     .needs_density = false,
-                                                     .needs_phases = false,
-                                                     .needs_orbits = false,
+                                                     .needs = ColouringNeed::kNothing,
                                                      .shows_values = false,
                                                      .colours = colours_by_cells},
                                         ColouringRow{.colouring = Colouring::kDensity,
                                                      .word = "density",
                                                      .abi_value = 4,
-                                                     .needs_density = true,
-                                                     .needs_phases = false,
-                                                     .needs_orbits = false,
+                                                     .needs = ColouringNeed::kDensity,
                                                      .shows_values = true,
                                                      .colours = colours_by_density},
                                         ColouringRow{.colouring = Colouring::kPhase,
                                                      .word = "phase",
                                                      .abi_value = 5,
-                                                     .needs_density = false,
-                                                     .needs_phases = true,
-                                                     .needs_orbits = false,
+                                                     .needs = ColouringNeed::kPhases,
                                                      .shows_values = false,
                                                      .colours = colours_by_phase},
                                         ColouringRow{.colouring = Colouring::kOrbit,
                                                      .word = "orbit",
                                                      .abi_value = 6,
-                                                     .needs_density = false,
-                                                     .needs_phases = false,
-                                                     .needs_orbits = true,
+                                                     .needs = ColouringNeed::kOrbits,
                                                      .shows_values = false,
-                                                     .colours = colours_by_orbit}};
+                                                     .colours = colours_by_orbit},
+                                        ColouringRow{.colouring = Colouring::kTag,
+                                                     .word = "tag",
+                                                     .abi_value = 7,
+                                                     .needs = ColouringNeed::kTags,
+                                                     .shows_values = false,
+                                                     .colours = colours_by_tag}};
 
 constexpr const ColouringRow& colouring_row(Colouring colouring) {
     return kColourings[static_cast<std::size_t>(colouring)];

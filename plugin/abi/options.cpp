@@ -43,6 +43,7 @@ static_assert(colouring_row(Colouring::kCells).abi_value == PCVT_COLOUR_CELLS);
 static_assert(colouring_row(Colouring::kDensity).abi_value == PCVT_COLOUR_DENSITY);
 static_assert(colouring_row(Colouring::kPhase).abi_value == PCVT_COLOUR_PHASE);
 static_assert(colouring_row(Colouring::kOrbit).abi_value == PCVT_COLOUR_ORBIT);
+static_assert(colouring_row(Colouring::kTag).abi_value == PCVT_COLOUR_TAG);
 static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
 static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
 static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);

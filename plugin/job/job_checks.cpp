@@ -261,19 +261,34 @@ void check_order(const Job& job, const std::vector<JobFile>& files) {
                        second_order_extensions() + ", or take order 1");
 }
 
+/// @throws InvalidInput if the run has nothing that the colours could show.
+void check_colouring(const Job& job, Colouring colouring) {
+    switch (colouring_row(colouring).needs) {
+        case ColouringNeed::kNothing:
+            return;
+        case ColouringNeed::kDensity:
+            if (job.density) return;
+            throw InvalidInput(
+                "there is no density to show in colours; give one, or colour by size");
+        case ColouringNeed::kPhases:
+            if (!job.materials.phases.empty() || job.has_inclusions()) return;
+            throw InvalidInput(
+                "there are no phases to show in colours; give some, or colour by size");
+        case ColouringNeed::kOrbits:
+            if (job.symmetry) return;
+            throw InvalidInput(
+                "there is no symmetry whose orbits colours could show; give one, or colour by "
+                "cells");
+        case ColouringNeed::kTags:
+            if (job.has_inclusions()) return;
+            throw InvalidInput(
+                "there are no inclusions whose tags colours could show; give some, or colour by "
+                "size");
+    }
+}
+
 void check_file_options(const Job& job, const std::vector<JobFile>& files) {
-    const std::optional<Colouring>& colouring = job.file_options.colouring;
-    if (colouring && colouring_row(*colouring).needs_density && !job.density) {
-        throw InvalidInput("there is no density to show in colours; give one, or colour by size");
-    }
-    if (colouring && colouring_row(*colouring).needs_phases && job.materials.phases.empty() &&
-        !job.has_inclusions()) {
-        throw InvalidInput("there are no phases to show in colours; give some, or colour by size");
-    }
-    if (colouring && colouring_row(*colouring).needs_orbits && !job.symmetry) {
-        throw InvalidInput(
-            "there is no symmetry whose orbits colours could show; give one, or colour by cells");
-    }
+    if (job.file_options.colouring) check_colouring(job, *job.file_options.colouring);
     const double cut_width = job.file_options.cut_width;
     if (cut_width != 0 && !(cut_width >= kLeastCutWidth && cut_width <= kLargestCutWidth)) {
         throw InvalidInput("the width to cut is not between 0.001 and 1e6 mm");

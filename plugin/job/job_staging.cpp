@@ -68,7 +68,7 @@ class FileEncoder {
         options.site_orbits = result_.cells.site_orbits;
         if (!tile_materials().empty()) options.materials = &tile_materials();
         // The materials and groups of files are the tags.
-        if (job_.has_inclusions() && !options.colouring) options.colouring = Colouring::kPhase;
+        if (job_.has_inclusions() && !options.colouring) options.colouring = Colouring::kTag;
         return options;
     }
     const CellMaterials& materials() const { return result_.materials; }

@@ -18,8 +18,8 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
     app.add_option("--colour", choices.colour,
                    "the quantity that colours show; cells: neighbours differ; orbit: of\n"
                    "the sites under --symmetry, neighbouring orbits differ [sides; in\n"
-                   "pictures with --phases phase, of grains cells, and of other cells with\n"
-                   "--density size]")
+                   "pictures with --phases phase, with inclusions tag, of grains cells, and\n"
+                   "of other cells with --density size]")
         ->type_name(listed_words(kColourings, "|", "|"));
     app.add_option("--background", choices.background,
                    "of .svg; none: the page shows through, and text follows light and\n"

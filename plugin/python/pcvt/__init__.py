@@ -40,7 +40,7 @@ __all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Prog
            "OutputError"]
 
 _STARTS = ("default", "random", "coarse", "lattice", "best")
-_COLOURS = ("default", "sides", "size", "cells", "density", "phase", "orbit")
+_COLOURS = ("default", "sides", "size", "cells", "density", "phase", "orbit", "tag")
 _GLTF_NODES = ("default", "cells", "one")
 _SOLVERS = ("default", "lbfgs", "lloyd", "newton")
 _SYMMETRIES = ("p1", "p2", "pm", "pg", "cm", "pmm", "pmg", "pgg", "cmm", "p4", "p4m", "p4g", "p3", "p3m1", "p31m",
@@ -360,7 +360,7 @@ class Result:
         element     of .inp: CPE (plane strain) or CPS (plane stress)
         job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
         progress    called with a Progress ten times a second; a true return value cancels
-        colour      what colours show: sides, size, cells (neighbours differ), density, phase or orbit
+        colour      what colours show: sides, size, cells (neighbours differ), density, phase, orbit or tag
         background  of .svg: none or #rrggbb
         voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h
         thickness   of .foam: height of the layer of cells along z; 0: sqrt(area / faces)

@@ -34,6 +34,16 @@ TEST(Colouring, ByPhaseEachCellHasTheClassOfItsPhase) {
     EXPECT_NE(hex(colours.classes[0].colour), hex(colours.classes[1].colour));
 }
 
+TEST(Colouring, ByTagCellsHaveTheColoursOfTheirPhasesUnderAnotherTitle) {
+    const Tile tile = grid_tile(Lattice::rectangle(1, 1), 4, 4);
+    const CellMaterials tags = phases_of(3, 16);
+    const TileColours by_tag = tile_colours(tile, Colouring::kTag, {.materials = &tags});
+    const TileColours by_phase = tile_colours(tile, Colouring::kPhase, {.materials = &tags});
+    EXPECT_EQ(by_tag.class_of, by_phase.class_of);
+    EXPECT_EQ(by_tag.explanation, " by tag");
+    EXPECT_THROW(tile_colours(tile, Colouring::kTag, {}), InternalError);
+}
+
 TEST(Colouring, ByOrbitEachCellHasTheClassOfItsOrbit) {
     const Tile tile = grid_tile(Lattice::rectangle(1, 1), 4, 4);
     // The mirror that exchanges columns 1 and 3.

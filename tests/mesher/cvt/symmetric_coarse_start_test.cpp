@@ -46,6 +46,18 @@ double share_of_close_pairs(const SymmetricSites& sites) {
     return 0.5 * n_close / sites.sites.n_sites();
 }
 
+/// The mean over seeds for 256 orbits in general positions and n_on_mirrors on each mirror.
+double mean_share_of_close_pairs(const PlaneGroup& group, int n_on_mirrors, int n_seeds) {
+    const SpecialPositions special = special_positions(group);
+    const OrbitPlan plan{256, std::vector<int>(special.mirrors.size(), n_on_mirrors),
+                         std::vector<bool>(special.centres.size(), false)};
+    double sum = 0;
+    for (int seed = 1; seed <= n_seeds; ++seed) {
+        sum += share_of_close_pairs(*symmetric_coarse_start(group, plan, seeded(seed)));
+    }
+    return sum / n_seeds;
+}
+
 TEST(SymmetricCoarseStart, HasTheOrbitsOfThePlanInEveryGroup) {
     for (const PlaneGroupRow& row : kPlaneGroups) {
         const PlaneGroup group = example(row.name);
@@ -85,24 +97,25 @@ TEST(SymmetricCoarseStart, IsEvenInEveryGroup) {
     }
 }
 
-// A site that is added twice, or at a centre instead of beside it, has a neighbour as near as two
-// shakes; so has a site that is put back to a wrong place on its mirror.
-TEST(SymmetricCoarseStart, HasFewClosePairsInEveryGroup) {
+// The limits lie between the shares of the code and those with one fault: 0.0006 and 0.004 where an
+// edge round a centre of rotation adds its site twice, 0.019 and 0.038 where a site is added at the
+// middle of an edge across a mirror, 0.004 and 0.009 where sites on mirrors are put back wrongly.
+TEST(SymmetricCoarseStart, HasFewClosePairs) {
+    double round_centres = 0;
+    for (const auto name : {PlaneGroupName::kP3, PlaneGroupName::kP4, PlaneGroupName::kP6}) {
+        round_centres += mean_share_of_close_pairs(example(name), 0, 8) / 3;
+    }
+    EXPECT_LT(round_centres, 0.002);
+    double across_mirrors = 0;
+    int n_groups = 0;
     for (const PlaneGroupRow& row : kPlaneGroups) {
         const PlaneGroup group = example(row.name);
-        const SpecialPositions special = special_positions(group);
-        for (const int n_on_mirrors : {0, 12}) {
-            if (n_on_mirrors > 0 && special.mirrors.empty()) continue;
-            OrbitPlan plan = general_plan(group, 256);
-            plan.n_general = 256;
-            std::fill(plan.on_mirrors.begin(), plan.on_mirrors.end(), n_on_mirrors);
-            double share = 0;
-            for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-                share += share_of_close_pairs(*symmetric_coarse_start(group, plan, seeded(seed))) / 4;
-            }
-            std::printf("%s %d %.4f\n", std::string(row.word).c_str(), n_on_mirrors, share);
-        }
+        if (special_positions(group).mirrors.empty()) continue;
+        across_mirrors += mean_share_of_close_pairs(group, 0, 4);
+        ++n_groups;
     }
+    EXPECT_LT(across_mirrors / n_groups, 0.027);
+    EXPECT_LT(mean_share_of_close_pairs(example(PlaneGroupName::kP3m1), 12, 8), 0.0065);
 }
 
 TEST(SymmetricCoarseStart, LeadsToLowerMinima) {
