@@ -15,6 +15,7 @@
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/mesh/walled_mesh.hpp"
 #include "mesher/proof/generated_tile.hpp"
+#include "mesher/symmetry/walled_sites.hpp"
 #include "mesher/tile/build_tile.hpp"
 
 namespace pcvt {
@@ -305,6 +306,62 @@ TEST(WalledAreaCvt, EveryBitIsTheSameForAnyNumberOfThreads) {
         EXPECT_EQ(one.torus.delaunay.sites().coordinates(),
                   several.torus.delaunay.sites().coordinates());
     }
+}
+
+TEST(WalledAreaCvt, NumberingByColumnsSortsTheSites) {
+    const Lattice box = Lattice::rectangle(1.3, 1);
+    const Points points = uniform_points(box, 50, 3);
+    AreaCvtOptions options;
+    options.areas = Eigen::VectorXd::Constant(50, box.area() / 50);
+    options.centroidal_steps = 0;
+    options.numbering = Numbering::kByColumns;
+    const WalledAreaCvt cvt =
+        compute_walled_area_cvt(box, Walls::kY, WallCells::kWhole, points, options);
+    EXPECT_TRUE(points_between_walls(cvt.torus.delaunay, cvt.domain)
+                    .isApprox(sorted_by_columns(box, points), 1e-12));
+}
+
+TEST(WalledAreaCvt, FiguresCountTheWorkOfAllRounds) {
+    const Lattice box = Lattice::rectangle(1, 1);
+    AreaCvtOptions options;
+    options.areas = Eigen::VectorXd::Constant(60, box.area() / 60);
+    options.centroidal_steps = 5;
+    int n_steps = 0;
+    int last = 0;
+    options.progress = [&](const Progress& progress) {
+        n_steps += progress.iteration != last;
+        last = progress.iteration;
+        return true;
+    };
+    const WalledAreaCvt cvt = compute_walled_area_cvt(box, Walls::kXY, WallCells::kHalf,
+                                                      uniform_points(box, 60, 1), options);
+    // Each round fits the weights anew, at least once before its steps and once after each.
+    EXPECT_GT(n_steps, 5) << "one round only";
+    // Four Newton steps follow each step of the sites; the last round alone has two for each.
+    EXPECT_GE(cvt.torus.areas.newton_steps, 3 * n_steps);
+}
+
+// Cells in narrow boxes touch several walls and hold two corners, of which one may have a site.
+TEST(WalledAreaCvt, HalvesInNarrowBoxesShareNoCorner) {
+    int n_made = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        const double ratio = 1.0 + static_cast<double>(seed % 10);
+        const int n = 8 + static_cast<int>(seed % 40);
+        const Lattice box = Lattice::rectangle(1, ratio);
+        AreaCvtOptions options;
+        options.areas = Eigen::VectorXd::Constant(n, box.area() / n);
+        options.centroidal_steps = 1;
+        try {
+            const WalledAreaCvt cvt = compute_walled_area_cvt(
+                box, Walls::kXY, WallCells::kHalf, uniform_points(box, n, seed), options);
+            EXPECT_EQ(cvt.torus.delaunay.sites().duplicates().first, -1);
+            ++n_made;
+        } catch (const InvalidInput& error) {
+            EXPECT_EQ(std::string(error.what()).rfind("half cells need rows", 0), 0U)
+                << seed << ": " << error.what();
+        }
+    }
+    EXPECT_GT(n_made, 20);
 }
 
 TEST(WalledAreaCvt, AreasNeedOneNumberASite) {

@@ -8,6 +8,7 @@
 #include "mesher/cvt/clipped_cvt.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/mesh/walled_mesh.hpp"
+#include "mesher/symmetry/walled_sites.hpp"
 #include "tests/support/densities.hpp"
 
 namespace pcvt {
@@ -121,6 +122,7 @@ TEST(WalledCvt, DensitiesAreThoseOfTheDomain) {
     const WalledCvt cvt = walled(channel, Walls::kY, 200, options);
     ASSERT_TRUE(cvt.torus.density.has_value());
     EXPECT_NEAR(cvt.torus.density->mass, 11 * channel.area(), 1e-10);
+    EXPECT_NEAR(cvt.torus.run.energy / cvt.torus.density->expected_energy, 1, 0.1);
     const PeriodicMesh cells = part_between_walls(cell_mesh(cvt.torus.delaunay), cvt.domain);
     double low = 0;
     double high = 0;
@@ -128,6 +130,48 @@ TEST(WalledCvt, DensitiesAreThoseOfTheDomain) {
         (cells.site_points[f].y() < 0.25 ? low : high) += 1;
     }
     EXPECT_GT(high, 1.3 * low);
+}
+
+TEST(WalledCvt, ProgressAndCountsGoOnFromRoundToRound) {
+    CvtOptions options = to_tolerance(1e-6);
+    int n_backwards = 0;
+    Progress last;
+    options.progress = [&](const Progress& progress) {
+        n_backwards +=
+            progress.iteration < last.iteration || progress.evaluations < last.evaluations;
+        last = progress;
+        return true;
+    };
+    const WalledCvt cvt =
+        walled(Lattice::rectangle(1, 1), Walls::kXY, 60, options, WallCells::kHalf);
+    EXPECT_EQ(n_backwards, 0);
+    EXPECT_EQ(last.iteration, cvt.torus.run.iterations);
+    EXPECT_NEAR(last.value / cvt.torus.run.energy, 1, 1e-3);
+}
+
+TEST(WalledCvt, NumberingByColumnsSortsTheSites) {
+    const Lattice box = Lattice::rectangle(1.3, 1);
+    const Points points = uniform_points(box, 50, 3);
+    CvtOptions options;
+    options.max_iterations = 0;
+    options.numbering = Numbering::kByColumns;
+    const WalledCvt cvt = compute_walled_cvt(box, Walls::kY, WallCells::kWhole, points, options);
+    const Points sorted = sorted_by_columns(box, points);
+    EXPECT_NE(sorted, points);
+    EXPECT_TRUE(points_between_walls(cvt.torus.delaunay, cvt.domain).isApprox(sorted, 1e-12));
+}
+
+TEST(WalledCvt, HalfCellsThatReachTheOppositeWallAreRefusedWithANumberThatSuffices) {
+    const Lattice channel = Lattice::rectangle(12, 1);
+    try {
+        walled(channel, Walls::kY, 6, to_tolerance(1e-6), WallCells::kHalf);
+        FAIL() << "accepted";
+    } catch (const InvalidInput& error) {
+        EXPECT_STREQ(error.what(),
+                     "half cells need rows of sites on both walls, but the cell of a site on one "
+                     "wall reaches the opposite one; take at least 24 sites or whole cells");
+    }
+    EXPECT_NO_THROW(walled(channel, Walls::kY, 24, to_tolerance(1e-6), WallCells::kHalf));
 }
 
 TEST(WalledCvt, ResultsDoNotDependOnTheNumberOfThreads) {
