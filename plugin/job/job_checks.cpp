@@ -198,10 +198,6 @@ void check_walls(const Job& job) {
     }
 }
 
-/// The widths of a tile for cutters, in millimetres.
-constexpr double kLeastCutWidth = 1e-3;
-constexpr double kLargestCutWidth = 1e6;
-
 }  // namespace
 
 bool has_mesh(const Job& job, bool MeshKindRow::*property) {

@@ -7,6 +7,10 @@
 namespace pcvt {
 namespace {
 
+/// The widths of a tile for cutters, in millimetres.
+constexpr double kLeastCutWidth = 1e-3;
+constexpr double kLargestCutWidth = 1e6;
+
 /// A choice that files hold, as messages name it, and the formats that take it.
 struct FileChoice {
     const char* name;

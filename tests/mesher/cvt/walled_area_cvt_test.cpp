@@ -147,6 +147,22 @@ double compare_with_half_planes(const WalledJob& job, const WalledAreaCvt& resul
 }
 
 // Laws 1 and 2. PCVT_AREA_CASES=10000 in the environment runs as many cases.
+/// How far the first n sites lie beyond the walls, in parts of a side: their cells are those of the
+/// domain.
+double farthest_beyond_walls(const WalledAreaCvt& result) {
+    double farthest = 0;
+    for (SiteId s = 0; s < result.domain.n_sites; ++s) {
+        const Vec2 p = result.torus.delaunay.sites().position(s);
+        for (int axis = 0; axis < 2; ++axis) {
+            if (!has_walls_across(result.domain.walls, axis)) continue;
+            const double part = p[axis] / (2 * side_length(result.domain.lattice, axis));
+            const double folded = 2 * (part - std::floor(part));
+            farthest = std::max(farthest, std::min(folded - 1, 2 - folded));
+        }
+    }
+    return farthest;
+}
+
 TEST(WalledAreaCvt, RandomJobsGiveTheCellsOfHalfPlanesInTheWishedAreas) {
     const char* const n_cases = std::getenv("PCVT_AREA_CASES");
     const int n = n_cases == nullptr ? 200 : std::atoi(n_cases);
@@ -159,6 +175,7 @@ TEST(WalledAreaCvt, RandomJobsGiveTheCellsOfHalfPlanesInTheWishedAreas) {
         const double bound = std::max(area_tolerance(1), areas.rounding);
         EXPECT_LE(areas.largest_relative_error, bound);
         n_rounding += !areas.converged;
+        EXPECT_LE(farthest_beyond_walls(result), 1e-9);
         EXPECT_LE(compare_with_half_planes(job, result), 10 * bound);
         if (job.options.centroidal_steps < 0) {
             EXPECT_EQ(result.torus.run.stop, Stop::kConverged);
