@@ -14,7 +14,7 @@ DENSITIES = ("1 + 20 * exp(-8 * v)", "1 + 5 * cos(2 * _pi * u)^2", "exp(3 * u * 
 LAWS = ("equal", "lognormal:0.42", "gamma:0.3")
 FORMATS = ("obj", "glb", "vtu")
 # What pcvt may say of a job that is well posed, besides success.
-REFUSALS = (r"no cells of sites on the walls came about", r"reaches the opposite wall", r"too thin", r"too small",
+REFUSALS = (r"no cells of sites on the walls came about", r"reaches the opposite one", r"too thin", r"too small",
             r"single precision is too coarse")
 
 
