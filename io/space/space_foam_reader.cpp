@@ -10,7 +10,6 @@
 #include "io/openfoam/foam_fields.hpp"
 #include "io/openfoam/foam_lists.hpp"
 #include "io/openfoam/foam_scanner.hpp"
-#include "io/openfoam/foam_text.hpp"
 #include "io/space/space_foam_writer.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/polyhedra/polyhedral_assembly.hpp"
@@ -192,7 +191,6 @@ SpaceTile decode_space_foam(const std::vector<EncodedFile>& files) {
 
 void compare_space_case(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
     for (const EncodedFile& expected : encode_space_foam(tile, "")) {
-        if (expected.path.find(kMeshFolder) != std::string::npos) continue;
         const auto found = std::find_if(files.begin(), files.end(), [&](const EncodedFile& file) {
             return file.path.ends_with(expected.path);
         });

@@ -22,8 +22,9 @@ bool is_space_case(const std::vector<EncodedFile>& files);
 /// @throws NotATile  a boundary face has no partner.
 SpaceTile decode_space_foam(const std::vector<EncodedFile>& files);
 
-/// Compares the other files of a case, the solver's settings and the initial state, with those of
-/// its mesh; files from which the user removed the note of pcvt are skipped.
+/// Compares the files of a case with those that encode_space_foam() gives for its tile: the words
+/// of the mesh, the solver's settings and the initial state. Files outside of constant/polyMesh
+/// from which the user removed the note of pcvt are skipped.
 /// @throws BadFile  naming the file, the line and both words.
 void compare_space_case(const std::vector<EncodedFile>& files, const SpaceTile& tile);
 

@@ -63,6 +63,9 @@ TEST(SpaceFoam, RefusesPatchesThatAreNoSeam) {
 
 TEST(SpaceFoam, ComparesTheCaseWithItsMesh) {
     EXPECT_THAT(fault_of("0/U", "type cyclic", "type empty"), HasSubstr("0/U"));
+    EXPECT_THAT(fault_of("boundary", "separationVector (", "separationVector (1"),
+                HasSubstr("boundary"));
+    EXPECT_THAT(fault_of("boundary", "translational", "rotational"), HasSubstr("boundary"));
     EXPECT_THAT(fault_of("system/controlDict", "icoFoam", "pisoFoam"), HasSubstr("controlDict"));
 }
 
