@@ -122,19 +122,10 @@ std::string boundary_field(const ExtrudedMesh& extruded, const std::string& at_w
     return text + "}\n";
 }
 
-/// Returns the first lines of a field with one value a cell, which `n` values and `);` follow.
-std::string field_head(const std::string& type, const std::string& field,
-                       const std::string& dimensions, std::size_t n) {
-    return foam_header(type == "vector" ? "volVectorField" : "volScalarField", "0", field) +
-           "dimensions " + dimensions + ";\ninternalField nonuniform List<" + type + ">\n" +
-           std::to_string(n) + "\n(\n";
-}
-
 }  // namespace
 
-std::string foam_control(const DecayingFlow& flow, const CellFlow& cells) {
-    const double end = flow.turn_time();
-    const double steps = std::max(kLeastSteps, end * cells.courant_rate / kCourant);
+std::string foam_control(double end, double courant_rate) {
+    const double steps = std::max(kLeastSteps, end * courant_rate / kCourant);
     const double interval = std::ceil(steps / kWrites);
     return foam_header("dictionary", "system", "controlDict") +
            foam_fill(kControl,
@@ -173,7 +164,7 @@ std::string foam_turbulence() {
 }
 
 std::string foam_velocity(const CellFlow& cells, const ExtrudedMesh& extruded) {
-    std::string text = field_head("vector", "U", "[0 1 -1 0 0 0 0]", cells.velocity.size());
+    std::string text = foam_field_head("vector", "U", "[0 1 -1 0 0 0 0]", cells.velocity.size());
     for (const Vec2& u : cells.velocity) {
         append_foam_vector(text, {u.x(), u.y(), 0});
         text += '\n';
@@ -188,7 +179,7 @@ std::string foam_pressure(const ExtrudedMesh& extruded) {
 }
 
 std::string foam_tracer(const CellFlow& cells, const ExtrudedMesh& extruded) {
-    std::string text = field_head("scalar", "T", "[0 0 0 0 0 0 0]", cells.tracer.size());
+    std::string text = foam_field_head("scalar", "T", "[0 0 0 0 0 0 0]", cells.tracer.size());
     for (const double value : cells.tracer) {
         append_number(text, value);
         text += '\n';

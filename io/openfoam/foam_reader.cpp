@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "io/openfoam/foam_lists.hpp"
 #include "io/openfoam/foam_scanner.hpp"
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/material_words.hpp"
@@ -12,51 +13,6 @@
 
 namespace pcvt {
 namespace {
-
-const EncodedFile& file_named(const std::vector<EncodedFile>& files, const std::string& name) {
-    const std::string end = "constant/polyMesh/" + name;
-    for (const EncodedFile& file : files) {
-        if (file.path.ends_with(end)) return file;
-    }
-    throw BadFile(files.front().path + ": there is no " + end + " beside it; give a whole case");
-}
-
-void read_points(const EncodedFile& file, ExtrudedMesh& extruded) {
-    FoamScanner scanner(file.path, file.bytes);
-    const int n = scanner.begin_list();
-    extruded.points.reserve(static_cast<std::size_t>(n));
-    for (int k = 0; k < n; ++k) {
-        scanner.expect("(");
-        const double x = scanner.number();
-        const double y = scanner.number();
-        const double z = scanner.number();
-        extruded.points.emplace_back(x, y, z);
-        scanner.expect(")");
-    }
-    scanner.expect(")");
-}
-
-void read_faces(const EncodedFile& file, ExtrudedMesh& extruded) {
-    FoamScanner scanner(file.path, file.bytes);
-    const int n = scanner.begin_list();
-    extruded.faces.begin.reserve(static_cast<std::size_t>(n) + 1);
-    for (int k = 0; k < n; ++k) {
-        for (int left = scanner.begin_list(); left > 0; --left) {
-            extruded.faces.corners.push_back(scanner.integer());
-        }
-        scanner.expect(")");
-        extruded.faces.close();
-    }
-    scanner.expect(")");
-}
-
-std::vector<int> read_labels(const EncodedFile& file) {
-    FoamScanner scanner(file.path, file.bytes);
-    std::vector<int> labels(static_cast<std::size_t>(scanner.begin_list()));
-    for (int& label : labels) label = scanner.integer();
-    scanner.expect(")");
-    return labels;
-}
 
 /// Returns (I, J) of the name seam_I_J; `nullopt` for any other name.
 std::optional<Offset> named_offset(const std::string& name) {
@@ -201,7 +157,7 @@ void give_notes(const EncodedFile& boundary, FileTileBuilder comments, Tile& til
 }  // namespace
 
 TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
-    const EncodedFile& boundary = file_named(files, "boundary");
+    const EncodedFile& boundary = foam_mesh_file(files, "boundary");
     for (const EncodedFile& file : files) {
         refuse_binary(file.path, file.bytes, "write the case with writeFormat ascii");
     }
@@ -211,15 +167,15 @@ TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<
         throw BadFile(boundary.path + ": the file names no lattice; pass --lattice AX,AY,BX,BY");
     }
     ExtrudedMesh extruded{.lattice = *known, .kind = comments.kind.value_or(MeshKind::kVoronoi)};
-    read_points(file_named(files, "points"), extruded);
-    read_faces(file_named(files, "faces"), extruded);
-    extruded.owner = read_labels(file_named(files, "owner"));
-    extruded.neighbour = read_labels(file_named(files, "neighbour"));
+    extruded.points = foam_points(foam_mesh_file(files, "points"));
+    extruded.faces = foam_faces(foam_mesh_file(files, "faces"));
+    extruded.owner = foam_labels(foam_mesh_file(files, "owner"));
+    extruded.neighbour = foam_labels(foam_mesh_file(files, "neighbour"));
     read_boundary(boundary, extruded);
     const bool states_lattice = comments.lattice.has_value();
     Tile tile = extruded_base(extruded);
     CellMaterials materials = std::move(comments.materials);
-    if (!materials.empty()) file_named(files, "cellZones");
+    if (!materials.empty()) foam_mesh_file(files, "cellZones");
     give_notes(boundary, std::move(comments), tile);
     require_materials(boundary.path, materials, n_stated_sites(tile));
     return {.tile = std::move(tile),

@@ -14,6 +14,13 @@ std::string foam_header(const std::string& kind, const std::string& location,
     return location == kMeshFolder ? text : text + kCaseNote;
 }
 
+std::string foam_field_head(const std::string& type, const std::string& field,
+                            const std::string& dimensions, std::size_t n) {
+    return foam_header(type == "vector" ? "volVectorField" : "volScalarField", "0", field) +
+           "dimensions " + dimensions + ";\ninternalField nonuniform List<" + type + ">\n" +
+           std::to_string(n) + "\n(\n";
+}
+
 void append_foam_vector(std::string& text, std::initializer_list<double> numbers) {
     char before = '(';
     for (const double number : numbers) {

@@ -17,6 +17,11 @@ inline constexpr const char* kCaseNote =
 std::string foam_header(const std::string& kind, const std::string& location,
                         const std::string& object, const std::string& note = "");
 
+/// Returns the first lines of a field with one value a cell, which `n` values and `);` follow.
+/// @param type  "scalar" or "vector".
+std::string foam_field_head(const std::string& type, const std::string& field,
+                            const std::string& dimensions, std::size_t n);
+
 /// Appends "(1 2 3)".
 void append_foam_vector(std::string& text, std::initializer_list<double> numbers);
 

@@ -188,7 +188,7 @@ std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder
                                          encode_zones(tile, phases),
                                          foam_transport(flow, cells),
                                          foam_turbulence(),
-                                         foam_control(flow, cells),
+                                         foam_control(flow.turn_time(), cells.courant_rate),
                                          foam_schemes(),
                                          foam_solution(),
                                          foam_velocity(cells, extruded),

@@ -13,7 +13,8 @@ Vec2 parse_site(const LineScanner& scanner, const std::vector<std::string_view>&
     for (const std::string_view word : words) numbers.push_back(scanner.number(word));
     if (numbers.size() != 2) {
         scanner.throw_bad_file("a site has 2 coordinates, this line has " +
-                               std::to_string(numbers.size()) + "; write \"x y\"");
+                               std::to_string(numbers.size()) + "; write \"x y\"" +
+                               (numbers.size() == 3 ? ", or give three periods" : ""));
     }
     return {numbers[0], numbers[1]};
 }

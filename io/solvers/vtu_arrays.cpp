@@ -59,7 +59,9 @@ bool is_vtu_array(std::string_view key) {
 
 }  // namespace
 
-VtuArrays::VtuArrays(const std::string& name, std::string_view text) : scanner_(name, text) {
+VtuArrays::VtuArrays(const std::string& name, std::string_view text,
+                     std::span<const std::string_view> further)
+    : scanner_(name, text) {
     if (scanner_.next() != Event::kBegin || scanner_.element() != "VTKFile" ||
         scanner_.attribute("type") != "UnstructuredGrid") {
         throw BadFile(name + ": is not a VTKFile with an UnstructuredGrid; give a VTU");
@@ -70,7 +72,7 @@ VtuArrays::VtuArrays(const std::string& name, std::string_view text) : scanner_(
         if (scanner_.element() == "Piece") {
             read_piece();
         } else if (scanner_.element() == "DataArray") {
-            read_array(section);
+            read_array(section, further);
         } else {
             section = std::string(scanner_.element());
         }
@@ -124,11 +126,12 @@ void VtuArrays::read_piece() {
     n_cells_ = count("NumberOfCells");
 }
 
-void VtuArrays::read_array(const std::string& section) {
+void VtuArrays::read_array(const std::string& section, std::span<const std::string_view> further) {
     // The array of points may have any name.
     const std::string name(scanner_.attribute("Name").value_or(""));
     const std::string key = section + "/" + (section == "Points" ? "Points" : name);
-    if (!is_vtu_array(key)) return;
+    const bool wanted = std::find(further.begin(), further.end(), key) != further.end();
+    if (!wanted && !is_vtu_array(key)) return;
     if (scanner_.attribute("format").value_or("ascii") != "ascii") {
         scanner_.throw_bad_file(scanner_.line(),
                                 "the array " + key + " is binary; export it as ASCII");

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,9 +34,11 @@ struct VtuArray {
 ///     const VtuArray& points = arrays.get("Points/Points", arrays.n_points(), 3, false);
 class VtuArrays {
    public:
+    /// @param further  SECTION/NAME of arrays that are read as well.
     /// @throws BadFile  the text is no VTKFile with one piece of an UnstructuredGrid and arrays in
     ///         ASCII; an array is there twice.
-    VtuArrays(const std::string& name, std::string_view text);
+    VtuArrays(const std::string& name, std::string_view text,
+              std::span<const std::string_view> further = {});
 
     int n_points() const { return n_points_; }
     int n_cells() const { return n_cells_; }
@@ -54,7 +57,7 @@ class VtuArrays {
     int count(std::string_view key) const;
     int integer(std::string_view word, int line) const;
     void read_piece();
-    void read_array(const std::string& section);
+    void read_array(const std::string& section, std::span<const std::string_view> further);
     void add_value(std::string_view word, int line, VtuArray& array) const;
 
     XmlScanner scanner_;

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "io/bytes/text.hpp"
+#include "io/bytes/vtk_text.hpp"
 #include "io/elements/solver_nodes.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/tiles/finite.hpp"
@@ -17,44 +17,17 @@ constexpr int kVtkTriangle = 5;
 constexpr int kVtkPolygon = 7;
 constexpr int kVtkQuadraticTriangle = 22;
 
-template <class Number>
-void append_word(std::string& text, Number number) {
-    append_number(text, number);
-    text += ' ';
-}
-
-void end_line(std::string& text) { text.back() = '\n'; }
-
-/// Opens an array; `attributes` holds further attributes, each with a blank before it.
-void open_array(std::string& text, const char* type, const char* name,
-                const std::string& attributes = "") {
-    text += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\"" + attributes +
-            " format=\"ascii\">\n";
-}
-
-void close_array(std::string& text) { text += "</DataArray>\n"; }
-
-void append_integers(std::string& text, const char* type, const char* name,
-                     const std::vector<int>& values) {
-    open_array(text, type, name);
-    for (const int value : values) {
-        append_word(text, value);
-        end_line(text);
-    }
-    close_array(text);
-}
-
 /// Appends an array of the whole grid with two numbers a tuple.
 void append_vectors(std::string& text, const char* name, const std::vector<Vec2>& vectors) {
-    open_array(
+    open_vtk_array(
         text, "Float64", name,
         " NumberOfTuples=\"" + std::to_string(vectors.size()) + "\" NumberOfComponents=\"2\"");
     for (const Vec2& vector : vectors) {
-        append_word(text, vector.x());
-        append_word(text, vector.y());
-        end_line(text);
+        append_vtk_word(text, vector.x());
+        append_vtk_word(text, vector.y());
+        end_vtk_line(text);
     }
-    close_array(text);
+    close_vtk_array(text);
 }
 
 /// Appends a note as an array: of each site a tuple, of the tile the numbers in one line.
@@ -64,35 +37,36 @@ void append_note(std::string& text, const StatedNote& stated) {
     std::string attributes =
         " NumberOfTuples=\"" + std::to_string(stated.numbers.size() / width) + '"';
     if (width > 1) attributes += " NumberOfComponents=\"" + std::to_string(width) + '"';
-    open_array(text, note.of_integers ? "Int32" : "Float64", note.array.data(), attributes);
+    open_vtk_array(text, note.of_integers ? "Int32" : "Float64", note.array.data(), attributes);
     const std::size_t in_line = note.n_parts;
     for (std::size_t k = 0; k < stated.numbers.size(); ++k) {
-        append_word(text, stated.numbers[k]);
-        if ((k + 1) % in_line == 0) end_line(text);
+        append_vtk_word(text, stated.numbers[k]);
+        if ((k + 1) % in_line == 0) end_vtk_line(text);
     }
-    close_array(text);
+    close_vtk_array(text);
 }
 
 /// Appends strings as VTK's text files hold them: the codes of their characters, each string ended
 /// by 0.
 void append_strings(std::string& text, const char* name, const std::vector<std::string>& strings) {
-    open_array(text, "String", name, " NumberOfTuples=\"" + std::to_string(strings.size()) + '"');
+    open_vtk_array(text, "String", name,
+                   " NumberOfTuples=\"" + std::to_string(strings.size()) + '"');
     for (const std::string& string : strings) {
-        for (const char c : string) append_word(text, int{c});
-        append_word(text, 0);
-        end_line(text);
+        for (const char c : string) append_vtk_word(text, int{c});
+        append_vtk_word(text, 0);
+        end_vtk_line(text);
     }
-    close_array(text);
+    close_vtk_array(text);
 }
 
 void append_site_phases(std::string& text, const std::vector<int>& phases) {
-    open_array(text, "Int32", "SitePhases",
-               " NumberOfTuples=\"" + std::to_string(phases.size()) + '"');
+    open_vtk_array(text, "Int32", "SitePhases",
+                   " NumberOfTuples=\"" + std::to_string(phases.size()) + '"');
     for (const int phase : phases) {
-        append_word(text, phase);
-        end_line(text);
+        append_vtk_word(text, phase);
+        end_vtk_line(text);
     }
-    close_array(text);
+    close_vtk_array(text);
 }
 
 /// Appends the names of holes, and the hole and the two points of each edge on one.
@@ -101,14 +75,14 @@ void append_holes(std::string& text, const Tile& tile) {
     append_strings(text, "HoleNames", tile.holes);
     const auto n = std::count_if(tile.wall_edges.begin(), tile.wall_edges.end(),
                                  [](const WallEdge& edge) { return edge.wall.is_hole(); });
-    open_array(text, "Int32", "HoleEdges",
-               " NumberOfTuples=\"" + std::to_string(n) + "\" NumberOfComponents=\"3\"");
+    open_vtk_array(text, "Int32", "HoleEdges",
+                   " NumberOfTuples=\"" + std::to_string(n) + "\" NumberOfComponents=\"3\"");
     for (const auto& [wall, v, w] : tile.wall_edges) {
         if (!wall.is_hole()) continue;
-        for (const int number : {wall.hole(), v, w}) append_word(text, number);
-        end_line(text);
+        for (const int number : {wall.hole(), v, w}) append_vtk_word(text, number);
+        end_vtk_line(text);
     }
-    close_array(text);
+    close_vtk_array(text);
 }
 
 void append_field_data(std::string& text, const Tile& tile, const CellMaterials& materials) {
@@ -135,34 +109,34 @@ void append_point_data(std::string& text, const Tile& tile, const SolverNodes& n
     }
     // Ids and offsets.
     text += "<PointData GlobalIds=\"GlobalIds\">\n";
-    append_integers(text, "Int64", "GlobalIds", ids);
-    append_integers(text, "Int64", "PeriodicPointIds", orbits);
-    open_array(text, "Int32", "PeriodicOffset", " NumberOfComponents=\"2\"");
+    append_vtk_integers(text, "Int64", "GlobalIds", ids);
+    append_vtk_integers(text, "Int64", "PeriodicPointIds", orbits);
+    open_vtk_array(text, "Int32", "PeriodicOffset", " NumberOfComponents=\"2\"");
     for (const Offset& offset : offsets) {
-        append_word(text, offset.i);
-        append_word(text, offset.j);
-        end_line(text);
+        append_vtk_word(text, offset.i);
+        append_vtk_word(text, offset.j);
+        end_vtk_line(text);
     }
-    close_array(text);
+    close_vtk_array(text);
     // Sites of vertices; midside nodes have none.
     if (!tile.vertex_site.empty()) {
         std::vector<SiteId> sites = tile.vertex_site;
         sites.resize(nodes.points.size(), -1);
-        append_integers(text, "Int32", "CellId", sites);
+        append_vtk_integers(text, "Int32", "CellId", sites);
     }
     text += "</PointData>\n";
 }
 
 void append_points(std::string& text, const std::vector<Vec2>& points) {
     text += "<Points>\n";
-    open_array(text, "Float64", "Points", " NumberOfComponents=\"3\"");
+    open_vtk_array(text, "Float64", "Points", " NumberOfComponents=\"3\"");
     for (const Vec2& p : points) {
-        append_word(text, p.x());
-        append_word(text, p.y());
-        append_word(text, 0);
-        end_line(text);
+        append_vtk_word(text, p.x());
+        append_vtk_word(text, p.y());
+        append_vtk_word(text, 0);
+        end_vtk_line(text);
     }
-    close_array(text);
+    close_vtk_array(text);
     text += "</Points>\n";
 }
 
@@ -175,19 +149,19 @@ void append_cells(std::string& text, const Tile& tile, const SolverNodes& nodes)
     std::vector<int> ends;
     int end = 0;
     text += "<Cells>\n";
-    open_array(text, "Int64", "connectivity");
+    open_vtk_array(text, "Int64", "connectivity");
     for (int f = 0; f < tile.n_faces(); ++f) {
         for (const int v : element_nodes(tile, nodes, f)) {
-            append_word(text, v);
+            append_vtk_word(text, v);
             ++end;
         }
-        end_line(text);
+        end_vtk_line(text);
         ends.push_back(end);
     }
-    close_array(text);
-    append_integers(text, "Int64", "offsets", ends);
-    append_integers(text, "UInt8", "types",
-                    std::vector<int>(static_cast<std::size_t>(tile.n_faces()), vtk_type(tile)));
+    close_vtk_array(text);
+    append_vtk_integers(text, "Int64", "offsets", ends);
+    append_vtk_integers(text, "UInt8", "types",
+                        std::vector<int>(static_cast<std::size_t>(tile.n_faces()), vtk_type(tile)));
     text += "</Cells>\n";
 }
 
@@ -198,14 +172,14 @@ void append_numbers_of_sites(std::string& text, const char* name, std::vector<in
     // Of a file under proof, the numbers are those of its own cells.
     const auto is_known = [&](int cell) { return std::cmp_less(cell, of_site.size()); };
     for (int& cell : cells) cell = is_known(cell) ? of_site[cell] : -1;
-    append_integers(text, "Int32", name, cells);
+    append_vtk_integers(text, "Int32", name, cells);
 }
 
 void append_cell_data(std::string& text, const Tile& tile, std::span<const int> site_orbits,
                       const CellMaterials& materials) {
     const std::vector<int> cells = element_cells(tile);
     text += "<CellData>\n";
-    append_integers(text, "Int32", "CellId", cells);
+    append_vtk_integers(text, "Int32", "CellId", cells);
     append_numbers_of_sites(text, "Orbit", cells, site_orbits);
     append_numbers_of_sites(text, "Phase", cells, materials.site_phase);
     text += "</CellData>\n";

@@ -125,6 +125,8 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
         "Rebuilds the seam from positions and lattice alone and compares it with the stored one:\n"
         "each boundary edge has one reversed partner by one lattice vector, the tile is a disc,\n"
         "its Euler characteristic is 0 after gluing, the areas sum to that of the domain.\n"
+        "Polyhedra (.vtu, .foam): each cell is convex and closed, each face has two cells or one\n"
+        "partner by one lattice vector, and the cells are the Voronoi cells of the sites.\n"
         "Site ids are proved too; in files of pcvt for solvers each group, set and array must\n"
         "be the one that follows from the tile.\n"
         "Reads regular files of at most 4 GiB each.\n\n"

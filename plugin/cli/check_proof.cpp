@@ -9,12 +9,14 @@
 #include "io/bytes/text.hpp"
 #include "io/file_proof.hpp"
 #include "io/outputs/recovery.hpp"
+#include "io/space/space_formats.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/density/density_centroid.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/cell_options.hpp"
 #include "plugin/cli/checks/area_check.hpp"
 #include "plugin/cli/checks/inclusion_check.hpp"
+#include "plugin/cli/checks/space_check.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/job/job_files.hpp"
 
@@ -212,11 +214,28 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
            (question.areas ? prove_voxel_areas(path, file, *question.areas) : "") + "\n";
 }
 
+/// The proof of a tile of polyhedra as a line.
+std::string prove_polyhedral_tile(const std::string& path, const std::vector<EncodedFile>& files,
+                                  const Question& question) {
+    const bool of_the_plane =
+        question.lattice || question.areas || question.inclusions || !question.density.empty();
+    if (of_the_plane) {
+        throw BadFile(path +
+                      ": holds polyhedra, which state their lattice and are proved without further "
+                      "options but --cvt; leave the others out");
+    }
+    return prove_space_tile(path, files, question.cvt_tolerance);
+}
+
 /// The proof of a tile as a line.
 /// @param content  becomes the thing that the file states to be.
 std::string prove_one_tile(const TileFormat& format, const std::string& path,
                            const Question& question, std::string& content) {
     const std::vector<EncodedFile> files = read_files(format, path);
+    if (hold_space_tile(files)) {
+        content = "a periodic tile of polyhedra";
+        return prove_polyhedral_tile(path, files, question);
+    }
     const TileFile file = decode_tile(format, files, question.lattice);
     content = content_of(file.tile.walls);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);

@@ -56,6 +56,8 @@ std::string formats_help() {
                 std::string(8 - format.extension.size(), ' ') + std::string(format.description) +
                 (format.is_readable() ? "; pcvt check reads it" : "") + "\n";
     }
+    text +=
+        "\nWith three period vectors .vtu and .foam hold polyhedra, and .txt \"x y z\" a line.\n";
     return text + "\nExample:\n  pcvt mesh --sites 300 --mesh grains -o tile.msh -o tile.svg\n";
 }
 

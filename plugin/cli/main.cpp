@@ -8,6 +8,7 @@
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/mesh_command.hpp"
 #include "plugin/cli/pattern_command.hpp"
+#include "plugin/cli/space_command.hpp"
 #include "plugin/cli/study_command.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -79,6 +80,11 @@ std::string command_name(const CommandLine& line) {
 }
 
 ExitCode run_chosen(const CommandLine& line) {
+    if (line.mesh->parsed() && means_space(line.mesh_options)) {
+        const SpaceJob job = make_space_job(*line.mesh, line.mesh_options);
+        end_start_guard();
+        return run_space_mesh(job, line.mesh_options);
+    }
     if (line.mesh->parsed()) {
         const Job job = make_job(*line.mesh, line.mesh_options);
         end_start_guard();

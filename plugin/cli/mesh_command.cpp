@@ -81,19 +81,19 @@ void print_summary(const Job& job, const RunSummary& summary) {
     }
 }
 
-ExitCode cancelled() {
+}  // namespace
+
+ExitCode report_cancelled() {
     std::fputs("pcvt: cancelled; nothing was written\n", stderr);
     return cancel_signal() == SIGTERM ? ExitCode::kTerminated : ExitCode::kInterrupted;
 }
 
-ExitCode not_converged(const RunSummary& summary, double tolerance) {
+ExitCode report_not_converged(const RunStatistics& run, double tolerance) {
     std::fprintf(stderr,
                  "pcvt: not converged (%s, residual %.3g, tolerance %.3g); the files are written\n",
-                 stop_name(summary.run.stop), summary.run.residual, tolerance);
+                 stop_name(run.stop), run.residual, tolerance);
     return ExitCode::kNotConverged;
 }
-
-}  // namespace
 
 ExitCode run_mesh(Job job, const MeshOptions& options) {
     RunSummary summary;
@@ -106,10 +106,10 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
         read_area_file(job);
         summary = run_file(job, file, options.quiet);
     }
-    if (summary.run.stop == Stop::kCancelled) return cancelled();
+    if (summary.run.stop == Stop::kCancelled) return report_cancelled();
     if (!options.quiet) print_summary(job, summary);
     if (options.strict && summary.run.stop != Stop::kConverged) {
-        return not_converged(summary, job.tolerance);
+        return report_not_converged(summary.run, job.tolerance);
     }
     return ExitCode::kDone;
 }

@@ -10,4 +10,9 @@ namespace pcvt::cli {
 /// @throws the exceptions of describe_failure.
 ExitCode run_mesh(Job job, const MeshOptions& options);
 
+/// Report the end of a cancelled run, or of one that did not converge, on standard error.
+/// @returns the exit code of the command.
+ExitCode report_cancelled();
+ExitCode report_not_converged(const RunStatistics& run, double tolerance);
+
 }  // namespace pcvt::cli

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "plugin/cli/help_command.hpp"
+#include "plugin/cli/options/mesh_examples.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
@@ -32,25 +33,6 @@ struct OutlineRow {
 };
 constexpr std::array kOutlines{OutlineRow{Outline::kWhole, "whole", 0},
                                OutlineRow{Outline::kBox, "box", 1}};
-
-constexpr const char* kExamples =
-    "Examples:\n"
-    "  pcvt mesh --sites 300 -o tile.obj\n"
-    "      300 random sites on the unit square, optimised; tile.obj, tile.mtl, tile.seam.json\n"
-    "  pcvt mesh --sites 300 --seed 7 --lattice 1,0,0.37,0.81 -o tile.glb -o tile.svg\n"
-    "      an oblique lattice; a picture beside the mesh\n"
-    "  pcvt mesh --input sites.txt --period 2,1 --mesh voronoi --mesh delaunay -o tile.ply\n"
-    "      your own sites; writes tile-voronoi.ply and tile-delaunay.ply\n"
-    "  pcvt mesh --input sites.txt --max-iterations 0 -o tile.obj\n"
-    "      the periodic Voronoi diagram of the sites as given\n"
-    "  pcvt mesh --sites 30 --repeat 2x3 --strict --report run.json -o tile.om -o sites.txt\n"
-    "      a tile of 2 x 3 domains; exit code 5 if the tolerance was not reached\n"
-    "  pcvt mesh --sites 2000 --density '1 + 99 * exp(-((v - 0.5) / 0.1)^2)' -o ridge.svg\n"
-    "      a graded mesh, fine along the line v = 0.5\n"
-    "  pcvt mesh --sites 1000 --areas lognormal:0.42 --max-iterations 5 --cells grains.csv\n"
-    "      the table of a polycrystal with a law of grain sizes; add -o for meshes and pictures\n"
-    "  pcvt mesh --sites 200 --mesh grains --phases soft:0.7,hard:0.3 --job elastic -o job.inp\n"
-    "      a periodic element of two phases; `ccx job` computes its stiffness\n";
 
 void add(CLI::App& app, const char* name, std::string& value, const std::string& form,
          const std::string& description) {
@@ -107,10 +89,11 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
         "take the next seed, at most K times, while an output refuses the cells\n(.nc: obtuse "
         "triangles) [0]");
     add(app, "--input", options.input, "FILE",
-        "read the sites, \"x y\" a line, # comments, from a regular file of at\n"
-        "most 16 GiB; - is standard input, at most 1 GiB");
-    add(app, "--period", options.period, "W,H", "a rectangle [1,1]");
-    add(app, "--lattice", options.lattice, "AX,AY,BX,BY", "any two independent period vectors");
+        "read the sites, \"x y\" a line (in space \"x y z\"), # comments, from a\n"
+        "regular file of at most 16 GiB; - is standard input, at most 1 GiB");
+    add(app, "--period", options.period, "W,H", "a rectangle [1,1]; W,H,D: a box in space");
+    add(app, "--lattice", options.lattice, "AX,AY,BX,BY",
+        "two independent period vectors; nine numbers: three, in space");
     add(app, "--symmetry", options.symmetry, "GROUP",
         "drawn sites with the symmetry of a plane group, which they keep:\n" + plane_group_words() +
             ";\n--sites counts those of one period; without a lattice the unit square,\nor "
@@ -314,7 +297,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_solver_options(app, options);
     add_material_options(app, options.materials);
     add_output_options(app, options);
-    app.footer(kExamples);
+    app.footer(kMeshExamples);
 }
 
 Job make_job(const CLI::App& app, const MeshOptions& options) {

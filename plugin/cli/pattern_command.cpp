@@ -28,6 +28,8 @@ constexpr const char* kForeign[] = {"--seed",      "--input",          "--start"
 void add_pattern_options(CLI::App& app, MeshOptions& options) {
     add_mesh_options(app, options);
     app.get_option("--sites")->description("the number of cells, 1 to 268435456");
+    app.get_option("--period")->description("a rectangle [1,1]");
+    app.get_option("--lattice")->description("any two independent period vectors");
     app.get_option("--threads")->group("Output");
     for (const char* name : kForeign) app.get_option(name)->group("");
     app.footer(kExamples);

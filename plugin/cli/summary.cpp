@@ -16,12 +16,6 @@ std::string vector_text(const Vec2& v) {
     return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ")";
 }
 
-std::string line(const char* label, const std::string& text) {
-    char head[16];
-    std::snprintf(head, sizeof head, "%-10s ", label);
-    return head + text + "\n";
-}
-
 std::string valence_text(const RunSummary& summary) {
     std::string text = std::to_string(summary.n_hexagons) + " of " +
                        std::to_string(summary.n_sites) + " cells; sides";
@@ -59,25 +53,27 @@ std::string tile_lines(const RunSummary& summary) {
     std::string text;
     if (!summary.tiles.empty()) {
         const TileFigures& first = summary.tiles.front();
-        text += line("domain", vector_text(first.domain_corner) + " to " +
-                                   vector_text(first.opposite_corner));
+        text += summary_line("domain", vector_text(first.domain_corner) + " to " +
+                                           vector_text(first.opposite_corner));
     }
     for (const TileFigures& tile : summary.tiles) {
-        text += line("seam", std::string(mesh_kind_row(tile.kind).word) + ", " +
-                                 std::to_string(tile.n_boundary_edges) + " boundary edges in " +
-                                 std::to_string(tile.n_edge_pairs) + " pairs" +
-                                 (tile.n_wall_edges > 0
-                                      ? ", " + std::to_string(tile.n_wall_edges) + " on walls"
-                                      : ""));
+        text +=
+            summary_line("seam", std::string(mesh_kind_row(tile.kind).word) + ", " +
+                                     std::to_string(tile.n_boundary_edges) + " boundary edges in " +
+                                     std::to_string(tile.n_edge_pairs) + " pairs" +
+                                     (tile.n_wall_edges > 0
+                                          ? ", " + std::to_string(tile.n_wall_edges) + " on walls"
+                                          : ""));
         if (tile.box_shortest_edge) {
-            text +=
-                line("box", "shortest edge of the cut " + figure(*tile.box_shortest_edge) + " h");
+            text += summary_line(
+                "box", "shortest edge of the cut " + figure(*tile.box_shortest_edge) + " h");
         }
-        if (tile.grains) text += line("grains", grain_text(*tile.grains));
+        if (tile.grains) text += summary_line("grains", grain_text(*tile.grains));
         // Without joined corners, each cell has the area that the line "areas" states.
         if (tile.area_error && *tile.area_error > 0) {
-            text += line("meshed", std::string(mesh_kind_row(tile.kind).word) +
-                                       ", areas off by at most " + figure(*tile.area_error));
+            text +=
+                summary_line("meshed", std::string(mesh_kind_row(tile.kind).word) +
+                                           ", areas off by at most " + figure(*tile.area_error));
         }
     }
     return text;
@@ -94,11 +90,12 @@ std::string stability_text(const LatticeStability& stability) {
 /// The best exact lattice, its energy and its stability.
 std::string pattern_lines(const PatternOutcome& pattern) {
     const LatticePattern& lattice = pattern.lattice;
-    return line("pattern", vector_text(lattice.basis.a()) + " " + vector_text(lattice.basis.b()) +
-                               ", energy " + figure(lattice.energy) + ", " +
-                               figure(lattice.energy / lattice.energy_bound) +
-                               " of the hexagonal bound") +
-           line("stability", stability_text(pattern.stability));
+    return summary_line("pattern", vector_text(lattice.basis.a()) + " " +
+                                       vector_text(lattice.basis.b()) + ", energy " +
+                                       figure(lattice.energy) + ", " +
+                                       figure(lattice.energy / lattice.energy_bound) +
+                                       " of the hexagonal bound") +
+           summary_line("stability", stability_text(pattern.stability));
 }
 
 std::string energy_text(const RunSummary& summary) {
@@ -115,27 +112,29 @@ std::string energy_text(const RunSummary& summary) {
 }
 
 std::string density_lines(const DensityFigures& density) {
-    std::string text =
-        line("density", "from " + figure(density.least) + " to " + figure(density.greatest) + ", " +
-                            figure(density.evaluations_per_site) + " evaluations a site");
-    text += line("mass", figure(density.mass) + ", off the integral of the density by " +
-                             figure(density.mass_deviation));
-    text += line("spacing", "off the law density^(-1/4) by " +
-                                figure(100 * density.spacing_deviation) + " % (median)");
+    std::string text = summary_line(
+        "density", "from " + figure(density.least) + " to " + figure(density.greatest) + ", " +
+                       figure(density.evaluations_per_site) + " evaluations a site");
+    text += summary_line("mass", figure(density.mass) + ", off the integral of the density by " +
+                                     figure(density.mass_deviation));
+    text += summary_line("spacing", "off the law density^(-1/4) by " +
+                                        figure(100 * density.spacing_deviation) + " % (median)");
     if (density.n_rough_cells == 0) return text;
-    return text + line("rough", std::to_string(density.n_rough_cells) +
-                                    " cells where the density is not smooth: their centroids are "
-                                    "known to " +
-                                    figure(density.quadrature_error) + " of their spacing");
+    return text +
+           summary_line("rough", std::to_string(density.n_rough_cells) +
+                                     " cells where the density is not smooth: their centroids are "
+                                     "known to " +
+                                     figure(density.quadrature_error) + " of their spacing");
 }
 
 std::string area_lines(const Job& job, const AreaSummary& areas) {
-    return line("areas", job.areas->name + ", diameters with std / mean " +
-                             figure(areas.std_over_mean) + ", off by at most " +
-                             figure(areas.newton.largest_relative_error) + " after " +
-                             counted(areas.newton.newton_steps, "Newton step")) +
-           line("shapes", "circularity " + figure(areas.circularity_mean) + " +- " +
-                              figure(areas.circularity_std) + ", of a regular hexagon 0.952");
+    return summary_line("areas", job.areas->name + ", diameters with std / mean " +
+                                     figure(areas.std_over_mean) + ", off by at most " +
+                                     figure(areas.newton.largest_relative_error) + " after " +
+                                     counted(areas.newton.newton_steps, "Newton step")) +
+           summary_line("shapes", "circularity " + figure(areas.circularity_mean) + " +- " +
+                                      figure(areas.circularity_std) +
+                                      ", of a regular hexagon 0.952");
 }
 
 std::string inclusion_text(const InterfaceFigures& figures) {
@@ -162,9 +161,9 @@ std::string hole_text(const Job& job, const RunSummary& summary) {
 std::string phase_lines(const RunSummary& summary) {
     std::string text;
     for (const PhaseFigures& phase : summary.phases) {
-        text += line("phase", phase.name + " " + figure(phase.reached) + " of the area in " +
-                                  std::to_string(phase.n_cells) + " cells; wanted " +
-                                  figure(phase.wanted));
+        text += summary_line("phase", phase.name + " " + figure(phase.reached) +
+                                          " of the area in " + std::to_string(phase.n_cells) +
+                                          " cells; wanted " + figure(phase.wanted));
     }
     return text;
 }
@@ -181,48 +180,56 @@ std::string seed_text(const Job& job, const RunSummary& summary) {
 
 }  // namespace
 
+std::string summary_line(const char* label, const std::string& text) {
+    char head[16];
+    std::snprintf(head, sizeof head, "%-10s ", label);
+    return head + text + "\n";
+}
+
 std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
-    text += line("sites", site_text(job, summary));
-    text += line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
-    if (summary.seed != job.seed) text += line("seed", seed_text(job, summary));
-    text += line("stop", std::string(stop_name(summary.run.stop)) + " after " +
-                             counted(summary.run.iterations, "iteration") + ", " +
-                             counted(summary.run.evaluations, "evaluation"));
+    text += summary_line("sites", site_text(job, summary));
+    text +=
+        summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
+    if (summary.seed != job.seed) text += summary_line("seed", seed_text(job, summary));
+    text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
+                                     counted(summary.run.iterations, "iteration") + ", " +
+                                     counted(summary.run.evaluations, "evaluation"));
     if (summary.run.hessians > 0) {
-        text += line("newton", counted(summary.run.hessians, "Hessian") + ", " +
-                                   counted(summary.run.cg_products, "product") + " with vectors");
+        text += summary_line("newton", counted(summary.run.hessians, "Hessian") + ", " +
+                                           counted(summary.run.cg_products, "product") +
+                                           " with vectors");
     }
-    text += line("energy", energy_text(summary));
-    text += line("residual", figure(summary.run.residual));
-    if (job.stability) text += line("minimum", minimum_text(summary));
-    text += line("hexagons", valence_text(summary));
-    if (!summary.start.found.empty()) text += line("found", summary.start.found);
+    text += summary_line("energy", energy_text(summary));
+    text += summary_line("residual", figure(summary.run.residual));
+    if (job.stability) text += summary_line("minimum", minimum_text(summary));
+    text += summary_line("hexagons", valence_text(summary));
+    if (!summary.start.found.empty()) text += summary_line("found", summary.start.found);
     if (summary.start.pattern) text += pattern_lines(*summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
     if (summary.areas) text += area_lines(job, *summary.areas);
     if (job.aspect) {
-        text += line("aspect", figure(job.aspect->ratio) + " along " + figure(job.aspect->degrees) +
-                                   " degrees");
+        text += summary_line("aspect", figure(job.aspect->ratio) + " along " +
+                                           figure(job.aspect->degrees) + " degrees");
     }
     if (job.symmetry) {
-        text += line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
-                                     std::to_string(summary.n_orbits) + " orbits");
+        text += summary_line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
+                                             std::to_string(summary.n_orbits) + " orbits");
     }
     if (job.walls != Walls::kNone) {
         const std::string on_walls = std::to_string(summary.n_on_walls) + " sites on walls";
-        text += line("walls", std::string(walls_row(job.walls).word) + ", " +
-                                  wall_cells_row(job.wall_cells).word + " cells" +
-                                  (summary.n_on_walls > 0 ? ", " + on_walls : ""));
+        text += summary_line("walls", std::string(walls_row(job.walls).word) + ", " +
+                                          wall_cells_row(job.wall_cells).word + " cells" +
+                                          (summary.n_on_walls > 0 ? ", " + on_walls : ""));
     }
-    if (summary.interfaces) text += line("inclusions", inclusion_text(*summary.interfaces));
-    if (!job.holes.empty()) text += line("holes", hole_text(job, summary));
+    if (summary.interfaces) text += summary_line("inclusions", inclusion_text(*summary.interfaces));
+    if (!job.holes.empty()) text += summary_line("holes", hole_text(job, summary));
     text += phase_lines(summary);
     text += tile_lines(summary);
-    for (const std::string& words : summary.recovered) text += line("recovered", words);
-    for (const std::string& file : summary.files) text += line("file", file);
-    if (!job.report.empty()) text += line("report", job.report);
-    text += line("seconds", figure(summary.seconds.total));
+    for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
+    for (const std::string& file : summary.files) text += summary_line("file", file);
+    if (!job.report.empty()) text += summary_line("report", job.report);
+    text += summary_line("seconds", figure(summary.seconds.total));
     return text;
 }
 

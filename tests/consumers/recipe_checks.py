@@ -54,7 +54,7 @@ def check_first_mesh(folder, text):
 def check_jobs(folder, text):
     require_files(folder, "grains.svg", "grains.csv", "job.inp", "grains.vti", "pairs.msh", "pairs.vtu",
                   "case.foam", "mesh.nc", "graded.svg", "seamless.glb", "seamless.png", "best.svg",
-                  "rosette.svg", "pattern.svg", "results/fig9.svg")
+                  "rosette.svg", "foam.vtu", "pattern.svg", "results/fig9.svg")
     require("did not" not in text, "a run did not converge")
 
 
@@ -177,6 +177,15 @@ def check_openfoam(folder, text):
     require_files(folder, "flow.svg")
 
 
+def check_space(folder, text):
+    require(text.count("a periodic tile of polyhedra: 1000 cells") == 2, "check does not accept the polyhedra")
+    require("Mesh OK." in text, "checkMesh finds faults")
+    case = folder / "space.foam"
+    fall = sum(speeds(case / "0.25/U")) / sum(speeds(case / "0/U"))
+    # With ten cells to the wave the rate is right within 5 %.
+    require_near(math.log(fall), -1, 0.05, "the logarithm of the fall of the speed")
+
+
 def check_graphics(folder, text):
     require_files(folder, "tile.html", "tile.glb", "tile.ply", "repeated.svg", "tile.png", "one.glb",
                   "viewer.ply", "cut.dxf", "cut.svg")
@@ -275,6 +284,7 @@ ROWS = {
         check_two_materials, programs=("gmsh", "getdp", "FreeFem++-nw"), modules=("dolfinx",)),
     ("Samples", "VTK"): Row(check_vtk, modules=("vtkmodules",)),
     ("Samples", "Fluid dynamics: OpenFOAM"): Row(check_openfoam, programs=("icoFoam",)),
+    ("Samples", "Polyhedra in space"): Row(check_space, programs=("icoFoam",)),
     ("Samples", "Flow past cylinders"): Row(check_cylinders, programs=("simpleFoam",)),
     ("Samples", "Graphics"): Row(check_graphics, programs=("meshlabserver", "xvfb-run", "xauth")),
     ("Samples", "Mathematics"): Row(check_mathematics),

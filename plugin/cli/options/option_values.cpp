@@ -69,6 +69,19 @@ Lattice make_lattice(const std::string& option, const std::string& text, const V
     }
 }
 
+/// The lattice with these coordinates of its period vectors, in the same way.
+SpaceLattice make_space_lattice(const std::string& option, const std::string& text,
+                                const std::vector<double>& numbers) {
+    const Eigen::Map<const Eigen::Matrix3d> periods(numbers.data());
+    try {
+        SpaceLattice lattice(periods.col(0), periods.col(1), periods.col(2));
+        reduce(lattice);
+        return lattice;
+    } catch (const InvalidInput& error) {
+        throw_bad_value(option, text, error.what());
+    }
+}
+
 }  // namespace
 
 int whole_number(const std::string& option, const std::string& text, int lowest, int highest) {
@@ -117,6 +130,18 @@ Lattice rectangle_lattice(const std::string& option, const std::string& text) {
 Lattice vector_lattice(const std::string& option, const std::string& text) {
     const std::vector<double> ab = numbers(option, text, 4, "AX,AY,BX,BY, such as 1,0,0.5,1");
     return make_lattice(option, text, {ab[0], ab[1]}, {ab[2], ab[3]});
+}
+
+SpaceLattice box_lattice(const std::string& option, const std::string& text) {
+    const std::vector<double> sides = numbers(option, text, 3, "W,H,D");
+    for (const double side : sides) {
+        if (!(side > 0)) throw_bad_value(option, text, "a side is not above 0; give W,H,D");
+    }
+    return make_space_lattice(option, text, {sides[0], 0, 0, 0, sides[1], 0, 0, 0, sides[2]});
+}
+
+SpaceLattice space_lattice(const std::string& option, const std::string& text) {
+    return make_space_lattice(option, text, numbers(option, text, 9, "AX,AY,AZ,BX,BY,BZ,CX,CY,CZ"));
 }
 
 Repetition repetition(const std::string& option, const std::string& text) {

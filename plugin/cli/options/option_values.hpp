@@ -8,6 +8,7 @@
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/lattice.hpp"
+#include "mesher/space/space_lattice.hpp"
 #include "mesher/voxels/voxel_grid.hpp"
 
 namespace pcvt::cli {
@@ -51,6 +52,12 @@ Lattice rectangle_lattice(const std::string& option, const std::string& text);
 
 /// "AX,AY,BX,BY", two independent vectors.
 Lattice vector_lattice(const std::string& option, const std::string& text);
+
+/// "W,H,D", all above 0: a box.
+SpaceLattice box_lattice(const std::string& option, const std::string& text);
+
+/// "AX,AY,AZ,BX,BY,BZ,CX,CY,CZ", three independent vectors.
+SpaceLattice space_lattice(const std::string& option, const std::string& text);
 
 struct Repetition {
     int columns;

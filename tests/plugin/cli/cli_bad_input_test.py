@@ -90,7 +90,7 @@ class BadOption(CliTest):
         self.refuse_all(2, rows)
 
     def test_a_singular_or_non_finite_lattice_is_refused(self):
-        periods = ("1,0", "0,1", "-1,1", "1", "1,1,1", "1,1x", "1;1", "nan,1", "1,inf", "1e400,1",
+        periods = ("1,0", "0,1", "-1,1", "1", "1,1,1,1", "1,1x", "1;1", "nan,1", "1,inf", "1e400,1",
                    "1,", "1e200,1", "1,1e-200", "0x10,1")
         rows = [(f"--period {p}: ", "mesh", "--sites", 3, "--period", p) for p in periods]
         lattices = ("1,0,2,0", "0,0,0,1", "1,0,0,nan", "1,0,0,-inf", "1,0,0", "1,0,0,1,1",

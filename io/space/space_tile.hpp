@@ -1,0 +1,15 @@
+#pragma once
+
+#include "mesher/polyhedra/polyhedral_mesh.hpp"
+
+namespace pcvt {
+
+/// A tile of polyhedra and its sites, as files hold them.
+struct SpaceTile {
+    PolyhedralMesh mesh;
+    /// The image of each site that lies in its cell: 3 x n, length units; no column if a file
+    /// states none.
+    Points3 sites = Points3(3, 0);
+};
+
+}  // namespace pcvt

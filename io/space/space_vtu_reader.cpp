@@ -1,0 +1,213 @@
+#include "io/space/space_vtu_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "io/bytes/bad_file.hpp"
+#include "io/bytes/text.hpp"
+#include "io/solvers/vtu_arrays.hpp"
+#include "io/space/space_vtu_writer.hpp"
+#include "mesher/polyhedra/cell_faces.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr int kVtkPolyhedron = 42;
+/// Volumes that a file states may differ by this part of the volume: by the order of summation.
+constexpr double kVolumeError = 1e-10;
+
+constexpr std::array<std::string_view, 5> kArrays{
+    "Cells/faces", "Cells/faceoffsets", "CellData/Faces", "CellData/Volume", "CellData/Site"};
+
+/// Walks over the numbers of an array.
+class ArrayWalk {
+   public:
+    ArrayWalk(std::string name, const VtuArray& array) : name_(std::move(name)), array_(array) {}
+
+    std::size_t at() const { return at_; }
+    bool ended() const { return at_ == array_.size(); }
+    /// The next number, from `least` to `most`.
+    int take(int least, int most) {
+        if (ended()) fail(array_.line, "the array ends within a cell; give the whole file");
+        const int number = array_.integer(at_);
+        if (number < least || number > most) {
+            fail(array_.lines[at_], std::to_string(number) + " is not a number from " +
+                                        std::to_string(least) + " to " + std::to_string(most) +
+                                        "; correct it");
+        }
+        ++at_;
+        return number;
+    }
+    [[noreturn]] void fail(int line, const std::string& complaint) const {
+        throw BadFile(name_ + ":" + std::to_string(line) + ": " + complaint);
+    }
+    /// Fails unless `number`, the one before the k-th end, is that of the file.
+    void require(const VtuArray& stated, std::size_t k, std::size_t number) const {
+        if (stated.values[k] == static_cast<double>(number)) return;
+        fail(stated.lines[k], "another number, " + std::to_string(number) +
+                                  ", follows from the cells; write the file again with pcvt");
+    }
+
+   private:
+    std::string name_;
+    const VtuArray& array_;
+    std::size_t at_ = 0;
+};
+
+/// Reads the arrays of one file.
+class VtuCells {
+   public:
+    VtuCells(const EncodedFile& vtu)
+        : name_(vtu.path), arrays_(vtu.path, vtu.bytes, kArrays), n_(arrays_.n_cells()) {}
+
+    SpaceTile read() const {
+        if (n_ == 0) throw BadFile(name_ + ": holds no cell; give a grid of polyhedra");
+        require_types();
+        const CellList cells = read_cells();
+        compare_connectivity(cells);
+        SpaceTile tile{.mesh = assembled_mesh(read_lattice(), cells)};
+        compare_orbits(tile.mesh);
+        compare_cells(tile.mesh, cells);
+        if (arrays_.find("CellData/Site") != nullptr) {
+            const VtuArray& sites = arrays_.get("CellData/Site", n_, 3, false);
+            tile.sites = Eigen::Map<const Points3>(sites.values.data(), 3, n_);
+        }
+        return tile;
+    }
+
+   private:
+    [[noreturn]] void fail(int line, const std::string& complaint) const {
+        throw BadFile(name_ + ":" + std::to_string(line) + ": " + complaint);
+    }
+
+    void require_types() const {
+        const VtuArray& types = arrays_.get("Cells/types", n_, 1, true);
+        for (std::size_t k = 0; k < types.size(); ++k) {
+            if (types.integer(k) == kVtkPolyhedron) continue;
+            fail(types.lines[k],
+                 "a cell is no polyhedron (type 42) beside others that are; "
+                 "leave it out");
+        }
+    }
+
+    SpaceLattice read_lattice() const {
+        const VtuArray& array = arrays_.get("FieldData/PeriodicLattice", 3, 3, false);
+        const Eigen::Map<const Eigen::Matrix3d> periods(array.values.data());
+        try {
+            return {periods.col(0), periods.col(1), periods.col(2)};
+        } catch (const InvalidInput& fault) {
+            fail(array.line, fault.what());
+        }
+    }
+
+    CellList read_cells() const {
+        CellList cells;
+        const VtuArray& points = arrays_.get("Points/Points", arrays_.n_points(), 3, false);
+        if (points.type != "Float64") {
+            fail(points.line,
+                 "the points are " + points.type + ", too coarse for a proof; write Float64");
+        }
+        for (std::size_t k = 0; k < points.size(); k += 3) {
+            cells.points.emplace_back(points.values[k], points.values[k + 1], points.values[k + 2]);
+        }
+        const VtuArray& faces = arrays_.get("Cells/faces", -1, 1, true);
+        const VtuArray& ends = arrays_.get("Cells/faceoffsets", n_, 1, true);
+        ArrayWalk walk(name_, faces);
+        const int most = static_cast<int>(cells.points.size());
+        for (int s = 0; s < n_; ++s) {
+            for (int left = walk.take(4, most * 2); left > 0; --left) {
+                for (int k = walk.take(3, most); k > 0; --k) {
+                    cells.faces.corners.push_back(walk.take(0, most - 1));
+                }
+                cells.faces.close();
+            }
+            cells.cell_begin.push_back(cells.faces.n_faces());
+            walk.require(ends, static_cast<std::size_t>(s), walk.at());
+        }
+        if (!walk.ended()) fail(faces.lines[walk.at()], "a number follows the last cell");
+        return cells;
+    }
+
+    /// The points of each cell, in any order, are those of its faces.
+    void compare_connectivity(const CellList& cells) const {
+        const VtuArray& points = arrays_.get("Cells/connectivity", -1, 1, true);
+        const VtuArray& ends = arrays_.get("Cells/offsets", n_, 1, true);
+        ArrayWalk walk(name_, points);
+        for (int s = 0; s < n_; ++s) {
+            const std::vector<int> wanted = cell_points(cells, s);
+            std::vector<int> found;
+            for (std::size_t k = 0; k < wanted.size(); ++k) {
+                found.push_back(walk.take(0, arrays_.n_points() - 1));
+            }
+            std::sort(found.begin(), found.end());
+            if (found != wanted) {
+                fail(points.line, "cell " + std::to_string(s) + " has other points than its faces");
+            }
+            walk.require(ends, static_cast<std::size_t>(s), walk.at());
+        }
+        if (!walk.ended()) fail(points.lines[walk.at()], "a number follows the last cell");
+    }
+
+    void compare_orbits(const PolyhedralMesh& mesh) const {
+        if (arrays_.find("PointData/PeriodicPointIds") == nullptr) return;
+        const int n = mesh.n_points();
+        const VtuArray& orbits = arrays_.get("PointData/PeriodicPointIds", n, 1, true);
+        const VtuArray& offsets = arrays_.get("PointData/PeriodicOffset", n, 3, true);
+        for (std::size_t v = 0; v < orbits.size(); ++v) {
+            const Offset3 stated{offsets.integer(3 * v), offsets.integer(3 * v + 1),
+                                 offsets.integer(3 * v + 2)};
+            if (orbits.integer(v) == mesh.point_orbit[v] && stated == mesh.point_offset[v]) {
+                continue;
+            }
+            fail(orbits.lines[v], "point " + std::to_string(v) + " lies on the orbit of point " +
+                                      std::to_string(mesh.point_orbit[v]) +
+                                      " by another translation; write the file again with pcvt");
+        }
+    }
+
+    void compare_cells(const PolyhedralMesh& mesh, const CellList& cells) const {
+        const VtuArray* const ids = arrays_.find("CellData/CellId");
+        const VtuArray* const faces = arrays_.find("CellData/Faces");
+        const VtuArray* const volumes = arrays_.find("CellData/Volume");
+        if (ids != nullptr) arrays_.get("CellData/CellId", n_, 1, true);
+        if (faces != nullptr) arrays_.get("CellData/Faces", n_, 1, true);
+        if (volumes != nullptr) arrays_.get("CellData/Volume", n_, 1, false);
+        const std::vector<CellBody> bodies = cell_bodies(mesh);
+        for (int s = 0; s < n_; ++s) {
+            const auto k = static_cast<std::size_t>(s);
+            const std::string cell = "cell " + std::to_string(s) + " ";
+            if (ids != nullptr && ids->integer(k) != s) {
+                fail(ids->lines[k], cell + "is not that of its site; write the file again");
+            }
+            const int n_faces = cells.cell_begin[k + 1] - cells.cell_begin[k];
+            if (faces != nullptr && faces->integer(k) != n_faces) {
+                fail(faces->lines[k], cell + "has " + std::to_string(n_faces) + " faces");
+            }
+            const double volume = bodies[k].volume;
+            if (volumes != nullptr &&
+                !(std::abs(volumes->values[k] - volume) <= kVolumeError * volume)) {
+                fail(volumes->lines[k], cell + "has another volume; write the file again");
+            }
+        }
+    }
+
+    std::string name_;
+    VtuArrays arrays_;
+    int n_;
+};
+
+}  // namespace
+
+bool holds_polyhedra(const EncodedFile& vtu) {
+    return vtu.bytes.find("Name=\"faceoffsets\"") != std::string::npos;
+}
+
+SpaceTile decode_space_vtu(const EncodedFile& vtu) {
+    refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
+    return VtuCells(vtu).read();
+}
+
+}  // namespace pcvt

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/tiles/encoded_file.hpp"
+
+namespace pcvt::cli {
+
+/// Proves the files of a tile of polyhedra: the laws of PolyhedralMesh, the pairs of the seam, and
+/// that the cells are the Voronoi cells of the sites.
+///
+/// Example usage:
+///     if (hold_space_tile(files)) return prove_space_tile("tile.vtu", files, std::nullopt);
+///
+/// @param cvt_tolerance  each site must lie within this distance of the centroid of its cell, units
+///                       of h = (volume / n)^(1/3); `nullopt`: not examined.
+/// @returns a line that states the proved properties.
+/// @throws NotATile  where the files are refuted.
+/// @throws BadFile   where they cannot be read, or hold no sites.
+std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
+                             std::optional<double> cvt_tolerance);
+
+}  // namespace pcvt::cli

@@ -1,0 +1,225 @@
+#include "plugin/cli/space_command.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+#include <thread>
+
+#include "io/space/space_site_file.hpp"
+#include "plugin/cli/mesh_command.hpp"
+#include "plugin/cli/options/option_values.hpp"
+#include "plugin/cli/summary.hpp"
+#include "plugin/cli/terminal/cancel_signal.hpp"
+#include "plugin/cli/terminal/console.hpp"
+#include "plugin/cli/terminal/progress_display.hpp"
+#include "plugin/job/available_memory.hpp"
+#include "plugin/job/job_memory.hpp"
+#include "plugin/space/space_files.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+constexpr int kMostIterations = std::numeric_limits<int>::max();
+constexpr int kMostThreads = 1024;
+
+/// The options of `pcvt mesh` that apply in space.
+constexpr std::array<std::string_view, 16> kOptions{
+    "--help",      "--sites",          "--seed",   "--input",   "--period", "--lattice",
+    "--start",     "--solver",         "--strict", "--threads", "-o",       "--force",
+    "--tolerance", "--max-iterations", "--quiet",  "-h"};
+
+/// The choices of an option that apply in space; `abi_value` is a field of all tables of choices.
+struct StartRow3 {
+    SpaceStart start;
+    const char* word;
+    int abi_value;
+};
+constexpr std::array kStarts{StartRow3{SpaceStart::kRandom, "random", 0},
+                             StartRow3{SpaceStart::kLattice, "lattice", 1}};
+struct SolverRow3 {
+    SpaceSolver solver;
+    const char* word;
+    int abi_value;
+};
+constexpr std::array kSpaceSolvers{SolverRow3{SpaceSolver::kLbfgs, "lbfgs", 0},
+                                   SolverRow3{SpaceSolver::kLloyd, "lloyd", 1}};
+
+template <class Table>
+const auto& space_row(const char* option, const std::string& word, const Table& table) {
+    if (const auto* row = find_word(table, word)) return *row;
+    throw InvalidInput(std::string(option) + " " + word + ": not for three dimensions; take " +
+                       listed_words(table, ", ", " or "));
+}
+
+std::ptrdiff_t count_commas(const std::string& text) {
+    return std::count(text.begin(), text.end(), ',');
+}
+
+void refuse_foreign_options(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() == 0 ||
+            std::find(kOptions.begin(), kOptions.end(), name) != kOptions.end()) {
+            continue;
+        }
+        throw InvalidInput(name +
+                           " is not for three dimensions; leave it out, or give two period "
+                           "vectors");
+    }
+}
+
+SpaceLattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
+    if (app.count("--period") > 0 && app.count("--lattice") > 0) {
+        throw InvalidInput("--period and --lattice exclude each other; remove one");
+    }
+    return app.count("--period") > 0 ? box_lattice("--period", options.period)
+                                     : space_lattice("--lattice", options.lattice);
+}
+
+void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+    const bool drawn = app.count("--sites") > 0;
+    const bool from_file = app.count("--input") > 0;
+    if (drawn && from_file) {
+        throw InvalidInput("--sites and --input exclude each other; remove one");
+    }
+    if (!drawn && !from_file) throw InvalidInput("no sites; give --sites N or --input FILE");
+    if (from_file && options.input.empty()) {
+        throw InvalidInput("--input: the name is empty; give a file, or - for standard input");
+    }
+    for (const char* name : {"--seed", "--start"}) {
+        if (from_file && app.count(name) > 0) {
+            throw InvalidInput(std::string(name) +
+                               " is for random sites, but --input gives them; remove one");
+        }
+    }
+    if (drawn) job.n_sites = whole_number("--sites", options.sites, 1, kMostSpaceSites);
+    if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
+    if (app.count("--start") > 0) job.start = space_row("--start", options.start, kStarts).start;
+    if (from_file && options.input != "-") job.inputs.push_back(options.input);
+}
+
+void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+    if (app.count("--solver") > 0) {
+        job.solver = space_row("--solver", options.solver, kSpaceSolvers).solver;
+    }
+    if (app.count("--tolerance") > 0) {
+        job.tolerance = positive_number("--tolerance", options.tolerance);
+    }
+    if (app.count("--max-iterations") > 0) {
+        job.max_iterations =
+            whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
+    }
+    job.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    if (app.count("--threads") > 0) {
+        job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
+    }
+}
+
+/// Runs the job under the signals and the progress display.
+SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
+    const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
+    ProgressDisplay display(body_centred_energy(job.lattice.volume(), n), job.tolerance, !quiet);
+    catch_cancel_signals();
+    return run_space_job(job, [&](const JobProgress& progress) {
+        display.show(progress);
+        return cancel_signal() == 0;
+    });
+}
+
+std::string vector_text(const Vec3& v) {
+    // Adding 0 turns -0 into 0.
+    return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ", " + figure(v.z() + 0.0) +
+           ")";
+}
+
+std::string face_text(const SpaceSummary& summary) {
+    double sum = 0;
+    std::string counts;
+    for (const auto& [faces, count] : summary.face_counts) {
+        sum += double(faces) * count;
+        counts += " " + std::to_string(faces) + ":" + std::to_string(count);
+    }
+    return figure(sum / summary.n_sites) + " a cell; cells with" + counts;
+}
+
+std::string seam_text(const PolyhedralProof& proof) {
+    return std::to_string(2 * proof.n_boundary_pairs) + " boundary faces in " +
+           std::to_string(proof.n_boundary_pairs) + " pairs by " +
+           counted(proof.n_translations, "translation") +
+           (proof.boundary_is_manifold ? "" : "; the boundary touches itself");
+}
+
+}  // namespace
+
+bool means_space(const MeshOptions& options) {
+    return count_commas(options.lattice) == 8 || count_commas(options.period) == 2;
+}
+
+SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
+    refuse_foreign_options(app);
+    SpaceJob job;
+    job.lattice = chosen_lattice(app, options);
+    read_sites_options(app, options, job);
+    read_solver_options(app, options, job);
+    job.outputs = options.outputs;
+    job.force = options.force;
+    plan_space_files(job);
+    return job;
+}
+
+std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary) {
+    std::string text = summary_line("sites", std::to_string(summary.n_sites));
+    text +=
+        summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()) +
+                                    " " + vector_text(job.lattice.c()));
+    text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
+                                     counted(summary.run.iterations, "iteration") + ", " +
+                                     counted(summary.run.evaluations, "evaluation"));
+    text += summary_line("energy", figure(summary.run.energy) + ", " +
+                                       figure(summary.run.energy / summary.energy_bound) +
+                                       " of truncated octahedra");
+    text += summary_line("residual", figure(summary.run.residual));
+    text += summary_line("faces", face_text(summary));
+    text += summary_line("seam", seam_text(summary.proof));
+    for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
+    for (const std::string& file : summary.files) text += summary_line("file", file);
+    text += summary_line("seconds", figure(summary.seconds));
+    if (const std::optional<double> peak = peak_memory()) {
+        text += summary_line("memory", memory_text(*peak) + " at the peak");
+    }
+    return text;
+}
+
+ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
+    SpaceSummary summary;
+    if (options.input.empty()) {
+        summary = run_watched(job, options.quiet);
+    } else {
+        const SpaceSiteFile file = read_space_sites(options.input);
+        job.points = file.points;
+        try {
+            summary = run_watched(job, options.quiet);
+        } catch (const DuplicateSites& duplicate) {
+            throw duplicate_lines(file, duplicate);
+        }
+    }
+    if (summary.run.stop == Stop::kCancelled) return report_cancelled();
+    if (!options.quiet) {
+        const auto text = [&] { return space_summary_text(job, summary); };
+        if (summary.files.empty()) {
+            print(text());
+        } else {
+            print_after_files(text);
+        }
+    }
+    if (options.strict && summary.run.stop != Stop::kConverged) {
+        return report_not_converged(summary.run, job.tolerance);
+    }
+    return ExitCode::kDone;
+}
+
+}  // namespace pcvt::cli

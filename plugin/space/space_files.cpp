@@ -1,0 +1,89 @@
+#include "plugin/space/space_files.hpp"
+
+#include <filesystem>
+
+#include "io/file_proof.hpp"
+#include "io/outputs/distinct_paths.hpp"
+#include "io/outputs/recovery.hpp"
+#include "io/outputs/writable_paths.hpp"
+#include "io/space/space_site_file.hpp"
+
+namespace pcvt {
+namespace {
+
+SpaceJobFile plan_file(std::string path) {
+    if (path.ends_with(".foam/")) path.pop_back();
+    const SpaceFormat* const format = find_space_format(path);
+    if (format == nullptr) {
+        throw InvalidInput("-o " + path + ": the format holds no volumes; take " +
+                           space_extensions() + ", or give two period vectors");
+    }
+    return {path, format};
+}
+
+void stage_file(const SpaceJobFile& file, const SpaceTile& tile, const Points3& points,
+                OutputSet& outputs) {
+    if (file.format->encode == nullptr) {
+        const std::vector<EncodedFile> encoded = only_file(file.path, encode_space_sites(points));
+        outputs.stage(file.path, encoded.front().bytes);
+        require_on_disk(outputs, encoded);
+        prove_space_site_file(encoded.front(), points);
+        return;
+    }
+    const std::vector<EncodedFile> encoded = file.format->encode(tile, file.path);
+    for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
+    require_on_disk(outputs, encoded);
+    prove_own_space_files(encoded, tile);
+}
+
+}  // namespace
+
+std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job) {
+    std::vector<SpaceJobFile> files;
+    DistinctPaths paths;
+    for (const std::string& path : job.inputs) paths.add_input(path);
+    for (const std::string& path : job.outputs) files.push_back(plan_file(path));
+    for (const SpaceJobFile& file : files) {
+        for (const std::string& path : file.format->paths(file.path)) paths.add_output(path);
+    }
+    return files;
+}
+
+std::vector<std::string> require_space_files_writable(const SpaceJob& job,
+                                                      const std::vector<SpaceJobFile>& files) {
+    std::vector<std::string> all;
+    for (const SpaceJobFile& file : files) {
+        for (const std::string& path : file.format->paths(file.path)) all.push_back(path);
+    }
+    std::vector<std::string> recovered = recover_unfinished(all);
+    for (const SpaceJobFile& file : files) {
+        if (file.format->is_folder) {
+            require_writable_folder(file.path, file.format->paths(file.path), job.force);
+        } else {
+            require_writable(file.path, job.force);
+        }
+    }
+    return recovered;
+}
+
+void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceTile& tile,
+                       const Points3& points, JobMonitor& monitor, OutputSet& outputs) {
+    // Before all files, so that a file inside of a case folder is staged in that folder.
+    for (const SpaceJobFile& file : files) {
+        if (file.format->is_folder) outputs.stage_folder(file.path);
+    }
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        const std::string name = std::filesystem::path(files[k].path).filename().string();
+        const std::string words = "writing " + name + ", " + std::to_string(k + 1) + " of " +
+                                  std::to_string(files.size());
+        if (k == 0) {
+            monitor.begin(Phase::kWriting, words);
+        } else {
+            monitor.describe(words);
+        }
+        stage_file(files[k], tile, points, outputs);
+        monitor.advance(double(k + 1) / double(files.size()));
+    }
+}
+
+}  // namespace pcvt

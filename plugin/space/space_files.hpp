@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/outputs/output_set.hpp"
+#include "io/space/space_formats.hpp"
+#include "plugin/space/space_job.hpp"
+
+namespace pcvt {
+
+/// One output of a job.
+struct SpaceJobFile {
+    /// As the user named it, without a slash at the end of a folder.
+    std::string path;
+    const SpaceFormat* format;
+};
+
+/// The outputs of a job in their order.
+///
+/// Example usage:
+///     for (const SpaceJobFile& file : plan_space_files(job)) std::puts(file.path.c_str());
+///
+/// @throws InvalidInput for a format that holds no volumes, and for two equal paths.
+std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job);
+
+/// Requires that all files can be written. Completes or removes the unfinished sets of earlier
+/// runs, and returns one line for each set.
+/// @throws OutputError
+std::vector<std::string> require_space_files_writable(const SpaceJob& job,
+                                                      const std::vector<SpaceJobFile>& files);
+
+/// Encodes the files, lets them reach the disk under hidden names and proves the bytes there.
+/// @param points  the sites in the domain, for .txt files.
+void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceTile& tile,
+                       const Points3& points, JobMonitor& monitor, OutputSet& outputs);
+
+}  // namespace pcvt

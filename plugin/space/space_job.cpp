@@ -1,0 +1,109 @@
+#include "plugin/space/space_job.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/polyhedra/cell_sites.hpp"
+#include "mesher/proof/validate.hpp"
+#include "mesher/space_search/space_pattern.hpp"
+#include "plugin/space/space_files.hpp"
+
+namespace pcvt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Eigen::Matrix3d period_matrix(const SpaceLattice& lattice) {
+    Eigen::Matrix3d period;
+    for (int k = 0; k < 3; ++k) period.col(k) = lattice.periods()[k];
+    return period;
+}
+
+Points3 start_points(const SpaceJob& job) {
+    if (job.points.cols() > 0) return job.points;
+    if (job.start == SpaceStart::kRandom) {
+        return uniform_points(job.lattice, job.n_sites, job.seed);
+    }
+    return pattern_points(best_space_pattern(period_matrix(job.lattice), job.n_sites));
+}
+
+SpaceCvtResult optimise(const SpaceJob& job, JobMonitor& monitor) {
+    SpaceCvtResult result = compute_space_cvt(
+        job.lattice, start_points(job),
+        {.solver = job.solver,
+         .tolerance = job.tolerance,
+         .max_iterations = job.max_iterations,
+         .n_threads = job.n_threads,
+         .progress = [&](const Progress& progress) { return monitor.iteration(progress); }});
+    if (result.run.stop == Stop::kCancelled) throw Cancelled{};
+    return result;
+}
+
+Points3 site_positions(const SpaceSites& sites) {
+    Points3 points(3, sites.n_sites());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
+    return points;
+}
+
+SpaceTile build_tile(const SpaceDelaunay& delaunay, JobMonitor& monitor) {
+    monitor.begin(Phase::kBuilding, "building the cells");
+    SpaceTile tile{
+        .mesh = polyhedral_mesh(delaunay.sites, cell_complex(delaunay.sites, delaunay.tetrahedra))};
+    tile.sites = sites_in_cells(delaunay.sites, tile.mesh);
+    return tile;
+}
+
+/// Proves the tile and fills in its figures.
+void prove_tile(const SpaceTile& tile, JobMonitor& monitor, SpaceSummary& summary) {
+    monitor.begin(Phase::kProving, "proving the cells");
+    try {
+        summary.proof = prove_polyhedra(tile.mesh);
+        prove_cell_sites(tile.mesh, tile.sites);
+    } catch (const NotATile& error) {
+        throw InternalError(std::string("a tile breaks its laws: ") + error.what());
+    }
+    const CellFaces cells(tile.mesh);
+    for (int s = 0; s < cells.n_cells(); ++s) {
+        ++summary.face_counts[static_cast<int>(cells[s].size())];
+    }
+}
+
+SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
+                 const JobCallback& callback) {
+    JobMonitor monitor(callback,
+                       {.tolerance = job.tolerance, .max_iterations = job.max_iterations});
+    const SpaceCvtResult result = optimise(job, monitor);
+    const SpaceSites& sites = result.delaunay.sites;
+    SpaceSummary summary{.run = result.run, .n_sites = sites.n_sites()};
+    summary.energy_bound = body_centred_energy(job.lattice.volume(), sites.n_sites());
+    OutputSet outputs;
+    monitor.watch([&] {
+        const SpaceTile tile = build_tile(result.delaunay, monitor);
+        prove_tile(tile, monitor, summary);
+        stage_space_files(files, tile, site_positions(sites), monitor, outputs);
+    });
+    const ClientScope no_client(nullptr);
+    outputs.commit(job.force);
+    for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
+    return summary;
+}
+
+}  // namespace
+
+SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
+    const Clock::time_point begin = Clock::now();
+    const std::vector<SpaceJobFile> files = plan_space_files(job);
+    std::vector<std::string> recovered = require_space_files_writable(job, files);
+    try {
+        SpaceSummary summary = run(job, files, callback);
+        summary.recovered = std::move(recovered);
+        summary.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        return summary;
+    } catch (const Cancelled&) {
+        return {};
+    }
+}
+
+}  // namespace pcvt

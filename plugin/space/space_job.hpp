@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesher/polyhedra/polyhedral_proof.hpp"
+#include "mesher/space/space_cvt.hpp"
+#include "plugin/job/job_progress.hpp"
+
+namespace pcvt {
+
+/// Where the sites begin when none are given: at random, or at the best exact lattice for their
+/// number.
+enum class SpaceStart { kRandom, kLattice };
+
+/// The description of a run in three dimensions.
+///
+///   SpaceJob job;
+///   job.n_sites = 1000;
+///   job.outputs = {"tile.vtu"};
+///   const SpaceSummary summary = run_space_job(job, {});
+struct SpaceJob {
+    SpaceLattice lattice = SpaceLattice::box(1, 1, 1);
+    /// The sites, 3 x n, length units. If there are no columns, `n_sites` sites begin at `start`.
+    Points3 points = Points3(3, 0);
+    int n_sites = 0;
+    SpaceStart start = SpaceStart::kRandom;
+    std::uint64_t seed = 0;
+    SpaceSolver solver = SpaceSolver::kLbfgs;
+    double tolerance = 1e-6;
+    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
+    int max_iterations = -1;
+    /// At least 1; the result does not depend on it.
+    int n_threads = 1;
+    /// Files to write. The extension selects the format (io/space/space_formats.hpp).
+    std::vector<std::string> outputs;
+    /// Files that the run reads; no output may replace them.
+    std::vector<std::string> inputs;
+    bool force = false;
+};
+
+/// The summary of a run, besides its files.
+struct SpaceSummary {
+    /// kCancelled: no file was written, and no other member is set. The energy is F, length^5.
+    RunStatistics run = {.stop = Stop::kCancelled};
+    int n_sites = 0;
+    /// The energy of as many truncated octahedra, length^5.
+    double energy_bound = 0;
+    /// Cells by their number of faces.
+    std::map<int, int> face_counts = {};
+    PolyhedralProof proof = {};
+    /// The files and folders that were written, in the order of the outputs.
+    std::vector<std::string> files = {};
+    /// One line for each set of an earlier run that was finished before this one.
+    std::vector<std::string> recovered = {};
+    double seconds = 0;
+};
+
+/// Sites -> optimised periodic tessellation -> proved tile of polyhedra -> files that are read back
+/// and proved again. Prints nothing. Either all files appear, together at the end, or none.
+///
+/// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
+///                        sites (DuplicateSites names the ids).
+/// @throws OutputError    a file cannot be written, or exists and `force` is not set.
+/// @throws LimitExceeded  too many sites.
+/// @throws InternalError  a tile breaks its laws: a fault of pcvt.
+SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback);
+
+}  // namespace pcvt

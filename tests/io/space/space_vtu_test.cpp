@@ -1,0 +1,105 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/space/space_vtu_reader.hpp"
+#include "io/space/space_vtu_writer.hpp"
+#include "mesher/proof/validate.hpp"
+#include "tests/support/damaged_text.hpp"
+#include "tests/support/space_tiles.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+
+EncodedFile encoded(const SpaceTile& tile) { return encode_space_vtu(tile, "t.vtu").front(); }
+
+/// The message of the reader for a file of random cells with one exchanged piece.
+std::string fault_of(const std::string& piece, const std::string& other) {
+    EncodedFile file = encoded(testing::random_space_tile(6));
+    file.bytes = testing::exchanged(file.bytes, piece, other);
+    return testing::fault_in([&] { decode_space_vtu(file); });
+}
+
+TEST(SpaceVtu, GivesBackPointsCellsPairsAndSites) {
+    for (const testing::SpaceCase& c : testing::space_cases()) {
+        SCOPED_TRACE(c.name);
+        const SpaceTile tile = testing::tile_of(c);
+        const SpaceTile found = decode_space_vtu(encoded(tile));
+        EXPECT_EQ(found.mesh.points, tile.mesh.points);
+        EXPECT_EQ(found.mesh.point_orbit, tile.mesh.point_orbit);
+        EXPECT_EQ(found.mesh.point_offset, tile.mesh.point_offset);
+        EXPECT_EQ(found.mesh.owner.size(), tile.mesh.owner.size());
+        EXPECT_EQ(found.mesh.neighbour, tile.mesh.neighbour);
+        EXPECT_EQ(found.sites, tile.sites);
+    }
+}
+
+TEST(SpaceVtu, IsProvedFromItsBytes) {
+    for (const testing::SpaceCase& c : testing::space_cases()) {
+        SCOPED_TRACE(c.name);
+        const std::vector<EncodedFile> files = encode_space_vtu(testing::tile_of(c), "t.vtu");
+        ASSERT_TRUE(hold_space_tile(files));
+        const SpaceFileProof proof = prove_space_files(files);
+        EXPECT_EQ(proof.proof.n_cells, c.points.cols());
+        ASSERT_TRUE(proof.sites);
+        EXPECT_LT(proof.sites->from_bisector, 1e-8);
+    }
+}
+
+TEST(SpaceVtu, HasTheSameBytesOnEachRun) {
+    const SpaceTile tile = testing::random_space_tile(20);
+    EXPECT_EQ(encoded(tile).bytes, encoded(tile).bytes);
+}
+
+TEST(SpaceVtu, IsProvedWithoutTheArraysOfPcvt) {
+    EncodedFile file = encoded(testing::random_space_tile(6));
+    for (const char* name : {"Site", "Volume", "Faces", "CellId", "PeriodicPointIds"}) {
+        const std::string quoted = "Name=\"" + std::string(name) + "\"";
+        file.bytes = testing::exchanged(file.bytes, quoted, "Name=\"another\"");
+    }
+    const SpaceFileProof proof = prove_space_files({file});
+    EXPECT_EQ(proof.proof.n_cells, 6);
+    EXPECT_FALSE(proof.sites);
+}
+
+TEST(SpaceVtu, RefusesFilesThatAreDamaged) {
+    EXPECT_THAT(fault_of("PeriodicLattice", "Lattice"), HasSubstr("lacks the array"));
+    EXPECT_THAT(fault_of("type=\"Float64\" Name=\"Points\"", "type=\"Float32\" Name=\"Points\""),
+                HasSubstr("too coarse"));
+    EXPECT_THAT(fault_of("Name=\"types\" format=\"ascii\">\n42", "Name=\"types\">\n12"),
+                HasSubstr("no polyhedron"));
+    EXPECT_THAT(fault_of("Name=\"CellId\" format=\"ascii\">\n0", "Name=\"CellId\">\n1"),
+                HasSubstr("not that of its site"));
+    EXPECT_THAT(fault_of("Name=\"Faces\" format=\"ascii\">\n", "Name=\"Faces\">\n1"),
+                HasSubstr("faces"));
+    EXPECT_THAT(fault_of("Name=\"Volume\" format=\"ascii\">\n", "Name=\"Volume\">\n1"),
+                HasSubstr("another volume"));
+    EXPECT_THAT(
+        fault_of("Name=\"PeriodicPointIds\" format=\"ascii\">\n0", "Name=\"PeriodicPointIds\">\n1"),
+        HasSubstr("orbit"));
+    EXPECT_THAT(fault_of("Name=\"offsets\" format=\"ascii\">\n", "Name=\"offsets\">\n1"),
+                HasSubstr("another number"));
+    EXPECT_THAT(fault_of("Name=\"faceoffsets\" format=\"ascii\">\n", "Name=\"faceoffsets\">\n1"),
+                HasSubstr("another number"));
+    EXPECT_THAT(fault_of("Name=\"faces\" format=\"ascii\">\n", "Name=\"faces\">\n-"),
+                HasSubstr("not a number from"));
+}
+
+TEST(SpaceVtu, RefutesAMovedPoint) {
+    EncodedFile file = encoded(testing::random_space_tile(6));
+    file.bytes = testing::exchanged(file.bytes, "Name=\"Volume\"", "Name=\"another\"");
+    const std::string head = "Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+    const auto begin = file.bytes.find(head) + head.size();
+    file.bytes.replace(begin, file.bytes.find(' ', begin) - begin, "0.1234");
+    EXPECT_THROW(prove_space_files({file}), NotATile);
+}
+
+TEST(SpaceVtu, RefutesAMovedSite) {
+    SpaceTile tile = testing::random_space_tile(6);
+    tile.sites(1, 2) += 1e-6;
+    EXPECT_THROW(prove_space_files(encode_space_vtu(tile, "t.vtu")), NotATile);
+}
+
+}  // namespace
+}  // namespace pcvt

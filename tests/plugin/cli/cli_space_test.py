@@ -1,0 +1,185 @@
+"""pcvt mesh and pcvt check in three dimensions: formats, proofs, refusals."""
+
+import random
+import re
+import signal
+import subprocess
+import time
+
+from support.cli import CliTest, main
+
+LATTICES = {
+    "cube": ("--period", "1,1,1"),
+    "thin": ("--period", "1,0.01,0.3"),
+    "huge": ("--period", "1e6,2e6,1e6"),
+    "oblique": ("--lattice", "1,0,0,0.37,0.81,0,0.2,0.4,0.9"),
+    "left-handed": ("--lattice", "1,0,0,0,0,1.1,0.3,0.8,0"),
+    "skewed": ("--lattice", "1,0,0,7,1,0,-3,5,1"),
+}
+CUBE = LATTICES["cube"]
+
+
+def figures(summary):
+    """The values of a summary by their labels."""
+    return dict(line.split(maxsplit=1) for line in summary.splitlines())
+
+
+class Runs(CliTest):
+    def test_small_numbers_of_sites_on_every_lattice(self):
+        for name, lattice in LATTICES.items():
+            for n in range(1, 9):
+                with self.subTest((name, n)):
+                    self.succeed("mesh", "--sites", n, *lattice, "--seed", n, "--force", "-o", "t.vtu", "-o", "t.foam",
+                                 "-o", "t.txt")
+                    lines = self.succeed("check", "t.vtu", "t.foam", "--cvt").splitlines()
+                    cells = "1 cell," if n == 1 else f"{n} cells,"
+                    for path, line in zip(("t.vtu", "t.foam"), lines):
+                        self.assertTrue(line.startswith(f"{path}: a periodic tile of polyhedra: {cells}"), line)
+
+    def test_the_summary_has_the_figures_of_the_run(self):
+        found = figures(self.succeed("mesh", "--sites", 54, *CUBE, "--start", "lattice", "-o", "t.vtu"))
+        self.assertEqual(found["sites"], "54")
+        self.assertEqual(found["lattice"], "(1, 0, 0) (0, 1, 0) (0, 0, 1)")
+        self.assertRegex(found["stop"], r"^converged after 0 iterations, 1 evaluation$")
+        self.assertRegex(found["energy"], r"^0\.0164931, 1 of truncated octahedra$")
+        self.assertEqual(found["faces"], "14 a cell; cells with 14:54")
+        self.assertEqual(found["file"], "t.vtu")
+
+    def test_random_sites_end_above_the_bound(self):
+        found = figures(self.succeed("mesh", "--sites", 250, *CUBE, "--tolerance", "1e-4"))
+        ratio = float(found["energy"].split()[1])
+        self.assertGreater(ratio, 1)
+        self.assertLess(ratio, 1.015)
+
+    def test_the_same_job_gives_the_same_bytes(self):
+        run = ("mesh", "--sites", 60, *LATTICES["oblique"], "--quiet", "-o", "t.vtu", "-o", "t.foam", "-o", "t.txt")
+        self.succeed(*run, "--threads", 1)
+        first = self.contents()
+        self.succeed(*run, "--threads", 3, "--force")
+        self.assertEqual(self.contents(), first)
+
+    def test_sites_of_a_file_keep_their_order(self):
+        drawn = random.Random(4)
+        rows = [[drawn.uniform(-3, 3) for _ in range(3)] for _ in range(20)]
+        self.write("s.txt", "".join("%r %r %r\n" % tuple(row) for row in rows))
+        self.succeed("mesh", "--input", "s.txt", *CUBE, "--max-iterations", 0, "-o", "t.txt", "-o", "t.vtu")
+        self.succeed("check", "t.vtu")
+        lines = [line for line in self.path("t.txt").read_text().splitlines() if not line.startswith("#")]
+        for row, line in zip(rows, lines, strict=True):
+            for x, word in zip(row, line.split(), strict=True):
+                self.assertTrue(0 <= float(word) < 1)
+                self.assertAlmostEqual(x - float(word), round(x - float(word)), 12)
+
+    def test_sites_on_the_seam(self):
+        corners = "0 0 0\n0.5 0 0\n0 0.5 0\n0 0 0.5\n0.25 0.25 0\n1 0.25 0.75\n"
+        done = self.succeed("mesh", "--input", "-", *CUBE, "--max-iterations", 0, "-o", "t.vtu", "-o", "t.foam",
+                            input=corners.encode())
+        self.assertIn("iteration-limit", done)
+        self.succeed("check", "t.vtu", "t.foam")
+
+    def test_standard_input_and_quiet(self):
+        self.assertEqual(self.succeed("mesh", "--input", "-", *CUBE, "--quiet", "-o", "t.txt",
+                                      input=b"0.1 0.2 0.3\n"), "")
+
+    def test_strict_reports_a_run_that_did_not_converge(self):
+        done = self.run_pcvt("mesh", "--sites", 30, *CUBE, "--max-iterations", 2, "--strict", "--quiet", "-o", "t.txt")
+        self.assertEqual(done.returncode, 5)
+        self.assertIn(b"not converged (iteration-limit", done.stderr)
+        self.assertIn("t.txt", self.contents())
+
+    def test_lloyd_lowers_the_energy(self):
+        one, ten = (float(figures(self.succeed("mesh", "--sites", 40, *CUBE, "--solver", "lloyd",
+                                               "--max-iterations", k))["energy"].split(",")[0]) for k in (1, 10))
+        self.assertLess(ten, one)
+
+    def test_ctrl_c_writes_nothing(self):
+        process = subprocess.Popen([self.binary(), "mesh", "--sites", "100000", "--period", "1,1,1", "-o", "t.vtu"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out, err), (130, b"", b"pcvt: cancelled; nothing was written\n"))
+        self.assertEqual(self.contents(), {})
+
+
+class Refusals(CliTest):
+    def test_options_of_the_plane(self):
+        for words in (("--mesh", "voronoi"), ("--density", "1"), ("--symmetry", "p4"), ("--repeat", "2x1"),
+                      ("--outline", "box"), ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--origin", "0,0"),
+                      ("--cells", "t.csv"), ("--report", "t.json"), ("--stability",), ("--budget", "5"),
+                      ("--float32",), ("--phases", "a:1"), ("--aspect", "2:0"), ("--short-edges", "0.1")):
+            self.refuse(2, rf"^pcvt: {words[0]} is not for three dimensions; leave it out, or give two period vectors$",
+                        "mesh", "--sites", 8, *CUBE, *words)
+
+    def test_choices_of_the_plane(self):
+        self.refuse(2, "^pcvt: --start coarse: not for three dimensions; take random or lattice$",
+                    "mesh", "--sites", 8, *CUBE, "--start", "coarse")
+        self.refuse(2, "^pcvt: --solver newton: not for three dimensions; take lbfgs or lloyd$",
+                    "mesh", "--sites", 8, *CUBE, "--solver", "newton")
+
+    def test_formats_without_volumes(self):
+        for extension in ("obj", "glb", "svg", "msh", "inp", "nc", "vti", "csv", "unknown"):
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam or \.txt",
+                        "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
+
+    def test_period_vectors(self):
+        for words, pattern in (
+                (("--period", "1,1,0"), "--period 1,1,0: a side is not above 0"),
+                (("--period", "1,x,1"), "--period 1,x,1: 'x' is not a number"),
+                (("--lattice", "1,0,0,0,1,0,1,1,0"), "--lattice 1,0,0,0,1,0,1,1,0: "),
+                ((*CUBE, *LATTICES["oblique"]), "exclude each other"),
+        ):
+            self.refuse(2, pattern, "mesh", "--sites", 8, *words)
+
+    def test_sites(self):
+        self.write("flat.txt", "1 2\n")
+        self.write("twice.txt", "0 0 0\n0.5 0.5 0.5\n1 0 -2\n")
+        self.refuse(2, r"^flat\.txt:1: a site in space has 3 coordinates", "mesh", "--input", "flat.txt", *CUBE)
+        self.refuse(2, r"^twice\.txt:3: the site coincides with the site of line 1", "mesh", "--input", "twice.txt",
+                    *CUBE)
+        self.refuse(2, "no sites", "mesh", *CUBE)
+        self.refuse(2, "--seed is for random sites", "mesh", "--input", "twice.txt", *CUBE, "--seed", 1)
+        self.refuse(4, "too large", "mesh", "--sites", 10**9, *CUBE)
+
+    def test_outputs_that_exist(self):
+        run = ("mesh", "--sites", 8, *CUBE, "-o", "t.vtu", "-o", "t.foam")
+        self.succeed(*run)
+        self.refuse(3, r"^pcvt: t\.vtu: cannot write: it exists; use --force to replace it$", *run, "--seed", 1)
+        self.refuse(2, "t.vtu", "mesh", "--sites", 8, *CUBE, "-o", "t.vtu", "-o", "./t.vtu", "--force")
+        self.succeed(*run, "--seed", 1, "--force")
+        self.succeed("check", "t.vtu", "t.foam/")
+
+
+class Checks(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.succeed("mesh", "--sites", 12, *LATTICES["oblique"], "--tolerance", "1e-3", "-o", "t.vtu", "-o", "t.foam")
+
+    def change(self, name, pattern, other):
+        text, n = re.subn(pattern, other, self.path(name).read_text(), count=1)
+        self.assertEqual(n, 1, (name, pattern))
+        self.path(name).write_text(text)
+
+    def test_cvt_is_refuted_where_sites_are_off_the_centroids(self):
+        self.refuse(2, r"^t\.vtu: not a periodic tile of polyhedra: a site lies \S+ h off the centroid of its cell",
+                    "check", "--cvt", "1e-9", "t.vtu")
+
+    def test_damaged_files_are_refuted(self):
+        self.change("t.vtu", r'(Name="Volume".*\n)\S+', r"\g<1>0.5")
+        self.refuse(2, r"^t\.vtu:\d+: cell 0 has another volume", "check", "t.vtu")
+        self.change("t.foam/constant/polyMesh/boundary", r"nFaces          (\d+)", r"nFaces          1\1")
+        self.refuse(2, r"^t\.foam/constant/polyMesh/boundary:\d+: the patches", "check", "t.foam")
+
+    def test_a_cut_file_is_refuted(self):
+        text = self.path("t.vtu").read_text()
+        for share in (0.1, 0.5, 0.9, 0.99):
+            self.path("t.vtu").write_text(text[:int(share * len(text))])
+            self.assertEqual(self.run_pcvt("check", "t.vtu").returncode, 2)
+
+    def test_options_of_the_plane_are_refused(self):
+        for words in (("--lattice", "1,0,0,1"), ("--period", "1,1"), ("--cvt", "1e-3", "--density", "1")):
+            self.refuse(2, r"^t\.vtu: holds polyhedra", "check", "t.vtu", *words)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "io/space/space_formats.hpp"
+#include "tests/support/polyhedra.hpp"
+
+namespace pcvt::testing {
+
+/// The tile of sites, with the sites in their cells.
+inline SpaceTile tile_of(const SpaceCase& c) {
+    SpaceTile tile{.mesh = mesh_of(c)};
+    tile.sites = sites_in_cells(SpaceSites(c.lattice, c.points), tile.mesh);
+    return tile;
+}
+
+inline SpaceTile random_space_tile(int n) {
+    const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
+    return tile_of({"random", oblique, uniform_points(oblique, n, 3)});
+}
+
+}  // namespace pcvt::testing
