@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "mesher/base/choices.hpp"
-#include "plugin/job/job_file_checks.hpp"
+#include "plugin/job/job_files.hpp"
 #include "plugin/job/job_start.hpp"
 
 namespace pcvt::abi {

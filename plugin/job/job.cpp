@@ -11,7 +11,6 @@
 #include "mesher/symmetry/folded_density.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_constraints.hpp"
-#include "plugin/job/job_file_checks.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_report.hpp"

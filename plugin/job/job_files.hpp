@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,8 @@ FormatRequest format_request(const Job& job, MeshKind kind);
 ///
 ///   for (const JobFile& file : plan_files(job)) std::puts(file.paths.front().c_str());
 ///
-/// @throws InvalidInput for an unknown extension, for a mesh that its format cannot hold, and if
-/// two
-///         files of the job, or a file and an input, have the same path.
+/// @throws InvalidInput for an unknown extension, for a mesh that its format cannot hold, and for
+///         two files of the job, or a file and an input, with the same path.
 std::vector<JobFile> plan_files(const Job& job);
 
 /// Extensions with a blank between them: of the formats that a job writes, and of the formats that
@@ -43,5 +43,18 @@ std::string without_slash(const std::string& path);
 
 /// `path` with `suffix` before its extension: tile.obj, -voronoi -> tile-voronoi.obj.
 std::string with_suffix(const std::string& path, const std::string& suffix);
+
+/// Requires a file that holds the mid-side nodes of a job of order 2. The files of other formats
+/// hold its corners alone.
+/// @throws InvalidInput if the job has files, and none of them holds mid-side nodes.
+void check_order(const Job& job, const std::vector<JobFile>& files);
+
+/// Requires for each choice in job.file_options a file whose format takes it.
+/// @throws InvalidInput if the job has files, and none of them takes the choice.
+void check_file_options(const Job& job, const std::vector<JobFile>& files);
+
+/// The colour of "none" or "#rrggbb".
+/// @throws InvalidInput for other words.
+std::optional<Colour> background_colour(const std::string& word);
 
 }  // namespace pcvt

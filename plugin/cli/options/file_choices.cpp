@@ -5,7 +5,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "plugin/cli/options/option_values.hpp"
-#include "plugin/job/job_file_checks.hpp"
+#include "plugin/job/job_files.hpp"
 
 namespace pcvt::cli {
 namespace {
