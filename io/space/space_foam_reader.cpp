@@ -180,7 +180,7 @@ SpaceTile decode_space_foam(const std::vector<EncodedFile>& files) {
     mesh.neighbour = foam_labels(foam_mesh_file(files, "neighbour"));
     require_numbers(files, mesh);
     read_patches(boundary, mesh);
-    PolyhedralMesh joined = assembled_mesh(mesh.lattice, cell_list(mesh));
+    PolyhedralMesh joined = assembled_mesh(mesh.lattice, polyhedron_list(mesh));
     mesh.point_orbit = std::move(joined.point_orbit);
     mesh.point_offset = std::move(joined.point_offset);
     const std::vector<double> sites = comment_numbers(boundary, "site", 3);

@@ -66,7 +66,7 @@ class VtuCells {
     SpaceTile read() const {
         if (n_ == 0) throw BadFile(name_ + ": holds no cell; give a grid of polyhedra");
         require_types();
-        const CellList cells = read_cells();
+        const PolyhedronList cells = read_cells();
         compare_connectivity(cells);
         SpaceTile tile{.mesh = assembled_mesh(read_lattice(), cells)};
         compare_orbits(tile.mesh);
@@ -103,8 +103,8 @@ class VtuCells {
         }
     }
 
-    CellList read_cells() const {
-        CellList cells;
+    PolyhedronList read_cells() const {
+        PolyhedronList cells;
         const VtuArray& points = arrays_.get("Points/Points", arrays_.n_points(), 3, false);
         if (points.type != "Float64") {
             fail(points.line,
@@ -132,7 +132,7 @@ class VtuCells {
     }
 
     /// The points of each cell, in any order, are those of its faces.
-    void compare_connectivity(const CellList& cells) const {
+    void compare_connectivity(const PolyhedronList& cells) const {
         const VtuArray& points = arrays_.get("Cells/connectivity", -1, 1, true);
         const VtuArray& ends = arrays_.get("Cells/offsets", n_, 1, true);
         ArrayWalk walk(name_, points);
@@ -168,7 +168,7 @@ class VtuCells {
         }
     }
 
-    void compare_cells(const PolyhedralMesh& mesh, const CellList& cells) const {
+    void compare_cells(const PolyhedralMesh& mesh, const PolyhedronList& cells) const {
         const VtuArray* const ids = arrays_.find("CellData/CellId");
         const VtuArray* const faces = arrays_.find("CellData/Faces");
         const VtuArray* const volumes = arrays_.find("CellData/Volume");

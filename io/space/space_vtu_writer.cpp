@@ -39,7 +39,7 @@ void append_point_data(std::string& text, const PolyhedralMesh& mesh) {
     text += "</PointData>\n";
 }
 
-void append_cell_data(std::string& text, const SpaceTile& tile, const CellList& cells) {
+void append_cell_data(std::string& text, const SpaceTile& tile, const PolyhedronList& cells) {
     std::vector<int> ids(static_cast<std::size_t>(cells.n_cells()));
     std::iota(ids.begin(), ids.end(), 0);
     std::vector<int> n_faces;
@@ -71,7 +71,7 @@ void append_points(std::string& text, const std::vector<Vec3>& points) {
 
 /// Appends each cell as the number of its faces, and each face as the number of its points and
 /// these. Returns the end of each cell in the array.
-std::vector<int> append_faces(std::string& text, const CellList& cells) {
+std::vector<int> append_faces(std::string& text, const PolyhedronList& cells) {
     std::vector<int> ends;
     int end = 0;
     open_vtk_array(text, "Int64", "faces");
@@ -91,7 +91,7 @@ std::vector<int> append_faces(std::string& text, const CellList& cells) {
     return ends;
 }
 
-void append_cells(std::string& text, const CellList& cells) {
+void append_cells(std::string& text, const PolyhedronList& cells) {
     std::vector<int> ends;
     int end = 0;
     text += "<Cells>\n";
@@ -114,7 +114,7 @@ void append_cells(std::string& text, const CellList& cells) {
 
 }  // namespace
 
-std::vector<int> cell_points(const CellList& cells, int cell) {
+std::vector<int> cell_points(const PolyhedronList& cells, int cell) {
     const auto begin = cells.faces.corners.begin();
     std::vector<int> points(begin + cells.faces.begin[cells.cell_begin[cell]],
                             begin + cells.faces.begin[cells.cell_begin[cell + 1]]);
@@ -124,7 +124,7 @@ std::vector<int> cell_points(const CellList& cells, int cell) {
 }
 
 std::vector<EncodedFile> encode_space_vtu(const SpaceTile& tile, const std::string& path) {
-    const CellList cells = cell_list(tile.mesh);
+    const PolyhedronList cells = polyhedron_list(tile.mesh);
     std::string text =
         "<?xml version=\"1.0\"?>\n<!-- A periodic tile of polyhedra, written by pcvt -->\n"
         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"

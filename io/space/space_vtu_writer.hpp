@@ -27,6 +27,6 @@ namespace pcvt {
 std::vector<EncodedFile> encode_space_vtu(const SpaceTile& tile, const std::string& path);
 
 /// Returns the points of a cell, by rising number.
-std::vector<int> cell_points(const CellList& cells, int cell);
+std::vector<int> cell_points(const PolyhedronList& cells, int cell);
 
 }  // namespace pcvt

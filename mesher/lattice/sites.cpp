@@ -38,9 +38,7 @@ Vec2 Sites::position(SiteId site) const {
 
 double Sites::spacing() const { return std::sqrt(lattice_.area() / n_sites()); }
 
-std::pair<SiteId, SiteId> Sites::duplicates() const {
-    return first_equal_sites(coordinates_);
-}
+std::pair<SiteId, SiteId> Sites::duplicates() const { return first_equal_sites(coordinates_); }
 
 Points uniform_points(const Lattice& lattice, int n, std::uint64_t seed) {
     if (n < 1) throw InvalidInput("the number of sites must be at least 1");

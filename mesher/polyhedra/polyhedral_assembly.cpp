@@ -20,7 +20,7 @@ struct ListedFace {
     int face;
 };
 
-std::vector<ListedFace> sorted_faces(const CellList& cells) {
+std::vector<ListedFace> sorted_faces(const PolyhedronList& cells) {
     std::vector<ListedFace> listed;
     for (int s = 0; s < cells.n_cells(); ++s) {
         checkpoint_each(s);
@@ -44,7 +44,7 @@ struct InnerFace {
 };
 
 /// Adds the inner faces, and after them those of one cell alone, in one patch.
-void add_faces(const CellList& cells, PolyhedralMesh& mesh) {
+void add_faces(const PolyhedronList& cells, PolyhedralMesh& mesh) {
     const std::vector<ListedFace> listed = sorted_faces(cells);
     std::vector<InnerFace> inner;
     std::vector<std::pair<int, int>> outer;
@@ -133,8 +133,8 @@ double tolerance_of(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-CellList cell_list(const PolyhedralMesh& mesh) {
-    CellList list{.points = mesh.points};
+PolyhedronList polyhedron_list(const PolyhedralMesh& mesh) {
+    PolyhedronList list{.points = mesh.points};
     const CellFaces cells(mesh);
     for (int s = 0; s < mesh.n_cells; ++s) {
         checkpoint_each(s);
@@ -149,7 +149,7 @@ CellList cell_list(const PolyhedralMesh& mesh) {
     return list;
 }
 
-PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const CellList& cells) {
+PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const PolyhedronList& cells) {
     PolyhedralMesh mesh{.lattice = lattice, .points = cells.points, .n_cells = cells.n_cells()};
     add_faces(cells, mesh);
     const std::vector<FacePair> pairs = seam_pairs(mesh, tolerance_of(mesh.points));

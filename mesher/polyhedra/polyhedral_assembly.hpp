@@ -8,7 +8,7 @@ namespace pcvt {
 
 /// Polyhedra as files list them: points, and the faces of each cell, counter-clockwise seen from
 /// outside.
-struct CellList {
+struct PolyhedronList {
     std::vector<Vec3> points = {};
     /// The faces of all cells, one after the other.
     Faces faces = {};
@@ -19,19 +19,19 @@ struct CellList {
 };
 
 /// Returns the polyhedra of a mesh as a list.
-CellList cell_list(const PolyhedralMesh& mesh);
+PolyhedronList polyhedron_list(const PolyhedralMesh& mesh);
 
 /// Joins polyhedra into a mesh: faces on the same points become inner faces, and the others are
 /// paired along the seam by their positions. The orbits of points follow from these pairs.
 ///
 /// Example usage:
-///   const PolyhedralMesh mesh = assembled_mesh(lattice, cell_list(other));
+///   const PolyhedralMesh mesh = assembled_mesh(lattice, polyhedron_list(other));
 ///   const PolyhedralProof proof = prove_polyhedra(mesh);
 ///
 /// Law, tested by number:
-///   (1) assembled_mesh(lattice, cell_list(mesh)) has the points, cells and pairs of `mesh`.
+///   (1) assembled_mesh(lattice, polyhedron_list(mesh)) has the points, cells and pairs of `mesh`.
 ///
 /// @throws NotATile if a face belongs to more than two cells, or a boundary face has no partner.
-PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const CellList& cells);
+PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const PolyhedronList& cells);
 
 }  // namespace pcvt

@@ -37,7 +37,8 @@ TEST(ChosenImages, AreConnectedWhereverTheCentroidsLie) {
 /// A cell that lies elsewhere, moved by a period, fits the torus, but the tile is not connected.
 TEST(ProvePolyhedra, NamesTheBrokenConnection) {
     const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
-    CellList cells = cell_list(testing::mesh_of({"", cube, uniform_points(cube, 40, 5)}));
+    PolyhedronList cells =
+        polyhedron_list(testing::mesh_of({"", cube, uniform_points(cube, 40, 5)}));
     std::vector<int> moved(cells.points.size(), -1);
     for (int c = cells.faces.begin[cells.cell_begin[3]]; c < cells.faces.begin[cells.cell_begin[4]];
          ++c) {

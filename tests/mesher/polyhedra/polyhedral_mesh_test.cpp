@@ -60,7 +60,7 @@ TEST(AssembledMesh, IsTheMeshOfTheListedCells) {
     for (const SpaceCase& c : space_cases()) {
         SCOPED_TRACE(c.name);
         const PolyhedralMesh mesh = mesh_of(c);
-        const PolyhedralMesh again = assembled_mesh(mesh.lattice, cell_list(mesh));
+        const PolyhedralMesh again = assembled_mesh(mesh.lattice, polyhedron_list(mesh));
         EXPECT_EQ(again.points, mesh.points);
         EXPECT_EQ(again.owner, mesh.owner);
         EXPECT_EQ(again.neighbour, mesh.neighbour);
