@@ -65,5 +65,16 @@ TEST(InclusionReader, EachFaultNamesItsLineAndARemedy) {
     EXPECT_THAT(fault_of(std::string_view("circle\0a", 8)), HasSubstr("binary"));
 }
 
+TEST(InclusionReader, FibresHaveAFractionANumberAndPerhapsAGap) {
+    const RandomCircles plain = parse_fibres("0.5,30");
+    EXPECT_EQ(plain.fraction, 0.5);
+    EXPECT_EQ(plain.n, 30);
+    EXPECT_EQ(plain.gap, RandomCircles{}.gap);
+    EXPECT_EQ(parse_fibres("0.5,30,0.015").gap, 0.015);
+    for (const char* const text : {"", "0.5", "0.5,x", "0.5,30,", "0.5,30,0.1,1"}) {
+        EXPECT_THROW(parse_fibres(text), InvalidInput) << text;
+    }
+}
+
 }  // namespace
 }  // namespace pcvt
