@@ -126,6 +126,35 @@ TEST(TileHoles, SitesThatStayAreNumberedFromZeroInTheirOrder) {
     EXPECT_EQ(ids, wanted);
 }
 
+// The mesh of the torus that views and tables read.
+TEST(TileHoles, MeshesOfTheTorusKeepTheirNeighboursAcrossAllOtherEdges) {
+    std::mt19937_64 random(12);
+    for (int k = 0; k < n_cases(5); ++k) {
+        const Case made = random_case(random);
+        const PeriodicMesh whole = cell_mesh(made.cvt.cvt.delaunay);
+        const HoleSites holes = testing::holes_of(made.cvt.tag, made.tags);
+        const PeriodicMesh mesh = with_holes(whole, holes);
+        const std::vector<SiteId> kept = holes.kept();
+        ASSERT_EQ(mesh.n_faces(), std::ssize(kept));
+        int n_on_holes = 0;
+        for (int c = 0; c < mesh.n_corners(); ++c) {
+            const int across = mesh.opposite[c];
+            n_on_holes += across < 0;
+            if (across < 0) continue;
+            EXPECT_EQ(mesh.opposite[across], c);
+            EXPECT_NE(mesh.corner_face[across], mesh.corner_face[c]);
+        }
+        int n_chords = 0;
+        for (int c = 0; c < whole.n_corners(); ++c) {
+            const auto is_hole = [&](int corner) {
+                return holes.of_site[whole.site[whole.corner_face[corner]]] >= 0;
+            };
+            n_chords += !is_hole(c) && is_hole(whole.opposite[c]);
+        }
+        EXPECT_EQ(n_on_holes, n_chords);
+    }
+}
+
 // Law (3)
 TEST(TileHoles, VerticesAndFacesKeepTheirOrderAndTheirPlaces) {
     Tile whole = testing::holed_tile({});
