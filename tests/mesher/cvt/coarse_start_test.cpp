@@ -50,7 +50,7 @@ TEST(CoarseStart, ReturnsDistinctSitesBetweenWalls) {
     }
 }
 
-TEST(CoarseStart, LeadsToLowerMinimaBetweenWalls) {
+TEST(CoarseStart, LeadsToLowerMinimaBetweenWallsSlow) {
     const Lattice lattice = Lattice::rectangle(2, 1);
     for (const Walls walls : {Walls::kY, Walls::kXY}) {
         for (const WallCells cells : {WallCells::kWhole, WallCells::kHalf}) {

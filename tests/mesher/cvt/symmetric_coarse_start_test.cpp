@@ -156,7 +156,7 @@ TEST(SymmetricCoarseStart, FollowsADensity) {
     EXPECT_LT(at_start.run.energy, 1.3 * at_start.density->expected_energy);
 }
 
-TEST(SymmetricCoarseStart, DependsOnTheSeedAndNotOnTheThreads) {
+TEST(SymmetricCoarseStart, DependsOnTheSeedAndNotOnTheThreadsSlow) {
     const PlaneGroup group = example(PlaneGroupName::kP6m);
     const OrbitPlan plan = general_plan(group, 6000);
     const auto one = symmetric_coarse_start(group, plan, seeded(1));
