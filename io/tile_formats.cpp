@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/bytes/extension.hpp"
 #include "io/cutting/dxf_writer.hpp"
 #include "io/cutting/svg_cut_writer.hpp"
 #include "io/gltf/gltf_reader.hpp"
@@ -317,14 +318,6 @@ std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
 TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& files,
                      const std::optional<Lattice>& lattice) {
     return std::get<TileReader*>(format.read)(files, lattice);
-}
-
-std::string lower_case_extension(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return extension;
 }
 
 const TileFormat* find_tile_format(const std::string& path) {

@@ -154,9 +154,6 @@ std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
 TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& files,
                      const std::optional<Lattice>& lattice);
 
-/// The extension of `path` in lower case.
-std::string lower_case_extension(const std::string& path);
-
 /// The row for the extension of `path` (case does not matter), nullptr if there is none.
 const TileFormat* find_tile_format(const std::string& path);
 

@@ -8,67 +8,118 @@
 namespace pcvt {
 namespace {
 
-Vec2 parse_site(const LineScanner& scanner, const std::vector<std::string_view>& words) {
+/// How messages name the coordinates of a site.
+template <int Dimension>
+struct Words;
+template <>
+struct Words<2> {
+    static constexpr const char* kSite = "a site has 2 coordinates";
+    static constexpr const char* kForm = "\"x y\"";
+};
+template <>
+struct Words<3> {
+    static constexpr const char* kSite = "a site in space has 3 coordinates";
+    static constexpr const char* kForm = "\"x y z\"";
+};
+
+template <int Dimension>
+using Site = Eigen::Matrix<double, Dimension, 1>;
+
+template <int Dimension>
+Site<Dimension> parse_site(const LineScanner& scanner, const std::vector<std::string_view>& words) {
     std::vector<double> numbers;
     for (const std::string_view word : words) numbers.push_back(scanner.number(word));
-    if (numbers.size() != 2) {
-        scanner.throw_bad_file("a site has 2 coordinates, this line has " +
-                               std::to_string(numbers.size()) + "; write \"x y\"" +
-                               (numbers.size() == 3 ? ", or give three periods" : ""));
+    if (numbers.size() != Dimension) {
+        const bool is_of_space = Dimension == 2 && numbers.size() == 3;
+        scanner.throw_bad_file(std::string(Words<Dimension>::kSite) + ", this line has " +
+                               std::to_string(numbers.size()) + "; write " +
+                               Words<Dimension>::kForm +
+                               (is_of_space ? ", or give three periods" : ""));
     }
-    return {numbers[0], numbers[1]};
+    return Site<Dimension>(numbers.data());
 }
 
 /// Calls visit(site, its line) for each site until it returns false; returns whether it never did.
-template <class Visit>
+template <int Dimension, class Visit>
 bool for_each_site(const std::string& name, std::string_view text, const Visit& visit) {
-    refuse_binary(name, text, "give a text with \"x y\" a line");
+    refuse_binary(name, text,
+                  std::string("give a text with ") + Words<Dimension>::kForm + " a line");
     LineScanner scanner(name, text);
     while (scanner.next()) {
         const std::vector<std::string_view> words = scanner.words_before_comment();
         if (words.empty()) continue;
-        if (!visit(parse_site(scanner, words), scanner.line())) return false;
+        if (!visit(parse_site<Dimension>(scanner, words), scanner.line())) return false;
     }
     return true;
 }
 
+template <int Dimension>
+bool are_read_back(const std::string& name, std::string_view text,
+                   const Eigen::Matrix<double, Dimension, Eigen::Dynamic>& sites) {
+    Eigen::Index n = 0;
+    const bool same =
+        for_each_site<Dimension>(name, text, [&](const Site<Dimension>& site, int /*line*/) {
+            return n < sites.cols() && site == sites.col(n++);
+        });
+    return same && n == sites.cols();
+}
+
+/// "file:7: the site coincides with the site of line 3 modulo the lattice".
+template <int Dimension>
+std::string coincidence(const SiteFileOf<Dimension>& file, const DuplicateSites& duplicate) {
+    const int first = file.lines[static_cast<std::size_t>(duplicate.first())];
+    const int second = file.lines[static_cast<std::size_t>(duplicate.second())];
+    return file.name + ":" + std::to_string(second) +
+           ": the site coincides with the site of line " + std::to_string(first) +
+           " modulo the lattice";
+}
+
 }  // namespace
 
-SiteFile parse_sites(const std::string& name, std::string_view text) {
-    SiteFile file{name, {}, {}};
-    std::vector<Vec2> sites;
-    for_each_site(name, text, [&](const Vec2& site, int line) {
+template <int Dimension>
+SiteFileOf<Dimension> parse_sites(const std::string& name, std::string_view text) {
+    SiteFileOf<Dimension> file{name, {}, {}};
+    std::vector<Site<Dimension>> sites;
+    for_each_site<Dimension>(name, text, [&](const Site<Dimension>& site, int line) {
         sites.push_back(site);
         file.lines.push_back(line);
         return true;
     });
-    if (sites.empty()) throw BadFile(name + ": holds no site; give one \"x y\" a line");
-    file.points.resize(2, static_cast<Eigen::Index>(sites.size()));
+    if (sites.empty()) {
+        throw BadFile(name + ": holds no site; give one " + Words<Dimension>::kForm + " a line");
+    }
+    file.points.resize(Dimension, static_cast<Eigen::Index>(sites.size()));
     std::copy(sites.begin(), sites.end(), file.points.colwise().begin());
     return file;
 }
 
-bool reads_back(const std::string& name, std::string_view text, const Points& sites) {
-    Eigen::Index n = 0;
-    const bool same = for_each_site(name, text, [&](const Vec2& site, int /*line*/) {
-        return n < sites.cols() && site == sites.col(n++);
-    });
-    return same && n == sites.cols();
+template <int Dimension>
+SiteFileOf<Dimension> read_sites(const std::string& path) {
+    if (path == "-") return parse_sites<Dimension>("standard input", read_standard_input());
+    return parse_sites<Dimension>(path, read_whole_file(path, kSiteInput));
 }
 
-SiteFile read_sites(const std::string& path) {
-    if (path == "-") return parse_sites("standard input", read_standard_input());
-    return parse_sites(path, read_whole_file(path, kSiteInput));
+template SiteFile parse_sites<2>(const std::string& name, std::string_view text);
+template SpaceSiteFile parse_sites<3>(const std::string& name, std::string_view text);
+template SiteFile read_sites<2>(const std::string& path);
+template SpaceSiteFile read_sites<3>(const std::string& path);
+
+bool reads_back(const std::string& name, std::string_view text, const Eigen::Matrix2Xd& sites) {
+    return are_read_back<2>(name, text, sites);
+}
+
+bool reads_back(const std::string& name, std::string_view text, const Eigen::Matrix3Xd& sites) {
+    return are_read_back<3>(name, text, sites);
 }
 
 BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate) {
-    const int first = file.lines[static_cast<std::size_t>(duplicate.first())];
-    const int second = file.lines[static_cast<std::size_t>(duplicate.second())];
     const bool same = file.points.col(duplicate.first()) == file.points.col(duplicate.second());
-    return BadFile(file.name + ":" + std::to_string(second) +
-                   ": the site coincides with the site of line " + std::to_string(first) +
-                   " modulo the lattice, to 1e-9 of the spacing; remove one" +
+    return BadFile(coincidence(file, duplicate) + ", to 1e-9 of the spacing; remove one" +
                    (same ? "" : ", or give the periods by --period or --lattice"));
+}
+
+BadFile duplicate_lines(const SpaceSiteFile& file, const DuplicateSites& duplicate) {
+    return BadFile(coincidence(file, duplicate) + "; remove one");
 }
 
 }  // namespace pcvt

@@ -12,32 +12,40 @@ namespace pcvt {
 /// The sites of a text file; SiteId s belongs to the s-th line that holds a site, counted from 0.
 ///
 /// Example usage:
-///     const SiteFile file = read_sites("sites.txt");
+///     const SiteFile file = read_sites<2>("sites.txt");
 ///     const Sites sites(lattice, file.points);
-struct SiteFile {
+template <int Dimension>
+struct SiteFileOf {
     /// The file's name in messages.
     std::string name;
-    /// 2 x n, length units, not wrapped.
-    Points points;
+    /// Dimension x n, length units, not wrapped.
+    Eigen::Matrix<double, Dimension, Eigen::Dynamic> points;
     /// The line of each site, counted from 1.
     std::vector<int> lines;
 };
+using SiteFile = SiteFileOf<2>;
+using SpaceSiteFile = SiteFileOf<3>;
 
-/// Reads one site "x y" per line. Accepts blank lines, comments after a #, CRLF, a byte order mark,
-/// tabs and a last line without an end.
+// For 2 and 3 dimensions.
+
+/// Reads one site "x y", or "x y z", per line. Accepts blank lines, comments after a #, CRLF, a
+/// byte order mark, tabs and a last line without an end.
 /// @throws BadFile with the line for any other text, and for a text without a site.
-SiteFile parse_sites(const std::string& name, std::string_view text);
+template <int Dimension>
+SiteFileOf<Dimension> parse_sites(const std::string& name, std::string_view text);
 
 /// Reads the sites of a file, or of standard input if `path` is "-".
-SiteFile read_sites(const std::string& path);
+template <int Dimension>
+SiteFileOf<Dimension> read_sites(const std::string& path);
 
 /// Whether `text` reads back as exactly these sites; needs no memory for them.
 /// @throws BadFile as parse_sites does.
-bool reads_back(const std::string& name, std::string_view text, const Points& sites);
+bool reads_back(const std::string& name, std::string_view text, const Eigen::Matrix2Xd& sites);
+bool reads_back(const std::string& name, std::string_view text, const Eigen::Matrix3Xd& sites);
 
-/// Returns `duplicate` with lines in its message: `file:7: the site coincides with the site of line
-/// 3
-/// ...; remove one`.
+/// Returns `duplicate` with lines in its message:
+/// "file:7: the site coincides with the site of line 3 ...; remove one".
 BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate);
+BadFile duplicate_lines(const SpaceSiteFile& file, const DuplicateSites& duplicate);
 
 }  // namespace pcvt

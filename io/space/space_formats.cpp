@@ -4,12 +4,12 @@
 #include <array>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/bytes/extension.hpp"
+#include "io/run_files/site_reader.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
-#include "io/space/space_site_file.hpp"
 #include "io/space/space_vtu_reader.hpp"
 #include "io/space/space_vtu_writer.hpp"
-#include "io/tile_formats.hpp"
 
 namespace pcvt {
 namespace {
@@ -73,8 +73,7 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
 }
 
 void prove_space_site_file(const EncodedFile& file, const Points3& sites) {
-    const Points3 found = parse_space_sites(file.path, file.bytes).points;
-    if (found.cols() == sites.cols() && found == sites) return;
+    if (reads_back(file.path, file.bytes, sites)) return;
     throw InternalError(file.path + ": other sites are read back than were written");
 }
 

@@ -101,7 +101,7 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
         read_area_file(job);
         summary = run_watched(job, options.quiet);
     } else {
-        const SiteFile file = read_sites(options.input);
+        const SiteFile file = read_sites<2>(options.input);
         job.points = file.points;
         read_area_file(job);
         summary = run_file(job, file, options.quiet);

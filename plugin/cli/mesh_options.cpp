@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "io/bytes/extension.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/options/mesh_examples.hpp"
 #include "plugin/cli/options/option_values.hpp"

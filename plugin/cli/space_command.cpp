@@ -9,7 +9,7 @@
 #include <string_view>
 #include <thread>
 
-#include "io/space/space_site_file.hpp"
+#include "io/run_files/site_reader.hpp"
 #include "plugin/cli/mesh_command.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/cli/summary.hpp"
@@ -199,7 +199,7 @@ ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
     if (options.input.empty()) {
         summary = run_watched(job, options.quiet);
     } else {
-        const SpaceSiteFile file = read_space_sites(options.input);
+        const SpaceSiteFile file = read_sites<3>(options.input);
         job.points = file.points;
         try {
             summary = run_watched(job, options.quiet);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/bytes/extension.hpp"
 #include "io/bytes/nearest_word.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/outputs/distinct_paths.hpp"

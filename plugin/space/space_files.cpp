@@ -6,7 +6,7 @@
 #include "io/outputs/distinct_paths.hpp"
 #include "io/outputs/recovery.hpp"
 #include "io/outputs/writable_paths.hpp"
-#include "io/space/space_site_file.hpp"
+#include "io/run_files/site_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -24,7 +24,7 @@ SpaceJobFile plan_file(std::string path) {
 void stage_file(const SpaceJobFile& file, const SpaceTile& tile, const Points3& points,
                 OutputSet& outputs) {
     if (file.format->encode == nullptr) {
-        const std::vector<EncodedFile> encoded = only_file(file.path, encode_space_sites(points));
+        const std::vector<EncodedFile> encoded = only_file(file.path, encode_sites(points));
         outputs.stage(file.path, encoded.front().bytes);
         require_on_disk(outputs, encoded);
         prove_space_site_file(encoded.front(), points);

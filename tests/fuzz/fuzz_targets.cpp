@@ -153,7 +153,7 @@ std::vector<std::string> seam_seeds() {
 }
 
 void read_site_text(const std::string& bytes) {
-    const SiteFile file = parse_sites("sites.txt", bytes);
+    const SiteFile file = parse_sites<2>("sites.txt", bytes);
     if (file.points.cols() > kMostMeshedSites) return;
     // As every run of the command, it refuses sites that nearly coincide.
     CvtOptions options;

@@ -344,7 +344,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     job.report = folder / "r.json";
     const RunSummary summary = run_job(job, {});
     EXPECT_LT(summary.areas->newton.largest_relative_error, 1e-10);
-    const Points sites = read_sites(folder / "t.txt").points;
+    const Points sites = read_sites<2>(folder / "t.txt").points;
     const Computation computed = compute_job(job, {}).value();
     EXPECT_EQ(sites, wrapped_sites(computed.cells, job.origin));
 }

@@ -1,36 +1,36 @@
-#include "io/space/space_site_file.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/run_files/site_reader.hpp"
+#include "io/run_files/site_writer.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/polyhedra.hpp"
 
 namespace pcvt {
 namespace {
 
-TEST(SpaceSiteFile, GivesBackTheSameSites) {
+TEST(SpaceSiteReader, GivesBackTheSameSites) {
     const Points3 points = uniform_points(SpaceLattice::box(1, 2, 3), 50, 1);
-    EXPECT_EQ(parse_space_sites("s.txt", encode_space_sites(points)).points, points);
+    EXPECT_EQ(parse_sites<3>("s.txt", encode_sites(points)).points, points);
 }
 
-TEST(SpaceSiteFile, ReadsCommentsAndBlankLines) {
-    const SpaceSiteFile file = parse_space_sites("s.txt", "# head\r\n\r\n1 2\t3 # one\n4 5 6");
+TEST(SpaceSiteReader, ReadsCommentsAndBlankLines) {
+    const SpaceSiteFile file = parse_sites<3>("s.txt", "# head\r\n\r\n1 2\t3 # one\n4 5 6");
     EXPECT_EQ(file.lines, (std::vector<int>{3, 4}));
     EXPECT_EQ(file.points.col(1), Vec3(4, 5, 6));
 }
 
-TEST(SpaceSiteFile, NamesTheLineOfAFault) {
+TEST(SpaceSiteReader, NamesTheLineOfAFault) {
     const auto fault = [](const std::string& text) {
-        return testing::fault_in([&] { parse_space_sites("s.txt", text); });
+        return testing::fault_in([&] { parse_sites<3>("s.txt", text); });
     };
     EXPECT_THAT(fault("1 2 3\n1 2\n"), ::testing::StartsWith("s.txt:2: "));
     EXPECT_THAT(fault("1 2 x\n"), ::testing::StartsWith("s.txt:1: "));
     EXPECT_THAT(fault("# none\n"), ::testing::HasSubstr("holds no site"));
 }
 
-TEST(SpaceSiteFile, NamesTheLinesOfEqualSites) {
-    const SpaceSiteFile file = parse_space_sites("s.txt", "0 0 0\n# a comment\n1 0 0\n");
+TEST(SpaceSiteReader, NamesTheLinesOfEqualSites) {
+    const SpaceSiteFile file = parse_sites<3>("s.txt", "0 0 0\n# a comment\n1 0 0\n");
     const BadFile fault = duplicate_lines(file, DuplicateSites(0, 1));
     EXPECT_THAT(fault.what(),
                 ::testing::StartsWith("s.txt:3: the site coincides with the site of line 1"));
