@@ -13,6 +13,7 @@
 #include "plugin/cli/check_proof.hpp"
 #include "plugin/cli/exit_code.hpp"
 #include "plugin/cli/options/option_values.hpp"
+#include "plugin/cli/options/site_source.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/job/job_files.hpp"
 
@@ -61,13 +62,13 @@ void read_areas_option(const CLI::App& app, const CheckOptions& options, Questio
 
 Question make_question(const CLI::App& app, const CheckOptions& options) {
     Question question{options.files, std::nullopt, std::nullopt};
-    const bool period = app.count("--period") > 0;
-    const bool vectors = app.count("--lattice") > 0;
-    if (period && vectors) {
-        throw InvalidInput("--period and --lattice exclude each other; remove one");
+    require_one_lattice(app);
+    if (app.count("--period") > 0) {
+        question.lattice = rectangle_lattice("--period", options.period);
     }
-    if (period) question.lattice = rectangle_lattice("--period", options.period);
-    if (vectors) question.lattice = vector_lattice("--lattice", options.lattice);
+    if (app.count("--lattice") > 0) {
+        question.lattice = vector_lattice("--lattice", options.lattice);
+    }
     read_cvt(app, options, question);
     for (std::string& path : question.files) path = without_slash(path);
     read_density(app, options, question);

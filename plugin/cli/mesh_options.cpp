@@ -5,7 +5,6 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <thread>
 
@@ -13,6 +12,7 @@
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/options/mesh_examples.hpp"
 #include "plugin/cli/options/option_values.hpp"
+#include "plugin/cli/options/site_source.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_start.hpp"
@@ -20,8 +20,6 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr int kMostIterations = std::numeric_limits<int>::max();
-constexpr int kMostThreads = 1024;
 constexpr int kMostPerEdge = 1000;
 constexpr int kLargestBudget = 2'000'000'000;
 constexpr int kMostRetries = 1'000'000;
@@ -167,43 +165,25 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
 /// The lattice of --period or --lattice, or one that fits the symmetry, or the unit square.
 Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
                        const std::optional<PlaneGroupName>& symmetry) {
-    const bool period = app.count("--period") > 0;
-    const bool vectors = app.count("--lattice") > 0;
-    if (period && vectors) {
-        throw InvalidInput("--period and --lattice exclude each other; remove one");
-    }
-    if (period) return rectangle_lattice("--period", options.period);
-    if (vectors) return vector_lattice("--lattice", options.lattice);
+    require_one_lattice(app);
+    if (app.count("--period") > 0) return rectangle_lattice("--period", options.period);
+    if (app.count("--lattice") > 0) return vector_lattice("--lattice", options.lattice);
     if (symmetry) return example_lattice(*symmetry);
     return Lattice::rectangle(1, 1);
 }
 
 void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job) {
-    const bool drawn = app.count("--sites") > 0;
-    const bool from_file = app.count("--input") > 0;
-    if (drawn && from_file) {
-        throw InvalidInput("--sites and --input exclude each other; remove one");
-    }
-    if (!drawn && !from_file) {
-        throw InvalidInput("no sites; give --sites N or --input FILE");
-    }
-    if (from_file && options.input.empty()) {
-        throw InvalidInput("--input: the name is empty; give a file, or - for standard input");
-    }
-    if (drawn) job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
+    require_one_site_source(app, options.input);
+    if (app.count("--sites") > 0)
+        job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
     const bool draws_areas = job.areas && job.areas->is_drawn();
-    for (const char* name : {"--seed", "--retry", "--start", "--symmetry"}) {
-        if (name == std::string("--seed") && draws_areas) continue;
-        if (from_file && app.count(name) > 0) {
-            throw InvalidInput(std::string(name) +
-                               " is for random sites, but --input gives them; remove one");
-        }
-    }
+    if (!draws_areas) refuse_beside_input(app, {"--seed"});
+    refuse_beside_input(app, {"--retry", "--start", "--symmetry"});
     if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
     if (app.count("--retry") > 0) {
         job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
     }
-    if (from_file && options.input != "-") job.inputs.push_back(options.input);
+    if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
 }
 
 void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {

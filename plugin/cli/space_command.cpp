@@ -5,13 +5,13 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
 #include <thread>
 
 #include "io/run_files/site_reader.hpp"
 #include "plugin/cli/mesh_command.hpp"
 #include "plugin/cli/options/option_values.hpp"
+#include "plugin/cli/options/site_source.hpp"
 #include "plugin/cli/summary.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -22,9 +22,6 @@
 
 namespace pcvt::cli {
 namespace {
-
-constexpr int kMostIterations = std::numeric_limits<int>::max();
-constexpr int kMostThreads = 1024;
 
 /// The options of `pcvt mesh` that apply in space.
 constexpr std::array<std::string_view, 16> kOptions{
@@ -73,33 +70,20 @@ void refuse_foreign_options(const CLI::App& app) {
 }
 
 SpaceLattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
-    if (app.count("--period") > 0 && app.count("--lattice") > 0) {
-        throw InvalidInput("--period and --lattice exclude each other; remove one");
-    }
+    require_one_lattice(app);
     return app.count("--period") > 0 ? box_lattice("--period", options.period)
                                      : space_lattice("--lattice", options.lattice);
 }
 
 void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
-    const bool drawn = app.count("--sites") > 0;
-    const bool from_file = app.count("--input") > 0;
-    if (drawn && from_file) {
-        throw InvalidInput("--sites and --input exclude each other; remove one");
+    require_one_site_source(app, options.input);
+    refuse_beside_input(app, {"--seed", "--start"});
+    if (app.count("--sites") > 0) {
+        job.n_sites = whole_number("--sites", options.sites, 1, kMostSpaceSites);
     }
-    if (!drawn && !from_file) throw InvalidInput("no sites; give --sites N or --input FILE");
-    if (from_file && options.input.empty()) {
-        throw InvalidInput("--input: the name is empty; give a file, or - for standard input");
-    }
-    for (const char* name : {"--seed", "--start"}) {
-        if (from_file && app.count(name) > 0) {
-            throw InvalidInput(std::string(name) +
-                               " is for random sites, but --input gives them; remove one");
-        }
-    }
-    if (drawn) job.n_sites = whole_number("--sites", options.sites, 1, kMostSpaceSites);
     if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
     if (app.count("--start") > 0) job.start = space_row("--start", options.start, kStarts).start;
-    if (from_file && options.input != "-") job.inputs.push_back(options.input);
+    if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
 }
 
 void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {

@@ -14,7 +14,6 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr int kMostThreads = 1024;
 constexpr int kMostRuns = 1'000'000'000;
 constexpr int kMostShards = 1'000'000;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ const auto& chosen_row(const std::string& option, const std::string& word, const
                        (meant.empty() ? "take " + listed_words(table, ", ", " or ")
                                       : "did you mean " + meant + "?"));
 }
+
+constexpr int kMostThreads = 1024;
+constexpr int kMostIterations = std::numeric_limits<int>::max();
 
 /// A whole number, at least `lowest`.
 /// @throws LimitExceeded if it is above `highest`.

@@ -352,7 +352,7 @@ TEST(WalledAreaCvt, FiguresCountTheWorkOfAllRounds) {
     };
     const WalledAreaCvt cvt = compute_walled_area_cvt(box, Walls::kXY, WallCells::kHalf,
                                                       uniform_points(box, 60, 1), options);
-    // Each round fits the weights anew, at least once before its steps and once after each.
+    // A round fits the weights at least once before its first step and once after every step.
     EXPECT_GT(n_steps, 5) << "one round only";
     // Four Newton steps follow each step of the sites; the last round alone has two for each.
     EXPECT_GE(cvt.torus.areas.newton_steps, 3 * n_steps);

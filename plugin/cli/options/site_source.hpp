@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <initializer_list>
+#include <string>
+
+namespace pcvt::cli {
+
+// Which options say where the sites and the lattice come from, in the plane and in space:
+//
+//   require_one_site_source(app, options.input);
+//   refuse_beside_input(app, {"--seed", "--start"});
+
+/// Requires that --period and --lattice are not both given.
+/// @throws InvalidInput
+void require_one_lattice(const CLI::App& app);
+
+/// Requires --sites or --input, not both, and that the name of the input is not empty.
+/// @throws InvalidInput
+void require_one_site_source(const CLI::App& app, const std::string& input);
+
+/// Refuses options of random sites where --input gives the sites.
+/// @throws InvalidInput
+void refuse_beside_input(const CLI::App& app, std::initializer_list<const char*> names);
+
+}  // namespace pcvt::cli
