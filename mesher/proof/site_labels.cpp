@@ -151,7 +151,8 @@ class Equidistance {
           orbits_(proven_orbits(proof)),
           images_(images),
           of_face_(std::move(of_face)),
-          tolerance_(kOffBisector * std::sqrt(images.cell_area()) + kRoundings * proof.tolerance),
+          rounding_(kRoundings * proof.tolerance),
+          tolerance_(kOffBisector * std::sqrt(images.cell_area()) + rounding_),
           meetings_(tile.points.size()) {}
 
     void require() {
@@ -192,11 +193,11 @@ class Equidistance {
             farthest = std::max(farthest, from_f.norm());
             for (const auto& [g, w] : corners) {
                 const double between = (site_of(g) - tile_.points[w] - from_f).norm();
-                if (between > tolerance_) nearest = std::min(nearest, between);
+                if (between > rounding_) nearest = std::min(nearest, between);
             }
         }
         const double spread = meetings_[orbit].spread;
-        if (spread <= tolerance_ * std::max(1.0, farthest / nearest)) return;
+        if (spread <= tolerance_ + rounding_ * farthest / nearest) return;
         std::string cells;
         for (const auto& [f, v] : corners) {
             cells += (cells.empty() ? "" : ", ") + to_string(tile_.face_site[f]);
@@ -211,6 +212,7 @@ class Equidistance {
     VertexOrbits orbits_;
     const SiteImages& images_;
     std::vector<Offset> of_face_;
+    double rounding_;
     double tolerance_;
     std::vector<Meeting> meetings_;
 };
