@@ -152,7 +152,7 @@ class Equidistance {
           images_(images),
           of_face_(std::move(of_face)),
           rounding_(kRoundings * proof.tolerance),
-          tolerance_(kOffBisector * std::sqrt(images.cell_area()) + rounding_),
+          off_bisector_(kOffBisector * std::sqrt(images.cell_area())),
           meetings_(tile.points.size()) {}
 
     void require() {
@@ -164,7 +164,7 @@ class Equidistance {
             }
         }
         for (int v = 0; v < tile_.n_vertices(); ++v) {
-            if (!(meetings_[v].spread <= tolerance_)) require_at(v);
+            if (!(meetings_[v].spread <= off_bisector_ + rounding_)) require_at(v);
         }
     }
 
@@ -197,7 +197,8 @@ class Equidistance {
             }
         }
         const double spread = meetings_[orbit].spread;
-        if (spread <= tolerance_ + rounding_ * farthest / nearest) return;
+        const double tolerance = off_bisector_ + rounding_ * std::max(1.0, farthest / nearest);
+        if (spread <= tolerance) return;
         std::string cells;
         for (const auto& [f, v] : corners) {
             cells += (cells.empty() ? "" : ", ") + to_string(tile_.face_site[f]);
@@ -205,7 +206,7 @@ class Equidistance {
         throw_violation(kSiteLaw, "vertex " + to_string(orbit) +
                                       " is not equally far from the sites of its faces, " + cells +
                                       ": the distances differ by " + in_words(spread) +
-                                      ", more than " + in_words(tolerance_));
+                                      ", more than " + in_words(tolerance));
     }
 
     const Tile& tile_;
@@ -213,7 +214,7 @@ class Equidistance {
     const SiteImages& images_;
     std::vector<Offset> of_face_;
     double rounding_;
-    double tolerance_;
+    double off_bisector_;
     std::vector<Meeting> meetings_;
 };
 

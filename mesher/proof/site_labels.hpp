@@ -46,9 +46,9 @@ namespace pcvt {
 /// For a tile with walls these are laws of the tile together with its mirror images.
 ///
 /// By (4) to (9), two ids that are exchanged are found, and a site that moves. Distances are
-/// compared within 1e-7 h + 8 proof.tolerance, h = sqrt(area / number of cells), and where two of
-/// the sites round a vertex lie at a distance of d, within 8 proof.tolerance / d of their distance
-/// from the vertex more. Cost: O(n).
+/// compared within 1e-7 h + 8 proof.tolerance, h = sqrt(area / number of cells). Where two of the
+/// sites round a vertex at a distance of r lie d < r apart, the tolerance of positions counts r / d
+/// times. Cost: O(n).
 /// @returns the cell of each face if corners were moved; else an empty result, which is clear.
 /// @throws NotATile naming the site and the face or the vertex.
 FaceImages prove_sites(const Tile& tile, const TileProof& proof);
