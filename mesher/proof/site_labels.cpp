@@ -182,8 +182,21 @@ class Equidistance {
         return corners;
     }
 
+    /// The distance of a site from the nearest other one that does not coincide with it.
+    double from_others(int f, const Vec2& site) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (SiteId other = 0; other < images_.n_sites(); ++other) {
+            if (other == tile_.face_site[f]) continue;
+            const Offset offset = images_.nearest(other, site);
+            const double between = (images_.position(other, offset) - site).norm();
+            if (between > rounding_) nearest = std::min(nearest, between);
+        }
+        return nearest;
+    }
+
     /// Compares the distances at one orbit again. Where two sites lie close together compared with
-    /// their distance from the vertex, rounding moves the vertex farther.
+    /// their distance from a vertex, rounding moves the vertex farther, and with it the points at
+    /// which a box cuts its edges.
     void require_at(int orbit) const {
         const auto corners = corners_at(orbit);
         double nearest = std::numeric_limits<double>::infinity();
@@ -191,6 +204,7 @@ class Equidistance {
         for (const auto& [f, v] : corners) {
             const Vec2 from_f = site_of(f) - tile_.points[v];
             farthest = std::max(farthest, from_f.norm());
+            nearest = std::min(nearest, from_others(f, site_of(f)));
             for (const auto& [g, w] : corners) {
                 const double between = (site_of(g) - tile_.points[w] - from_f).norm();
                 if (between > rounding_) nearest = std::min(nearest, between);

@@ -46,9 +46,9 @@ namespace pcvt {
 /// For a tile with walls these are laws of the tile together with its mirror images.
 ///
 /// By (4) to (9), two ids that are exchanged are found, and a site that moves. Distances are
-/// compared within 1e-7 h + 8 proof.tolerance, h = sqrt(area / number of cells). Where two of the
-/// sites round a vertex at a distance of r lie d < r apart, the tolerance of positions counts r / d
-/// times. Cost: O(n).
+/// compared within 1e-7 h + 8 proof.tolerance, h = sqrt(area / number of cells). Where one of the
+/// sites round a vertex at a distance of r has another site at a distance of d < r, the tolerance
+/// of positions counts r / d times. Cost: O(n) and O(n) more for each such vertex.
 /// @returns the cell of each face if corners were moved; else an empty result, which is clear.
 /// @throws NotATile naming the site and the face or the vertex.
 FaceImages prove_sites(const Tile& tile, const TileProof& proof);
