@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesher/space/space_delaunay.hpp"
+
+namespace pcvt {
+
+/// A tile of the Delaunay tetrahedra of the 3-torus: one image of each tetrahedron, on images of
+/// the sites.
+///
+/// Laws, which prove_tetrahedra() proves by number:
+///   (1) Each tetrahedron is positively oriented, and its volume is above kFlatTetrahedron V / n.
+///   (2) Points have the sites 0 ... n - 1, each at least once. Each point is the first point of
+///       its site plus the translation by its offset.
+///   (3) Each triangle has two tetrahedra, which traverse it in opposite orders: both at its three
+///       points, or one of them at these points plus a translation.
+///   (4) Glued along the seam, vertices - edges + triangles - tetrahedra = 0, and the volumes sum
+///       to that of the domain.
+///   (5) The tetrahedra are connected across triangles of the tile.
+struct TetrahedralMesh {
+    SpaceLattice lattice;
+    /// Positions, length units.
+    std::vector<Vec3> points = {};
+    /// The site of each point, and the offset (I, J, K) from the first point of that site.
+    std::vector<SiteId> point_site = {};
+    std::vector<Offset3> point_offset = {};
+    /// Points of each tetrahedron; the fourth lies on the side from which the others turn
+    /// counter-clockwise.
+    std::vector<std::array<int, 4>> tetrahedra = {};
+
+    int n_points() const { return static_cast<int>(points.size()); }
+    int n_tetrahedra() const { return static_cast<int>(tetrahedra.size()); }
+};
+
+/// Lays the tetrahedra of a Delaunay triangulation out as one connected tile round the domain at
+/// the origin. The tile grows from the tetrahedron whose barycentre lies next to the centre of the
+/// domain, across triangles, always by the image whose barycentre is nearest to that centre; the
+/// distance is the largest difference of the coordinates in the reduced basis.
+///
+/// Example usage:
+///   const TetrahedralMesh mesh = tetrahedral_mesh(space_delaunay(SpaceSites(lattice, points)));
+///   const TetrahedralProof proof = prove_tetrahedra(mesh);
+///
+/// Cost: t log t for t tetrahedra.
+TetrahedralMesh tetrahedral_mesh(const SpaceDelaunay& delaunay);
+
+}  // namespace pcvt

@@ -1,0 +1,195 @@
+#include "mesher/tetrahedra/tetrahedral_proof.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "mesher/base/disjoint_sets.hpp"
+#include "mesher/proof/law_violation.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Positions of partners may differ by this many double ulps of the largest coordinate.
+constexpr double kUlps = 4;
+/// The volumes may sum to another one than that of the domain by this part of it: rounding.
+constexpr double kVolumeError = 1e-9;
+
+std::string tetrahedron_in_words(int t) { return "tetrahedron " + std::to_string(t); }
+
+/// Images of sites, sorted, of which the first has the offset 0: the same for all translations.
+template <std::size_t n>
+std::array<Corner3, n> orbit(const TetrahedralMesh& mesh, std::array<int, n> points) {
+    std::array<Corner3, n> corners;
+    std::transform(points.begin(), points.end(), corners.begin(), [&](int v) {
+        return Corner3{mesh.point_site[v], mesh.point_offset[v]};
+    });
+    std::sort(corners.begin(), corners.end());
+    const Offset3 base = corners.front().offset;
+    for (Corner3& corner : corners) corner.offset = corner.offset - base;
+    return corners;
+}
+
+void prove_points(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
+    double largest = 0;
+    for (const Vec3& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+    const double tolerance = kUlps * std::numeric_limits<double>::epsilon() * largest;
+    std::map<SiteId, int> first;
+    std::set<Corner3> images;
+    for (int v = 0; v < mesh.n_points(); ++v) {
+        const int w = first.emplace(mesh.point_site[v], v).first->second;
+        const Vec3 expected = mesh.points[w] + mesh.lattice.translation(mesh.point_offset[v]);
+        const double off = (mesh.points[v] - expected).lpNorm<Eigen::Infinity>();
+        if (!(off <= tolerance)) {
+            throw_violation("(2), points",
+                            "point " + std::to_string(v) + " is off by " + in_words(off));
+        }
+        if (!images.insert({mesh.point_site[v], mesh.point_offset[v]}).second) {
+            throw_violation("(2), points", "point " + std::to_string(v) + " occurs twice");
+        }
+    }
+    proof.n_sites = static_cast<int>(first.size());
+    if (first.empty() || first.begin()->first != 0 || first.rbegin()->first != proof.n_sites - 1) {
+        throw_violation("(2), points", "the sites are not 0 ... n - 1");
+    }
+}
+
+void prove_volumes(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
+    const double domain = mesh.lattice.volume();
+    proof.smallest_volume = domain;
+    for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
+        const auto& [a, b, c, d] = mesh.tetrahedra[t];
+        const Vec3& p = mesh.points[a];
+        const double volume =
+            (mesh.points[b] - p).cross(mesh.points[c] - p).dot(mesh.points[d] - p) / 6;
+        if (!(volume > kFlatTetrahedron * domain / proof.n_sites)) {
+            throw_violation("(1), volumes", tetrahedron_in_words(t) +
+                                                " is flat or turned over, its volume is " +
+                                                in_words(volume) + "; move the sites a little");
+        }
+        proof.volume += volume;
+        proof.smallest_volume = std::min(proof.smallest_volume, volume);
+    }
+    if (!(std::abs(proof.volume - domain) <= kVolumeError * domain)) {
+        throw_violation("(4), volumes",
+                        "they sum to " + in_words(proof.volume) + ", not to " + in_words(domain));
+    }
+}
+
+/// A triangle of a tetrahedron, counter-clockwise seen from outside of it.
+struct Side {
+    int tetrahedron;
+    std::array<int, 3> points;
+};
+
+/// The points of the triangle in the order of their images, and whether that order is an even
+/// permutation of the triangle.
+struct SortedSide {
+    std::array<int, 3> points;
+    bool even;
+};
+
+SortedSide sorted(const TetrahedralMesh& mesh, std::array<int, 3> points) {
+    bool even = true;
+    const auto order = [&](int k, int l) {
+        const auto name = [&](int v) { return Corner3{mesh.point_site[v], mesh.point_offset[v]}; };
+        if (!(name(points[l]) < name(points[k]))) return;
+        std::swap(points[k], points[l]);
+        even = !even;
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
+    return {points, even};
+}
+
+/// The translation from one triangle to another, which have the same orbit.
+Offset3 translation_between(const TetrahedralMesh& mesh, const SortedSide& from,
+                            const SortedSide& to) {
+    return mesh.point_offset[to.points.front()] - mesh.point_offset[from.points.front()];
+}
+
+/// Appends the pair with the points of the first triangle in its own order.
+void append_pair(const TetrahedralMesh& mesh, const std::array<int, 3>& first,
+                 const SortedSide& from, const SortedSide& to, TetrahedralProof& proof) {
+    TrianglePair pair{.first = first, .second = {}, .offset = translation_between(mesh, from, to)};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto place = std::find(from.points.begin(), from.points.end(), first[k]);
+        pair.second[k] = to.points[static_cast<std::size_t>(place - from.points.begin())];
+    }
+    proof.pairs.push_back(pair);
+}
+
+void prove_sides(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
+    // The sides of all tetrahedra by their orbits.
+    std::map<std::array<Corner3, 3>, std::vector<Side>> triangles;
+    for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
+        for (const auto& [i, j, k] : TorusTetrahedra::kFacetCorners) {
+            const std::array<int, 4>& v = mesh.tetrahedra[t];
+            const std::array<int, 3> outside{v[i], v[k], v[j]};
+            triangles[orbit(mesh, outside)].push_back({t, outside});
+        }
+    }
+    // Two sides of each orbit are one triangle, or a pair of the seam.
+    DisjointSets parts(mesh.n_tetrahedra());
+    for (const auto& [images, sides] : triangles) {
+        const Side& side = sides.front();
+        if (sides.size() != 2) {
+            throw_violation("(3), seam", "a triangle of " + tetrahedron_in_words(side.tetrahedron) +
+                                             " has " + std::to_string(sides.size() - 1) +
+                                             " partners");
+        }
+        const SortedSide one = sorted(mesh, side.points);
+        const SortedSide other = sorted(mesh, sides[1].points);
+        if (one.even == other.even) {
+            throw_violation("(3), seam", tetrahedron_in_words(side.tetrahedron) + " and " +
+                                             tetrahedron_in_words(sides[1].tetrahedron) +
+                                             " lie on the same side of a triangle");
+        }
+        const Offset3 offset = translation_between(mesh, one, other);
+        if (offset == Offset3{}) {
+            parts.unite(side.tetrahedron, sides[1].tetrahedron);
+        } else if (offset > Offset3{}) {
+            append_pair(mesh, side.points, one, other, proof);
+        } else {
+            append_pair(mesh, sides[1].points, other, one, proof);
+        }
+    }
+    for (int t = 1; t < mesh.n_tetrahedra(); ++t) {
+        if (parts.find(t) == 0) continue;
+        throw_violation("(5), connection", tetrahedron_in_words(t) + " is not joined to the first");
+    }
+    proof.n_triangles = static_cast<int>(triangles.size());
+}
+
+void prove_euler_number(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
+    std::set<std::array<Corner3, 2>> edges;
+    for (const std::array<int, 4>& v : mesh.tetrahedra) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            for (std::size_t l = 0; l < k; ++l) {
+                edges.insert(orbit<2>(mesh, {v[k], v[l]}));
+            }
+        }
+    }
+    proof.n_edges = static_cast<int>(edges.size());
+    const int euler = proof.n_sites - proof.n_edges + proof.n_triangles - mesh.n_tetrahedra();
+    if (euler != 0) {
+        throw_violation("(4), gluing", "the Euler number is " + std::to_string(euler) + ", not 0");
+    }
+}
+
+}  // namespace
+
+TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh) {
+    TetrahedralProof proof;
+    prove_points(mesh, proof);
+    prove_volumes(mesh, proof);
+    prove_sides(mesh, proof);
+    prove_euler_number(mesh, proof);
+    return proof;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesher/tetrahedra/tetrahedral_mesh.hpp"
+
+namespace pcvt {
+
+/// Solvers cannot use flatter tetrahedra: parts of V / n, the mean volume of a cell. Sites of exact
+/// lattices that doubles do not represent may have tetrahedra as flat as the rounding.
+inline constexpr double kFlatTetrahedron = 1e-9;
+
+/// Two triangles of the boundary, counter-clockwise seen from outside. Point k of the second is
+/// point k of the first plus the translation by `offset`, so it is traversed backwards.
+struct TrianglePair {
+    std::array<int, 3> first;
+    std::array<int, 3> second;
+    Offset3 offset;
+};
+
+/// The figures that prove_tetrahedra() derives.
+struct TetrahedralProof {
+    int n_sites = 0;
+    int n_edges = 0;      ///< after gluing
+    int n_triangles = 0;  ///< after gluing
+    /// Of the boundary; each pair once, from the side with the positive offset.
+    std::vector<TrianglePair> pairs = {};
+    double volume = 0;           ///< length^3
+    double smallest_volume = 0;  ///< of a tetrahedron, length^3
+};
+
+/// Proves the laws of a tile of tetrahedra from positions, tetrahedra, sites and period vectors.
+///
+/// Example usage:
+///   const TetrahedralProof proof = prove_tetrahedra(mesh);
+///   for (const TrianglePair& pair : proof.pairs) glue(pair.first, pair.second);
+///
+/// @throws NotATile  naming the law and the place.
+TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh);
+
+}  // namespace pcvt
