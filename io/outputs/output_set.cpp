@@ -54,11 +54,13 @@ void make_folders(const std::string& innermost, std::vector<std::string>& create
     if (const std::string above = folder_of(innermost); above != innermost) {
         make_folders(above, created);
     }
-    created.reserve(created.size() + 1);
-    if (::mkdir(innermost.c_str(), 0777) == 0) {
-        created.push_back(innermost);
-    } else if (errno != EEXIST) {
-        throw OutputError(innermost + ": cannot make the folder: " + reason_of(errno));
+    // Listed first, because a folder without an entry would be left behind if memory ran out.
+    created.push_back(innermost);
+    if (::mkdir(innermost.c_str(), 0777) == 0) return;
+    const int error = errno;
+    created.pop_back();
+    if (error != EEXIST) {
+        throw OutputError(innermost + ": cannot make the folder: " + reason_of(error));
     }
 }
 

@@ -1,10 +1,10 @@
 #include "io/solvers/msh_writer.hpp"
 
 #include <algorithm>
-#include <initializer_list>
+#include <array>
 #include <map>
 
-#include "io/bytes/text.hpp"
+#include "io/bytes/msh_text.hpp"
 #include "io/elements/solver_nodes.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/solvers/msh_groups.hpp"
@@ -26,52 +26,33 @@ constexpr int kSurfaces = 2;
 constexpr const char* kCellView = "cell_id";
 constexpr const char* kOrbitView = "orbit";
 
-template <class Number>
-void append_words(std::string& text, std::initializer_list<Number> numbers) {
-    for (const Number number : numbers) {
-        append_number(text, number);
-        text += ' ';
-    }
-}
-
-template <class Number>
-void append_line(std::string& text, std::initializer_list<Number> numbers) {
-    append_words(text, numbers);
-    text.back() = '\n';
-}
-
-void append_name(std::string& text, int dimension, int group, const std::string& name) {
-    append_words(text, {dimension, group});
-    text += '"' + name + "\"\n";
-}
-
 void append_head(std::string& text, const Tile& tile, const MshModel& model,
                  std::span<const int> site_orbits) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
     text += "pcvt kind " + file_word(tile.kind) + "\npcvt lattice ";
-    append_line(text, {a.x(), a.y(), b.x(), b.y()});
+    append_msh_line(text, {a.x(), a.y(), b.x(), b.y()});
     append_note_comments(text, "pcvt ", tile, 1);
     append_materials(text, "pcvt ", model.materials);
     append_site_orbits(text, "pcvt ", site_orbits);
     text += "$EndComments\n$PhysicalNames\n";
     const std::size_t n = model.seam_groups.size() + model.wall_groups.size() +
                           model.entities.surfaces.size() + model.phases.size();
-    append_line(text, {static_cast<int>(n) + (model.has_boundary ? 1 : 0)});
+    append_msh_line(text, {static_cast<int>(n) + (model.has_boundary ? 1 : 0)});
     for (const auto& [offset, group] : model.seam_groups) {
-        append_name(text, kCurves, group, seam_name(offset));
+        append_msh_name(text, kCurves, group, seam_name(offset));
     }
     for (const auto& [wall, group] : model.wall_groups) {
-        append_name(text, kCurves, group, wall_name(tile, wall));
+        append_msh_name(text, kCurves, group, wall_name(tile, wall));
     }
-    if (model.has_boundary) append_name(text, kCurves, model.boundary_group, kGrainBoundary);
+    if (model.has_boundary) append_msh_name(text, kCurves, model.boundary_group, kGrainBoundary);
     for (const MshSurface& cell : model.entities.surfaces) {
-        append_name(text, kSurfaces, cell.site + 1, kCellGroup + std::to_string(cell.site));
+        append_msh_name(text, kSurfaces, cell.site + 1, kCellGroup + std::to_string(cell.site));
     }
     for (const int phase : model.phases) {
-        append_name(text, kSurfaces, model.phase_group + phase,
-                    phase_group(model.materials.phase_names[phase]));
+        append_msh_name(text, kSurfaces, model.phase_group + phase,
+                        phase_group(model.materials.phase_names[phase]));
     }
     text += "$EndPhysicalNames\n";
 }
@@ -90,17 +71,17 @@ struct Bounds {
 
 /// Appends `min_x min_y 0 max_x max_y 0 `.
 void append_bounds(std::string& text, const Bounds& bounds) {
-    append_words(text, {bounds.low.x(), bounds.low.y(), 0.0});
-    append_words(text, {bounds.high.x(), bounds.high.y(), 0.0});
+    append_msh_words(text, {bounds.low.x(), bounds.low.y(), 0.0});
+    append_msh_words(text, {bounds.high.x(), bounds.high.y(), 0.0});
 }
 
 void append_points(std::string& text, const Tile& tile, const MshModel& model) {
     // Points without a physical group.
     for (std::size_t k = 0; k < model.entities.points.size(); ++k) {
         const Vec2& p = tile.points[model.entities.points[k]];
-        append_words(text, {static_cast<int>(k) + 1});
-        append_words(text, {p.x(), p.y(), 0.0});
-        append_line(text, {0});
+        append_msh_words(text, {static_cast<int>(k) + 1});
+        append_msh_words(text, {p.x(), p.y(), 0.0});
+        append_msh_line(text, {0});
     }
 }
 
@@ -110,10 +91,10 @@ void append_curves(std::string& text, const Tile& tile, const MshModel& model) {
         const MshCurve& curve = model.entities.curves[k];
         Bounds bounds(tile.points[curve.vertices.front()]);
         for (const int v : curve.vertices) bounds.add(tile.points[v]);
-        append_words(text, {k + 1});
+        append_msh_words(text, {k + 1});
         append_bounds(text, bounds);
-        append_line(text, {1, model.group(curve), 2, model.point_tag[curve.vertices.front()],
-                           -model.point_tag[curve.vertices.back()]});
+        append_msh_line(text, {1, model.group(curve), 2, model.point_tag[curve.vertices.front()],
+                               -model.point_tag[curve.vertices.back()]});
     }
 }
 
@@ -124,15 +105,15 @@ void append_surfaces(std::string& text, const Tile& tile, const MshModel& model)
         for (const int f : cell.triangles) {
             for (const int v : tile.faces[f]) bounds.add(tile.points[v]);
         }
-        append_words(text, {cell.site + 1});
+        append_msh_words(text, {cell.site + 1});
         append_bounds(text, bounds);
         const std::size_t n = cell.left_of.size() + cell.right_of.size();
         const std::vector<int> groups = model.groups(cell);
-        append_words(text, {static_cast<int>(groups.size())});
-        for (const int group : groups) append_words(text, {group});
-        append_words(text, {static_cast<int>(n)});
-        for (const int k : cell.left_of) append_words(text, {k + 1});
-        for (const int k : cell.right_of) append_words(text, {-(k + 1)});
+        append_msh_words(text, {static_cast<int>(groups.size())});
+        for (const int group : groups) append_msh_words(text, {group});
+        append_msh_words(text, {static_cast<int>(n)});
+        for (const int k : cell.left_of) append_msh_words(text, {k + 1});
+        for (const int k : cell.right_of) append_msh_words(text, {-(k + 1)});
         text.back() = '\n';
     }
 }
@@ -140,8 +121,8 @@ void append_surfaces(std::string& text, const Tile& tile, const MshModel& model)
 void append_entities(std::string& text, const Tile& tile, const MshModel& model) {
     // Numbers of points, curves, surfaces and volumes.
     text += "$Entities\n";
-    append_line(text, {static_cast<int>(model.entities.points.size()), model.n_curves(),
-                       static_cast<int>(model.entities.surfaces.size()), 0});
+    append_msh_line(text, {static_cast<int>(model.entities.points.size()), model.n_curves(),
+                           static_cast<int>(model.entities.surfaces.size()), 0});
     append_points(text, tile, model);
     append_curves(text, tile, model);
     append_surfaces(text, tile, model);
@@ -152,10 +133,10 @@ void append_entities(std::string& text, const Tile& tile, const MshModel& model)
 void append_block(std::string& text, const SolverNodes& nodes, int dimension, int entity,
                   const std::vector<int>& block) {
     if (block.empty()) return;
-    append_line(text, {dimension, entity, 0, static_cast<int>(block.size())});
-    for (const int v : block) append_line(text, {v + 1});
+    append_msh_line(text, {dimension, entity, 0, static_cast<int>(block.size())});
+    for (const int v : block) append_msh_line(text, {v + 1});
     for (const int v : block) {
-        append_line(text, {nodes.points[v].x(), nodes.points[v].y(), 0.0});
+        append_msh_line(text, {nodes.points[v].x(), nodes.points[v].y(), 0.0});
     }
 }
 
@@ -172,7 +153,7 @@ void append_nodes(std::string& text, const SolverNodes& nodes, const MshModel& m
     for (const MshCurve& curve : entities.curves) n_blocks += inner_nodes(curve).empty() ? 0 : 1;
     for (const MshSurface& cell : entities.surfaces) n_blocks += cell.nodes.empty() ? 0 : 1;
     text += "$Nodes\n";
-    append_line(text, {static_cast<int>(n_blocks), nodes.n_nodes(), 1, nodes.n_nodes()});
+    append_msh_line(text, {static_cast<int>(n_blocks), nodes.n_nodes(), 1, nodes.n_nodes()});
     for (std::size_t k = 0; k < entities.points.size(); ++k) {
         append_block(text, nodes, kPoints, static_cast<int>(k) + 1, {entities.points[k]});
     }
@@ -198,41 +179,33 @@ void append_elements(std::string& text, const Tile& tile, const SolverNodes& nod
     const int n_elements = tile.n_faces() + n_lines(model);
     const int n_blocks = model.n_curves() + static_cast<int>(model.entities.surfaces.size());
     text += "$Elements\n";
-    append_line(text, {n_blocks, n_elements, 1, n_elements});
+    append_msh_line(text, {n_blocks, n_elements, 1, n_elements});
     int element = tile.n_faces();
     for (int k = 0; k < model.n_curves(); ++k) {
         const MshCurve& curve = model.entities.curves[k];
         const std::size_t n = curve.vertices.size() - 1;
-        append_line(text, {kCurves, k + 1, kLine[tile.order], static_cast<int>(n)});
+        append_msh_line(text, {kCurves, k + 1, kLine[tile.order], static_cast<int>(n)});
         for (std::size_t e = 0; e < n; ++e) {
-            append_words(text, {++element, curve.vertices[e] + 1, curve.vertices[e + 1] + 1});
-            if (!curve.middles.empty()) append_words(text, {curve.middles[e] + 1});
+            append_msh_words(text, {++element, curve.vertices[e] + 1, curve.vertices[e + 1] + 1});
+            if (!curve.middles.empty()) append_msh_words(text, {curve.middles[e] + 1});
             text.back() = '\n';
         }
     }
     for (const MshSurface& cell : model.entities.surfaces) {
         const int n = static_cast<int>(cell.triangles.size());
-        append_line(text, {kSurfaces, cell.site + 1, kTriangle[tile.order], n});
+        append_msh_line(text, {kSurfaces, cell.site + 1, kTriangle[tile.order], n});
         for (const int f : cell.triangles) {
-            append_words(text, {f + 1});
-            for (const int v : element_nodes(tile, nodes, f)) append_words(text, {v + 1});
+            append_msh_words(text, {f + 1});
+            for (const int v : element_nodes(tile, nodes, f)) append_msh_words(text, {v + 1});
             text.back() = '\n';
         }
     }
     text += "$EndElements\n";
 }
 
-/// Appends the head of one link: slave = master + translation(offset) as a 4 x 4 matrix, row by
-/// row.
-void append_link(std::string& text, const Tile& tile, int dimension, int slave, int master,
-                 Offset offset, std::size_t n_nodes) {
+std::array<double, 3> translation(const Tile& tile, Offset offset) {
     const Vec2 t = tile.lattice.translation(offset);
-    append_line(text, {dimension, slave, master});
-    text += "16 ";
-    append_words(text, {1.0, 0.0, 0.0, t.x()});
-    append_words(text, {0.0, 1.0, 0.0, t.y()});
-    append_line(text, {0, 0, 1, 0, 0, 0, 0, 1});
-    append_line(text, {static_cast<int>(n_nodes)});
+    return {t.x(), t.y(), 0};
 }
 
 void append_curve_link(std::string& text, const Tile& tile, const MshModel& model, int k) {
@@ -240,11 +213,11 @@ void append_curve_link(std::string& text, const Tile& tile, const MshModel& mode
     const MshCurve& master = model.entities.curves[slave.partner];
     const auto append_pairs = [&](const std::vector<int>& slaves, const std::vector<int>& masters) {
         for (std::size_t v = 0; v < slaves.size(); ++v) {
-            append_line(text, {slaves[v] + 1, masters[slaves.size() - 1 - v] + 1});
+            append_msh_line(text, {slaves[v] + 1, masters[slaves.size() - 1 - v] + 1});
         }
     };
-    append_link(text, tile, kCurves, k + 1, slave.partner + 1, master.offset,
-                slave.vertices.size() + slave.middles.size());
+    append_msh_link(text, kCurves, k + 1, slave.partner + 1, translation(tile, master.offset),
+                    slave.vertices.size() + slave.middles.size());
     append_pairs(slave.vertices, master.vertices);
     append_pairs(slave.middles, master.middles);
 }
@@ -262,25 +235,14 @@ void append_periodic(std::string& text, const Tile& tile, const MshModel& model)
     // A box between four walls has no periodic entities.
     if (slaves.empty()) return;
     text += "$Periodic\n";
-    append_line(text, {static_cast<int>(point_links.size() + slaves.size())});
+    append_msh_line(text, {static_cast<int>(point_links.size() + slaves.size())});
     for (const auto& [point, pair] : point_links) {
-        append_link(text, tile, kPoints, point, model.point_tag[pair.v], pair.offset, 1);
-        append_line(text, {pair.w + 1, pair.v + 1});
+        append_msh_link(text, kPoints, point, model.point_tag[pair.v],
+                        translation(tile, pair.offset), 1);
+        append_msh_line(text, {pair.w + 1, pair.v + 1});
     }
     for (const int k : slaves) append_curve_link(text, tile, model, k);
     text += "$EndPeriodic\n";
-}
-
-/// Appends a section with the values of the first elements or nodes, and kRest for `n_rest` more.
-void append_data(std::string& text, const char* section, const char* view,
-                 const std::vector<int>& values, int n_rest) {
-    constexpr int kRest = -1;
-    const int n = static_cast<int>(values.size());
-    text += std::string("$") + section + "\n1\n\"" + view + "\"\n1\n0\n3\n0\n1\n";
-    append_line(text, {n + n_rest});
-    for (int k = 0; k < n; ++k) append_line(text, {k + 1, values[k]});
-    for (int k = n; k < n + n_rest; ++k) append_line(text, {k + 1, kRest});
-    text += std::string("$End") + section + "\n";
 }
 
 }  // namespace
@@ -299,11 +261,12 @@ std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path,
     append_elements(text, tile, nodes, model);
     append_periodic(text, tile, model);
     std::vector<int> values = element_cells(tile);
-    append_data(text, "ElementData", kCellView, values, n_lines(model));
-    if (!tile.vertex_site.empty()) append_data(text, "NodeData", kCellView, tile.vertex_site, 0);
+    append_msh_data(text, "ElementData", kCellView, values, n_lines(model));
+    if (!tile.vertex_site.empty())
+        append_msh_data(text, "NodeData", kCellView, tile.vertex_site, 0);
     if (!site_orbits.empty()) {
         for (int& value : values) value = site_orbits[value];
-        append_data(text, "ElementData", kOrbitView, values, n_lines(model));
+        append_msh_data(text, "ElementData", kOrbitView, values, n_lines(model));
     }
     return only_file(path, std::move(text));
 }

@@ -8,6 +8,8 @@
 #include "io/run_files/site_reader.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
+#include "io/space/space_msh_reader.hpp"
+#include "io/space/space_msh_writer.hpp"
 #include "io/space/space_vtu_reader.hpp"
 #include "io/space/space_vtu_writer.hpp"
 
@@ -18,6 +20,7 @@ std::vector<std::string> itself(const std::string& path) { return {path}; }
 
 constexpr std::array kFormats{SpaceFormat{".vtu", false, itself, encode_space_vtu},
                               SpaceFormat{".foam", true, space_foam_paths, encode_space_foam},
+                              SpaceFormat{".msh", false, itself, nullptr, encode_space_msh},
                               SpaceFormat{".txt", false, itself, nullptr}};
 
 SpaceTile decode(const std::vector<EncodedFile>& files) {
@@ -70,6 +73,31 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
         throw InternalError(files.front().path + " breaks a law of tiles: " + error.what());
     }
     throw InternalError(files.front().path + ": another tile is read back than was written");
+}
+
+bool hold_tetrahedra(const std::vector<EncodedFile>& files) {
+    return files.size() == 1 && lower_case_extension(files.front().path) == ".msh" &&
+           holds_tetrahedra(files.front());
+}
+
+TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& msh) {
+    TetrahedralFileProof result{.mesh = decode_space_msh(msh), .proof = {}};
+    result.proof = prove_tetrahedra(result.mesh);
+    compare_space_msh(msh, result.mesh);
+    return result;
+}
+
+void prove_own_tetrahedra(const EncodedFile& msh, const TetrahedralMesh& mesh) {
+    try {
+        const TetrahedralMesh found = prove_tetrahedral_file(msh).mesh;
+        if (found.points == mesh.points && found.point_site == mesh.point_site &&
+            found.point_offset == mesh.point_offset && found.tetrahedra == mesh.tetrahedra) {
+            return;
+        }
+    } catch (const InvalidInput& error) {
+        throw InternalError(msh.path + " breaks a law of tiles: " + error.what());
+    }
+    throw InternalError(msh.path + ": other tetrahedra are read back than were written");
 }
 
 void prove_space_site_file(const EncodedFile& file, const Points3& sites) {

@@ -30,6 +30,8 @@ struct TetrahedralMesh {
     /// counter-clockwise.
     std::vector<std::array<int, 4>> tetrahedra = {};
 
+    /// The image of a site that a point is: equal up to one translation of all images.
+    Corner3 corner(int point) const { return {point_site[point], point_offset[point]}; }
     int n_points() const { return static_cast<int>(points.size()); }
     int n_tetrahedra() const { return static_cast<int>(tetrahedra.size()); }
 };

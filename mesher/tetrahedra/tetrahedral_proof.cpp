@@ -24,9 +24,8 @@ std::string tetrahedron_in_words(int t) { return "tetrahedron " + std::to_string
 template <std::size_t n>
 std::array<Corner3, n> orbit(const TetrahedralMesh& mesh, std::array<int, n> points) {
     std::array<Corner3, n> corners;
-    std::transform(points.begin(), points.end(), corners.begin(), [&](int v) {
-        return Corner3{mesh.point_site[v], mesh.point_offset[v]};
-    });
+    std::transform(points.begin(), points.end(), corners.begin(),
+                   [&](int v) { return mesh.corner(v); });
     std::sort(corners.begin(), corners.end());
     const Offset3 base = corners.front().offset;
     for (Corner3& corner : corners) corner.offset = corner.offset - base;
@@ -61,14 +60,11 @@ void prove_volumes(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
     const double domain = mesh.lattice.volume();
     proof.smallest_volume = domain;
     for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
-        const auto& [a, b, c, d] = mesh.tetrahedra[t];
-        const Vec3& p = mesh.points[a];
-        const double volume =
-            (mesh.points[b] - p).cross(mesh.points[c] - p).dot(mesh.points[d] - p) / 6;
+        const double volume = tetrahedron_volume(mesh, t);
         if (!(volume > kFlatTetrahedron * domain / proof.n_sites)) {
             throw_violation("(1), volumes", tetrahedron_in_words(t) +
                                                 " is flat or turned over, its volume is " +
-                                                in_words(volume) + "; move the sites a little");
+                                                in_words(volume));
         }
         proof.volume += volume;
         proof.smallest_volume = std::min(proof.smallest_volume, volume);
@@ -95,8 +91,7 @@ struct SortedSide {
 SortedSide sorted(const TetrahedralMesh& mesh, std::array<int, 3> points) {
     bool even = true;
     const auto order = [&](int k, int l) {
-        const auto name = [&](int v) { return Corner3{mesh.point_site[v], mesh.point_offset[v]}; };
-        if (!(name(points[l]) < name(points[k]))) return;
+        if (!(mesh.corner(points[l]) < mesh.corner(points[k]))) return;
         std::swap(points[k], points[l]);
         even = !even;
     };
@@ -182,6 +177,21 @@ void prove_euler_number(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
 }
 
 }  // namespace
+
+double tetrahedron_volume(const TetrahedralMesh& mesh, int t) {
+    const auto& [a, b, c, d] = mesh.tetrahedra[t];
+    const Vec3& p = mesh.points[a];
+    return (mesh.points[b] - p).cross(mesh.points[c] - p).dot(mesh.points[d] - p) / 6;
+}
+
+int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
+    const double least = kFlatTetrahedron * mesh.lattice.volume() / n_sites;
+    int n = 0;
+    for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
+        n += std::abs(tetrahedron_volume(mesh, t)) <= least ? 1 : 0;
+    }
+    return n;
+}
 
 TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh) {
     TetrahedralProof proof;

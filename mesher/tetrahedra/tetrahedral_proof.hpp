@@ -30,6 +30,13 @@ struct TetrahedralProof {
     double smallest_volume = 0;  ///< of a tetrahedron, length^3
 };
 
+/// The volume of a tetrahedron, length^3; negative where it is turned over.
+double tetrahedron_volume(const TetrahedralMesh& mesh, int t);
+
+/// Returns the number of tetrahedra that are too flat for law (1), of the Delaunay tetrahedra of
+/// `n_sites` sites.
+int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites);
+
 /// Proves the laws of a tile of tetrahedra from positions, tetrahedra, sites and period vectors.
 ///
 /// Example usage:

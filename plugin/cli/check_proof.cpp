@@ -214,15 +214,16 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
            (question.areas ? prove_voxel_areas(path, file, *question.areas) : "") + "\n";
 }
 
-/// The proof of a tile of polyhedra as a line.
-std::string prove_polyhedral_tile(const std::string& path, const std::vector<EncodedFile>& files,
-                                  const Question& question) {
+/// The proof of a tile in space as a line.
+std::string prove_tile_in_space(const std::string& path, const std::vector<EncodedFile>& files,
+                                const Question& question) {
     const bool of_the_plane =
         question.lattice || question.areas || question.inclusions || !question.density.empty();
     if (of_the_plane) {
-        throw BadFile(path +
-                      ": holds polyhedra, which state their lattice and are proved without further "
-                      "options but --cvt; leave the others out");
+        throw BadFile(
+            path +
+            ": holds a tile in space, which states its lattice and is proved without further "
+            "options but --cvt; leave the others out");
     }
     return prove_space_tile(path, files, question.cvt_tolerance);
 }
@@ -232,9 +233,11 @@ std::string prove_polyhedral_tile(const std::string& path, const std::vector<Enc
 std::string prove_one_tile(const TileFormat& format, const std::string& path,
                            const Question& question, std::string& content) {
     const std::vector<EncodedFile> files = read_files(format, path);
-    if (hold_space_tile(files)) {
-        content = "a periodic tile of polyhedra";
-        return prove_polyhedral_tile(path, files, question);
+    const bool has_tetrahedra = hold_tetrahedra(files);
+    if (has_tetrahedra || hold_space_tile(files)) {
+        content =
+            std::string("a periodic tile of ") + (has_tetrahedra ? "tetrahedra" : "polyhedra");
+        return prove_tile_in_space(path, files, question);
     }
     const TileFile file = decode_tile(format, files, question.lattice);
     content = content_of(file.tile.walls);

@@ -21,19 +21,30 @@ SpaceJobFile plan_file(std::string path) {
     return {path, format};
 }
 
-void stage_file(const SpaceJobFile& file, const SpaceTile& tile, const Points3& points,
-                OutputSet& outputs) {
-    if (file.format->encode == nullptr) {
-        const std::vector<EncodedFile> encoded = only_file(file.path, encode_sites(points));
-        outputs.stage(file.path, encoded.front().bytes);
-        require_on_disk(outputs, encoded);
-        prove_space_site_file(encoded.front(), points);
-        return;
+std::vector<EncodedFile> encode(const SpaceJobFile& file, const SpaceContent& content) {
+    if (file.format->encode != nullptr) return file.format->encode(content.tile, file.path);
+    if (file.format->encode_tetrahedra != nullptr) {
+        return file.format->encode_tetrahedra(content.tetrahedra.value(), file.path);
     }
-    const std::vector<EncodedFile> encoded = file.format->encode(tile, file.path);
+    return only_file(file.path, encode_sites(content.points));
+}
+
+void prove(const SpaceFormat& format, const std::vector<EncodedFile>& encoded,
+           const SpaceContent& content) {
+    if (format.encode != nullptr) {
+        prove_own_space_files(encoded, content.tile);
+    } else if (format.encode_tetrahedra != nullptr) {
+        prove_own_tetrahedra(encoded.front(), content.tetrahedra.value());
+    } else {
+        prove_space_site_file(encoded.front(), content.points);
+    }
+}
+
+void stage_file(const SpaceJobFile& file, const SpaceContent& content, OutputSet& outputs) {
+    const std::vector<EncodedFile> encoded = encode(file, content);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     require_on_disk(outputs, encoded);
-    prove_own_space_files(encoded, tile);
+    prove(*file.format, encoded, content);
 }
 
 }  // namespace
@@ -66,8 +77,8 @@ std::vector<std::string> require_space_files_writable(const SpaceJob& job,
     return recovered;
 }
 
-void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceTile& tile,
-                       const Points3& points, JobMonitor& monitor, OutputSet& outputs) {
+void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceContent& content,
+                       JobMonitor& monitor, OutputSet& outputs) {
     // Before all files, so that a file inside of a case folder is staged in that folder.
     for (const SpaceJobFile& file : files) {
         if (file.format->is_folder) outputs.stage_folder(file.path);
@@ -81,7 +92,7 @@ void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceTile& 
         } else {
             monitor.describe(words);
         }
-        stage_file(files[k], tile, points, outputs);
+        stage_file(files[k], content, outputs);
         monitor.advance(double(k + 1) / double(files.size()));
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,15 @@
 #include "plugin/space/space_job.hpp"
 
 namespace pcvt {
+
+/// What the files of a job hold.
+struct SpaceContent {
+    SpaceTile tile;
+    /// The sites in the domain, 3 x n, for .txt files.
+    Points3 points;
+    /// For .msh files; nothing if there is none.
+    std::optional<TetrahedralMesh> tetrahedra = {};
+};
 
 /// One output of a job.
 struct SpaceJobFile {
@@ -31,8 +41,7 @@ std::vector<std::string> require_space_files_writable(const SpaceJob& job,
                                                       const std::vector<SpaceJobFile>& files);
 
 /// Encodes the files, lets them reach the disk under hidden names and proves the bytes there.
-/// @param points  the sites in the domain, for .txt files.
-void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceTile& tile,
-                       const Points3& points, JobMonitor& monitor, OutputSet& outputs);
+void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceContent& content,
+                       JobMonitor& monitor, OutputSet& outputs);
 
 }  // namespace pcvt

@@ -1,5 +1,6 @@
 #include "plugin/space/space_job.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -55,6 +56,24 @@ SpaceTile build_tile(const SpaceDelaunay& delaunay, JobMonitor& monitor) {
     return tile;
 }
 
+/// The tetrahedra, if a file holds them.
+std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
+                                                const std::vector<SpaceJobFile>& files) {
+    const auto file = std::find_if(files.begin(), files.end(), [](const SpaceJobFile& f) {
+        return f.format->encode_tetrahedra != nullptr;
+    });
+    if (file == files.end()) return {};
+    TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
+    const int n_flat = n_flat_tetrahedra(mesh, delaunay.sites.n_sites());
+    if (n_flat > 0) {
+        throw InvalidInput("-o " + file->path + ": " + std::to_string(n_flat) +
+                           " tetrahedra of these sites are flat, because more than four sites lie "
+                           "on a sphere up to rounding; move the sites a little, or leave " +
+                           file->path + " out");
+    }
+    return mesh;
+}
+
 /// Proves the tile and fills in its figures.
 void prove_tile(const SpaceTile& tile, JobMonitor& monitor, SpaceSummary& summary) {
     monitor.begin(Phase::kProving, "proving the cells");
@@ -80,9 +99,11 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     summary.energy_bound = body_centred_energy(job.lattice.volume(), sites.n_sites());
     OutputSet outputs;
     monitor.watch([&] {
-        const SpaceTile tile = build_tile(result.delaunay, monitor);
-        prove_tile(tile, monitor, summary);
-        stage_space_files(files, tile, site_positions(sites), monitor, outputs);
+        const SpaceContent content{.tile = build_tile(result.delaunay, monitor),
+                                   .points = site_positions(sites),
+                                   .tetrahedra = build_tetrahedra(result.delaunay, files)};
+        prove_tile(content.tile, monitor, summary);
+        stage_space_files(files, content, monitor, outputs);
     });
     const ClientScope no_client(nullptr);
     outputs.commit(job.force);

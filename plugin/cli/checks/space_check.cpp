@@ -18,10 +18,25 @@ std::string cvt_text(const std::string& path, const SpaceFileProof& proof, doubl
     return ", centroidal within " + figure(found) + " h (tolerance " + figure(tolerance) + " h)";
 }
 
+std::string prove_tetrahedral_tile(const std::string& path, const EncodedFile& file,
+                                   bool asks_for_cvt) {
+    if (asks_for_cvt) {
+        throw BadFile(path + ": --cvt needs cells, and the file holds tetrahedra; check a .vtu");
+    }
+    const auto [mesh, proof] = prove_tetrahedral_file(file);
+    return path + ": a periodic tile of tetrahedra: " + std::to_string(mesh.n_tetrahedra()) +
+           " of " + counted(proof.n_sites, "site") + ", " + std::to_string(2 * proof.pairs.size()) +
+           " boundary triangles in " + std::to_string(proof.pairs.size()) +
+           " pairs, Euler characteristic 0 after gluing, volume " + figure(proof.volume) + "\n";
+}
+
 }  // namespace
 
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
                              std::optional<double> cvt_tolerance) {
+    if (hold_tetrahedra(files)) {
+        return prove_tetrahedral_tile(path, files.front(), cvt_tolerance.has_value());
+    }
     const SpaceFileProof found = prove_space_files(files);
     const PolyhedralProof& proof = found.proof;
     std::string line = path + ": a periodic tile of polyhedra: " + counted(proof.n_cells, "cell") +

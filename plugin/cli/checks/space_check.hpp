@@ -9,7 +9,8 @@
 namespace pcvt::cli {
 
 /// Proves the files of a tile of polyhedra: the laws of PolyhedralMesh, the pairs of the seam, and
-/// that the cells are the Voronoi cells of the sites.
+/// that the cells are the Voronoi cells of the sites; or those of a tile of tetrahedra: the laws of
+/// TetrahedralMesh, and all groups and links of the file.
 ///
 /// Example usage:
 ///     if (hold_space_tile(files)) return prove_space_tile("tile.vtu", files, std::nullopt);
@@ -17,6 +18,7 @@ namespace pcvt::cli {
 /// @param cvt_tolerance  each site must lie within this distance of the centroid of its cell, units
 ///                       of h = (volume / n)^(1/3); `nullopt`: not examined.
 /// @returns a line that states the proved properties.
+/// @pre hold_space_tile(files) or hold_tetrahedra(files).
 /// @throws NotATile  where the files are refuted.
 /// @throws BadFile   where they cannot be read, or hold no sites.
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,

@@ -102,6 +102,30 @@ class Runs(CliTest):
         self.assertEqual(self.contents(), {})
 
 
+class Tetrahedra(CliTest):
+    def test_file_is_proved_and_checked(self):
+        for name, words in LATTICES.items():
+            self.succeed("mesh", "--sites", 20, *words, "-o", f"{name}.msh")
+            out = self.succeed("check", f"{name}.msh")
+            self.assertRegex(out, rf"^{name}\.msh: a periodic tile of tetrahedra: \d+ of 20 sites, .* in \d+ pairs, "
+                                  "Euler characteristic 0 after gluing, volume ")
+
+    def test_damage_is_found(self):
+        self.succeed("mesh", "--sites", 20, *CUBE, "-o", "t.msh")
+        text = self.path("t.msh").read_text()
+        self.write("t.msh", text.replace('"seam_0_0_1"', '"seam_0_0_2"'))
+        self.refuse(2, r"^t\.msh:\d+: .*seam_0_0_", "check", "t.msh")
+
+    def test_flat_tetrahedra_are_refused(self):
+        self.refuse(2, r"^pcvt: -o t\.msh: \d+ tetrahedra of these sites are flat, .* leave t\.msh out$",
+                    "mesh", "--sites", 38, *CUBE, "--start", "lattice", "-o", "t.vtu", "-o", "t.msh")
+
+    def test_cells_are_not_there(self):
+        self.succeed("mesh", "--sites", 20, *CUBE, "-o", "t.msh")
+        self.refuse(2, r"^t\.msh: --cvt needs cells, and the file holds tetrahedra; check a \.vtu$",
+                    "check", "t.msh", "--cvt", "1e-3")
+
+
 class Refusals(CliTest):
     def test_options_of_the_plane(self):
         for words in (("--mesh", "voronoi"), ("--density", "1"), ("--symmetry", "p4"), ("--repeat", "2x1"),
@@ -118,8 +142,8 @@ class Refusals(CliTest):
                     "mesh", "--sites", 8, *CUBE, "--solver", "newton")
 
     def test_formats_without_volumes(self):
-        for extension in ("obj", "glb", "svg", "msh", "inp", "nc", "vti", "csv", "unknown"):
-            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam or \.txt",
+        for extension in ("obj", "glb", "svg", "inp", "nc", "vti", "csv", "unknown"):
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam, \.msh or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 
     def test_period_vectors(self):
@@ -178,7 +202,7 @@ class Checks(CliTest):
 
     def test_options_of_the_plane_are_refused(self):
         for words in (("--lattice", "1,0,0,1"), ("--period", "1,1"), ("--cvt", "1e-3", "--density", "1")):
-            self.refuse(2, r"^t\.vtu: holds polyhedra", "check", "t.vtu", *words)
+            self.refuse(2, r"^t\.vtu: holds a tile in space, which states its lattice", "check", "t.vtu", *words)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,168 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "io/bytes/text.hpp"
+#include "io/space/seam_entities.hpp"
+#include "io/space/space_formats.hpp"
+#include "io/space/space_msh_reader.hpp"
+#include "io/space/space_msh_writer.hpp"
+#include "mesher/proof/validate.hpp"
+#include "tests/support/damaged_text.hpp"
+#include "tests/support/polyhedra.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+
+TetrahedralMesh tetrahedra_of(const testing::SpaceCase& c) {
+    return tetrahedral_mesh(space_delaunay(SpaceSites(c.lattice, c.points)));
+}
+
+/// The cases without flat tetrahedra.
+std::vector<std::pair<std::string, TetrahedralMesh>> meshes() {
+    std::vector<std::pair<std::string, TetrahedralMesh>> meshes;
+    for (const testing::SpaceCase& c : testing::space_cases()) {
+        TetrahedralMesh mesh = tetrahedra_of(c);
+        if (n_flat_tetrahedra(mesh, static_cast<int>(c.points.cols())) > 0) continue;
+        meshes.emplace_back(c.name, std::move(mesh));
+    }
+    return meshes;
+}
+
+TetrahedralMesh random_mesh(int n) {
+    const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
+    return tetrahedra_of({"random", oblique, uniform_points(oblique, n, 3)});
+}
+
+EncodedFile encoded(const TetrahedralMesh& mesh) { return encode_space_msh(mesh, "t.msh").front(); }
+
+/// The message of the proof; empty if it accepts the file.
+std::string fault_in(const EncodedFile& file) {
+    try {
+        prove_tetrahedral_file(file);
+    } catch (const InvalidInput& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+std::string fault_of(const std::string& piece, const std::string& other) {
+    EncodedFile file = encoded(random_mesh(8));
+    file.bytes = testing::exchanged(file.bytes, piece, other);
+    return fault_in(file);
+}
+
+TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
+    const auto cases = meshes();
+    EXPECT_GT(cases.size(), 45U);
+    for (const auto& [name, mesh] : cases) {
+        SCOPED_TRACE(name);
+        const EncodedFile file = encoded(mesh);
+        ASSERT_TRUE(hold_tetrahedra({file}));
+        const TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
+        EXPECT_EQ(found.points, mesh.points);
+        EXPECT_EQ(found.point_site, mesh.point_site);
+        EXPECT_EQ(found.point_offset, mesh.point_offset);
+        EXPECT_EQ(found.tetrahedra, mesh.tetrahedra);
+    }
+}
+
+TEST(SpaceMsh, IsRefusedWhereItStatesSomethingElse) {
+    EXPECT_EQ(fault_of("written by pcvt", "written by pcvt"), "");
+    EXPECT_THAT(fault_of("pcvt lattice 1", "pcvt lattice 1 1"), HasSubstr("nine numbers"));
+    EXPECT_THAT(fault_of("pcvt lattice 1", "pcvt lattice 2"), HasSubstr("law"));
+    EXPECT_THAT(fault_of("pcvt lattice", "pcvt lettice"), HasSubstr("the lattice comes before"));
+    EXPECT_THAT(fault_of("\"domain\"", "\"demain\""), HasSubstr("domain"));
+    EXPECT_THAT(fault_of("\"seam_", "\"team_"), HasSubstr("seam_"));
+    EXPECT_THAT(fault_of("$Elements\n", "$Elements\n7"), HasSubstr("t.msh:"));
+    EXPECT_THAT(fault_of("\"cell_id\"", "\"other\""), HasSubstr("site of each node"));
+    EXPECT_THAT(fault_of("$Periodic\n", "$Periodic\n1"), HasSubstr("$Periodic"));
+    EXPECT_THAT(fault_of("$EndNodes\n", "7 7 7\n$EndNodes\n"), HasSubstr("$Nodes"));
+}
+
+TEST(SpaceMsh, RefutesAMovedNode) {
+    TetrahedralMesh mesh = random_mesh(8);
+    EncodedFile file = encoded(mesh);
+    std::string word;
+    append_number(word, mesh.points[0].x());
+    file.bytes = testing::exchanged(file.bytes, "\n" + word + " ", "\n0.123 ");
+    EXPECT_NE(fault_in(file), "");
+}
+
+/// Expects that one point is the image of another one by a translation.
+void expect_image(const TetrahedralMesh& mesh, int v, int of, Offset3 offset) {
+    EXPECT_EQ(mesh.point_site[v], mesh.point_site[of]);
+    EXPECT_EQ(mesh.point_offset[v] - mesh.point_offset[of], offset);
+}
+
+TEST(SeamEntities, PutEachPairOfTrianglesOnASurfaceAndItsPartner) {
+    for (const auto& [name, mesh] : meshes()) {
+        SCOPED_TRACE(name);
+        const TetrahedralProof proof = prove_tetrahedra(mesh);
+        std::size_t n_triangles = 0;
+        const SeamEntities entities = seam_entities(mesh, proof);
+        for (const SeamSurface& surface : entities.surfaces) {
+            const SeamSurface& partner = entities.surfaces[surface.partner];
+            EXPECT_EQ(partner.offset, -surface.offset);
+            ASSERT_EQ(partner.triangles.size(), surface.triangles.size());
+            n_triangles += surface.triangles.size();
+            for (std::size_t k = 0; k < surface.triangles.size(); ++k) {
+                for (std::size_t i = 0; i < 3; ++i) {
+                    expect_image(mesh, partner.triangles[k][(3 - i) % 3], surface.triangles[k][i],
+                                 surface.offset);
+                }
+            }
+        }
+        EXPECT_EQ(n_triangles, 2 * proof.pairs.size());
+    }
+}
+
+TEST(SeamEntities, PlaceEachPointOnceAndItsImagesAlike) {
+    for (const auto& [name, mesh] : meshes()) {
+        SCOPED_TRACE(name);
+        const SeamEntities entities = seam_entities(mesh, prove_tetrahedra(mesh));
+        std::vector<int> places(mesh.points.size(), 0);
+        std::vector<std::set<int>> kinds(mesh.points.size());
+        const auto place = [&, &points = mesh](const std::vector<int>& list, int kind) {
+            for (const int v : list) {
+                ++places[v];
+                kinds[points.point_site[v]].insert(kind);
+            }
+        };
+        for (const SeamSurface& surface : entities.surfaces) place(surface.points, 2);
+        for (const SeamCurve& curve : entities.curves) place(curve.points, 1);
+        for (const SeamPoint& point : entities.points) place({point.point}, 0);
+        for (const std::set<int>& kind : kinds) EXPECT_LE(kind.size(), 1U);
+        for (const int v : entities.inner_points) ++places[v];
+        EXPECT_EQ(places, std::vector<int>(mesh.points.size(), 1));
+    }
+}
+
+TEST(SeamEntities, AreImagesOfTheirMasters) {
+    for (const auto& [name, mesh] : meshes()) {
+        SCOPED_TRACE(name);
+        const SeamEntities entities = seam_entities(mesh, prove_tetrahedra(mesh));
+        for (const SeamCurve& curve : entities.curves) {
+            const SeamCurve& master = entities.curves[curve.master];
+            EXPECT_EQ(&entities.curves[master.master], &master);
+            ASSERT_EQ(curve.edges.size(), master.edges.size());
+            EXPECT_EQ(curve.points.size(), master.points.size());
+            for (std::size_t k = 0; k < curve.edges.size(); ++k) {
+                for (std::size_t i = 0; i < 2; ++i) {
+                    expect_image(mesh, curve.edges[k][i], master.edges[k][i], curve.offset);
+                }
+            }
+        }
+        for (const SeamPoint& point : entities.points) {
+            const SeamPoint& master = entities.points[point.master];
+            EXPECT_EQ(&entities.points[master.master], &master);
+            expect_image(mesh, point.point, master.point, point.offset);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pcvt
