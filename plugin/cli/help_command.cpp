@@ -57,7 +57,8 @@ std::string formats_help() {
                 (format.is_readable() ? "; pcvt check reads it" : "") + "\n";
     }
     text +=
-        "\nWith three period vectors .vtu and .foam hold polyhedra, and .txt \"x y z\" a line.\n";
+        "\nWith three period vectors .vtu and .foam hold polyhedra, .msh tetrahedra, and .txt \"x "
+        "y z\" a line.\n";
     return text + "\nExample:\n  pcvt mesh --sites 300 --mesh grains -o tile.msh -o tile.svg\n";
 }
 

@@ -116,7 +116,7 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
 StudyRequest make_study_request(const CLI::App& app, const StudyOptions& options) {
     if (app.count("STUDY") == 0) {
         throw InvalidInput(
-            "no study; take table1, fig7, fig8, fig9, fig10, fig11, sizes or symmetry");
+            "no study; take table1, fig7, fig8, fig9, fig10, fig11, sizes, symmetry or gersho3d");
     }
     StudyRequest request;
     request.study = find_study_recipe(options.name).standard;

@@ -10,8 +10,8 @@
 
 namespace pcvt {
 
-/// The description of many runs on the unit square: for each number of sites the runs 0, 1, ...,
-/// run r from the random start of seed + r.
+/// The description of many runs on the unit square or cube: for each number of sites the runs 0, 1,
+/// ..., run r from the random start of seed + r.
 ///
 ///   const Study study{.name = "fig11", .sites = {8, 9}, .runs = 100};
 ///   const std::optional<StudyTable> runs = run_study(study, {}, n_threads, {});
@@ -75,7 +75,7 @@ struct StudyRecipe {
     StudyResult (*conclude)(const Study& study, const StudyTable& runs);
 };
 
-/// table1, fig7, ... fig11, sizes, symmetry.
+/// table1, fig7, ... fig11, sizes, symmetry, gersho3d.
 const std::vector<StudyRecipe>& study_recipes();
 
 /// @throws InvalidInput naming the known recipes.

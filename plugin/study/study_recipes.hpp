@@ -14,6 +14,7 @@ StudyRecipe fig10_recipe();
 StudyRecipe fig11_recipe();
 StudyRecipe sizes_recipe();
 StudyRecipe symmetry_recipe();
+StudyRecipe gersho3d_recipe();
 
 /// The paper's domain.
 Lattice unit_square();

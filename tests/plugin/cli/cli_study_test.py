@@ -91,6 +91,19 @@ class Files(CliTest):
                 xml.etree.ElementTree.fromstring(self.path(f"{name}.svg").read_bytes())
                 self.assertGreaterEqual(len(self.table(f"{name}.csv")), 2)
 
+    def test_random_starts_in_the_cube_find_the_known_optima(self):
+        self.succeed("study", "gersho3d", "--sites", "1,2,4,8,16,5", "--runs", 12, "-o", "t.csv", "-o", "t.svg", "--quiet")
+        rows = {int(row["n"]): row for row in self.table("t.csv")}
+        for n, best, lattice, winner in ((1, 1.0609861, 1.0609861, "equal"), (2, 1, 1, "equal"), (4, 1.0025691, 1.0025691, "equal"),
+                                         (5, 1.0508204, 1.0942085, "random"), (8, 1.0024454, 1.0105617, "random"),
+                                         (16, 1, 1, "equal")):
+            self.assertAlmostEqual(float(rows[n]["best"]), best, 6)
+            self.assertAlmostEqual(float(rows[n]["lattice"]), lattice, 6)
+            self.assertEqual(rows[n]["winner"], winner)
+            self.assertGreaterEqual(float(rows[n]["mean"]), best - 1e-6)
+        self.assertIn("No result lies below the body-centred cubic lattice", self.path("t.csv").read_text())
+        xml.etree.ElementTree.fromstring(self.path("t.svg").read_bytes())
+
     def test_quiet_says_nothing(self):
         self.assertEqual(self.succeed("study", *SMALL, "--quiet"), "")
 
