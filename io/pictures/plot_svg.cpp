@@ -20,6 +20,9 @@ constexpr double kBottom = 56;
 constexpr const char* kFaint = "#e4e6ea";
 /// The margin between the outermost points and the border, as a share of the range.
 constexpr double kAir = 0.04;
+/// Ranges that are smaller than this part of their values are drawn as one value: ticks would
+/// differ by rounding alone.
+constexpr double kRounding = 1e-12;
 /// Maps the values along one axis to pixels.
 class Scale {
    public:
@@ -31,7 +34,8 @@ class Scale {
         low_ = place(low);
         high_ = place(high);
         const double range = high_ - low_;
-        const double air = range > 0 ? kAir * range : std::max(std::abs(low_), 1.0) / 10;
+        const double size = std::max(std::abs(low_), std::abs(high_));
+        const double air = range > kRounding * size ? kAir * range : std::max(size, 1.0) / 10;
         // Quantities that begin at zero are drawn from zero.
         const bool from_zero = !logarithmic_ && low >= 0 && low < 0.3 * high;
         low_ = from_zero ? 0 : low_ - air;

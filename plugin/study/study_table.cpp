@@ -13,6 +13,9 @@ namespace pcvt {
 namespace {
 
 constexpr std::string_view kComment = "# ";
+/// No run gives larger numbers, nor smaller ones than its inverse except for 0: pictures could not
+/// show them.
+constexpr double kLargest = 1e100;
 
 void append_cells(std::string& text, const StudyRow& cells) {
     for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -48,8 +51,13 @@ std::size_t StudyTable::column(const std::string& name) const {
 }
 
 double StudyTable::number(const StudyRow& row, const std::string& name) const {
+    const std::string& word = row.at(column(name));
     try {
-        return parse_number(row.at(column(name)));
+        const double value = parse_number(word);
+        const double size = std::abs(value);
+        if (size == 0 || (size >= 1 / kLargest && size <= kLargest)) return value;
+        throw InvalidInput(in_quotes(word) +
+                           " is no figure of a run; the table is damaged, make it again");
     } catch (const InvalidInput& error) {
         throw InvalidInput("column " + name + ": " + error.what());
     }

@@ -23,7 +23,8 @@ struct StudyTable {
 
     /// @throws InternalError if no column has this name.
     std::size_t column(const std::string& name) const;
-    /// The number in a cell. @throws InvalidInput if the cell holds no number.
+    /// The number in a cell. @throws InvalidInput if the cell holds no number, or one that no run
+    /// has: above 1e100 or below 1e-100 in size.
     double number(const StudyRow& row, const std::string& name) const;
 };
 

@@ -26,6 +26,7 @@
 #include "tests/support/hexagons.hpp"
 #include "tests/support/png_bytes.hpp"
 #include "tests/support/power_tiles.hpp"
+#include "tests/support/space_tiles.hpp"
 
 namespace pcvt::testing {
 namespace {
@@ -108,6 +109,39 @@ void read_tile(const TileFormat& format, const std::string& bytes) {
     const TileFile file = decode_tile(format, files, oblique());
     const TileProof proof = prove_file(format, files, file);
     if (file.tile.kind != MeshKind::kGrains) prove_voronoi(file.tile, proof, 1e-6);
+}
+
+/// The files of a tile in space with three cells, or their tetrahedra.
+std::vector<EncodedFile> space_files(const char* path) {
+    const SpaceFormat& format = *find_space_format(path);
+    if (format.encode != nullptr) return format.encode(random_space_tile(3), path);
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const SpaceSites sites(cube, uniform_points(cube, 3, 1));
+    return format.encode_tetrahedra(tetrahedral_mesh(space_delaunay(sites)), path);
+}
+
+void read_space_tile(const char* path, const std::string& bytes) {
+    const std::vector<std::string> paths = find_space_format(path)->paths(path);
+    const std::vector<std::string> parts =
+        paths.size() == 1 ? std::vector{bytes} : split_files(bytes);
+    std::vector<EncodedFile> files;
+    for (std::size_t k = 0; k < std::min(parts.size(), paths.size()); ++k) {
+        files.push_back({paths[k], parts[k]});
+    }
+    if (hold_tetrahedra(files)) {
+        prove_tetrahedral_file(files.front());
+    } else if (hold_space_tile(files)) {
+        prove_space_files(files);
+    }
+}
+
+FuzzTarget space_target(std::string_view name, const char* path) {
+    return {name, [=](const std::string& bytes) { read_space_tile(path, bytes); },
+            [=] {
+                std::vector<std::string> files;
+                for (const EncodedFile& file : space_files(path)) files.push_back(file.bytes);
+                return std::vector{files.size() == 1 ? files.front() : join_files(files)};
+            }};
 }
 
 void read_grid(const std::string& bytes) {
@@ -267,6 +301,9 @@ std::vector<FuzzTarget> make_targets() {
     for (const TileFormat& format : tile_formats()) {
         if (format.is_readable()) targets.push_back(format_target(format));
     }
+    targets.push_back(space_target("space_vtu", "t.vtu"));
+    targets.push_back(space_target("space_foam", "t.foam"));
+    targets.push_back(space_target("space_msh", "t.msh"));
     targets.push_back({"seam", read_seam, seam_seeds});
     targets.push_back({"material", read_materials, material_seeds});
     targets.push_back({"areas", read_areas_text, area_seeds});

@@ -56,6 +56,10 @@ TEST(Plot, TicksAreRoundNumbersInsideTheAxis) {
     }
 }
 
+TEST(Plot, ValuesThatDifferByRoundingAreDrawnAsOne) {
+    EXPECT_EQ(drawn_dots(dots(false, false, {{1, 1e17}, {2, 1e17 + 16}})).size(), 2U);
+}
+
 TEST(Plot, EqualStepsHaveEqualLengths) {
     const auto linear = drawn_dots(dots(false, false, {{1, 2}, {2, 4}, {3, 6}}));
     ASSERT_EQ(linear.size(), 3u);

@@ -232,6 +232,16 @@ TEST(StudyTable, CsvReadsBackAndNamesTheLineOfAFault) {
     EXPECT_THROW(encode_csv({"", {}, {}, {"a"}, {{"1,2"}}}), InternalError);
 }
 
+TEST(Study, NumbersThatNoRunHasAreRefused) {
+    const Study study{"fig10", {20, 30}, 1, 0};
+    const StudyTable runs = all_runs(study);
+    for (const char* number : {"1e300", "-1e101", "1e-300"}) {
+        StudyTable damaged = runs;
+        damaged.rows.front()[damaged.column("mirrors")] = number;
+        EXPECT_THROW(conclude_study(study, damaged), InvalidInput) << number;
+    }
+}
+
 TEST(Study, SizesOfADamagedTableAreRefused) {
     const Study study{"sizes", {5}, 2, 0};
     const StudyTable runs = all_runs(study);
