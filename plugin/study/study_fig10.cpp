@@ -81,6 +81,10 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
     for (const int n : study.sites) table.rows.push_back(row_of(runs, n));
     for (const int n : sites) {
         const double mirrors = spread(runs, n, "mirrors").mean;
+        if (!(mirrors > 0)) {
+            throw InvalidInput("the runs of n = " + std::to_string(n) +
+                               " have no mirrors; the table is damaged, make it again");
+        }
         counts.points.emplace_back(n, mirrors);
         shares.points.emplace_back(n, 100 * mirrors / n);
     }

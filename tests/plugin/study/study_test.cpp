@@ -235,7 +235,7 @@ TEST(StudyTable, CsvReadsBackAndNamesTheLineOfAFault) {
 TEST(Study, NumbersThatNoRunHasAreRefused) {
     const Study study{"fig10", {20, 30}, 1, 0};
     const StudyTable runs = all_runs(study);
-    for (const char* number : {"1e300", "-1e101", "1e-300"}) {
+    for (const char* number : {"1e300", "-1e101", "1e-300", "-5", "0"}) {
         StudyTable damaged = runs;
         damaged.rows.front()[damaged.column("mirrors")] = number;
         EXPECT_THROW(conclude_study(study, damaged), InvalidInput) << number;
