@@ -92,14 +92,15 @@ class TetrahedraParser {
         const int n = rows_.count(1);
         for (int block = 0; block < n_blocks; ++block) {
             rows_.next_row(4);
-            std::vector<int> nodes(static_cast<std::size_t>(rows_.count(3)));
-            for (int& v : nodes) {
+            // Grows with the rows, so that a wrong count does not take memory.
+            std::vector<int> nodes;
+            const int n_own = rows_.count(3);
+            for (int k = 0; k < n_own; ++k) {
                 rows_.next_row(1);
-                v = index(0, n);
+                nodes.push_back(index(0, n));
             }
             for (const int v : nodes) {
                 rows_.next_row(3);
-                // Grows with the rows, so that a wrong count does not take memory.
                 const auto place = static_cast<std::size_t>(v);
                 positions_.emplace_back(place,
                                         Vec3(rows_.number(0), rows_.number(1), rows_.number(2)));
