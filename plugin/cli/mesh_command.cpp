@@ -26,12 +26,6 @@ double expected_energy(const Job& job, int n) {
 /// From this number of sites on, the estimate of the memory is printed when the run begins.
 constexpr int kFewestAnnounced = 1'000'000;
 
-void announce_memory(const Job& job, const std::optional<double>& available) {
-    std::fprintf(stderr, "pcvt: takes about %s of memory%s\n",
-                 memory_text(estimated_memory(job, plan_files(job))).c_str(),
-                 available ? ("; " + memory_text(*available) + " are available").c_str() : "");
-}
-
 /// The peak of the memory, beside its estimate.
 std::string memory_line(const Job& job) {
     const std::optional<double> peak = peak_memory();
@@ -49,7 +43,9 @@ RunSummary run_watched(const Job& job, bool quiet) {
     ProgressDisplay display(expected_energy(job, n), job.tolerance, !quiet);
     catch_cancel_signals();
     return run_job(job, [&](const JobProgress& progress) {
-        if (std::exchange(announces, false)) announce_memory(job, available);
+        if (std::exchange(announces, false)) {
+            announce_memory(estimated_memory(job, plan_files(job)), available);
+        }
         display.show(progress);
         return cancel_signal() == 0;
     });
@@ -82,6 +78,11 @@ void print_summary(const Job& job, const RunSummary& summary) {
 }
 
 }  // namespace
+
+void announce_memory(double estimate, const std::optional<double>& available) {
+    std::fprintf(stderr, "pcvt: takes about %s of memory%s\n", memory_text(estimate).c_str(),
+                 available ? ("; " + memory_text(*available) + " are available").c_str() : "");
+}
 
 ExitCode report_cancelled() {
     std::fputs("pcvt: cancelled; nothing was written\n", stderr);

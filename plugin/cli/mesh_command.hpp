@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "plugin/cli/exit_code.hpp"
 #include "plugin/cli/mesh_options.hpp"
 
@@ -9,6 +11,10 @@ namespace pcvt::cli {
 /// @param job  from make_job, with the same options.
 /// @throws the exceptions of describe_failure.
 ExitCode run_mesh(Job job, const MeshOptions& options);
+
+/// Says on standard error how much memory a run takes, and how much there is.
+/// @param estimate  bytes.
+void announce_memory(double estimate, const std::optional<double>& available);
 
 /// Report the end of a cancelled run, or of one that did not converge, on standard error.
 /// @returns the exit code of the command.

@@ -18,7 +18,7 @@
 #include "plugin/cli/terminal/progress_display.hpp"
 #include "plugin/job/available_memory.hpp"
 #include "plugin/job/job_memory.hpp"
-#include "plugin/space/space_files.hpp"
+#include "plugin/space/space_memory.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -103,12 +103,21 @@ void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJ
     }
 }
 
+/// From this number of sites on, the estimate of the memory is printed when the run begins.
+constexpr int kFewestAnnounced = 200'000;
+
 /// Runs the job under the signals and the progress display.
 SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
+    const std::optional<double> available = available_memory();
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
     ProgressDisplay display(body_centred_energy(job.lattice.volume(), n), job.tolerance, !quiet);
     catch_cancel_signals();
+    // The first progress follows the checks of the job, so that a refusal is one line.
+    bool announces = n >= kFewestAnnounced && !quiet;
     return run_space_job(job, [&](const JobProgress& progress) {
+        if (std::exchange(announces, false)) {
+            announce_memory(estimated_memory(job, plan_space_files(job)), available);
+        }
         display.show(progress);
         return cancel_signal() == 0;
     });
@@ -173,7 +182,9 @@ std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary)
     for (const std::string& file : summary.files) text += summary_line("file", file);
     text += summary_line("seconds", figure(summary.seconds));
     if (const std::optional<double> peak = peak_memory()) {
-        text += summary_line("memory", memory_text(*peak) + " at the peak");
+        const double estimate = estimated_memory(job, plan_space_files(job));
+        text += summary_line(
+            "memory", memory_text(*peak) + " at the peak, " + memory_text(estimate) + " estimated");
     }
     return text;
 }

@@ -144,15 +144,6 @@ double site_bytes(const Job& job) {
     return n_sites(job) * (moving + (job.density ? kWithDensity : 0));
 }
 
-void require_available(const std::string& what, double estimate, const char* remedy) {
-    const std::optional<double> available = available_memory();
-    if (!available || estimate <= kMostAbovePeak * *available) return;
-    throw LimitExceeded(what + " about " + memory_text(estimate) + " of memory, and " +
-                        memory_text(*available) + " are available; " + remedy);
-}
-
-constexpr const char* kFewerOutputs = "take fewer sites, or fewer outputs at a time";
-
 /// The meshes of a run and their files, with the triangulation of the sites.
 double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
     // The files that take most are written at the same time.
@@ -181,6 +172,13 @@ double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
 }
 
 }  // namespace
+
+void require_available(const std::string& what, double estimate, const char* remedy) {
+    const std::optional<double> available = available_memory();
+    if (!available || estimate <= kMostAbovePeak * *available) return;
+    throw LimitExceeded(what + " about " + memory_text(estimate) + " of memory, and " +
+                        memory_text(*available) + " are available; " + remedy);
+}
 
 double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
     const double from_file = job.points.cols() > 0 ? kFromFile * n_sites(job) : 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "plugin/job/job_files.hpp"
@@ -14,6 +15,14 @@ namespace pcvt {
 ///     check_job(job);
 ///     const double bytes = estimated_memory(job, plan_files(job));
 double estimated_memory(const Job& job, const std::vector<JobFile>& files);
+
+/// Refuses what takes more memory than is available. An estimate may be a quarter too high.
+/// @param what    the subject and the verb of the message: "the run takes".
+/// @param remedy  the end of the message.
+/// @throws LimitExceeded with both amounts.
+void require_available(const std::string& what, double estimate, const char* remedy);
+
+inline constexpr const char* kFewerOutputs = "take fewer sites, or fewer outputs at a time";
 
 /// Refuses a job that cannot fit into the memory that is available.
 /// @throws LimitExceeded with both amounts.

@@ -9,7 +9,9 @@
 #include "mesher/polyhedra/cell_sites.hpp"
 #include "mesher/proof/validate.hpp"
 #include "mesher/space_search/space_pattern.hpp"
+#include "plugin/job/job_memory.hpp"
 #include "plugin/space/space_files.hpp"
+#include "plugin/space/space_memory.hpp"
 
 namespace pcvt {
 namespace {
@@ -117,6 +119,7 @@ SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     const Clock::time_point begin = Clock::now();
     const std::vector<SpaceJobFile> files = plan_space_files(job);
     std::vector<std::string> recovered = require_space_files_writable(job, files);
+    require_available("the run takes", estimated_memory(job, files), kFewerOutputs);
     try {
         SpaceSummary summary = run(job, files, callback);
         summary.recovered = std::move(recovered);

@@ -64,7 +64,7 @@ struct SpaceSummary {
 /// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
 ///                        sites (DuplicateSites names the ids).
 /// @throws OutputError    a file cannot be written, or exists and `force` is not set.
-/// @throws LimitExceeded  too many sites.
+/// @throws LimitExceeded  too many sites, or more memory than is available.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.
 SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback);
 

@@ -1,0 +1,48 @@
+#include "plugin/space/space_memory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace pcvt {
+namespace {
+
+// Measured at 2e4 to 5e5 random sites, whose cells have the most faces.
+
+/// The command with its libraries, and one thread more.
+constexpr double kCommand = 14e6;
+constexpr double kThread = 1e6;
+/// Bytes a site: triangulating, optimising and building the cells.
+constexpr double kBuilding = 4600;
+/// Tetrahedra that are held while other files are written.
+constexpr double kHeldTetrahedra = 800;
+
+/// Bytes a site of a run that writes one file of a format.
+struct SpaceFormatMemory {
+    std::string_view extension;
+    double a_site;
+};
+constexpr std::array<SpaceFormatMemory, 4> kFormats{
+    {{".vtu", 8200}, {".foam", 6200}, {".msh", 7200}, {".txt", 4700}}};
+
+double bytes_of(const SpaceFormat& format) {
+    const auto* const row = std::find_if(
+        kFormats.begin(), kFormats.end(),
+        [&](const SpaceFormatMemory& memory) { return memory.extension == format.extension; });
+    return row == kFormats.end() ? 0 : row->a_site;
+}
+
+}  // namespace
+
+double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {
+    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+    double a_site = kBuilding;
+    double held = 0;
+    for (const SpaceJobFile& file : files) {
+        a_site = std::max(a_site, bytes_of(*file.format));
+        if (file.format->encode_tetrahedra != nullptr) held = kHeldTetrahedra;
+    }
+    return kCommand + kThread * job.n_threads + n * (a_site + held);
+}
+
+}  // namespace pcvt

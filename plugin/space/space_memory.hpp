@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "plugin/space/space_files.hpp"
+
+namespace pcvt {
+
+/// The memory that a run takes at its peak, in bytes: from the bytes a site in space_memory.cpp,
+/// which are measured. Between the peak and 1.5 times the peak from 10,000 sites on.
+///
+/// Example usage:
+///     const double bytes = estimated_memory(job, plan_space_files(job));
+double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& files);
+
+}  // namespace pcvt
