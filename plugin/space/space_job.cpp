@@ -101,9 +101,10 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     summary.energy_bound = body_centred_energy(job.lattice.volume(), sites.n_sites());
     OutputSet outputs;
     monitor.watch([&] {
-        const SpaceContent content{.tile = build_tile(result.delaunay, monitor),
-                                   .points = site_positions(sites),
-                                   .tetrahedra = build_tetrahedra(result.delaunay, files)};
+        SpaceTile tile = build_tile(result.delaunay, monitor);
+        Points3 points = site_positions(sites);
+        std::optional<TetrahedralMesh> tetrahedra = build_tetrahedra(result.delaunay, files);
+        const SpaceContent content{std::move(tile), std::move(points), std::move(tetrahedra)};
         prove_tile(content.tile, monitor, summary);
         stage_space_files(files, content, monitor, outputs);
     });

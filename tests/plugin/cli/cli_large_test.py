@@ -65,6 +65,21 @@ class Large(CliTest):
                 self.assertGreaterEqual(estimate, 0.99 * peak)
                 self.assertLessEqual(estimate, 1.5 * peak)
 
+    def test_the_estimate_of_a_run_in_space_lies_above_the_peak(self):
+        outputs = (), ("t.vtu",), ("t.foam",), ("t.msh",), ("s.vtu", "s.foam", "s.msh")
+        for names in outputs:
+            with self.subTest(names):
+                summary = self.succeed("mesh", "--sites", 20000, "--period", "1,1,1", "--max-iterations", 1,
+                                       *(word for name in names for word in ("-o", name)))
+                found = re.search(r"^memory +(\S+) ([MG])B at the peak, (\S+) ([MG])B estimated$", summary, re.M)
+                peak, estimate = (float(found[k]) * {"M": 1e6, "G": 1e9}[found[k + 1]] for k in (1, 3))
+                self.assertLess(peak, estimate)
+                self.assertLess(estimate, 1.6 * peak)
+
+    def test_a_run_in_space_that_cannot_fit_is_refused_before_it_begins(self):
+        self.refuse(4, r"^pcvt: the run takes about \S+ GB of memory, and \S+ GB are available; take fewer sites",
+                    "mesh", "--sites", 60_000_000, "--period", "1,1,1", "-o", "t.vtu")
+
     def test_a_run_that_cannot_fit_is_refused_before_it_begins(self):
         small = limit(resource.RLIMIT_AS, 4 << 30)
         began = time.monotonic()

@@ -102,20 +102,6 @@ class Runs(CliTest):
         self.assertEqual(self.contents(), {})
 
 
-class Memory(CliTest):
-    def test_the_estimate_lies_above_the_peak(self):
-        for words in ((), ("-o", "t.vtu"), ("-o", "t.foam"), ("-o", "t.msh"), ("-o", "t2.vtu", "-o", "t2.foam", "-o", "t2.msh")):
-            said = self.succeed("mesh", "--sites", 20000, *CUBE, "--max-iterations", 1, *words)
-            peak, estimate = (float(value) * {"MB": 1, "GB": 1000}[unit] for value, unit in re.findall(
-                r"([\d.]+) ([MG]B)", figures(said)["memory"]))
-            self.assertLess(peak, estimate, words)
-            self.assertLess(estimate, 1.6 * peak, words)
-
-    def test_a_run_that_cannot_fit_is_refused(self):
-        self.refuse(4, r"^pcvt: the run takes about \S+ GB of memory, and \S+ GB are available; take fewer sites",
-                    "mesh", "--sites", 60000000, *CUBE, "-o", "t.vtu")
-
-
 class Tetrahedra(CliTest):
     def test_file_is_proved_and_checked(self):
         for name, words in LATTICES.items():
