@@ -108,9 +108,10 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         prove_tile(content.tile, monitor, summary);
         stage_space_files(files, content, monitor, outputs);
     });
+    // The summary is complete before the files appear: nothing may fail after that.
+    for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
     const ClientScope no_client(nullptr);
     outputs.commit(job.force);
-    for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
     return summary;
 }
 
