@@ -134,7 +134,8 @@ double tolerance_of(const std::vector<Vec3>& points) {
 }  // namespace
 
 PolyhedronList polyhedron_list(const PolyhedralMesh& mesh) {
-    PolyhedronList list{.points = mesh.points};
+    PolyhedronList list;
+    list.points = mesh.points;
     const CellFaces cells(mesh);
     for (int s = 0; s < mesh.n_cells; ++s) {
         checkpoint_each(s);
@@ -150,7 +151,8 @@ PolyhedronList polyhedron_list(const PolyhedralMesh& mesh) {
 }
 
 PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const PolyhedronList& cells) {
-    PolyhedralMesh mesh{.lattice = lattice, .points = cells.points, .n_cells = cells.n_cells()};
+    PolyhedralMesh mesh{.lattice = lattice, .n_cells = cells.n_cells()};
+    mesh.points = cells.points;
     add_faces(cells, mesh);
     const std::vector<FacePair> pairs = seam_pairs(mesh, tolerance_of(mesh.points));
     set_orbits(pairs, mesh);

@@ -16,10 +16,6 @@ namespace {
 // Measured at 5e4 to 1e7 sites, with the heap that the command keeps (malloc_tuning); the figures
 // include the triangulation of the sites, which lives to the end of the run.
 
-/// The command with its libraries, and one thread more.
-constexpr double kCommand = 14e6;
-constexpr double kThread = 1e6;
-
 /// Bytes a site until the sites are where they end.
 constexpr double kTriangulating = 185;
 constexpr double kOptimising = 205;
@@ -182,7 +178,7 @@ void require_available(const std::string& what, double estimate, const char* rem
 
 double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
     const double from_file = job.points.cols() > 0 ? kFromFile * n_sites(job) : 0;
-    return kCommand + kThread * job.n_threads + from_file +
+    return kCommandBytes + kThreadBytes * job.n_threads + from_file +
            std::max(site_bytes(job), tile_bytes(job, files));
 }
 

@@ -7,6 +7,10 @@
 
 namespace pcvt {
 
+/// The memory of the command with its libraries, and of one thread more, in bytes.
+inline constexpr double kCommandBytes = 14e6;
+inline constexpr double kThreadBytes = 1e6;
+
 /// The memory that a run takes at its peak, in bytes: from the tables of bytes a site in
 /// job_memory.cpp, which are measured. Between the peak and 1.5 times the peak.
 ///

@@ -74,7 +74,7 @@ class Large(CliTest):
                 found = re.search(r"^memory +(\S+) ([MG])B at the peak, (\S+) ([MG])B estimated$", summary, re.M)
                 peak, estimate = (float(found[k]) * {"M": 1e6, "G": 1e9}[found[k + 1]] for k in (1, 3))
                 self.assertLess(peak, estimate)
-                self.assertLess(estimate, 1.6 * peak)
+                self.assertLess(estimate, 1.5 * peak)
 
     def test_a_run_in_space_that_cannot_fit_is_refused_before_it_begins(self):
         self.refuse(4, r"^pcvt: the run takes about \S+ GB of memory, and \S+ GB are available; take fewer sites",
