@@ -54,9 +54,9 @@ std::string recipes_help() {
     for (const StudyRecipe& recipe : study_recipes()) {
         const Study& standard = recipe.standard;
         text += "  " + recipe.name + std::string(width + 2 - recipe.name.size(), ' ') +
-                recipe.description + "\n" + std::string(width + 4, ' ') +
-                in_short(standard.sites) + "; " + std::to_string(standard.runs) + ", seed " +
-                std::to_string(standard.seed) + "\n";
+                recipe.description + "\n" + std::string(width + 4, ' ') + in_short(standard.sites) +
+                "; " + std::to_string(standard.runs) + ", seed " + std::to_string(standard.seed) +
+                "\n";
     }
     return text;
 }

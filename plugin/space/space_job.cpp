@@ -76,6 +76,18 @@ std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
     return mesh;
 }
 
+/// Requires that the boundary is a closed surface, if a file shows it.
+void require_closed_boundary(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
+                             const PolyhedralProof& proof) {
+    if (proof.boundary_is_manifold || job.file_options.surfaces == SurfaceForm::kCells) return;
+    for (const SpaceJobFile& file : files) {
+        if (!file.format->has_surfaces) continue;
+        throw InvalidInput("-o " + file.path +
+                           ": the boundary of this tile touches itself, so that it is no surface; "
+                           "take the surfaces of the cells, or other sites");
+    }
+}
+
 /// Proves the tile and fills in its figures.
 void prove_tile(const SpaceTile& tile, JobMonitor& monitor, SpaceSummary& summary) {
     monitor.begin(Phase::kProving, "proving the cells");
@@ -106,7 +118,8 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         std::optional<TetrahedralMesh> tetrahedra = build_tetrahedra(result.delaunay, files);
         const SpaceContent content{std::move(tile), std::move(points), std::move(tetrahedra)};
         prove_tile(content.tile, monitor, summary);
-        stage_space_files(files, content, monitor, outputs);
+        require_closed_boundary(job, files, summary.proof);
+        stage_space_files(files, content, job.file_options, monitor, outputs);
     });
     // The summary is complete before the files appear: nothing may fail after that.
     for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
