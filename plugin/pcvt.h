@@ -13,6 +13,9 @@
  *     ...
  *     pcvt_free(result);
  *
+ * In three dimensions the cells are polyhedra: set options.dimension to 3 and options.lattice3, and
+ * take pcvt_get_cells() in place of pcvt_get_tile().
+ *
  * Rules for the whole interface:
  *   (1) A call that does not return text, a number or nothing returns a status: 0 or positive as
  *       stated below, negative for an error, which pcvt_last_error() then explains.
@@ -20,9 +23,10 @@
  *       locale and the floating-point environment of the host, and calls callbacks in the latter.
  *   (3) A result never changes. Its views borrow its memory and are valid until pcvt_free().
  *   (4) The same options give the same result to the last bit, for any number of threads.
- *   (5) Positions are x, y in length units. Sites are numbered from 0 in the order of the input,
- *       everything else from 0 as well. An offset i, j means the translation i a + j b, with a, b
- *       the period vectors of the options, or in a tile of its own `lattice`.
+ *   (5) Positions are x, y in length units, in three dimensions x, y, z. Sites are numbered from 0
+ *       in the order of the input, everything else from 0 as well. An offset i, j means the
+ *       translation i a + j b, and i, j, k means i a + j b + k c, with a, b, c the period vectors
+ *       of the options, or in a tile of its own `lattice`.
  *   (6) While the major version is 0, a host needs a library of the same minor version;
  *       PCVT_ABI_VERSION is the version of the host.
  */
@@ -43,7 +47,7 @@ extern "C" {
 #endif
 
 /** major << 16 | minor of the interface that this header describes. */
-#define PCVT_ABI_VERSION 0x00000002u
+#define PCVT_ABI_VERSION 0x00000003u
 
 /** How a call ended. */
 typedef int32_t pcvt_status;
@@ -70,7 +74,8 @@ enum {
     PCVT_ERROR_INTERNAL = -7
 };
 
-/** Where the sites begin when none are given. */
+/** Where the sites begin when none are given. Three dimensions have DEFAULT, which is RANDOM there,
+ *  RANDOM and LATTICE, the best exact lattice for n_sites. */
 enum {
     PCVT_START_DEFAULT = 0,
     PCVT_START_RANDOM = 1,
@@ -79,6 +84,7 @@ enum {
     PCVT_START_BEST = 4
 };
 
+/** Three dimensions have DEFAULT, which is LBFGS there, LBFGS and LLOYD. */
 enum {
     PCVT_SOLVER_DEFAULT = 0,
     PCVT_SOLVER_LBFGS = 1,
@@ -152,9 +158,11 @@ typedef struct pcvt_progress {
     size_t struct_size;
     int32_t iteration;
     int32_t evaluations;
-    double energy;       /**< density x length^4 */
-    double energy_bound; /**< of the hexagonal lattice for uniform density, else NaN */
-    double residual;     /**< largest |x_i - g_i| / h, h = sqrt(area / n_sites) */
+    double energy;       /**< density x length^4; in three dimensions length^5 */
+    double energy_bound; /**< of the hexagonal lattice for uniform density, else NaN; in three
+                            dimensions of the body-centred cubic lattice */
+    double residual;     /**< largest |x_i - g_i| / h, h = sqrt(area / n_sites); in three dimensions
+                            the cube root of volume / n_sites */
     double rms_residual; /**< its root mean square */
     int32_t phase;       /**< PCVT_PHASE_... */
     int32_t reserved;
@@ -181,16 +189,16 @@ typedef int (*pcvt_density_callback)(const double* points, size_t n_points, doub
 /** The options of a run. pcvt_options_init() fills in the defaults, given here in brackets. */
 typedef struct pcvt_options {
     size_t struct_size;
-    double lattice[4]; /**< ax, ay, bx, by: any two independent period vectors [1, 0, 0, 1] */
-    double origin[2];  /**< corner of the domain of the tiles, which is the parallelogram of the
-                          period vectors; if these are not reduced, PCVT_WHOLE takes the reduced
-                          parallelogram with the same centre [0, 0] */
-    const double*
-        sites;       /**< n_sites pairs x, y, anywhere in the plane; NULL: drawn from seed [NULL] */
-    int32_t n_sites; /**< at least 1, at most 2^28 [0: an error] */
-    int32_t start;   /**< PCVT_START_...; only where `sites` is NULL [default] */
-    uint64_t seed;   /**< [0] */
-    int32_t solver;  /**< PCVT_SOLVER_... [default] */
+    double lattice[4];   /**< ax, ay, bx, by: any two independent period vectors [1, 0, 0, 1] */
+    double origin[2];    /**< corner of the domain of the tiles, which is the parallelogram of the
+                            period vectors; if these are not reduced, PCVT_WHOLE takes the reduced
+                            parallelogram with the same centre [0, 0] */
+    const double* sites; /**< n_sites pairs x, y, anywhere in the plane, or triples x, y, z,
+                            anywhere in space; NULL: drawn from seed [NULL] */
+    int32_t n_sites;     /**< at least 1, at most 2^28, in three dimensions 2^26 [0: an error] */
+    int32_t start;       /**< PCVT_START_...; only where `sites` is NULL [default] */
+    uint64_t seed;       /**< [0] */
+    int32_t solver;      /**< PCVT_SOLVER_... [default] */
     int32_t max_iterations; /**< negative: no limit; 0: the Voronoi diagram of the sites as given;
                                with areas: steps that move each site to the centroid of its cell
                                [-1] */
@@ -254,6 +262,14 @@ typedef struct pcvt_options {
     const char* holes; /**< tags of inclusions with commas between them: their cells are left out of
                           tiles and files, whose edges there are walls; their sites are left out of
                           pcvt_sites, and the others are numbered from 0 again [NULL] */
+    int32_t dimension; /**< 2 or 3. With 3 the cells are polyhedra, and the fields that apply are
+                          sites, n_sites, start, seed, solver, max_iterations, tolerance,
+                          n_threads, progress, progress_data and lattice3; any other field is
+                          refused unless it has its default [2] */
+    int32_t reserved4;
+    double lattice3[9]; /**< ax, ay, az, bx, by, bz, cx, cy, cz: any three independent period
+                           vectors, of either orientation; refused unless it has its default with
+                           dimension 2 [1, 0, 0, 0, 1, 0, 0, 0, 1] */
 } pcvt_options;
 
 /** The optimised sites. */
@@ -356,29 +372,74 @@ typedef struct pcvt_tile {
     const char* const* hole_names; /**< n_holes tags; NULL without holes */
 } pcvt_tile;
 
+/** The cells of a result in three dimensions, as one tile of whole polyhedra with the pairing of
+ * its boundary. Cell s is the cell of site s.
+ *
+ *  Face f has the points face_points[face_begin[f]] ... face_points[face_begin[f + 1] - 1]. Inner
+ *  faces come first, sorted by owner, then by neighbour, which is the larger of the two; their
+ *  points are counter-clockwise seen from the neighbour. Boundary faces follow; their points are
+ *  counter-clockwise seen from outside. Equal translations follow each other.
+ *
+ *  Boundary face f = n_inner_faces + b is glued to the face g = partner[b], whose points are those
+ *  of f plus the translation of partner_offset[b]: the first point of g belongs to the first of f,
+ *  the second of g to the last of f, and so on. For each point p: position(p) =
+ *  position(point_orbit[p]) + the translation of point_offset[p].
+ *
+ *  The tile is connected and proved; it need not be a ball.
+ */
+typedef struct pcvt_cells {
+    double lattice[9];             /**< lattice3 of the options */
+    const double* points;          /**< n_points triples x, y, z */
+    const int32_t* point_orbit;    /**< the smallest point on the same orbit */
+    const int32_t* point_offset;   /**< n_points triples i, j, k */
+    const int32_t* face_begin;     /**< n_faces + 1 numbers */
+    const int32_t* face_points;    /**< n_face_points numbers */
+    const int32_t* owner;          /**< n_faces cells, behind the faces */
+    const int32_t* neighbour;      /**< n_faces cells, in front of the faces; -1 on the boundary */
+    const int32_t* partner;        /**< n_faces - n_inner_faces faces */
+    const int32_t* partner_offset; /**< n_faces - n_inner_faces triples i, j, k */
+    const double* volumes;         /**< n_cells numbers, length^3 */
+    const double* site_points;     /**< n_cells triples: the image of each site in its cell */
+    const double* sites; /**< n_cells triples: the image of each site in the domain of the reduced
+                            period vectors, as .txt files hold it */
+    int32_t n_cells;
+    int32_t n_faces;
+    int32_t n_inner_faces;
+    int32_t n_points;
+    int32_t n_face_points;
+    int32_t reserved;
+} pcvt_cells;
+
 /** Statistics of a run. */
 typedef struct pcvt_statistics {
     double energy;       /**< sum over the cells of the integral of density |p - x_i|^2 */
-    double energy_bound; /**< 5 area^2 / (18 sqrt(3) n) for uniform density, else NaN */
-    double residual;     /**< largest |x_i - g_i| / h, h = sqrt(area / n_sites) */
+    double energy_bound; /**< 5 area^2 / (18 sqrt(3) n) for uniform density, else NaN; in three
+                            dimensions 19 volume^(5/3) / (64 2^(1/3) n^(2/3)), of truncated
+                            octahedra */
+    double residual;     /**< largest |x_i - g_i| / h, h = sqrt(area / n_sites); in three dimensions
+                            the cube root of volume / n_sites */
     double rms_residual; /**< its root mean square */
-    double seconds_build;
+    double seconds_build; /**< in three dimensions 0: part of seconds_optimize */
     double seconds_optimize;
-    const int32_t* valences; /**< valences[k]: cells with k sides, edges under 1e-5 h not counted */
+    const int32_t* valences; /**< valences[k]: cells with k sides, edges under 1e-5 h not counted;
+                                in three dimensions cells with k faces */
     int32_t n_valences;
-    int32_t n_hexagons;
-    int32_t stop; /**< PCVT_STOP_... */
+    int32_t n_hexagons; /**< in three dimensions 0 */
+    int32_t stop;       /**< PCVT_STOP_... */
     int32_t n_sites;
     int32_t iterations;
     int32_t evaluations;
     int32_t n_threads;
-    int32_t n_mirrors;    /**< -1 if the triangulation was built without mirrors */
+    int32_t n_mirrors;    /**< -1 if the triangulation was built without mirrors, and in three
+                             dimensions */
     double area_error;    /**< largest |area - wished| / wished; NaN without areas */
     int32_t newton_steps; /**< that found the weights; 0 without areas */
     int32_t reserved;
 } pcvt_statistics;
 
-/** The options of pcvt_write(). Zero in all fields but struct_size is the default. */
+/** The options of pcvt_write(). Zero in all fields but struct_size is the default. In three
+ *  dimensions only replace, progress and progress_data apply; any other field is refused unless it
+ *  has its default. */
 typedef struct pcvt_write_options {
     size_t struct_size;
     const char* report; /**< also write the statistics of the run to this .json file [NULL: no] */
@@ -436,7 +497,10 @@ PCVT_API void pcvt_free(pcvt_result* result);
 /*  The views. `view_size` is sizeof(*view) of the host: fields that only the host knows become
  * zero, fields that only the library knows are left out. The first call computes the contents of a
  * view; a mesh or a tile that cannot fit into the memory is refused by an estimate before. Any
- * thread, any number of calls on one result at once. */
+ * thread, any number of calls on one result at once.
+ *
+ * A result in three dimensions has pcvt_get_cells() and pcvt_get_statistics(); a result in the
+ * plane has all but pcvt_get_cells(). */
 
 PCVT_API pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size);
 PCVT_API pcvt_status pcvt_get_inclusions(const pcvt_result* result, pcvt_inclusions* view,
@@ -458,8 +522,12 @@ PCVT_API pcvt_status pcvt_get_mesh(const pcvt_result* result, int32_t kind, pcvt
 PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int32_t outline,
                                    pcvt_tile* view, size_t view_size);
 
-/** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. Either all
- * files appear, complete and proved to be a periodic tile, or none. Missing folders are made.
+PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view, size_t view_size);
+
+/** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
+ * dimensions it writes the polyhedra (.vtu, .foam), the Delaunay tetrahedra (.msh) or the sites
+ * (.txt). Either all files appear, complete and proved to be a periodic tile, or none. Missing
+ * folders are made.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.

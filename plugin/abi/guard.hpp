@@ -30,6 +30,17 @@ class BadGeometry : public Error {
     using Error::Error;
 };
 
+/// Turns an error of valid arguments into one of the geometry of the result.
+///   const PeriodicMesh mesh = from_geometry([&] { return plane_mesh(cells, kind); });
+template <class Make>
+auto from_geometry(const Make& make) {
+    try {
+        return make();
+    } catch (const InvalidInput& error) {
+        throw BadGeometry(error.what());
+    }
+}
+
 /// Enters another floating-point environment while this object lives: rounding, traps, flags,
 /// denormals.
 class FloatEnvironment {

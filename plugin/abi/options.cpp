@@ -1,34 +1,14 @@
 #include "plugin/abi/options.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <thread>
 
-#include "mesher/base/choices.hpp"
+#include "plugin/abi/option_values.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_start.hpp"
 
 namespace pcvt::abi {
 namespace {
-
-constexpr int kMostThreads = 1024;
-
-void require_finite(const char* name, const double* values, int n) {
-    for (int k = 0; k < n; ++k) {
-        if (!std::isfinite(values[k])) {
-            throw InvalidInput(std::string(name) + " is not finite; give finite numbers");
-        }
-    }
-}
-
-/// The row of a table of choices that has this number in pcvt.h.
-template <class Table>
-const auto& chosen_row(const char* name, std::int32_t value, const Table& table) {
-    if (const auto* row = find_abi_value(table, value)) return *row;
-    throw InvalidInput(std::string(name) + " " + std::to_string(value) +
-                       " is unknown; take one of pcvt.h");
-}
 
 // The numbers of the published interface never change.
 static_assert(mesh_kind_row(MeshKind::kVoronoi).abi_value == PCVT_VORONOI);
@@ -80,9 +60,7 @@ static_assert(find_word(kGltfNodes, "cells")->abi_value == PCVT_NODES_CELLS);
 static_assert(find_word(kGltfNodes, "one")->abi_value == PCVT_NODES_ONE);
 
 std::optional<Start> start(const pcvt_options& options) {
-    if (options.sites != nullptr && options.start != PCVT_START_DEFAULT) {
-        throw InvalidInput("start is for drawn sites, but sites gives them; leave one out");
-    }
+    require_one_start(options.sites, options.start);
     if (options.start == PCVT_START_DEFAULT) return std::nullopt;
     return chosen_row("start", options.start, start_rows()).start;
 }
@@ -116,15 +94,6 @@ void read_grains(const pcvt_options& options, Job& job) {
     job.grain_per_edge = options.grain_per_edge;
     job.order = std::max(1, options.grain_order);
     job.short_edges = options.short_edges;
-}
-
-int threads(std::int32_t wanted) {
-    if (wanted < 0 || wanted > kMostThreads) {
-        throw InvalidInput("n_threads is not between 0 and " + std::to_string(kMostThreads) +
-                           "; take 0 for all cores");
-    }
-    if (wanted > 0) return wanted;
-    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 std::optional<PlaneGroupName> symmetry(std::int32_t value) {
@@ -184,16 +153,9 @@ MaterialChoices materials(const pcvt_options& options) {
 }
 
 /// @param name  of one of them in messages.
-Points finite_points(const std::string& name, const double* numbers, std::int32_t n) {
-    if (n < 0) throw InvalidInput("the number of sites is negative; take 0 or more");
-    const Eigen::Map<const Points> points(numbers, 2, n);
-    for (Eigen::Index s = 0; s < n; ++s) {
-        if (!points.col(s).allFinite()) {
-            throw InvalidInput(name + " " + std::to_string(s) +
-                               " is not finite; give finite numbers");
-        }
-    }
-    return points;
+Points finite_points(const char* name, const double* numbers, std::int32_t n) {
+    require_finite_points(name, numbers, n, 2);
+    return Eigen::Map<const Points>(numbers, 2, n);
 }
 
 Points given_sites(const pcvt_options& options) {
@@ -225,7 +187,8 @@ void throw_unknown_fields(const char* name) {
 }
 
 bool uses_reserved_fields(const pcvt_options& options) {
-    return options.reserved != 0 || options.reserved2 != 0 || options.reserved3 != 0;
+    return options.reserved != 0 || options.reserved2 != 0 || options.reserved3 != 0 ||
+           options.reserved4 != 0;
 }
 
 bool uses_reserved_fields(const pcvt_write_options& options) { return options.reserved != 0; }
@@ -257,6 +220,8 @@ pcvt_options default_options() {
     options.tolerance = 1e-6;
     options.columns = options.rows = 1;
     options.aspect = 1;
+    options.dimension = 2;
+    options.lattice3[0] = options.lattice3[4] = options.lattice3[8] = 1;
     return options;
 }
 
@@ -304,9 +269,7 @@ Job make_job(const pcvt_options& options) {
     if (options.n_sites < 1 || options.n_sites > kMostSites) {
         throw InvalidInput("n_sites is not between 1 and " + std::to_string(kMostSites));
     }
-    if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
-        throw InvalidInput("tolerance is not a positive number");
-    }
+    require_positive("tolerance", options.tolerance);
     Job job;
     job.lattice =
         Lattice({options.lattice[0], options.lattice[1]}, {options.lattice[2], options.lattice[3]});
@@ -319,7 +282,7 @@ Job make_job(const pcvt_options& options) {
     job.solver = solver(options.solver);
     job.tolerance = options.tolerance;
     job.max_iterations = options.max_iterations;
-    job.n_threads = threads(options.n_threads);
+    job.n_threads = thread_count(options.n_threads);
     job.columns = options.columns;
     job.rows = options.rows;
     job.origin = {options.origin[0], options.origin[1]};

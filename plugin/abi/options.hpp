@@ -41,6 +41,7 @@ void check_version(std::uint32_t host);
 pcvt_options default_options();
 
 /// The job that the options describe. Copies the sites.
+/// @pre the dimension is 2.
 /// @throws InvalidInput, LimitExceeded naming the field.
 Job make_job(const pcvt_options& options);
 

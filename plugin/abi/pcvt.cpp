@@ -4,16 +4,26 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "plugin/abi/density.hpp"
 #include "plugin/abi/guard.hpp"
 #include "plugin/abi/options.hpp"
 #include "plugin/abi/result.hpp"
+#include "plugin/abi/run_status.hpp"
+#include "plugin/abi/space_options.hpp"
+#include "plugin/abi/space_result.hpp"
 #include "plugin/job/version.hpp"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that C knows.
 struct pcvt_result {
-    pcvt::abi::Result content;
+    template <class Content, class... Arguments>
+    explicit pcvt_result(std::in_place_type_t<Content> type, Arguments&&... arguments)
+        : content(type, std::forward<Arguments>(arguments)...) {}
+
+    /// In the plane, or in space.
+    std::variant<pcvt::abi::Result, pcvt::abi::SpaceResult> content;
 };
 
 namespace pcvt::abi {
@@ -56,14 +66,6 @@ JobCallback job_callback(const HostProgress& to, double energy_bound, const std:
     };
 }
 
-pcvt_status status_of(const Job& job, const RunStatistics& run) {
-    if (run.stop == Stop::kConverged || job.max_iterations == 0) return PCVT_OK;
-    set_last_error(run.stop == Stop::kStalled
-                       ? "not converged: double precision gives no more; take a larger tolerance"
-                       : "not converged: the iteration limit came first");
-    return PCVT_NOT_CONVERGED;
-}
-
 /// Of runs without a density, else NaN.
 double bound_of(const pcvt_options& options, const Job& job) {
     const bool uniform = options.density == nullptr && options.density_source == nullptr;
@@ -82,29 +84,55 @@ bool read_density(const pcvt_options& options, const JobCallback& callback, cons
     return true;
 }
 
-pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std::fenv_t& host) {
-    if (result == nullptr) throw InvalidInput("result is a null pointer");
-    *result = nullptr;
-    const pcvt_options options = read_struct("pcvt_options", given);
+pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
+                              const std::fenv_t& host) {
     Job job = make_job(options);
     const JobCallback callback =
         job_callback({options.progress, options.progress_data}, bound_of(options, job), host);
     std::optional<Computation> computed;
     if (read_density(options, callback, host, job)) computed = compute_job(job, callback);
-    if (!computed) {
-        set_last_error("cancelled by the progress callback");
-        return PCVT_CANCELLED;
-    }
-    const pcvt_status status = status_of(job, computed->cells.run);
+    if (!computed) return cancelled_status();
+    const pcvt_status status = status_of(job.max_iterations, computed->cells.run);
     // The callback may not be called after this call.
     if (job.density) job.density = Density{};
-    *result = new pcvt_result{{std::move(job), *std::move(computed)}};
+    *result = new pcvt_result(std::in_place_type<Result>, std::move(job), *std::move(computed));
     return status;
 }
 
-const Result& content(const pcvt_result* result) {
+pcvt_status generate_in_space(const pcvt_options& options, pcvt_result** result,
+                              const std::fenv_t& host) {
+    SpaceJob job = make_space_job(options);
+    const JobCallback callback =
+        job_callback({options.progress, options.progress_data}, pcvt::energy_bound(job), host);
+    std::optional<SpaceComputation> computed = compute_space_job(job, callback);
+    if (!computed) return cancelled_status();
+    const pcvt_status status = status_of(job.max_iterations, computed->cvt.run);
+    *result =
+        new pcvt_result(std::in_place_type<SpaceResult>, std::move(job), *std::move(computed));
+    return status;
+}
+
+pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std::fenv_t& host) {
+    if (result == nullptr) throw InvalidInput("result is a null pointer");
+    *result = nullptr;
+    const pcvt_options options = read_struct("pcvt_options", given);
+    return means_space(options) ? generate_in_space(options, result, host)
+                                : generate_in_plane(options, result, host);
+}
+
+const auto& content(const pcvt_result* result) {
     if (result == nullptr) throw InvalidInput("result is a null pointer");
     return result->content;
+}
+
+const Result& plane_content(const pcvt_result* result) {
+    if (const auto* plane = std::get_if<Result>(&content(result))) return *plane;
+    throw InvalidInput("the result has three dimensions; pcvt_get_cells gives its cells and sites");
+}
+
+const SpaceResult& space_content(const pcvt_result* result) {
+    if (const auto* space = std::get_if<SpaceResult>(&content(result))) return *space;
+    throw InvalidInput("the result has two dimensions; take pcvt_get_tile or pcvt_get_mesh");
 }
 
 /// Fills a view, in the size that the host knows.
@@ -120,26 +148,42 @@ pcvt_status give(const char* name, View* view, std::size_t size, const Look& loo
     });
 }
 
-pcvt_status write(const Result& result, const char* path, const pcvt_write_options* given,
-                  const std::fenv_t& host) {
-    pcvt_write_options options{};
-    if (given != nullptr) options = read_struct("pcvt_write_options", given);
+bool write_in_plane(const Result& result, const char* path, const pcvt_write_options& options,
+                    const std::fenv_t& host) {
     const WriteRequest request{.path = path == nullptr ? "" : path,
                                .layout = {tile_kind(options.kind), tile_outline(options.outline)},
                                .files = file_options(options),
                                .report = options.report == nullptr ? "" : options.report,
                                .replace = options.replace != 0};
-    if (path != nullptr && request.path.empty())
-        throw InvalidInput("path is empty; give the name of a file");
     if (request.path.empty() && request.report.empty()) {
         throw InvalidInput("neither path nor report; give one");
     }
     const HostProgress progress{options.progress, options.progress_data};
-    if (result.write(request, job_callback(progress, result.energy_bound(), host))) {
-        return PCVT_OK;
+    return result.write(request, job_callback(progress, result.energy_bound(), host));
+}
+
+bool write_in_space(const SpaceResult& result, const char* path, const pcvt_write_options& options,
+                    const std::fenv_t& host) {
+    check_space_write_options(options);
+    if (path == nullptr) throw InvalidInput("path is a null pointer; give the name of a file");
+    const HostProgress progress{options.progress, options.progress_data};
+    return result.write(path, options.replace != 0,
+                        job_callback(progress, result.energy_bound(), host));
+}
+
+pcvt_status write(const pcvt_result* result, const char* path, const pcvt_write_options* given,
+                  const std::fenv_t& host) {
+    const auto& made = content(result);
+    pcvt_write_options options{};
+    if (given != nullptr) options = read_struct("pcvt_write_options", given);
+    if (path != nullptr && *path == '\0') {
+        throw InvalidInput("path is empty; give the name of a file");
     }
-    set_last_error("cancelled by the progress callback");
-    return PCVT_CANCELLED;
+    const auto* const plane = std::get_if<Result>(&made);
+    const bool is_written = plane != nullptr
+                                ? write_in_plane(*plane, path, options, host)
+                                : write_in_space(space_content(result), path, options, host);
+    return is_written ? PCVT_OK : cancelled_status();
 }
 
 }  // namespace
@@ -199,23 +243,26 @@ pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** result) {
 void pcvt_free(pcvt_result* result) { delete result; }
 
 pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size) {
-    return give("pcvt_sites", view, view_size, [&] { return content(result).sites(); });
+    return give("pcvt_sites", view, view_size, [&] { return plane_content(result).sites(); });
 }
 
 pcvt_status pcvt_get_inclusions(const pcvt_result* result, pcvt_inclusions* view,
                                 size_t view_size) {
-    return give("pcvt_inclusions", view, view_size, [&] { return content(result).inclusions(); });
+    return give("pcvt_inclusions", view, view_size,
+                [&] { return plane_content(result).inclusions(); });
 }
 
 pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view,
                                 size_t view_size) {
-    return give("pcvt_statistics", view, view_size, [&] { return content(result).statistics(); });
+    return give("pcvt_statistics", view, view_size, [&] {
+        return std::visit([](const auto& made) { return made.statistics(); }, content(result));
+    });
 }
 
 pcvt_status pcvt_get_minimum(const pcvt_result* result, int32_t* minimum) {
     return guarded([&](const std::fenv_t&) {
         if (minimum == nullptr) throw pcvt::InvalidInput("minimum is a null pointer");
-        *minimum = content(result).minimum();
+        *minimum = plane_content(result).minimum();
         return pcvt_status{PCVT_OK};
     });
 }
@@ -223,19 +270,22 @@ pcvt_status pcvt_get_minimum(const pcvt_result* result, int32_t* minimum) {
 pcvt_status pcvt_get_mesh(const pcvt_result* result, int32_t kind, pcvt_mesh* view,
                           size_t view_size) {
     return give("pcvt_mesh", view, view_size,
-                [&] { return content(result).mesh(tile_kind(kind)); });
+                [&] { return plane_content(result).mesh(tile_kind(kind)); });
 }
 
 pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int32_t outline, pcvt_tile* view,
                           size_t view_size) {
     return give("pcvt_tile", view, view_size, [&] {
         const Layout layout{tile_kind(kind), tile_outline(outline)};
-        return content(result).tile(layout);
+        return plane_content(result).tile(layout);
     });
+}
+
+pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view, size_t view_size) {
+    return give("pcvt_cells", view, view_size, [&] { return space_content(result).cells(); });
 }
 
 pcvt_status pcvt_write(const pcvt_result* result, const char* path,
                        const pcvt_write_options* options) {
-    return guarded(
-        [&](const std::fenv_t& host) { return write(content(result), path, options, host); });
+    return guarded([&](const std::fenv_t& host) { return write(result, path, options, host); });
 }

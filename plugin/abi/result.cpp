@@ -5,6 +5,7 @@
 
 #include "mesher/mesh/valence.hpp"
 #include "plugin/abi/guard.hpp"
+#include "plugin/abi/run_status.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_tiles.hpp"
@@ -32,16 +33,6 @@ void copy_lattice(const Lattice& lattice, double* vectors) {
     const std::array<double, 4> numbers{lattice.a().x(), lattice.a().y(), lattice.b().x(),
                                         lattice.b().y()};
     std::copy(numbers.begin(), numbers.end(), vectors);
-}
-
-/// Turns an error of valid arguments into one of the geometry of the result.
-template <class Make>
-auto from_geometry(const Make& make) {
-    try {
-        return make();
-    } catch (const InvalidInput& error) {
-        throw BadGeometry(error.what());
-    }
 }
 
 void note_orbits(TileArrays& arrays) {
@@ -105,11 +96,6 @@ std::int32_t kind_number(MeshKind kind) { return mesh_kind_row(kind).abi_value; 
 
 std::int32_t outline_number(Outline outline) {
     return outline == Outline::kBox ? PCVT_BOX : PCVT_WHOLE;
-}
-
-std::int32_t stop_number(Stop stop) {
-    if (stop == Stop::kConverged) return PCVT_STOP_CONVERGED;
-    return stop == Stop::kIterationLimit ? PCVT_STOP_ITERATION_LIMIT : PCVT_STOP_STALLED;
 }
 
 std::int32_t minimum_number(const std::optional<Minimum>& minimum) {

@@ -12,7 +12,7 @@ namespace pcvt {
 
 /// What the files of a job hold.
 struct SpaceContent {
-    SpaceTile tile;
+    const SpaceTile& tile;
     /// The sites in the domain, 3 x n, for .txt files.
     Points3 points;
     /// For .msh files; nothing if there is none.

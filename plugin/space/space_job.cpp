@@ -18,6 +18,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+JobMonitor::Target target_of(const SpaceJob& job) {
+    JobMonitor::Target target;
+    target.tolerance = job.tolerance;
+    target.max_iterations = job.max_iterations;
+    return target;
+}
+
 Eigen::Matrix3d period_matrix(const SpaceLattice& lattice) {
     Eigen::Matrix3d period;
     for (int k = 0; k < 3; ++k) period.col(k) = lattice.periods()[k];
@@ -44,10 +55,11 @@ SpaceCvtResult optimise(const SpaceJob& job, JobMonitor& monitor) {
     return result;
 }
 
-Points3 site_positions(const SpaceSites& sites) {
-    Points3 points(3, sites.n_sites());
-    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
-    return points;
+SpaceComputation compute(const SpaceJob& job, JobMonitor& monitor) {
+    const Clock::time_point begin = Clock::now();
+    SpaceComputation computation{.cvt = optimise(job, monitor)};
+    computation.seconds = seconds_since(begin);
+    return computation;
 }
 
 SpaceTile build_tile(const SpaceDelaunay& delaunay, JobMonitor& monitor) {
@@ -60,11 +72,13 @@ SpaceTile build_tile(const SpaceDelaunay& delaunay, JobMonitor& monitor) {
 
 /// The tetrahedra, if a file holds them.
 std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
-                                                const std::vector<SpaceJobFile>& files) {
+                                                const std::vector<SpaceJobFile>& files,
+                                                JobMonitor& monitor) {
     const auto file = std::find_if(files.begin(), files.end(), [](const SpaceJobFile& f) {
         return f.format->encode_tetrahedra != nullptr;
     });
     if (file == files.end()) return {};
+    monitor.begin(Phase::kBuilding, "building the tetrahedra");
     TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
     const int n_flat = n_flat_tetrahedra(mesh, delaunay.sites.n_sites());
     if (n_flat > 0) {
@@ -88,47 +102,100 @@ void require_closed_boundary(const SpaceJob& job, const std::vector<SpaceJobFile
     }
 }
 
-/// Proves the tile and fills in its figures.
-void prove_tile(const SpaceTile& tile, JobMonitor& monitor, SpaceSummary& summary) {
+/// Makes the tile and the files of a computed job. The commit of the files cannot be cancelled.
+SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
+                    const SpaceComputation& computation, const SpaceTileSource& make_tile,
+                    JobMonitor& monitor) {
+    const SpaceDelaunay& delaunay = computation.cvt.delaunay;
+    OutputSet outputs;
+    SpaceSummary summary;
+    monitor.watch([&] {
+        std::optional<TetrahedralMesh> tetrahedra = build_tetrahedra(delaunay, files, monitor);
+        const ProvedSpaceTile& proved = make_tile(monitor);
+        Points3 points = wrapped_sites(computation);
+        const SpaceContent content{proved.tile, std::move(points), std::move(tetrahedra)};
+        summary.proof = proved.proof;
+        summary.face_counts = proved.face_counts;
+        require_closed_boundary(job, files, summary.proof);
+        stage_space_files(files, content, job.file_options, monitor, outputs);
+    });
+    // The summary is complete before the files appear: nothing may fail after that.
+    summary.n_sites = delaunay.sites.n_sites();
+    summary.energy_bound = body_centred_energy(job.lattice.volume(), summary.n_sites);
+    for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
+    summary.run = computation.cvt.run;
+    const ClientScope no_client(nullptr);
+    outputs.commit(job.force);
+    return summary;
+}
+
+SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
+                 const JobCallback& callback) {
+    JobMonitor monitor(callback, target_of(job));
+    const SpaceComputation computation = compute(job, monitor);
+    std::optional<ProvedSpaceTile> tile;
+    const SpaceTileSource make_tile = [&](JobMonitor&) -> const ProvedSpaceTile& {
+        return tile.emplace(prove_space_tile(computation, monitor));
+    };
+    return finish(job, files, computation, make_tile, monitor);
+}
+
+}  // namespace
+
+double energy_bound(const SpaceJob& job) {
+    const auto n_given = static_cast<int>(job.points.cols());
+    return body_centred_energy(job.lattice.volume(), n_given > 0 ? n_given : job.n_sites);
+}
+
+Points3 wrapped_sites(const SpaceComputation& computation) {
+    const SpaceSites& sites = computation.cvt.delaunay.sites;
+    Points3 points(3, sites.n_sites());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
+    return points;
+}
+
+ProvedSpaceTile prove_space_tile(const SpaceComputation& computation, JobMonitor& monitor) {
+    ProvedSpaceTile proved{.tile = build_tile(computation.cvt.delaunay, monitor)};
+    const SpaceTile& tile = proved.tile;
     monitor.begin(Phase::kProving, "proving the cells");
     try {
-        summary.proof = prove_polyhedra(tile.mesh);
+        proved.proof = prove_polyhedra(tile.mesh);
         prove_cell_sites(tile.mesh, tile.sites);
     } catch (const NotATile& error) {
         throw InternalError(std::string("a tile breaks its laws: ") + error.what());
     }
     const CellFaces cells(tile.mesh);
     for (int s = 0; s < cells.n_cells(); ++s) {
-        ++summary.face_counts[static_cast<int>(cells[s].size())];
+        ++proved.face_counts[static_cast<int>(cells[s].size())];
+    }
+    return proved;
+}
+
+std::optional<SpaceComputation> compute_space_job(const SpaceJob& job,
+                                                  const JobCallback& callback) {
+    require_available("the run takes", estimated_memory(job, {}), "take fewer sites");
+    JobMonitor monitor(callback, target_of(job));
+    try {
+        return compute(job, monitor);
+    } catch (const Cancelled&) {
+        return std::nullopt;
     }
 }
 
-SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
-                 const JobCallback& callback) {
-    JobMonitor monitor(callback,
-                       {.tolerance = job.tolerance, .max_iterations = job.max_iterations});
-    const SpaceCvtResult result = optimise(job, monitor);
-    const SpaceSites& sites = result.delaunay.sites;
-    SpaceSummary summary{.run = result.run, .n_sites = sites.n_sites()};
-    summary.energy_bound = body_centred_energy(job.lattice.volume(), sites.n_sites());
-    OutputSet outputs;
-    monitor.watch([&] {
-        SpaceTile tile = build_tile(result.delaunay, monitor);
-        Points3 points = site_positions(sites);
-        std::optional<TetrahedralMesh> tetrahedra = build_tetrahedra(result.delaunay, files);
-        const SpaceContent content{std::move(tile), std::move(points), std::move(tetrahedra)};
-        prove_tile(content.tile, monitor, summary);
-        require_closed_boundary(job, files, summary.proof);
-        stage_space_files(files, content, job.file_options, monitor, outputs);
-    });
-    // The summary is complete before the files appear: nothing may fail after that.
-    for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
-    const ClientScope no_client(nullptr);
-    outputs.commit(job.force);
-    return summary;
+SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& computation,
+                             const SpaceTileSource& tile, const JobCallback& callback) {
+    const std::vector<SpaceJobFile> files = plan_space_files(job);
+    require_space_files_writable(job, files);
+    require_available("the files take",
+                      memory_to_write(computation.cvt.delaunay.sites.n_sites(), files),
+                      kFewerOutputs);
+    JobMonitor monitor(callback, target_of(job));
+    try {
+        return finish(job, files, computation, tile, monitor);
+    } catch (const Cancelled&) {
+        return {};
+    }
 }
-
-}  // namespace
 
 SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     const Clock::time_point begin = Clock::now();
@@ -138,7 +205,7 @@ SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     try {
         SpaceSummary summary = run(job, files, callback);
         summary.recovered = std::move(recovered);
-        summary.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        summary.seconds = seconds_since(begin);
         return summary;
     } catch (const Cancelled&) {
         return {};

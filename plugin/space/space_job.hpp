@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "io/space/space_tile.hpp"
 #include "io/space_formats.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
 #include "mesher/space/space_cvt.hpp"
@@ -43,6 +46,21 @@ struct SpaceJob {
     bool force = false;
 };
 
+/// The optimised sites of a job, from which its tile and its files are made.
+struct SpaceComputation {
+    SpaceCvtResult cvt;
+    /// Of the computation alone.
+    double seconds = 0;
+};
+
+/// The tile of a job, proved, and its figures.
+struct ProvedSpaceTile {
+    SpaceTile tile;
+    PolyhedralProof proof = {};
+    /// Cells by their number of faces.
+    std::map<int, int> face_counts = {};
+};
+
 /// The summary of a run, besides its files.
 struct SpaceSummary {
     /// kCancelled: no file was written, and no other member is set. The energy is F, length^5.
@@ -69,5 +87,27 @@ struct SpaceSummary {
 /// @throws LimitExceeded  too many sites, or more memory than is available.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.
 SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback);
+
+// The steps of run_space_job one by one, for a host that keeps the result in memory; errors as
+// there.
+
+/// The energy of as many truncated octahedra as the job has sites, length^5.
+double energy_bound(const SpaceJob& job);
+
+/// Optimises the sites; `nullopt` after a cancelled run.
+std::optional<SpaceComputation> compute_space_job(const SpaceJob& job, const JobCallback& callback);
+
+/// Lays out the cells as one tile and proves it. Refuses no memory.
+ProvedSpaceTile prove_space_tile(const SpaceComputation& computation, JobMonitor& monitor);
+
+/// Returns the tile of a job, which must outlive the call.
+using SpaceTileSource = std::function<const ProvedSpaceTile&(JobMonitor&)>;
+
+/// Writes job.outputs. The summary of a cancelled call has Stop::kCancelled.
+SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& computation,
+                             const SpaceTileSource& tile, const JobCallback& callback);
+
+/// Returns the positions of the sites in the domain, as files hold them: 3 x n, length units.
+Points3 wrapped_sites(const SpaceComputation& computation);
 
 }  // namespace pcvt

@@ -9,20 +9,33 @@ namespace {
 
 /// Bytes a site: triangulating, optimising and building the cells, measured as SpaceFormat::memory.
 constexpr double kBuilding = 5600;
+/// A SpaceComputation, and not the heap that its run leaves.
+constexpr double kComputed = 400;
 /// Tetrahedra that are held while other files are written.
 constexpr double kHeldTetrahedra = 800;
 
-}  // namespace
-
-double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {
-    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+/// Bytes a site of the largest part of a run with these files.
+double largest_bytes(const std::vector<SpaceJobFile>& files) {
     double a_site = kBuilding;
     double held = 0;
     for (const SpaceJobFile& file : files) {
         a_site = std::max(a_site, file.format->memory);
         if (file.format->encode_tetrahedra != nullptr) held = kHeldTetrahedra;
     }
-    return kCommandBytes + kThreadBytes * job.n_threads + n * (a_site + held);
+    return a_site + held;
+}
+
+}  // namespace
+
+double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {
+    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+    return kCommandBytes + kThreadBytes * job.n_threads + n * largest_bytes(files);
+}
+
+double memory_of_cells(int n_sites) { return memory_to_write(n_sites, {}); }
+
+double memory_to_write(int n_sites, const std::vector<SpaceJobFile>& files) {
+    return n_sites * (largest_bytes(files) - kComputed);
 }
 
 }  // namespace pcvt

@@ -19,7 +19,7 @@
 
 #include "tests/fault/allocation_shim.h"
 
-enum { N_SITES = 50, N_STATUSES = 11, LOWEST_STATUS = -7 };
+enum { N_SITES = 50, N_SITES_IN_SPACE = 6, N_STATUSES = 11, LOWEST_STATUS = -7 };
 
 /* The files that the host writes, and the kind of tile in them. */
 static const struct {
@@ -118,6 +118,42 @@ static pcvt_status use_result(const pcvt_result* result, hash_number* hash) {
     return PCVT_OK;
 }
 
+/* Takes the views of a result in three dimensions and writes its files. */
+static pcvt_status use_cells(const pcvt_result* result, hash_number* hash) {
+    static const char* const paths[] = {"b.vtu", "b.foam", "b.msh", "b.txt"};
+    pcvt_cells cells;
+    pcvt_statistics statistics;
+    pcvt_status status;
+    size_t k;
+    if ((status = pcvt_get_cells(result, &cells, sizeof cells)) < 0) return status;
+    *hash = mix(*hash, cells.points, 3 * sizeof(double) * cells.n_points);
+    *hash = mix(*hash, cells.partner, sizeof(int32_t) * (cells.n_faces - cells.n_inner_faces));
+    *hash = mix(*hash, cells.volumes, sizeof(double) * cells.n_cells);
+    if ((status = pcvt_get_statistics(result, &statistics, sizeof statistics)) < 0) return status;
+    *hash = mix(*hash, statistics.valences, sizeof(int32_t) * statistics.n_valences);
+    for (k = 0; k < sizeof paths / sizeof paths[0]; ++k) {
+        pcvt_write_options options;
+        memset(&options, 0, sizeof options);
+        options.struct_size = sizeof options;
+        options.replace = 1;
+        options.progress = keep_running;
+        if ((status = pcvt_write(result, paths[k], &options)) < 0) return status;
+    }
+    return PCVT_OK;
+}
+
+static pcvt_status run_in_space(pcvt_options options, hash_number* hash) {
+    pcvt_result* result;
+    pcvt_status status;
+    options.dimension = 3;
+    options.n_sites = N_SITES_IN_SPACE;
+    options.lattice3[4] = 2;
+    status = pcvt_generate(&options, &result);
+    if (status >= 0) status = use_cells(result, hash);
+    pcvt_free(result);
+    return status;
+}
+
 static pcvt_status whole_run(hash_number* hash) {
     pcvt_options options;
     pcvt_result* result;
@@ -130,7 +166,7 @@ static pcvt_status whole_run(hash_number* hash) {
     *hash = 14695981039346656037ULL;
     if (status >= 0) status = use_result(result, hash);
     pcvt_free(result);
-    return status;
+    return status >= 0 ? run_in_space(options, hash) : status;
 }
 
 /* One run with failures and one without, which must have the hashes of the reference. */

@@ -9,19 +9,24 @@
     result.write("tile.glb")
     result.plot()                                # needs matplotlib
 
+In three dimensions the cells are polyhedra:
+
+    result = pcvt.space(sites=100, period=(1, 1, 1))
+    tile = result.tile()                         # points, faces, owner, neighbour, partners
+    result.write("tile.vtu")
+
 The environment variable PCVT_LIBRARY names libpcvt.so. Without it the package looks for
-libpcvt.so.0.2 in its own folder, in the folder above, in the `lib` that it is installed in, and then
+libpcvt.so.0.3 in its own folder, in the folder above, in the `lib` that it is installed in, and then
 where the system's loader finds libraries.
 
 Arrays are read-only views of the library's memory, without a copy. Each array keeps that memory
 alive. Use array.copy() to change one. Numbers are float64 and int32, positions in length units;
 sites, vertices and faces are numbered from 0, sites in the order of the input. An offset i, j means
-the translation i a + j b, with a, b the rows of `lattice`.
+the translation i a + j b, with a, b the rows of `lattice`; an offset i, j, k means i a + j b + k c.
 """
 
 import operator
-import os
-from ctypes import byref, c_int32, c_void_p, sizeof
+from ctypes import byref, c_int32, sizeof
 
 try:
     import numpy as np
@@ -30,19 +35,21 @@ except ModuleNotFoundError as missing:
                               "python3-numpy", name=missing.name) from None
 
 from . import _library
-from ._callbacks import Callbacks, Progress
-from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, Handle,
-                       LimitError, OutputError, checked, library)
-from ._views import KINDS, OUTLINES, STOPS, Statistics, Tile, TorusMesh, inclusions_of
+from ._callbacks import Progress
+from ._calls import (SOLVERS as _SOLVERS, STARTS as _STARTS, choice as _choice, default_options, doubles as _doubles,
+                     generated, set_doubles as _set_doubles, set_integers as _set_integers, set_sites as _set_sites,
+                     text as _text, written)
+from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, LimitError, OutputError, checked,
+                       library)
+from ._space import SpaceResult, SpaceTile, space
+from ._views import KINDS, OUTLINES, Statistics, Tile, TorusMesh, inclusions_of, statistics_of
 
-__all__ = ["mesh", "version", "Result", "Tile", "TorusMesh", "Statistics", "Progress", "Error",
-           "Cancelled", "ArgumentError", "DensityError", "GeometryError", "LimitError",
+__all__ = ["mesh", "space", "version", "Result", "Tile", "TorusMesh", "SpaceResult", "SpaceTile", "Statistics",
+           "Progress", "Error", "Cancelled", "ArgumentError", "DensityError", "GeometryError", "LimitError",
            "OutputError"]
 
-_STARTS = ("default", "random", "coarse", "lattice", "best")
 _COLOURS = ("default", "sides", "size", "cells", "density", "phase", "orbit", "tag")
 _GLTF_NODES = ("default", "cells", "one")
-_SOLVERS = ("default", "lbfgs", "lloyd", "newton")
 _SYMMETRIES = ("p1", "p2", "pm", "pg", "cm", "pmm", "pmg", "pgg", "cmm", "p4", "p4m", "p4g", "p3", "p3m1", "p31m",
                "p6", "p6m")
 _WALLS = ("none", "x", "y", "xy")
@@ -54,26 +61,6 @@ _JOBS = ("none", "elastic")
 def version():
     """"major.minor.patch" of the library."""
     return library.pcvt_version().decode()
-
-
-def _choice(name, value, choices):
-    if value not in choices:
-        raise ArgumentError(f"{name} {value!r} is unknown; take one of {', '.join(choices)}")
-    return choices.index(value)
-
-
-def _text(name, value):
-    text = os.fsencode(value)
-    if b"\0" in text:
-        raise ArgumentError(f"{name} {value!r} has a zero byte; leave it out")
-    return text
-
-
-def _doubles(name, values, *shape):
-    array = np.ascontiguousarray(values, dtype=np.float64)
-    if array.shape != shape:
-        raise ArgumentError(f"{name} has the shape {array.shape}; give {shape}")
-    return array
 
 
 def _period_vectors(lattice, period, symmetry):
@@ -88,30 +75,6 @@ def _period_vectors(lattice, period, symmetry):
     if not (width > 0 and height > 0):
         raise ArgumentError(f"period {period!r}: a side is not above 0; give two positive lengths")
     return ((width, 0), (0, height))
-
-
-def _set_integers(options, **integers):
-    for name, value in integers.items():
-        setattr(options, name, operator.index(value))
-        if getattr(options, name) != value:  # ctypes cuts what does not fit.
-            raise ArgumentError(f"{name} {value} is out of range")
-
-
-def _set_doubles(options, **doubles):
-    for name, values in doubles.items():
-        field = getattr(options, name)
-        field[:] = _doubles(name, values, len(field)).tolist()
-
-
-def _set_sites(options, sites):
-    """Returns the array that must stay alive as long as the options are used, or None."""
-    if np.ndim(sites) == 0:
-        _set_integers(options, n_sites=sites)
-        return None
-    points = _doubles("sites", sites, len(sites), 2)
-    _set_integers(options, n_sites=len(points))
-    options.sites = points.ctypes.data
-    return points
 
 
 def _set_areas(options, areas):
@@ -174,14 +137,6 @@ def _set_inclusions(options, inclusions, fibres, holes):
     options.inclusions = _text("inclusions", inclusions)
 
 
-def _set_functions(options, density, callbacks):
-    options.progress = _library.ProgressCallback(callbacks.show_progress)
-    if callable(density):
-        options.density = _library.DensityCallback(callbacks.ask_density)
-    elif density is not None:
-        options.density_source = _text("density", density)
-
-
 def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
@@ -241,10 +196,9 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     Returns a Result, also if the run did not converge: see statistics.stop. Raises Cancelled,
     another Error with the library's message, or the exception of density or progress.
     """
-    options = _library.Options()
-    checked(library.pcvt_options_init(byref(options), sizeof(options), _library.ABI_VERSION))
+    options = default_options()
     # Alive while the library reads them.
-    _points, _areas = _set_sites(options, sites), _set_areas(options, areas)
+    _points, _areas = _set_sites(options, sites, 2), _set_areas(options, areas)
     _angles = _set_materials(options, phases, orientations)
     _fixed = _set_fixed(options, fixed)
     _set_inclusions(options, inclusions, fibres, holes)
@@ -263,15 +217,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     options.tolerance, options.grain_size = tolerance, grain_size
     options.short_edges = short_edges
     options.aspect, options.aspect_degrees = (aspect, 0) if np.ndim(aspect) == 0 else aspect
-    pointer = c_void_p()
-    with Callbacks(density, progress) as callbacks:
-        _set_functions(options, density, callbacks)
-        status = library.pcvt_generate(byref(options), byref(pointer))
-        handle = Handle(pointer.value) if pointer else None
-        if callbacks.error is not None:
-            raise callbacks.error
-        checked(status)
-    return Result(handle)
+    return Result(generated(options, density, progress))
 
 
 class Result:
@@ -309,11 +255,7 @@ class Result:
 
     @property
     def statistics(self):
-        view = self._handle.view(library.pcvt_get_statistics, _library.Statistics)
-        figures = {name: getattr(view, name) for name in Statistics._fields}
-        figures["valences"] = self._handle.array(view.valences, np.int32, view.n_valences)
-        figures["stop"] = STOPS[view.stop]
-        return Statistics(**figures)
+        return statistics_of(self._handle)
 
     @property
     def minimum(self):
@@ -376,13 +318,7 @@ class Result:
         _set_integers(options, pixels=pixels)
         columns, rows = voxels
         options.voxels[:] = operator.index(columns), operator.index(rows)
-        file = None if path is None else _text("path", path)
-        with Callbacks(None, progress) as callbacks:
-            options.progress = _library.ProgressCallback(callbacks.show_progress)
-            status = library.pcvt_write(self._handle.pointer, file, byref(options))
-            if callbacks.error is not None:
-                raise callbacks.error
-            checked(status)
+        written(self._handle, path, options, progress)
 
     def plot(self, kind="voronoi", outline="whole", axes=None):
         """Draws a tile, as Tile.plot()."""

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-ABI_VERSION = 0x00000002
+ABI_VERSION = 0x00000003
 
 
 class Error(Exception):
@@ -74,7 +74,7 @@ class Options(ctypes.Structure):
                 ("symmetry", c_int32), ("walls", c_int32),
                 ("wall_cells", c_int32), ("reserved2", c_int32), ("inclusions", c_char_p), ("fibres", c_char_p),
                 ("fixed_sites", c_void_p), ("n_fixed_sites", c_int32), ("reserved3", c_int32),
-                ("holes", c_char_p)]
+                ("holes", c_char_p), ("dimension", c_int32), ("reserved4", c_int32), ("lattice3", c_double * 9)]
 
 
 class Sites(ctypes.Structure):
@@ -105,6 +105,16 @@ class Tile(ctypes.Structure):
                 ("n_corners", c_int32), ("n_edge_pairs", c_int32),
                 ("wall_edges", c_void_p), ("n_wall_edges", c_int32), ("n_holes", c_int32),
                 ("hole_names", ctypes.POINTER(c_char_p))]
+
+
+class Cells(ctypes.Structure):
+    _fields_ = [("lattice", c_double * 9), ("points", c_void_p), ("point_orbit", c_void_p),
+                ("point_offset", c_void_p), ("face_begin", c_void_p), ("face_points", c_void_p),
+                ("owner", c_void_p), ("neighbour", c_void_p), ("partner", c_void_p),
+                ("partner_offset", c_void_p), ("volumes", c_void_p), ("site_points", c_void_p),
+                ("sites", c_void_p), ("n_cells", c_int32), ("n_faces", c_int32),
+                ("n_inner_faces", c_int32), ("n_points", c_int32), ("n_face_points", c_int32),
+                ("reserved", c_int32)]
 
 
 class Statistics(ctypes.Structure):
@@ -139,12 +149,13 @@ _FUNCTIONS = {
     "pcvt_get_minimum": (c_int32, c_void_p, POINTER(c_int32)),
     "pcvt_get_mesh": (c_int32, c_void_p, c_int32, POINTER(Mesh), c_size_t),
     "pcvt_get_tile": (c_int32, c_void_p, c_int32, c_int32, POINTER(Tile), c_size_t),
+    "pcvt_get_cells": (c_int32, c_void_p, POINTER(Cells), c_size_t),
     "pcvt_write": (c_int32, c_void_p, c_char_p, POINTER(WriteOptions)),
 }
 
 
 def _library_file():
-    name = "libpcvt.so.0.2"
+    name = "libpcvt.so.0.3"
     package = Path(__file__).resolve().parent
     # Installed, the package is lib/python3/dist-packages/pcvt.
     near = [folder / name for folder in (package, package.parents[0], package.parents[2])]

@@ -29,8 +29,18 @@ def inclusions_of(handle):
     return tuple(shapes)
 
 
+def statistics_of(handle):
+    """The Statistics of a result."""
+    view = handle.view(_library.library.pcvt_get_statistics, _library.Statistics)
+    figures = {name: getattr(view, name) for name in Statistics._fields}
+    figures["valences"] = handle.array(view.valences, np.int32, view.n_valences)
+    figures["stop"] = STOPS[view.stop]
+    return Statistics(**figures)
+
+
 class Statistics(NamedTuple):
-    """Statistics of a run.
+    """Statistics of a run. In three dimensions the energy has the unit length^5, energy_bound is that of
+    truncated octahedra, h the cube root of volume / n, and valences[k] cells have k faces.
 
     energy        sum over the cells of the integral of density |p - x_i|^2, density x length^4
     energy_bound  5 area^2 / (18 sqrt(3) n) for uniform density, else NaN

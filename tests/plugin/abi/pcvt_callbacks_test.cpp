@@ -112,8 +112,10 @@ struct Phases {
 };
 
 /// A result of 1000 sites, whose run reported to `phases`.
-pcvt_result* generated(Phases& phases) {
+pcvt_result* generated(Phases& phases, int dimension = 2) {
     pcvt_options options = options_for(1000);
+    options.dimension = dimension;
+    options.tolerance = 1e-3;
     options.progress = Phases::note;
     options.progress_data = &phases;
     pcvt_result* result = nullptr;
@@ -143,6 +145,22 @@ TEST(Callbacks, PhasesOfARunAndOfAWriteAreNamed) {
     of_write.words.clear();
     EXPECT_EQ(written(result, folder / "t.obj", of_write), PCVT_OK);
     EXPECT_THAT(of_write.words, ElementsAre("writing t.obj, 1 of 1"));
+    pcvt_free(result);
+}
+
+TEST(Callbacks, PhasesInSpaceAreNamed) {
+    const pcvt::testing::TemporaryFolder folder;
+    Phases of_run;
+    Phases of_write;
+    pcvt_result* result = generated(of_run, 3);
+    EXPECT_THAT(of_run.words, ElementsAre("optimising"));
+    EXPECT_EQ(written(result, folder / "t.vtu", of_write), PCVT_OK);
+    EXPECT_THAT(of_write.words,
+                ElementsAre("building the cells", "proving the cells", "writing t.vtu, 1 of 1"));
+    // The second file takes the cells of the first.
+    of_write.words.clear();
+    EXPECT_EQ(written(result, folder / "t.msh", of_write), PCVT_OK);
+    EXPECT_THAT(of_write.words, ElementsAre("building the tetrahedra", "writing t.msh, 1 of 1"));
     pcvt_free(result);
 }
 

@@ -146,6 +146,9 @@ static void print_options(void) {
     FIELD(pcvt_options, n_fixed_sites);
     FIELD(pcvt_options, reserved3);
     FIELD(pcvt_options, holes);
+    FIELD(pcvt_options, dimension);
+    FIELD(pcvt_options, reserved4);
+    FIELD(pcvt_options, lattice3);
 }
 
 static void print_sites(void) {
@@ -223,6 +226,29 @@ static void print_tile(void) {
     FIELD(pcvt_tile, hole_names);
 }
 
+static void print_cells(void) {
+    STRUCT(pcvt_cells);
+    FIELD(pcvt_cells, lattice);
+    FIELD(pcvt_cells, points);
+    FIELD(pcvt_cells, point_orbit);
+    FIELD(pcvt_cells, point_offset);
+    FIELD(pcvt_cells, face_begin);
+    FIELD(pcvt_cells, face_points);
+    FIELD(pcvt_cells, owner);
+    FIELD(pcvt_cells, neighbour);
+    FIELD(pcvt_cells, partner);
+    FIELD(pcvt_cells, partner_offset);
+    FIELD(pcvt_cells, volumes);
+    FIELD(pcvt_cells, site_points);
+    FIELD(pcvt_cells, sites);
+    FIELD(pcvt_cells, n_cells);
+    FIELD(pcvt_cells, n_faces);
+    FIELD(pcvt_cells, n_inner_faces);
+    FIELD(pcvt_cells, n_points);
+    FIELD(pcvt_cells, n_face_points);
+    FIELD(pcvt_cells, reserved);
+}
+
 static void print_statistics(void) {
     STRUCT(pcvt_statistics);
     FIELD(pcvt_statistics, energy);
@@ -276,6 +302,7 @@ int main(void) {
     print_mesh();
     print_edge_pair();
     print_tile();
+    print_cells();
     print_statistics();
     print_write_options();
     return 0;

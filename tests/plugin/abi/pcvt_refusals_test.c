@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include "tests/support/claims.h"
+#include "tests/support/mapped_memory.h"
 
 static void sizes_and_versions_that_do_not_fit_are_refused(void) {
     pcvt_options options = options_for(10);
@@ -366,19 +367,6 @@ static void unknown_forms_of_files_are_refused(void) {
     CHECK(pcvt_write(result, "", &forms) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "t.xyz", &forms) == PCVT_ERROR_ARGUMENT);
     pcvt_free(result);
-}
-
-/* The memory that this process has mapped, in bytes. */
-static size_t mapped_memory(void) {
-    char line[128];
-    size_t kilobytes = 0;
-    FILE* file = fopen("/proc/self/status", "r");
-    if (file == NULL) return 0;
-    while (fgets(line, sizeof line, file) != NULL) {
-        if (sscanf(line, "VmSize: %zu", &kilobytes) == 1) break;
-    }
-    fclose(file);
-    return 1024 * kilobytes;
 }
 
 static void files_that_cannot_fit_are_refused_before_they_are_made(void) {

@@ -65,4 +65,56 @@ TEST(Threads, ShareTheViewsOfOneResult) {
     pcvt_free(result);
 }
 
+/// A result in three dimensions, and its tile.
+struct SpaceRun {
+    pcvt_result* result = nullptr;
+    pcvt_cells cells = {};
+
+    SpaceRun(int n_sites, std::uint64_t seed) {
+        pcvt_options options;
+        EXPECT_EQ(pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION), PCVT_OK);
+        options.dimension = 3;
+        options.n_sites = n_sites;
+        options.seed = seed;
+        options.n_threads = 2;
+        options.max_iterations = 3;
+        EXPECT_EQ(pcvt_generate(&options, &result), PCVT_NOT_CONVERGED);
+        EXPECT_EQ(pcvt_get_cells(result, &cells, sizeof cells), PCVT_OK);
+    }
+    ~SpaceRun() { pcvt_free(result); }
+    SpaceRun(const SpaceRun&) = delete;
+    SpaceRun& operator=(const SpaceRun&) = delete;
+
+    std::vector<double> points() const {
+        return {cells.points, cells.points + 3 * std::ptrdiff_t{cells.n_points}};
+    }
+};
+
+TEST(Threads, GenerateConcurrentlyTheCellsOfSingleRuns) {
+    constexpr int n_sites = 2000;
+    std::vector<std::vector<double>> together(kHosts);
+    on_all_hosts([&](int k) {
+        together[k] = SpaceRun(n_sites, static_cast<std::uint64_t>(k % 2)).points();
+    });
+    for (int k = 0; k < 2; ++k) {
+        EXPECT_EQ(together[k], SpaceRun(n_sites, static_cast<std::uint64_t>(k)).points());
+    }
+    for (int k = 0; k < kHosts; ++k) EXPECT_EQ(together[k], together[k % 2]) << k;
+    EXPECT_NE(together[0], together[1]);
+}
+
+TEST(Threads, ShareTheCellsOfOneResult) {
+    const SpaceRun run(300, 1);
+    std::vector<pcvt_cells> cells(kHosts);
+    std::vector<pcvt_statistics> figures(kHosts);
+    on_all_hosts([&](int k) {
+        EXPECT_EQ(pcvt_get_statistics(run.result, &figures[k], sizeof figures[k]), PCVT_OK);
+        EXPECT_EQ(pcvt_get_cells(run.result, &cells[k], sizeof cells[k]), PCVT_OK);
+    });
+    for (int k = 0; k < kHosts; ++k) {
+        EXPECT_EQ(cells[k].volumes, run.cells.volumes);
+        EXPECT_EQ(figures[k].valences, figures[0].valences);
+    }
+}
+
 }  // namespace

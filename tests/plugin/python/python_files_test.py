@@ -148,7 +148,7 @@ class Loading(CliTest):
 
     def test_a_library_beside_the_package_is_found(self):
         shutil.copytree(PACKAGE / "pcvt", self.path("pcvt"))
-        self.path("libpcvt.so.0.2").symlink_to(LIBRARY)
+        self.path("libpcvt.so.0.3").symlink_to(LIBRARY)
         done = python("-c", self.IMPORT, PCVT_LIBRARY="", PYTHONPATH=str(self.folder))
         self.assertEqual(done.stdout, f"{pcvt.version()} False\n", done.stderr)
 

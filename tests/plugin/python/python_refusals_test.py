@@ -53,7 +53,7 @@ class Refusals(unittest.TestCase):
 class Layout(unittest.TestCase):
     STRUCTS = {"pcvt_progress": _library.Progress, "pcvt_options": _library.Options,
                "pcvt_sites": _library.Sites, "pcvt_inclusions": _library.Inclusions, "pcvt_mesh": _library.Mesh,
-               "pcvt_tile": _library.Tile, "pcvt_statistics": _library.Statistics,
+               "pcvt_tile": _library.Tile, "pcvt_cells": _library.Cells, "pcvt_statistics": _library.Statistics,
                "pcvt_write_options": _library.WriteOptions}
 
     def test_structs_have_the_recorded_layout(self):

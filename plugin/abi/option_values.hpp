@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "mesher/base/choices.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt::abi {
+
+// Checks of single fields, in the plane and in space. They throw InvalidInput naming the field.
+
+/// Requires that n numbers are finite.
+void require_finite(const char* name, const double* values, int n);
+
+/// Requires that points, n of `dimension` numbers each, are finite.
+/// @param name  of one of them: "site".
+void require_finite_points(const char* name, const double* numbers, int n, int dimension);
+
+/// Requires a positive, finite number.
+void require_positive(const char* name, double value);
+
+/// Requires that sites which are given begin nowhere else.
+void require_one_start(const double* sites, std::int32_t start);
+
+/// The number of threads that the field n_threads means.
+int thread_count(std::int32_t wanted);
+
+/// The row of a table of choices that has this number in pcvt.h.
+template <class Table>
+const auto& chosen_row(const char* name, std::int32_t value, const Table& table) {
+    if (const auto* row = find_abi_value(table, value)) return *row;
+    throw InvalidInput(std::string(name) + " " + std::to_string(value) +
+                       " is unknown; take one of pcvt.h");
+}
+
+template <class Value>
+bool differ(const Value& one, const Value& other) {
+    return one != other;
+}
+template <class Value, std::size_t n>
+bool differ(const Value (&one)[n], const Value (&other)[n]) {
+    return !std::equal(one, one + n, other);
+}
+
+/// Refuses fields of a struct that have no meaning for it.
+///
+///   const UnusedFields<pcvt_options> unused(options, default_options(), "is for the plane");
+///   unused.refuse("walls", &pcvt_options::walls);
+template <class Struct>
+class UnusedFields {
+   public:
+    /// @param why  the end of the message.
+    UnusedFields(const Struct& given, const Struct& defaults, const char* why)
+        : given_(given), defaults_(defaults), why_(why) {}
+
+    /// @throws InvalidInput unless the field has its default.
+    template <class Value>
+    void refuse(const char* name, Value Struct::*field) const {
+        if (!differ(given_.*field, defaults_.*field)) return;
+        throw InvalidInput(std::string(name) + " " + why_);
+    }
+
+   private:
+    Struct given_;
+    Struct defaults_;
+    const char* why_;
+};
+
+}  // namespace pcvt::abi

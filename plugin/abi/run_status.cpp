@@ -1,0 +1,25 @@
+#include "plugin/abi/run_status.hpp"
+
+#include "plugin/abi/guard.hpp"
+
+namespace pcvt::abi {
+
+std::int32_t stop_number(Stop stop) {
+    if (stop == Stop::kConverged) return PCVT_STOP_CONVERGED;
+    return stop == Stop::kIterationLimit ? PCVT_STOP_ITERATION_LIMIT : PCVT_STOP_STALLED;
+}
+
+pcvt_status status_of(int max_iterations, const RunStatistics& run) {
+    if (run.stop == Stop::kConverged || max_iterations == 0) return PCVT_OK;
+    set_last_error(run.stop == Stop::kStalled
+                       ? "not converged: double precision gives no more; take a larger tolerance"
+                       : "not converged: the iteration limit came first");
+    return PCVT_NOT_CONVERGED;
+}
+
+pcvt_status cancelled_status() {
+    set_last_error("cancelled by the progress callback");
+    return PCVT_CANCELLED;
+}
+
+}  // namespace pcvt::abi

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mesher/optimize/run_statistics.hpp"
+#include "plugin/pcvt.h"
+
+namespace pcvt::abi {
+
+/// PCVT_STOP_...
+std::int32_t stop_number(Stop stop);
+
+/// The status of a run that has a result; says why where it is not PCVT_OK.
+pcvt_status status_of(int max_iterations, const RunStatistics& run);
+
+/// PCVT_CANCELLED, with its message.
+pcvt_status cancelled_status();
+
+}  // namespace pcvt::abi

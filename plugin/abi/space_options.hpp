@@ -1,0 +1,24 @@
+#pragma once
+
+#include "plugin/pcvt.h"
+#include "plugin/space/space_job.hpp"
+
+namespace pcvt::abi {
+
+/// Whether the options describe a run in three dimensions.
+///
+///   if (means_space(options)) return compute_space_job(make_space_job(options), callback);
+///
+/// @throws InvalidInput for an unknown dimension, and for the period vectors of space in the plane.
+bool means_space(const pcvt_options& options);
+
+/// The job that the options describe. Copies the sites.
+/// @pre the dimension is 3.
+/// @throws InvalidInput naming the field, also for each field that applies to the plane alone.
+SpaceJob make_space_job(const pcvt_options& options);
+
+/// Refuses options of files that apply to the plane alone.
+/// @throws InvalidInput naming the field.
+void check_space_write_options(const pcvt_write_options& options);
+
+}  // namespace pcvt::abi

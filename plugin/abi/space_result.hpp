@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plugin/abi/lazy.hpp"
+#include "plugin/pcvt.h"
+#include "plugin/space/space_job.hpp"
+
+namespace pcvt::abi {
+
+/// The arrays of pcvt_cells that a tile does not have in this form.
+struct CellArrays {
+    std::vector<int> neighbour;
+    /// Of each boundary face.
+    std::vector<int> partner;
+    std::vector<Offset3> partner_offset;
+    /// Of each cell, length^3.
+    std::vector<double> volumes;
+    /// 3 x n, in the domain, length units.
+    Points3 sites;
+};
+
+/// A computed job in three dimensions, and views of it that are valid as long as it lives. Any
+/// number of threads may call it at once.
+class SpaceResult {
+   public:
+    SpaceResult(SpaceJob job, SpaceComputation computed);
+
+    double energy_bound() const;
+    pcvt_cells cells() const;
+    pcvt_statistics statistics() const;
+    /// @returns false if the callback cancelled.
+    /// @throws BadGeometry if the file holds tetrahedra and some are flat; InvalidInput,
+    ///         OutputError as run_space_job does.
+    bool write(const std::string& path, bool replace, const JobCallback& callback) const;
+
+   private:
+    const ProvedSpaceTile& tile(JobMonitor& monitor) const;
+    const ProvedSpaceTile& tile() const;
+    const CellArrays& arrays() const;
+
+    SpaceJob job_;
+    SpaceComputation computed_;
+    Lazy<ProvedSpaceTile> tile_;
+    Lazy<CellArrays> arrays_;
+    Lazy<std::vector<int>> valences_;
+};
+
+}  // namespace pcvt::abi

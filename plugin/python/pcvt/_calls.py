@@ -1,0 +1,96 @@
+"""Arguments of the library, and calls of it that have callbacks."""
+
+import operator
+import os
+from ctypes import byref, c_void_p, sizeof
+
+import numpy as np
+
+from . import _library
+from ._callbacks import Callbacks
+from ._library import ArgumentError, Handle, checked, library
+
+STARTS = ("default", "random", "coarse", "lattice", "best")
+SOLVERS = ("default", "lbfgs", "lloyd", "newton")
+
+
+def choice(name, value, choices):
+    if value not in choices:
+        raise ArgumentError(f"{name} {value!r} is unknown; take one of {', '.join(choices)}")
+    return choices.index(value)
+
+
+def text(name, value):
+    encoded = os.fsencode(value)
+    if b"\0" in encoded:
+        raise ArgumentError(f"{name} {value!r} has a zero byte; leave it out")
+    return encoded
+
+
+def doubles(name, values, *shape):
+    array = np.ascontiguousarray(values, dtype=np.float64)
+    if array.shape != shape:
+        raise ArgumentError(f"{name} has the shape {array.shape}; give {shape}")
+    return array
+
+
+def set_integers(options, **integers):
+    for name, value in integers.items():
+        setattr(options, name, operator.index(value))
+        if getattr(options, name) != value:  # ctypes cuts what does not fit.
+            raise ArgumentError(f"{name} {value} is out of range")
+
+
+def set_doubles(options, **arrays):
+    for name, values in arrays.items():
+        field = getattr(options, name)
+        field[:] = doubles(name, values, len(field)).tolist()
+
+
+def set_sites(options, sites, dimension):
+    """Returns the array that must stay alive as long as the options are used, or None."""
+    if np.ndim(sites) == 0:
+        set_integers(options, n_sites=sites)
+        return None
+    points = doubles("sites", sites, len(sites), dimension)
+    set_integers(options, n_sites=len(points))
+    options.sites = points.ctypes.data
+    return points
+
+
+def set_functions(options, density, callbacks):
+    options.progress = _library.ProgressCallback(callbacks.show_progress)
+    if callable(density):
+        options.density = _library.DensityCallback(callbacks.ask_density)
+    elif density is not None:
+        options.density_source = text("density", density)
+
+
+def default_options():
+    options = _library.Options()
+    checked(library.pcvt_options_init(byref(options), sizeof(options), _library.ABI_VERSION))
+    return options
+
+
+def generated(options, density, progress):
+    """Generates a result and returns its handle."""
+    pointer = c_void_p()
+    with Callbacks(density, progress) as callbacks:
+        set_functions(options, density, callbacks)
+        status = library.pcvt_generate(byref(options), byref(pointer))
+        handle = Handle(pointer.value) if pointer else None
+        if callbacks.error is not None:
+            raise callbacks.error
+        checked(status)
+    return handle
+
+
+def written(handle, path, options, progress):
+    """Writes the files of a result. `path` may be None."""
+    file = None if path is None else text("path", path)
+    with Callbacks(None, progress) as callbacks:
+        options.progress = _library.ProgressCallback(callbacks.show_progress)
+        status = library.pcvt_write(handle.pointer, file, byref(options))
+        if callbacks.error is not None:
+            raise callbacks.error
+        checked(status)

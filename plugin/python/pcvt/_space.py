@@ -1,0 +1,159 @@
+"""Runs in three dimensions, and the views of their results."""
+
+from ctypes import sizeof
+
+import numpy as np
+
+from . import _library
+from ._calls import (SOLVERS, STARTS, choice, default_options, doubles, generated, set_doubles, set_integers, set_sites,
+                     written)
+from ._library import ArgumentError, library
+from ._views import statistics_of
+
+_STARTS = ("default", "random", "lattice")
+_SOLVERS = ("default", "lbfgs", "lloyd")
+
+
+def _period_vectors(lattice, period):
+    if period is None:
+        return np.eye(3) if lattice is None else lattice
+    if lattice is not None:
+        raise ArgumentError("lattice and period exclude each other; give one of the two")
+    sides = doubles("period", period, 3)
+    if not (sides > 0).all():
+        raise ArgumentError(f"period {period!r}: a side is not above 0; give three positive lengths")
+    return np.diag(sides)
+
+
+def _number(name, value, words, numbers):
+    """The number in pcvt.h of a word that space has."""
+    choice(name, value, words)
+    return numbers.index(value)
+
+
+def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="default", tolerance=1e-6,
+          max_iterations=-1, threads=0, progress=None):
+    """Generates a periodic centroidal Voronoi tessellation of space, whose cells are polyhedra. The
+    same arguments give the same result to the last bit. Ctrl-C ends the run at the next iteration.
+
+        result = pcvt.space(sites=100, lattice=((1, 0, 0), (0.37, 0.81, 0), (0.2, 0.4, 0.9)))
+        result.tile().volumes.sum()                  # 0.729, the volume of the domain
+        result.write("tile.foam")
+
+    sites           the number of sites, drawn from `seed`; or their positions, shape (n, 3), anywhere
+                    in space
+    lattice         (3, 3), the period vectors as rows a, b, c, of either orientation; None: the unit
+                    cube
+    period          (x, y, z), the sides of a box, in place of lattice
+    start           where drawn sites begin: default (random), random, lattice (the best exact lattice
+                    for their number)
+    solver          default (lbfgs), lbfgs, lloyd
+    tolerance       converged once the residual max |x_i - g_i| / h is at most this, with h the cube
+                    root of volume / n
+    max_iterations  negative: no limit; 0: the periodic Voronoi diagram of the sites as given
+    threads         0: as many as there are cores
+    progress        called with a Progress once an iteration; a true return value cancels. Its energy
+                    has the unit length^5
+
+    Returns a SpaceResult, also if the run did not converge: see statistics.stop. Raises Cancelled,
+    ArgumentError, GeometryError (coincident sites) or LimitError (memory) with the library's message,
+    or the exception of progress.
+    """
+    options = default_options()
+    options.dimension = 3
+    _points = set_sites(options, sites, 3)  # Alive while the library reads it.
+    set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
+                 start=_number("start", start, _STARTS, STARTS),
+                 solver=_number("solver", solver, _SOLVERS, SOLVERS))
+    set_doubles(options, lattice3=doubles("lattice", _period_vectors(lattice, period), 3, 3).ravel())
+    options.tolerance = tolerance
+    return SpaceResult(generated(options, None, progress))
+
+
+class SpaceResult:
+    """An optimised periodic tessellation of space. It never changes.
+
+    sites       (n, 3), wrapped into the domain of the reduced period vectors, as .txt files hold them
+    statistics  a Statistics; valences[k] cells have k faces, and the energy has the unit length^5
+    """
+
+    def __init__(self, handle):
+        self._handle = handle
+
+    def _view(self):
+        return self._handle.view(library.pcvt_get_cells, _library.Cells)
+
+    @property
+    def sites(self):
+        view = self._view()
+        return self._handle.array(view.sites, np.float64, view.n_cells, 3)
+
+    @property
+    def statistics(self):
+        return statistics_of(self._handle)
+
+    def tile(self):
+        """The cells as one SpaceTile. The first use builds and proves it."""
+        return SpaceTile(self._handle, self._view())
+
+    def write(self, path, *, replace=False, progress=None):
+        """Writes the polyhedra (.vtu, .foam), the Delaunay tetrahedra (.msh) or the sites (.txt), by
+        the extension. Either the file appears, complete and proved to be a periodic tile, or no file
+        appears. Ctrl-C ends the call soon.
+
+        replace     whether files that exist are replaced
+        progress    called with a Progress ten times a second; a true return value cancels
+
+        Raises OutputError, ArgumentError (another extension), GeometryError (.msh with flat
+        tetrahedra), LimitError, Cancelled, or the exception of progress.
+        """
+        options = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions), replace=bool(replace))
+        written(self._handle, path, options, progress)
+
+
+class SpaceTile:
+    """The cells of one period as a connected tile of whole polyhedra, with the pairing of its
+    boundary. Cell s is the cell of site s.
+
+    Face f has the points face_points[face_begin[f]:face_begin[f + 1]]. Inner faces come first; their
+    points are counter-clockwise seen from the neighbour, those of boundary faces seen from outside.
+    Boundary face n_inner_faces + b is glued to the face partner[b], whose points are those of the face
+    plus partner_offset[b] @ lattice: the first of one belongs to the first of the other, the second
+    to the last, and so on. For every point p, points[p] = points[point_orbit[p]] + point_offset[p] @
+    lattice.
+
+    lattice         (3, 3), rows a, b, c
+    points          (n_points, 3)
+    point_orbit     (n_points,), the smallest point on the same orbit
+    point_offset    (n_points, 3), i, j, k
+    face_begin      (n_faces + 1,)
+    face_points     (n_face_points,)
+    n_inner_faces   the number of faces between two cells of the tile
+    owner           (n_faces,), the cell behind each face
+    neighbour       (n_faces,), the cell in front of each face; -1 on the boundary
+    partner         (n_faces - n_inner_faces,)
+    partner_offset  (n_faces - n_inner_faces, 3), i, j, k
+    volumes         (n_cells,), length^3
+    site_points     (n_cells, 3), the image of each site in its cell
+    """
+
+    def __init__(self, handle, view):
+        n_points, n_faces, n_cells = view.n_points, view.n_faces, view.n_cells
+        n_boundary = n_faces - view.n_inner_faces
+        self.n_inner_faces = view.n_inner_faces
+        self.lattice = np.array(view.lattice).reshape(3, 3)
+        self.points = handle.array(view.points, np.float64, n_points, 3)
+        self.point_orbit = handle.array(view.point_orbit, np.int32, n_points)
+        self.point_offset = handle.array(view.point_offset, np.int32, n_points, 3)
+        self.face_begin = handle.array(view.face_begin, np.int32, n_faces + 1)
+        self.face_points = handle.array(view.face_points, np.int32, view.n_face_points)
+        self.owner = handle.array(view.owner, np.int32, n_faces)
+        self.neighbour = handle.array(view.neighbour, np.int32, n_faces)
+        self.partner = handle.array(view.partner, np.int32, n_boundary)
+        self.partner_offset = handle.array(view.partner_offset, np.int32, n_boundary, 3)
+        self.volumes = handle.array(view.volumes, np.float64, n_cells)
+        self.site_points = handle.array(view.site_points, np.float64, n_cells, 3)
+
+    def polygons(self):
+        """The corners of each face, a list of n_faces copies of shape (k, 3)."""
+        return np.split(self.points[self.face_points], self.face_begin[1:-1])

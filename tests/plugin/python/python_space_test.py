@@ -1,0 +1,145 @@
+"""The Python package in three dimensions: arrays, the seam, files, refusals."""
+
+import gc
+
+from support.cli import CliTest, main
+from support.python_package import pcvt
+
+import numpy as np
+
+OBLIQUE = np.array([[1, 0, 0], [0.37, 0.81, 0], [0.2, 0.4, 0.9]])
+LEFT_HANDED = np.array([[1, 0, 0], [0, 0, 1.1], [0.3, 0.8, 0]])
+
+
+def cone(corners):
+    """Six times the volume between a face and the origin."""
+    return sum(np.linalg.det(np.stack([corners[0], p, q])) for p, q in zip(corners[1:], corners[2:]))
+
+
+class Arrays(CliTest):
+    def test_volumes_follow_from_the_faces(self):
+        for lattice in (np.eye(3), OBLIQUE, LEFT_HANDED):
+            tile = pcvt.space(30, lattice, seed=3).tile()
+            np.testing.assert_array_equal(tile.lattice, lattice)
+            found = np.zeros(30)
+            for face, corners in enumerate(tile.polygons()):
+                found[tile.owner[face]] += cone(corners) / 6
+                if tile.neighbour[face] >= 0:
+                    found[tile.neighbour[face]] -= cone(corners) / 6
+            np.testing.assert_allclose(tile.volumes, found, rtol=1e-11)
+            self.assertAlmostEqual(tile.volumes.sum(), abs(np.linalg.det(lattice)), 12)
+            self.assertTrue((tile.neighbour[:tile.n_inner_faces] > tile.owner[:tile.n_inner_faces]).all())
+            self.assertTrue((tile.neighbour[tile.n_inner_faces:] == -1).all())
+
+    def test_partners_are_translations(self):
+        for lattice in (np.eye(3), OBLIQUE, LEFT_HANDED):
+            tile = pcvt.space(30, lattice).tile()
+            polygons = tile.polygons()
+            boundary = np.arange(tile.n_inner_faces, len(tile.owner))
+            np.testing.assert_array_equal(tile.partner[tile.partner - tile.n_inner_faces], boundary)
+            self.assertTrue((tile.partner != boundary).all())
+            for face, partner, offset in zip(boundary, tile.partner, tile.partner_offset):
+                self.assertTrue(offset.any())
+                there = np.roll(polygons[face][::-1], 1, axis=0) + offset @ tile.lattice
+                np.testing.assert_allclose(polygons[partner], there, rtol=0, atol=4e-15)
+
+    def test_points_are_translations_of_their_orbit(self):
+        tile = pcvt.space(30, OBLIQUE).tile()
+        self.assertTrue((tile.point_orbit <= np.arange(len(tile.points))).all())
+        moved = tile.points[tile.point_orbit] + tile.point_offset @ tile.lattice
+        np.testing.assert_allclose(tile.points, moved, rtol=0, atol=4e-15)
+
+    def test_sites_keep_their_order(self):
+        given = np.random.default_rng(4).uniform(-3, 3, (20, 3))
+        result = pcvt.space(given, max_iterations=0)
+        self.assertEqual(result.sites.shape, (20, 3))
+        np.testing.assert_allclose(result.sites, given - np.floor(given), rtol=0, atol=1e-14)
+        moved = result.tile().site_points - result.sites
+        np.testing.assert_allclose(moved, np.round(moved), atol=1e-14)
+
+    def test_statistics_describe_the_run(self):
+        figures = pcvt.space(16, period=(2, 2, 2), start="lattice").statistics
+        energy = 19 / (192 * 2 ** (1 / 3)) * 3 * 8 ** (5 / 3) * 16 ** (-2 / 3)
+        self.assertAlmostEqual(figures.energy / energy, 1, 12)
+        self.assertAlmostEqual(figures.energy_bound / energy, 1, 12)
+        self.assertEqual((figures.stop, figures.n_sites, figures.valences[14]), ("converged", 16, 16))
+        limited = pcvt.space(50, max_iterations=3, threads=1, solver="lloyd").statistics
+        self.assertEqual((limited.stop, limited.iterations, limited.n_threads), ("iteration-limit", 3, 1))
+        self.assertEqual(limited.valences.sum(), 50)
+
+    def test_arrays_are_views_that_keep_the_result_alive(self):
+        points = pcvt.space(300, max_iterations=0).tile().points
+        self.assertFalse(points.flags.owndata or points.flags.writeable)
+        before = points.copy()
+        gc.collect()
+        others = [pcvt.space(300, seed=seed, max_iterations=0).tile() for seed in (1, 2)]
+        np.testing.assert_array_equal(points, before)
+        self.assertNotEqual(others[0].points.ctypes.data, points.ctypes.data)
+
+
+class Files(CliTest):
+    def test_files_are_those_of_the_command(self):
+        names = ("vtu", "foam", "msh", "txt")
+        self.succeed("mesh", "--sites", 40, "--seed", 6, "--lattice", "1,0,0,0.37,0.81,0,0.2,0.4,0.9", "--quiet",
+                     *(word for name in names for word in ("-o", f"command/a.{name}")))
+        result = pcvt.space(40, OBLIQUE, seed=6)
+        for name in names:
+            result.write(self.path(f"python/a.{name}"))
+        folders = {folder: {str(path.relative_to(self.path(folder))): path.read_bytes()
+                            for path in self.path(folder).rglob("*") if path.is_file()}
+                   for folder in ("command", "python")}
+        self.assertGreater(len(folders["command"]), 10)
+        self.assertEqual(folders["python"], folders["command"])
+
+    def test_files_are_replaced_on_request_only(self):
+        result = pcvt.space(10)
+        result.write(self.path("t.vtu"))
+        with self.assertRaisesRegex(pcvt.OutputError, "t.vtu.*replace"):
+            result.write(self.path("t.vtu"))
+        result.write(self.path("t.vtu"), replace=True)
+
+    def test_a_write_and_a_run_can_be_cancelled(self):
+        seen = []
+        result = pcvt.space(200, tolerance=1e-2, progress=seen.append)
+        self.assertEqual([state.iteration for state in seen[:3]], [0, 1, 2])
+        self.assertAlmostEqual(seen[0].energy_bound, result.statistics.energy_bound)
+        with self.assertRaisesRegex(pcvt.Cancelled, "cancelled"):
+            result.write(self.path("t.vtu"), progress=lambda state: state.phase == "write")
+        self.assertEqual(self.contents(), {})
+        with self.assertRaisesRegex(pcvt.Cancelled, "cancelled"):
+            pcvt.space(200, progress=lambda _: True)
+        with self.assertRaisesRegex(LookupError, "mine"):
+            pcvt.space(200, progress=lambda _: {}["mine"])
+
+
+class Refusals(CliTest):
+    def refuse(self, error, pattern, sites=10, **arguments):
+        with self.assertRaisesRegex(error, pattern) as refusal:
+            pcvt.space(sites, **arguments)
+        self.assertNotIn("\n", str(refusal.exception))
+
+    def test_arguments(self):
+        self.refuse(pcvt.ArgumentError, "n_sites is not between", 0)
+        self.refuse(pcvt.ArgumentError, r"sites has the shape \(1, 2\)", [[0, 0]])
+        self.refuse(pcvt.ArgumentError, "site 1 is not finite", [[0, 0, 0], [np.nan, 1, 0]])
+        self.refuse(pcvt.GeometryError, "sites 0 and 1 coincide", [[0, 0, 0], [1, 1, -2]])
+        self.refuse(pcvt.ArgumentError, r"lattice has the shape \(2, 2\)", lattice=((1, 0), (0, 1)))
+        self.refuse(pcvt.ArgumentError, "lattice3: ", lattice=((1, 0, 0), (0, 1, 0), (1, 1, 0)))
+        self.refuse(pcvt.ArgumentError, "exclude each other", lattice=OBLIQUE, period=(1, 1, 1))
+        self.refuse(pcvt.ArgumentError, r"period \(1, 0, 1\): a side is not above 0", period=(1, 0, 1))
+        self.refuse(pcvt.ArgumentError, "start 'coarse' is unknown; take one of default, random, lattice",
+                    start="coarse")
+        self.refuse(pcvt.ArgumentError, "solver 'newton' is unknown", solver="newton")
+        self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
+        self.refuse(pcvt.LimitError, "memory", 2**26)
+
+    def test_formats_without_volumes(self):
+        result = pcvt.space(3)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh or .txt"):
+            result.write(self.path("t.obj"))
+        with self.assertRaisesRegex(pcvt.ArgumentError, "path is a null pointer"):
+            result.write(None)
+
+
+if __name__ == "__main__":
+    main()
