@@ -16,6 +16,8 @@
 #include "io/surfaces/surface_glb_writer.hpp"
 #include "io/surfaces/surface_obj_reader.hpp"
 #include "io/surfaces/surface_obj_writer.hpp"
+#include "io/surfaces/surface_om_reader.hpp"
+#include "io/surfaces/surface_om_writer.hpp"
 #include "io/surfaces/surface_ply_reader.hpp"
 #include "io/surfaces/surface_ply_writer.hpp"
 
@@ -35,6 +37,11 @@ template <auto kEncode>
 std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, const SpaceFileOptions& options,
                                          const std::string& path) {
     return kEncode(surface_list(tile, options.surfaces), path);
+}
+
+std::vector<EncodedFile> encode_om_boundary(const SpaceTile& tile, const SpaceFileOptions&,
+                                            const std::string& path) {
+    return encode_surface_om(tile_surface(tile.mesh, tile.sites), path);
 }
 
 using Kind = std::optional<SpaceFileKind>;
@@ -65,7 +72,7 @@ Kind ply_kind(const std::vector<EncodedFile>& files) {
 constexpr std::array kFormats{
     SpaceFormat{.extension = ".vtu",
                 .is_folder = false,
-                .has_surfaces = false,
+                .surfaces = FormatSurfaces::kNone,
                 .memory = 8900,
                 .paths = itself,
                 .encode = encode_volumes<encode_space_vtu>,
@@ -73,7 +80,7 @@ constexpr std::array kFormats{
                 .kind = kind_where<SpaceFileKind::kPolyhedra, holds_polyhedra>},
     SpaceFormat{.extension = ".foam",
                 .is_folder = true,
-                .has_surfaces = false,
+                .surfaces = FormatSurfaces::kNone,
                 .memory = 6900,
                 .paths = space_foam_paths,
                 .encode = encode_volumes<encode_space_foam>,
@@ -81,7 +88,7 @@ constexpr std::array kFormats{
                 .kind = case_kind},
     SpaceFormat{.extension = ".msh",
                 .is_folder = false,
-                .has_surfaces = false,
+                .surfaces = FormatSurfaces::kNone,
                 .memory = 8600,
                 .paths = itself,
                 .encode = nullptr,
@@ -89,7 +96,7 @@ constexpr std::array kFormats{
                 .kind = kind_where<SpaceFileKind::kTetrahedra, holds_tetrahedra>},
     SpaceFormat{.extension = ".obj",
                 .is_folder = false,
-                .has_surfaces = true,
+                .surfaces = FormatSurfaces::kChosen,
                 .memory = 7000,
                 .paths = surface_obj_paths,
                 .encode = encode_surfaces<encode_surface_obj>,
@@ -97,7 +104,7 @@ constexpr std::array kFormats{
                 .kind = obj_kind},
     SpaceFormat{.extension = ".ply",
                 .is_folder = false,
-                .has_surfaces = true,
+                .surfaces = FormatSurfaces::kChosen,
                 .memory = 8500,
                 .paths = itself,
                 .encode = encode_surfaces<encode_surface_ply>,
@@ -105,15 +112,23 @@ constexpr std::array kFormats{
                 .kind = ply_kind},
     SpaceFormat{.extension = ".glb",
                 .is_folder = false,
-                .has_surfaces = true,
+                .surfaces = FormatSurfaces::kChosen,
                 .memory = 14500,
                 .paths = itself,
                 .encode = encode_surfaces<encode_surface_glb>,
                 .encode_tetrahedra = nullptr,
                 .kind = kind_where<SpaceFileKind::kTriangles, is_surface_glb>},
+    SpaceFormat{.extension = ".om",
+                .is_folder = false,
+                .surfaces = FormatSurfaces::kBoundary,
+                .memory = 7000,
+                .paths = itself,
+                .encode = encode_om_boundary,
+                .encode_tetrahedra = nullptr,
+                .kind = kind_where<SpaceFileKind::kBoundary, is_surface_om>},
     SpaceFormat{.extension = ".txt",
                 .is_folder = false,
-                .has_surfaces = false,
+                .surfaces = FormatSurfaces::kNone,
                 .memory = 5700,
                 .paths = itself,
                 .encode = nullptr,
@@ -152,21 +167,26 @@ void require_same_bytes(const std::vector<EncodedFile>& files,
     }
 }
 
-bool is_obj(const std::vector<EncodedFile>& files) {
-    return lower_case_extension(files.front().path) == ".obj";
-}
-
 /// Reads an OBJ or a PLY.
-SurfaceContent decode_surfaces(const std::vector<EncodedFile>& files) {
-    const EncodedFile& file = files.front();
-    return surface_content(is_obj(files) ? decode_surface_obj(file) : decode_surface_ply(file),
-                           file.path);
+SurfaceContent decode_surfaces(const EncodedFile& file) {
+    const bool is_obj = lower_case_extension(file.path) == ".obj";
+    return surface_content(is_obj ? decode_surface_obj(file) : decode_surface_ply(file), file.path);
 }
 
-void compare_surfaces(const std::vector<EncodedFile>& files, const SurfaceList& list) {
-    const std::string& path = files.front().path;
-    require_same_bytes(
-        files, is_obj(files) ? encode_surface_obj(list, path) : encode_surface_ply(list, path));
+TileSurface decode_boundary(const EncodedFile& file) {
+    if (lower_case_extension(file.path) == ".om") return decode_surface_om(file);
+    return std::get<TileSurface>(decode_surfaces(file));
+}
+
+/// Encodes what was read from a file in the format of its path.
+std::vector<EncodedFile> encode_again(const SurfaceList& list, const std::string& path) {
+    const std::string extension = lower_case_extension(path);
+    return extension == ".obj" ? encode_surface_obj(list, path) : encode_surface_ply(list, path);
+}
+
+std::vector<EncodedFile> encode_again(const TileSurface& surface, const std::string& path) {
+    const bool is_om = lower_case_extension(path) == ".om";
+    return is_om ? encode_surface_om(surface, path) : encode_again(surface_list(surface), path);
 }
 
 /// Proves triangles of a tile.
@@ -180,7 +200,7 @@ bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
 SpaceTile decode(const std::vector<EncodedFile>& files) {
     if (is_space_case(files)) return decode_space_foam(files);
     if (lower_case_extension(files.front().path) == ".vtu") return decode_space_vtu(files.front());
-    return std::get<SpaceTile>(decode_surfaces(files));
+    return std::get<SpaceTile>(decode_surfaces(files.front()));
 }
 
 bool holds_same_boundary(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
@@ -225,7 +245,8 @@ std::string space_extensions() {
 }
 
 std::string surface_extensions() {
-    return listed_extensions([](const SpaceFormat& format) { return format.has_surfaces; });
+    return listed_extensions(
+        [](const SpaceFormat& format) { return format.surfaces == FormatSurfaces::kChosen; });
 }
 
 std::optional<SpaceFileKind> space_file_kind(const std::vector<EncodedFile>& files) {
@@ -244,15 +265,16 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files) {
     if (is_space_case(files)) compare_space_case(files, tile);
     const std::string extension = lower_case_extension(files.front().path);
     if (extension == ".obj" || extension == ".ply") {
-        compare_surfaces(files, surface_list(tile, SurfaceForm::kCells));
+        const SurfaceList list = surface_list(tile, SurfaceForm::kCells);
+        require_same_bytes(files, encode_again(list, files.front().path));
     }
     return result;
 }
 
 BoundaryFileProof prove_boundary_files(const std::vector<EncodedFile>& files) {
-    BoundaryFileProof result{.surface = std::get<TileSurface>(decode_surfaces(files)), .proof = {}};
+    BoundaryFileProof result{.surface = decode_boundary(files.front()), .proof = {}};
     result.proof = prove_surface(result.surface);
-    compare_surfaces(files, surface_list(result.surface));
+    require_same_bytes(files, encode_again(result.surface, files.front().path));
     return result;
 }
 

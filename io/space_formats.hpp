@@ -19,6 +19,10 @@ namespace pcvt {
 /// triangles of either of the first and the last in single precision.
 enum class SpaceFileKind { kPolyhedra, kTetrahedra, kBoundary, kTriangles };
 
+/// Whether a format holds surfaces: none, those of the cells or the boundary as
+/// SpaceFileOptions::surfaces chooses, or always the boundary.
+enum class FormatSurfaces { kNone, kChosen, kBoundary };
+
 /// The forms of files that a user chooses.
 struct SpaceFileOptions {
     SurfaceForm surfaces = SurfaceForm::kCells;
@@ -29,8 +33,7 @@ struct SpaceFormat {
     std::string_view extension;
     /// Whether the output is a folder.
     bool is_folder;
-    /// Whether SpaceFileOptions::surfaces chooses what it holds.
-    bool has_surfaces;
+    FormatSurfaces surfaces;
     /// The memory of a run that writes one such file, bytes a site. Measured at 2e4 to 5e5 random
     /// sites, whose cells have the most faces: the largest of several runs, because the peak of
     /// equal runs with two threads differs by a sixth.
@@ -45,6 +48,11 @@ struct SpaceFormat {
     /// Returns what files of this extension hold, as `pcvt check` reads them; nothing if they hold
     /// no tile in space. Null where none is read.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files);
+
+    bool shows_boundary(const SpaceFileOptions& options) const {
+        return surfaces == FormatSurfaces::kBoundary ||
+               (surfaces == FormatSurfaces::kChosen && options.surfaces == SurfaceForm::kBoundary);
+    }
 };
 
 /// Returns the format of a path by its extension, in any case; null if none holds volumes.

@@ -128,7 +128,7 @@ void read_file_options(const CLI::App& app, const MeshOptions& options, SpaceJob
     job.file_options.surfaces = chosen_row("--surface", options.files.surface, kSurfaceForms).form;
     const auto has_surfaces = [](const std::string& path) {
         const SpaceFormat* const format = find_space_format(path);
-        return format != nullptr && format->has_surfaces;
+        return format != nullptr && format->surfaces == FormatSurfaces::kChosen;
     };
     if (std::any_of(job.outputs.begin(), job.outputs.end(), has_surfaces)) return;
     throw InvalidInput("--surface is for " + surface_extensions() + "; add such a file with -o");

@@ -93,12 +93,12 @@ std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
 /// Requires that the boundary is a closed surface, if a file shows it.
 void require_closed_boundary(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
                              const PolyhedralProof& proof) {
-    if (proof.boundary_is_manifold || job.file_options.surfaces == SurfaceForm::kCells) return;
+    if (proof.boundary_is_manifold) return;
     for (const SpaceJobFile& file : files) {
-        if (!file.format->has_surfaces) continue;
+        if (!file.format->shows_boundary(job.file_options)) continue;
         throw InvalidInput("-o " + file.path +
                            ": the boundary of this tile touches itself, so that it is no surface; "
-                           "take the surfaces of the cells, or other sites");
+                           "take the surfaces of the cells as .obj, .ply or .glb, or other sites");
     }
 }
 

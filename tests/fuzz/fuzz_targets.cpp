@@ -148,7 +148,7 @@ FuzzTarget space_target(std::string_view name, const char* path) {
                         files.push_back(file.bytes);
                     }
                     seeds.push_back(files.size() == 1 ? files.front() : join_files(files));
-                    if (!find_space_format(path)->has_surfaces) break;
+                    if (find_space_format(path)->surfaces != FormatSurfaces::kChosen) break;
                 }
                 return seeds;
             }};
@@ -317,6 +317,7 @@ std::vector<FuzzTarget> make_targets() {
     targets.push_back(space_target("space_obj", "t.obj"));
     targets.push_back(space_target("space_ply", "t.ply"));
     targets.push_back(space_target("space_glb", "t.glb"));
+    targets.push_back(space_target("space_om", "t.om"));
     targets.push_back({"seam", read_seam, seam_seeds});
     targets.push_back({"material", read_materials, material_seeds});
     targets.push_back({"areas", read_areas_text, area_seeds});

@@ -120,9 +120,9 @@ class Surfaces(CliTest):
         for name, words in LATTICES.items():
             with self.subTest(name):
                 self.succeed("mesh", "--sites", 12, *words, "--seed", 3, "--force", "--quiet", "--surface", "boundary",
-                             *self.FILES)
-                obj, ply, glb = self.succeed("check", "t.obj", "t.ply", "t.glb").splitlines()
-                for path, line in (("t.obj", obj), ("t.ply", ply)):
+                             *self.FILES, "-o", "t.om")
+                obj, ply, glb, om = self.succeed("check", "t.obj", "t.ply", "t.glb", "t.om").splitlines()
+                for path, line in (("t.obj", obj), ("t.ply", ply), ("t.om", om)):
                     self.assertRegex(line, rf"^{path}: the boundary of a periodic tile of polyhedra: \d+ points, .*, a "
                                            "closed manifold in 1 part, Euler characteristic -?\\d+, volume ")
                 self.assertIn("which close together", glb)
@@ -197,7 +197,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         for extension in ("svg", "inp", "nc", "vti", "csv", "unknown"):
-            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam, \.msh, \.obj, \.ply, \.glb or \.txt",
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam, \.msh, \.obj, \.ply, \.glb, \.om or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 
     def test_period_vectors(self):

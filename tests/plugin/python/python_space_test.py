@@ -135,7 +135,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh, .obj, .ply, .glb or .txt"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh, .obj, .ply, .glb, .om or .txt"):
             result.write(self.path("t.inp"))
         with self.assertRaisesRegex(pcvt.ArgumentError, "path is a null pointer"):
             result.write(None)
