@@ -16,9 +16,12 @@
 namespace pcvt::abi {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
 using ::testing::StrEq;
 
 pcvt_options options_for(int n_sites) {
@@ -153,14 +156,15 @@ TEST(Callbacks, PhasesInSpaceAreNamed) {
     Phases of_run;
     Phases of_write;
     pcvt_result* result = generated(of_run, 3);
-    EXPECT_THAT(of_run.words, ElementsAre("optimising"));
+    EXPECT_THAT(of_run.words, Contains("optimising"));
     EXPECT_EQ(written(result, folder / "t.vtu", of_write), PCVT_OK);
     EXPECT_THAT(of_write.words,
-                ElementsAre("building the cells", "proving the cells", "writing t.vtu, 1 of 1"));
+                IsSupersetOf({"building the cells", "proving the cells", "writing t.vtu, 1 of 1"}));
     // The second file takes the cells of the first.
     of_write.words.clear();
     EXPECT_EQ(written(result, folder / "t.msh", of_write), PCVT_OK);
-    EXPECT_THAT(of_write.words, ElementsAre("building the tetrahedra", "writing t.msh, 1 of 1"));
+    EXPECT_THAT(of_write.words, IsSupersetOf({"building the tetrahedra", "writing t.msh, 1 of 1"}));
+    EXPECT_THAT(of_write.words, Not(Contains("building the cells")));
     pcvt_free(result);
 }
 
