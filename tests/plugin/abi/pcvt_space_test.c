@@ -205,6 +205,14 @@ static void given_sites_keep_their_order(void) {
     const pcvt_cells cells = cells_of(result);
     for (int k = 0; k < 9; ++k) CHECK(fabs(cells.sites[k] - wrapped[k]) < 1e-15);
     pcvt_free(result);
+    /* Sites of cells whose centroids lie in the domain need not lie there. */
+    options = space_options_for(300);
+    options.max_iterations = 0;
+    result = generated(&options);
+    const pcvt_cells many = cells_of(result);
+    check_sites(&many);
+    CHECK(memcmp(many.sites, many.site_points, 900 * sizeof(double)) != 0);
+    pcvt_free(result);
 }
 
 typedef struct watch {
