@@ -525,8 +525,8 @@ PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int3
 PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view, size_t view_size);
 
 /** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
- * dimensions it writes the polyhedra (.vtu, .foam), the Delaunay tetrahedra (.msh) or the sites
- * (.txt). Either all files appear, complete and proved to be a periodic tile, or none. Missing
+ * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the
+ * Delaunay tetrahedra (.msh) or the sites (.txt). Either all files appear, complete and proved to be a periodic tile, or none. Missing
  * folders are made.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.

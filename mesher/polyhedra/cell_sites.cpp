@@ -10,10 +10,6 @@
 namespace pcvt {
 namespace {
 
-/// Corners within 1e-9 h of each other are one point, which may lie that far from each of the
-/// planes that meet there; the rest is room for rounding.
-constexpr double kBisectorTolerance = 1e-8;
-
 /// Returns the image of p that is nearest to q. Each step goes to the best of the 26 neighbours;
 /// they contain all facets of the Voronoi cell of a reduced lattice, so that no step is left only
 /// at the nearest image.

@@ -11,6 +11,11 @@ namespace pcvt {
 ///     const CellSiteFigures figures = prove_cell_sites(mesh, images);
 Points3 sites_in_cells(const SpaceSites& sites, const PolyhedralMesh& mesh);
 
+/// The largest distance of a corner of a face from the plane halfway between its sites, in units of
+/// h. Corners within 1e-9 h of each other are one point, which may lie that far from each of the
+/// planes that meet there; the rest is room for rounding.
+inline constexpr double kBisectorTolerance = 1e-8;
+
 /// Distances in units of h, the cube root of volume / n.
 struct CellSiteFigures {
     /// The largest distance of a corner of a face from the plane halfway between the sites of the

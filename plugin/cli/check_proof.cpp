@@ -9,7 +9,7 @@
 #include "io/bytes/text.hpp"
 #include "io/file_proof.hpp"
 #include "io/outputs/recovery.hpp"
-#include "io/space/space_formats.hpp"
+#include "io/space_formats.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/density/density_centroid.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
@@ -233,10 +233,8 @@ std::string prove_tile_in_space(const std::string& path, const std::vector<Encod
 std::string prove_one_tile(const TileFormat& format, const std::string& path,
                            const Question& question, std::string& content) {
     const std::vector<EncodedFile> files = read_files(format, path);
-    const bool has_tetrahedra = hold_tetrahedra(files);
-    if (has_tetrahedra || hold_space_tile(files)) {
-        content =
-            std::string("a periodic tile of ") + (has_tetrahedra ? "tetrahedra" : "polyhedra");
+    if (const std::optional<SpaceFileKind> kind = space_file_kind(files)) {
+        content = space_content_text(*kind);
         return prove_tile_in_space(path, files, question);
     }
     const TileFile file = decode_tile(format, files, question.lattice);

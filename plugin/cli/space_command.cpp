@@ -24,10 +24,10 @@ namespace pcvt::cli {
 namespace {
 
 /// The options of `pcvt mesh` that apply in space.
-constexpr std::array<std::string_view, 16> kOptions{
+constexpr std::array<std::string_view, 17> kOptions{
     "--help",      "--sites",          "--seed",   "--input",   "--period", "--lattice",
     "--start",     "--solver",         "--strict", "--threads", "-o",       "--force",
-    "--tolerance", "--max-iterations", "--quiet",  "-h"};
+    "--tolerance", "--max-iterations", "--quiet",  "-h",        "--surface"};
 
 /// The choices of an option that apply in space; `abi_value` is a field of all tables of choices.
 struct StartRow3 {
@@ -123,6 +123,17 @@ SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
     });
 }
 
+void read_file_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+    if (app.count("--surface") == 0) return;
+    job.file_options.surfaces = chosen_row("--surface", options.files.surface, kSurfaceForms).form;
+    const auto has_surfaces = [](const std::string& path) {
+        const SpaceFormat* const format = find_space_format(path);
+        return format != nullptr && format->has_surfaces;
+    };
+    if (std::any_of(job.outputs.begin(), job.outputs.end(), has_surfaces)) return;
+    throw InvalidInput("--surface is for " + surface_extensions() + "; add such a file with -o");
+}
+
 std::string vector_text(const Vec3& v) {
     // Adding 0 turns -0 into 0.
     return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ", " + figure(v.z() + 0.0) +
@@ -161,6 +172,7 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
     job.outputs = options.outputs;
     job.force = options.force;
     plan_space_files(job);
+    read_file_options(app, options, job);
     return job;
 }
 

@@ -16,6 +16,8 @@ namespace {
 
 constexpr int kMostRuns = 1'000'000'000;
 constexpr int kMostShards = 1'000'000;
+/// Numbers of sites in the help.
+constexpr std::size_t kLongestList = 20;
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -30,19 +32,41 @@ constexpr const char* kExamples =
     "  pcvt study fig11 --merge part1.csv part2.csv part3.csv part4.csv -o results/\n"
     "      four machines share the runs; the merged files are those of the unsplit study\n";
 
+/// "8,9,11", or "1,...,64" where the numbers are all of a long range.
+std::string in_short(const std::vector<int>& numbers) {
+    const std::string last = std::to_string(numbers.back());
+    const bool is_range = std::adjacent_find(numbers.begin(), numbers.end(), [](int a, int b) {
+                              return b != a + 1;
+                          }) == numbers.end();
+    if (is_range && numbers.size() > kLongestList) {
+        return std::to_string(numbers.front()) + ",...," + last;
+    }
+    std::string text;
+    for (const int number : numbers) text += (text.empty() ? "" : ",") + std::to_string(number);
+    return text;
+}
+
 /// Two lines for each study: its description and its defaults.
 std::string recipes_help() {
+    std::size_t width = 0;
+    for (const StudyRecipe& recipe : study_recipes()) width = std::max(width, recipe.name.size());
     std::string text = "Studies, with the defaults of --sites and --runs:\n";
     for (const StudyRecipe& recipe : study_recipes()) {
-        text += "  " + recipe.name + std::string(8 - recipe.name.size(), ' ') + recipe.description +
-                "\n            ";
-        for (std::size_t k = 0; k < recipe.standard.sites.size(); ++k) {
-            text += (k == 0 ? "" : ",") + std::to_string(recipe.standard.sites[k]);
-        }
-        text += "; " + std::to_string(recipe.standard.runs) + ", seed " +
-                std::to_string(recipe.standard.seed) + "\n";
+        const Study& standard = recipe.standard;
+        text += "  " + recipe.name + std::string(width + 2 - recipe.name.size(), ' ') +
+                recipe.description + "\n" + std::string(width + 4, ' ') + in_short(standard.sites) +
+                "; " + std::to_string(standard.runs) + ", seed " + std::to_string(standard.seed) +
+                "\n";
     }
     return text;
+}
+
+std::string study_names(const char* separator) {
+    std::string names;
+    for (const StudyRecipe& recipe : study_recipes()) {
+        names += (names.empty() ? "" : separator) + recipe.name;
+    }
+    return names;
 }
 
 std::vector<int> site_numbers(const std::string& text) {
@@ -88,10 +112,7 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
     };
     app.option_defaults()->group("Study");
     add("STUDY", options.name, "", "one of the studies below");
-    std::string names;
-    for (const StudyRecipe& recipe : study_recipes())
-        names += (names.empty() ? "" : "|") + recipe.name;
-    app.get_option("STUDY")->option_text(names);
+    app.get_option("STUDY")->option_text(study_names("|"));
     add("--sites", options.sites, "N,N,...", "numbers of sites [the paper's, see below]");
     add("--runs", options.runs, "R", "random starts for each number of sites [see below]");
     add("--seed", options.seed, "S",
@@ -115,8 +136,7 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
 
 StudyRequest make_study_request(const CLI::App& app, const StudyOptions& options) {
     if (app.count("STUDY") == 0) {
-        throw InvalidInput(
-            "no study; take table1, fig7, fig8, fig9, fig10, fig11, sizes, symmetry or gersho3d");
+        throw InvalidInput("no study; take one of " + study_names(", "));
     }
     StudyRequest request;
     request.study = find_study_recipe(options.name).standard;

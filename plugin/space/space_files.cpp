@@ -21,8 +21,11 @@ SpaceJobFile plan_file(std::string path) {
     return {path, format};
 }
 
-std::vector<EncodedFile> encode(const SpaceJobFile& file, const SpaceContent& content) {
-    if (file.format->encode != nullptr) return file.format->encode(content.tile, file.path);
+std::vector<EncodedFile> encode(const SpaceJobFile& file, const SpaceContent& content,
+                                const SpaceFileOptions& options) {
+    if (file.format->encode != nullptr) {
+        return file.format->encode(content.tile, options, file.path);
+    }
     if (file.format->encode_tetrahedra != nullptr) {
         return file.format->encode_tetrahedra(content.tetrahedra.value(), file.path);
     }
@@ -40,8 +43,9 @@ void prove(const SpaceFormat& format, const std::vector<EncodedFile>& encoded,
     }
 }
 
-void stage_file(const SpaceJobFile& file, const SpaceContent& content, OutputSet& outputs) {
-    const std::vector<EncodedFile> encoded = encode(file, content);
+void stage_file(const SpaceJobFile& file, const SpaceContent& content,
+                const SpaceFileOptions& options, OutputSet& outputs) {
+    const std::vector<EncodedFile> encoded = encode(file, content, options);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     require_on_disk(outputs, encoded);
     prove(*file.format, encoded, content);
@@ -78,7 +82,7 @@ std::vector<std::string> require_space_files_writable(const SpaceJob& job,
 }
 
 void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceContent& content,
-                       JobMonitor& monitor, OutputSet& outputs) {
+                       const SpaceFileOptions& options, JobMonitor& monitor, OutputSet& outputs) {
     // Before all files, so that a file inside of a case folder is staged in that folder.
     for (const SpaceJobFile& file : files) {
         if (file.format->is_folder) outputs.stage_folder(file.path);
@@ -92,7 +96,7 @@ void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceConten
         } else {
             monitor.describe(words);
         }
-        stage_file(files[k], content, outputs);
+        stage_file(files[k], content, options, outputs);
         monitor.advance(double(k + 1) / double(files.size()));
     }
 }

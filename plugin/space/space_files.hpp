@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/outputs/output_set.hpp"
-#include "io/space/space_formats.hpp"
+#include "io/space_formats.hpp"
 #include "plugin/space/space_job.hpp"
 
 namespace pcvt {
@@ -42,6 +42,6 @@ std::vector<std::string> require_space_files_writable(const SpaceJob& job,
 
 /// Encodes the files, lets them reach the disk under hidden names and proves the bytes there.
 void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceContent& content,
-                       JobMonitor& monitor, OutputSet& outputs);
+                       const SpaceFileOptions& options, JobMonitor& monitor, OutputSet& outputs);
 
 }  // namespace pcvt

@@ -90,6 +90,18 @@ std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
     return mesh;
 }
 
+/// Requires that the boundary is a closed surface, if a file shows it.
+void require_closed_boundary(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
+                             const PolyhedralProof& proof) {
+    if (proof.boundary_is_manifold || job.file_options.surfaces == SurfaceForm::kCells) return;
+    for (const SpaceJobFile& file : files) {
+        if (!file.format->has_surfaces) continue;
+        throw InvalidInput("-o " + file.path +
+                           ": the boundary of this tile touches itself, so that it is no surface; "
+                           "take the surfaces of the cells, or other sites");
+    }
+}
+
 /// Makes the tile and the files of a computed job. The commit of the files cannot be cancelled.
 SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
                     const SpaceComputation& computation, const SpaceTileSource& make_tile,
@@ -104,7 +116,8 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         const SpaceContent content{proved.tile, std::move(points), std::move(tetrahedra)};
         summary.proof = proved.proof;
         summary.face_counts = proved.face_counts;
-        stage_space_files(files, content, monitor, outputs);
+        require_closed_boundary(job, files, summary.proof);
+        stage_space_files(files, content, job.file_options, monitor, outputs);
     });
     // The summary is complete before the files appear: nothing may fail after that.
     summary.n_sites = delaunay.sites.n_sites();

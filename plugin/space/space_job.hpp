@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/space/space_tile.hpp"
+#include "io/space_formats.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
 #include "mesher/space/space_cvt.hpp"
 #include "plugin/job/job_progress.hpp"
@@ -37,8 +38,9 @@ struct SpaceJob {
     int max_iterations = -1;
     /// At least 1; the result does not depend on it.
     int n_threads = 1;
-    /// Files to write. The extension selects the format (io/space/space_formats.hpp).
+    /// Files to write. The extension selects the format (io/space_formats.hpp).
     std::vector<std::string> outputs;
+    SpaceFileOptions file_options = {};
     /// Files that the run reads; no output may replace them.
     std::vector<std::string> inputs;
     bool force = false;

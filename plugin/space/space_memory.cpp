@@ -1,45 +1,25 @@
 #include "plugin/space/space_memory.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "plugin/job/job_memory.hpp"
 
 namespace pcvt {
 namespace {
 
-// Measured at 2e4 to 5e5 random sites, whose cells have the most faces: the largest of several
-// runs, because the peak of equal runs with two threads differs by a sixth.
-
-/// Bytes a site: triangulating, optimising and building the cells.
+/// Bytes a site: triangulating, optimising and building the cells, measured as SpaceFormat::memory.
 constexpr double kBuilding = 5600;
 /// A SpaceComputation, and not the heap that its run leaves.
 constexpr double kComputed = 400;
 /// Tetrahedra that are held while other files are written.
 constexpr double kHeldTetrahedra = 800;
 
-/// Bytes a site of a run that writes one file of a format.
-struct SpaceFormatMemory {
-    std::string_view extension;
-    double a_site;
-};
-constexpr std::array<SpaceFormatMemory, 4> kFormats{
-    {{".vtu", 8900}, {".foam", 6900}, {".msh", 8600}, {".txt", 5700}}};
-
-double bytes_of(const SpaceFormat& format) {
-    const auto* const row = std::find_if(
-        kFormats.begin(), kFormats.end(),
-        [&](const SpaceFormatMemory& memory) { return memory.extension == format.extension; });
-    return row == kFormats.end() ? 0 : row->a_site;
-}
-
 /// Bytes a site of the largest part of a run with these files.
 double largest_bytes(const std::vector<SpaceJobFile>& files) {
     double a_site = kBuilding;
     double held = 0;
     for (const SpaceJobFile& file : files) {
-        a_site = std::max(a_site, bytes_of(*file.format));
+        a_site = std::max(a_site, file.format->memory);
         if (file.format->encode_tetrahedra != nullptr) held = kHeldTetrahedra;
     }
     return a_site + held;

@@ -1,17 +1,13 @@
 // page_picture.js PAGE.html OUT.png: opens a page of pcvt in headless Chromium, points at an edge of
 // its seam, and saves a picture of the window.
 const fs = require('fs');
-const os = require('os');
 const path = require('path');
-const {Browser} = require('../../tests/consumers/html_page.js');
+const {withBrowser} = require('../../tests/consumers/browser.js');
 
 const kEdge = 18;
 
 async function main(page, out) {
-    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'page_picture_'));
-    const browser = new Browser('chromium', path.join(folder, 'profile'));
-    try {
-        await browser.open();
+    await withBrowser('chromium', async (browser) => {
         await browser.send(
             'Emulation.setDeviceMetricsOverride',
             {width: 1000, height: 760, deviceScaleFactor: 1, mobile: false});
@@ -27,11 +23,7 @@ async function main(page, out) {
         await browser.until('viewer.place && !viewer.painting && !viewer.isStale');
         await new Promise((resolve) => setTimeout(resolve, 300));
         fs.writeFileSync(out, await browser.picture());
-    } finally {
-        browser.process.kill();
-        await new Promise((resolve) => browser.process.once('close', resolve));
-        fs.rmSync(folder, {recursive: true, force: true, maxRetries: 5});
-    }
+    });
 }
 
 main(...process.argv.slice(2)).catch((fault) => {

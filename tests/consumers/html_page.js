@@ -1,129 +1,16 @@
-// Opens each page in headless Chromium over a pipe of the DevTools protocol, points with the mouse
-// at a cell and at an edge of the seam, presses keys, repeats the tile, and saves the SVG. Exits
+// Opens each page in headless Chromium, points with the mouse at a cell and at an edge of the seam,
+// presses keys, repeats the tile, and saves the SVG. Exits
 // with 1 if a value on the page is wrong, if the picture is empty, or if the console has an error.
 // The script html_page runs it.
 const assert = require('assert');
 const fs = require('fs');
-const os = require('os');
 const path = require('path');
-const {spawn} = require('child_process');
+const {checkPages} = require('./browser.js');
 const {checkColours} = require('./html_page_colours.js');
 
-const kFlags = [
-    '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-    '--disable-background-networking', '--disable-component-update', '--disable-sync',
-    '--hide-scrollbars', '--remote-debugging-pipe', '--window-size=1280,860'
-];
-const kPatience = 60000;
 // The usual rate is 60 frames a second. Without a graphics processor and beside compilers it falls to
 // 6, so that this limit finds pages that hang and nothing else.
 const kLeastRate = 2;
-
-// A browser with one tab; messages are JSON, each ended by a NUL byte.
-class Browser {
-    constructor(program, profile) {
-        this.process = spawn(
-            program, [...kFlags, `--user-data-dir=${profile}`, 'about:blank'],
-            {stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe']});
-        this.waiting = new Map();
-        this.events = [];
-        this.last = 0;
-        let rest = Buffer.alloc(0);
-        this.process.stdio[4].on('data', (bytes) => {
-            rest = Buffer.concat([rest, bytes]);
-            for (let end = rest.indexOf(0); end >= 0; end = rest.indexOf(0)) {
-                this.receive(JSON.parse(rest.subarray(0, end).toString()));
-                rest = rest.subarray(end + 1);
-            }
-        });
-        this.process.on('exit', () => {
-            for (const {reject} of this.waiting.values()) reject(new Error('the browser ended'));
-        });
-    }
-
-    receive(message) {
-        const answer = this.waiting.get(message.id);
-        this.waiting.delete(message.id);
-        if (!answer)
-            this.events.push(message);
-        else if (message.error)
-            answer.reject(new Error(message.error.message));
-        else
-            answer.resolve(message.result);
-    }
-
-    send(method, params = {}) {
-        const id = ++this.last;
-        this.process.stdio[3].write(
-            JSON.stringify({id, method, params, sessionId: this.session}) + '\0');
-        return new Promise((resolve, reject) => this.waiting.set(id, {resolve, reject}));
-    }
-
-    async open() {
-        const {targetInfos} = await this.send('Target.getTargets');
-        const {targetId} = targetInfos.find((target) => target.type === 'page');
-        this.session =
-            (await this.send('Target.attachToTarget', {targetId, flatten: true})).sessionId;
-        for (const domain of ['Page', 'Runtime', 'Log', 'Network'])
-            await this.send(`${domain}.enable`);
-        await this.send(
-            'Emulation.setDeviceMetricsOverride',
-            {width: 1280, height: 860, deviceScaleFactor: 1, mobile: false});
-    }
-
-    // Returns the value of an expression on the page, which may be a promise.
-    async value(expression) {
-        const {result, exceptionDetails} = await this.send(
-            'Runtime.evaluate', {expression, awaitPromise: true, returnByValue: true});
-        if (exceptionDetails) {
-            throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
-        }
-        return result.value;
-    }
-
-    async show(address) {
-        this.events = [];
-        // A change of the hash alone would not load the page.
-        await this.send('Page.navigate', {url: 'about:blank'});
-        await this.send('Page.navigate', {url: address});
-        await this.until(
-            'document.readyState === "complete" && ' +
-            '(!document.getElementById("fault").hidden || ' +
-            '(window.viewer?.shown && !viewer.painting && !viewer.isStale))');
-    }
-
-    async until(condition) {
-        const end = Date.now() + kPatience;
-        while (!await this.value(`Boolean(${condition})`)) {
-            if (Date.now() > end) throw new Error(`waited in vain for ${condition}`);
-            await new Promise((resolve) => setTimeout(resolve, 20));
-        }
-    }
-
-    async point(x, y) {
-        await this.send('Input.dispatchMouseEvent', {type: 'mouseMoved', x, y});
-    }
-
-    async picture() {
-        return Buffer.from(
-            (await this.send('Page.captureScreenshot', {format: 'png'})).data, 'base64');
-    }
-
-    // Errors of the console and of scripts, refused loads, and requests of other addresses.
-    complaints() {
-        const texts = [];
-        for (const {method, params} of this.events) {
-            if (method === 'Runtime.exceptionThrown') texts.push(params.exceptionDetails.text);
-            if (method === 'Log.entryAdded' && params.entry.level === 'error')
-                texts.push(params.entry.text);
-            if (method === 'Runtime.consoleAPICalled') texts.push(`console: ${params.type}`);
-            const url = params?.request?.url;
-            if (method === 'Network.requestWillBeSent' && !/^(file|about|data|blob):/.test(url))
-                texts.push(`loads ${url}`);
-        }
-        return texts;
-    }
-}
 
 // Returns the number of different colours of the canvas, on a grid of its pixels.
 const kCountColours = `(() => {
@@ -223,23 +110,7 @@ async function checkKeys(browser) {
     assert(/^Site \d+\. /.test(status), `the key shows '${status}'`);
 }
 
-// Returns the SVG that the button saves.
-async function savedSvg(browser, folder) {
-    await browser.send('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: folder});
-    await browser.value(`document.getElementById('download').click()`);
-    for (const end = Date.now() + kPatience; Date.now() < end;) {
-        const name = fs.readdirSync(folder).find((file) => file.endsWith('.svg'));
-        if (name) {
-            const text = fs.readFileSync(path.join(folder, name), 'utf8');
-            fs.rmSync(path.join(folder, name));
-            return text;
-        }
-        await new Promise((resolve) => setTimeout(resolve, 50));
-    }
-    throw new Error('no SVG was saved');
-}
-
-async function checkPage(browser, file, folder) {
+async function checkPage(browser, file) {
     const address = `file://${path.resolve(file)}`;
     const page = fs.readFileSync(file, 'utf8');
     const tile = JSON.parse(page.match(/<script type="application\/json" id="data">([^<]*)</)[1]);
@@ -254,7 +125,7 @@ async function checkPage(browser, file, folder) {
     const rate = await frameRate(browser);
     assert(rate >= kLeastRate, `the page draws ${rate} frames a second`);
     await browser.value('viewer.fit()');
-    const svg = await savedSvg(browser, folder);
+    const svg = await browser.saved('#download');
     assert(
         svg.startsWith('<svg ') && (svg.match(/Z/g) ?? []).length >= tile.faces.length,
         'the SVG lacks cells');
@@ -275,30 +146,4 @@ async function checkPage(browser, file, folder) {
     return `${tile.faces.length} faces, ${rate} frames a second`;
 }
 
-async function main([program, ...files]) {
-    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'html_page_'));
-    const browser = new Browser(program, path.join(folder, 'profile'));
-    try {
-        await browser.open();
-        for (const file of files) {
-            try {
-                console.log(`${file}: ${await checkPage(browser, file, folder)}`);
-            } catch (error) {
-                console.log(`${file}: ${error.message}`);
-                process.exitCode = 1;
-            }
-        }
-    } finally {
-        browser.process.kill();
-        await new Promise((resolve) => browser.process.once('close', resolve));
-        fs.rmSync(folder, {recursive: true, force: true, maxRetries: 5});
-    }
-}
-
-module.exports = {Browser};
-if (require.main === module) {
-    main(process.argv.slice(2)).catch((fault) => {
-        console.error(`html_page: ${fault}`);
-        process.exitCode = 1;
-    });
-}
+checkPages('html_page', checkPage, process.argv.slice(2));

@@ -1,25 +1,8 @@
 // Opens pages of studies in headless Chromium; the script study_page runs it.
 const assert = require('assert');
 const fs = require('fs');
-const os = require('os');
 const path = require('path');
-const {Browser} = require('./html_page.js');
-
-// Saves by a button and returns the text of the file.
-async function saved(browser, folder, kind) {
-    await browser.send('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: folder});
-    await browser.value(`document.querySelector('[data-save=${kind}]').click()`);
-    for (const end = Date.now() + 30000; Date.now() < end;) {
-        const name = fs.readdirSync(folder).find((file) => file.endsWith(`.${kind}`));
-        if (name) {
-            const text = fs.readFileSync(path.join(folder, name), 'utf8');
-            fs.rmSync(path.join(folder, name));
-            return text;
-        }
-        await new Promise((resolve) => setTimeout(resolve, 50));
-    }
-    throw new Error(`no ${kind} was saved`);
-}
+const {checkPages} = require('./browser.js');
 
 // Points at one point of each plot, whose values must appear.
 async function checkValues(browser, data) {
@@ -39,7 +22,7 @@ async function checkValues(browser, data) {
     }
 }
 
-async function checkPage(browser, file, folder) {
+async function checkPage(browser, file) {
     const text = fs.readFileSync(file, 'utf8');
     const data =
         JSON.parse(text.match(/<script type="application\/json" id="data">([^<]*)</)[1]);
@@ -47,10 +30,11 @@ async function checkPage(browser, file, folder) {
     await browser.send('Page.navigate', {url: `file://${path.resolve(file)}`});
     await browser.until('document.readyState === "complete" && document.querySelector("main table")');
     await checkValues(browser, data);
-    const csv = await saved(browser, folder, 'csv');
+    const csv = await browser.saved('[data-save=csv]');
     assert.strictEqual(csv, Object.values(data.csv)[0], 'another CSV was saved');
     const hasPicture = await browser.value('Boolean(document.querySelector("section.picture"))');
-    if (hasPicture) assert((await saved(browser, folder, 'svg')).startsWith('<svg '), 'no SVG');
+    if (hasPicture)
+        assert((await browser.saved('[data-save=svg]')).startsWith('<svg '), 'no SVG');
     const inks = [];
     for (const value of ['light', 'dark']) {
         await browser.send(
@@ -64,27 +48,4 @@ async function checkPage(browser, file, folder) {
     return `${Object.keys(data.points).length} plots, ${Object.keys(data.csv).length} tables`;
 }
 
-async function main([program, ...files]) {
-    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'study_page_'));
-    const browser = new Browser(program, path.join(folder, 'profile'));
-    try {
-        await browser.open();
-        for (const file of files) {
-            try {
-                console.log(`${file}: ${await checkPage(browser, file, folder)}`);
-            } catch (error) {
-                console.log(`${file}: ${error.message}`);
-                process.exitCode = 1;
-            }
-        }
-    } finally {
-        browser.process.kill();
-        await new Promise((resolve) => browser.process.once('close', resolve));
-        fs.rmSync(folder, {recursive: true, force: true, maxRetries: 5});
-    }
-}
-
-main(process.argv.slice(2)).catch((fault) => {
-    console.error(`study_page: ${fault}`);
-    process.exitCode = 1;
-});
+checkPages('study_page', checkPage, process.argv.slice(2));

@@ -13,6 +13,7 @@
 #include "io/run_files/orientation_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
+#include "io/surfaces/surface_glb_reader.hpp"
 #include "io/tile_formats.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
@@ -112,9 +113,11 @@ void read_tile(const TileFormat& format, const std::string& bytes) {
 }
 
 /// The files of a tile in space with three cells, or their tetrahedra.
-std::vector<EncodedFile> space_files(const char* path) {
+std::vector<EncodedFile> space_files(const char* path, SurfaceForm surfaces) {
     const SpaceFormat& format = *find_space_format(path);
-    if (format.encode != nullptr) return format.encode(random_space_tile(3), path);
+    if (format.encode != nullptr) {
+        return format.encode(random_space_tile(3), {.surfaces = surfaces}, path);
+    }
     const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
     const SpaceSites sites(cube, uniform_points(cube, 3, 1));
     return format.encode_tetrahedra(tetrahedral_mesh(space_delaunay(sites)), path);
@@ -128,19 +131,26 @@ void read_space_tile(const char* path, const std::string& bytes) {
     for (std::size_t k = 0; k < std::min(parts.size(), paths.size()); ++k) {
         files.push_back({paths[k], parts[k]});
     }
-    if (hold_tetrahedra(files)) {
-        prove_tetrahedral_file(files.front());
-    } else if (hold_space_tile(files)) {
-        prove_space_files(files);
-    }
+    const std::optional<SpaceFileKind> kind = space_file_kind(files);
+    if (kind == SpaceFileKind::kTetrahedra) prove_tetrahedral_file(files.front());
+    if (kind == SpaceFileKind::kPolyhedra) prove_space_files(files);
+    if (kind == SpaceFileKind::kBoundary) prove_boundary_files(files);
+    if (kind == SpaceFileKind::kTriangles) prove_surface_glb(decode_surface_glb(files.front()));
 }
 
 FuzzTarget space_target(std::string_view name, const char* path) {
     return {name, [=](const std::string& bytes) { read_space_tile(path, bytes); },
             [=] {
-                std::vector<std::string> files;
-                for (const EncodedFile& file : space_files(path)) files.push_back(file.bytes);
-                return std::vector{files.size() == 1 ? files.front() : join_files(files)};
+                std::vector<std::string> seeds;
+                for (const SurfaceForm form : {SurfaceForm::kCells, SurfaceForm::kBoundary}) {
+                    std::vector<std::string> files;
+                    for (const EncodedFile& file : space_files(path, form)) {
+                        files.push_back(file.bytes);
+                    }
+                    seeds.push_back(files.size() == 1 ? files.front() : join_files(files));
+                    if (!find_space_format(path)->has_surfaces) break;
+                }
+                return seeds;
             }};
 }
 
@@ -304,6 +314,9 @@ std::vector<FuzzTarget> make_targets() {
     targets.push_back(space_target("space_vtu", "t.vtu"));
     targets.push_back(space_target("space_foam", "t.foam"));
     targets.push_back(space_target("space_msh", "t.msh"));
+    targets.push_back(space_target("space_obj", "t.obj"));
+    targets.push_back(space_target("space_ply", "t.ply"));
+    targets.push_back(space_target("space_glb", "t.glb"));
     targets.push_back({"seam", read_seam, seam_seeds});
     targets.push_back({"material", read_materials, material_seeds});
     targets.push_back({"areas", read_areas_text, area_seeds});

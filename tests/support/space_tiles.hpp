@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/space/space_formats.hpp"
+#include "io/space_formats.hpp"
 #include "tests/support/polyhedra.hpp"
 
 namespace pcvt::testing {

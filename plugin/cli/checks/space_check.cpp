@@ -1,7 +1,7 @@
 #include "plugin/cli/checks/space_check.hpp"
 
 #include "io/bytes/bad_file.hpp"
-#include "io/space/space_formats.hpp"
+#include "io/surfaces/surface_glb_reader.hpp"
 #include "mesher/proof/validate.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
@@ -18,39 +18,98 @@ std::string cvt_text(const std::string& path, const SpaceFileProof& proof, doubl
     return ", centroidal within " + figure(found) + " h (tolerance " + figure(tolerance) + " h)";
 }
 
-std::string prove_tetrahedral_tile(const std::string& path, const EncodedFile& file,
-                                   bool asks_for_cvt) {
-    if (asks_for_cvt) {
-        throw BadFile(path + ": --cvt needs cells, and the file holds tetrahedra; check a .vtu");
-    }
-    const auto [mesh, proof] = prove_tetrahedral_file(file);
-    return path + ": a periodic tile of tetrahedra: " + std::to_string(mesh.n_tetrahedra()) +
-           " of " + counted(proof.n_sites, "site") + ", " + std::to_string(2 * proof.pairs.size()) +
-           " boundary triangles in " + std::to_string(proof.pairs.size()) +
-           " pairs, Euler characteristic 0 after gluing, volume " + figure(proof.volume) + "\n";
+/// Requires that a question about cells is not asked of a file without them.
+void refuse_cvt(const std::string& path, const std::optional<double>& cvt_tolerance,
+                const char* found) {
+    if (!cvt_tolerance) return;
+    throw BadFile(path + ": --cvt needs cells, and the file holds " + found + "; check a .vtu");
 }
 
-}  // namespace
+std::string prove_tetrahedral_tile(const EncodedFile& file) {
+    const auto [mesh, proof] = prove_tetrahedral_file(file);
+    return std::to_string(mesh.n_tetrahedra()) + " of " + counted(proof.n_sites, "site") + ", " +
+           std::to_string(2 * proof.pairs.size()) + " boundary triangles in " +
+           std::to_string(proof.pairs.size()) +
+           " pairs, Euler characteristic 0 after gluing, volume " + figure(proof.volume);
+}
 
-std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
-                             std::optional<double> cvt_tolerance) {
-    if (hold_tetrahedra(files)) {
-        return prove_tetrahedral_tile(path, files.front(), cvt_tolerance.has_value());
-    }
+std::string prove_boundary(const std::vector<EncodedFile>& files) {
+    const auto [surface, proof] = prove_boundary_files(files);
+    const auto n_sites = static_cast<int>(surface.sites.cols());
+    return counted(proof.n_points, "point") + ", " + std::to_string(proof.n_faces) + " faces in " +
+           std::to_string(proof.n_faces / 2) + " pairs by " +
+           counted(proof.n_translations, "translation") + ", a closed manifold in " +
+           counted(proof.n_parts, "part") + ", Euler characteristic " +
+           std::to_string(proof.euler) + ", volume " + figure(proof.volume) +
+           (n_sites == 0 ? ", no sites stored"
+                         : ", between " + counted(n_sites, "site") + " within " +
+                               figure(proof.from_bisector) + " h");
+}
+
+std::string prove_triangles(const EncodedFile& file) {
+    const SurfaceGlb glb = decode_surface_glb(file);
+    const SurfaceGlbProof proof = prove_surface_glb(glb);
+    return std::to_string(proof.n_triangles) + " triangles in " + counted(proof.n_parts, "part") +
+           (glb.form == SurfaceForm::kCells ? ", each closed" : ", which close together") +
+           ", volume " + figure(proof.volume) + " (tolerance " + figure(proof.tolerance) + ")";
+}
+
+std::string prove_cells(const std::string& path, const std::vector<EncodedFile>& files,
+                        const std::optional<double>& cvt_tolerance) {
     const SpaceFileProof found = prove_space_files(files);
     const PolyhedralProof& proof = found.proof;
-    std::string line = path + ": a periodic tile of polyhedra: " + counted(proof.n_cells, "cell") +
-                       ", " + std::to_string(proof.n_faces) + " faces, " +
-                       std::to_string(2 * proof.n_boundary_pairs) + " boundary faces in " +
-                       std::to_string(proof.n_boundary_pairs) + " pairs by " +
-                       counted(proof.n_translations, "translation") + ", boundary " +
+    std::string line = counted(proof.n_cells, "cell") + ", " + std::to_string(proof.n_faces) +
+                       " faces, " + std::to_string(2 * proof.n_boundary_pairs) +
+                       " boundary faces in " + std::to_string(proof.n_boundary_pairs) +
+                       " pairs by " + counted(proof.n_translations, "translation") + ", boundary " +
                        (proof.boundary_is_manifold ? "a manifold" : "touches itself") +
                        ", Euler characteristic 0 after gluing, volume " + figure(proof.volume);
     line += found.sites ? ", Voronoi cells of " + counted(proof.n_cells, "site") + " within " +
                               figure(found.sites->from_bisector) + " h"
                         : ", no sites stored";
     if (cvt_tolerance) line += cvt_text(path, found, *cvt_tolerance);
-    return line + "\n";
+    return line;
+}
+
+/// The proof of files of one kind, without what they hold.
+std::string prove_kind(SpaceFileKind kind, const std::string& path,
+                       const std::vector<EncodedFile>& files,
+                       const std::optional<double>& cvt_tolerance) {
+    switch (kind) {
+        case SpaceFileKind::kTetrahedra:
+            refuse_cvt(path, cvt_tolerance, "tetrahedra");
+            return prove_tetrahedral_tile(files.front());
+        case SpaceFileKind::kBoundary:
+            refuse_cvt(path, cvt_tolerance, "a boundary");
+            return prove_boundary(files);
+        case SpaceFileKind::kTriangles:
+            refuse_cvt(path, cvt_tolerance, "triangles in single precision");
+            return prove_triangles(files.front());
+        default:
+            return prove_cells(path, files, cvt_tolerance);
+    }
+}
+
+}  // namespace
+
+std::string space_content_text(SpaceFileKind kind) {
+    switch (kind) {
+        case SpaceFileKind::kTetrahedra:
+            return "a periodic tile of tetrahedra";
+        case SpaceFileKind::kBoundary:
+            return "the boundary of a periodic tile of polyhedra";
+        case SpaceFileKind::kTriangles:
+            return "surfaces of a periodic tile of polyhedra";
+        default:
+            return "a periodic tile of polyhedra";
+    }
+}
+
+std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
+                             std::optional<double> cvt_tolerance) {
+    const SpaceFileKind kind = space_file_kind(files).value();
+    return path + ": " + space_content_text(kind) + ": " +
+           prove_kind(kind, path, files, cvt_tolerance) + "\n";
 }
 
 }  // namespace pcvt::cli

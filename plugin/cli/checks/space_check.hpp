@@ -4,21 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
+#include "io/space_formats.hpp"
 
 namespace pcvt::cli {
 
+/// Returns what files of this kind hold, "a periodic tile of polyhedra".
+std::string space_content_text(SpaceFileKind kind);
+
 /// Proves the files of a tile of polyhedra: the laws of PolyhedralMesh, the pairs of the seam, and
 /// that the cells are the Voronoi cells of the sites; or those of a tile of tetrahedra: the laws of
-/// TetrahedralMesh, and all groups and links of the file.
+/// TetrahedralMesh, and all groups and links of the file; or those of the boundary of a tile; or
+/// triangles in single precision, which close.
 ///
 /// Example usage:
-///     if (hold_space_tile(files)) return prove_space_tile("tile.vtu", files, std::nullopt);
+///     if (space_file_kind(files)) return prove_space_tile("tile.vtu", files, std::nullopt);
 ///
 /// @param cvt_tolerance  each site must lie within this distance of the centroid of its cell, units
 ///                       of h = (volume / n)^(1/3); `nullopt`: not examined.
 /// @returns a line that states the proved properties.
-/// @pre hold_space_tile(files) or hold_tetrahedra(files).
+/// @pre space_file_kind(files) is not empty.
 /// @throws NotATile  where the files are refuted.
 /// @throws BadFile   where they cannot be read, or hold no sites.
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,

@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "io/surfaces/surface_list.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_files.hpp"
 
@@ -58,9 +59,16 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
     app.add_option("--thickness", choices.thickness,
                    "of .foam: height of the layer of cells along z [sqrt(area / faces)]")
         ->type_name("T");
+    app.add_option("--surface", choices.surface,
+                   "of .obj, .ply and .glb in space: a closed surface for each cell, or the\n"
+                   "boundary of the tile, whose faces are matched [cells]")
+        ->type_name(listed_words(kSurfaceForms, "|", "|"));
 }
 
 FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
+    if (app.count("--surface") > 0) {
+        throw InvalidInput("--surface is for three dimensions; leave it out, or give W,H,D");
+    }
     FileOptions options;
     if (app.count("--colour") > 0) {
         options.colouring = chosen_row("--colour", choices.colour, kColourings).colouring;

@@ -22,6 +22,7 @@ struct FileChoices {
     std::string element;
     std::string job;
     std::string thickness;
+    std::string surface;
 };
 
 /// Adds the options to `app`; parsing fills `choices`.

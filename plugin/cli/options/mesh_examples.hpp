@@ -23,7 +23,7 @@ inline constexpr const char* kMeshExamples =
     "      the table of a polycrystal with a law of grain sizes; add -o for meshes and pictures\n"
     "  pcvt mesh --sites 200 --mesh grains --phases soft:0.7,hard:0.3 --job elastic -o job.inp\n"
     "      a periodic element of two phases; `ccx job` computes its stiffness\n"
-    "  pcvt mesh --sites 1000 --period 1,1,1 -o tile.vtu -o tile.foam\n"
+    "  pcvt mesh --sites 1000 --period 1,1,1 -o tile.vtu -o tile.foam -o tile.glb\n"
     "      three dimensions: polyhedra that repeat along three periods\n";
 
 }  // namespace pcvt::cli

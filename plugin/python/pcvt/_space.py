@@ -97,8 +97,8 @@ class SpaceResult:
         return SpaceTile(self._handle, self._view())
 
     def write(self, path, *, replace=False, progress=None):
-        """Writes the polyhedra (.vtu, .foam), the Delaunay tetrahedra (.msh) or the sites (.txt), by
-        the extension. Either the file appears, complete and proved to be a periodic tile, or no file
+        """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the Delaunay tetrahedra
+        (.msh) or the sites (.txt), by the extension. Either the file appears, complete and proved to be a periodic tile, or no file
         appears. Ctrl-C ends the call soon.
 
         replace     whether files that exist are replaced

@@ -168,8 +168,8 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
 #undef PLANE_FIELD
     CHECK(pcvt_write(result, NULL, NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "", NULL) == PCVT_ERROR_ARGUMENT);
-    CHECK(pcvt_write(result, "refused.obj", NULL) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), ".vtu, .foam, .msh or .txt") != NULL);
+    CHECK(pcvt_write(result, "refused.inp", NULL) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), ".vtu, .foam, .msh, .obj, .ply, .glb or .txt") != NULL);
     pcvt_free(result);
 }
 

@@ -102,6 +102,60 @@ class Runs(CliTest):
         self.assertEqual(self.contents(), {})
 
 
+class Surfaces(CliTest):
+    FILES = ("-o", "t.obj", "-o", "t.ply", "-o", "t.glb")
+
+    def test_surfaces_of_cells_on_every_lattice(self):
+        for name, words in LATTICES.items():
+            with self.subTest(name):
+                self.succeed("mesh", "--sites", 12, *words, "--force", "--quiet", *self.FILES)
+                obj, ply, glb = self.succeed("check", "t.obj", "t.ply", "t.glb").splitlines()
+                for path, line in (("t.obj", obj), ("t.ply", ply)):
+                    self.assertRegex(line, rf"^{path}: a periodic tile of polyhedra: 12 cells, .*, Voronoi cells of 12 ")
+                self.assertRegex(glb, r"^t\.glb: surfaces of a periodic tile of polyhedra: \d+ triangles in 12 parts, "
+                                      r"each closed, volume ")
+                self.succeed("check", "t.obj", "t.ply", "--cvt", "1e-5")
+
+    def test_boundary_is_a_closed_surface(self):
+        for name, words in LATTICES.items():
+            with self.subTest(name):
+                self.succeed("mesh", "--sites", 12, *words, "--seed", 3, "--force", "--quiet", "--surface", "boundary",
+                             *self.FILES)
+                obj, ply, glb = self.succeed("check", "t.obj", "t.ply", "t.glb").splitlines()
+                for path, line in (("t.obj", obj), ("t.ply", ply)):
+                    self.assertRegex(line, rf"^{path}: the boundary of a periodic tile of polyhedra: \d+ points, .*, a "
+                                           "closed manifold in 1 part, Euler characteristic -?\\d+, volume ")
+                self.assertIn("which close together", glb)
+
+    def test_the_same_job_gives_the_same_bytes(self):
+        self.succeed("mesh", "--sites", 40, *CUBE, "--quiet", *self.FILES, "--threads", 1)
+        first = self.contents()
+        self.assertEqual(set(first), {"t.obj", "t.mtl", "t.ply", "t.glb"})
+        self.succeed("mesh", "--sites", 40, *CUBE, "--quiet", *self.FILES, "--threads", 3, "--force")
+        self.assertEqual(self.contents(), first)
+
+    def test_damage_is_found(self):
+        self.succeed("mesh", "--sites", 8, *CUBE, "--quiet", *self.FILES)
+        for path, piece, other in (("t.obj", "g cell_5\n", "g cell_6\n"), ("t.mtl", "Kd ", "Kd 0"),
+                                   ("t.obj", "pcvt site 0", "pcvt site 1"), ("t.ply", "property int cell", "property int sell")):
+            with self.subTest((path, piece)):
+                text = self.path(path).read_text()
+                self.write(path, text.replace(piece, other, 1))
+                checked = "t.obj" if path == "t.mtl" else path
+                self.refuse(2, r"write the file again|not|halfway", "check", checked)
+                self.write(path, text)
+        self.succeed("check", "t.obj", "t.ply")
+
+    def test_refusals(self):
+        run = ("mesh", "--sites", 8, *CUBE, "-o", "t.vtu")
+        self.refuse(2, r"^pcvt: --surface is for \.obj, \.ply or \.glb; add such a file with -o$", *run, "--surface", "cells")
+        self.refuse(2, r"--surface boundry: unknown; did you mean boundary\?", *run, "-o", "t.obj", "--surface", "boundry")
+        self.refuse(2, r"^pcvt: --surface is for three dimensions", "mesh", "--sites", 8, "-o", "t.obj", "--surface", "cells")
+        self.succeed("mesh", "--sites", 8, *CUBE, "--quiet", "--surface", "boundary", *self.FILES)
+        for path in ("t.obj", "t.ply", "t.glb"):
+            self.refuse(2, rf"^{path}: --cvt needs cells", "check", path, "--cvt")
+
+
 class Tetrahedra(CliTest):
     def test_file_is_proved_and_checked(self):
         for name, words in LATTICES.items():
@@ -142,8 +196,8 @@ class Refusals(CliTest):
                     "mesh", "--sites", 8, *CUBE, "--solver", "newton")
 
     def test_formats_without_volumes(self):
-        for extension in ("obj", "glb", "svg", "inp", "nc", "vti", "csv", "unknown"):
-            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam, \.msh or \.txt",
+        for extension in ("svg", "inp", "nc", "vti", "csv", "unknown"):
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam, \.msh, \.obj, \.ply, \.glb or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 
     def test_period_vectors(self):

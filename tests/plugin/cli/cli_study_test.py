@@ -16,6 +16,18 @@ from support.cli import TIMEOUT, CliTest, main
 SMALL = ("fig11", "--sites", "4,5,11", "--runs", 9, "--seed", 2)
 
 
+class Help(CliTest):
+    def test_every_study_has_a_line_of_its_name_and_one_of_its_defaults(self):
+        text = self.succeed("study", "--help")
+        refusal = self.run_pcvt("study").stderr.decode()
+        self.assertIn("no study; take one of ", refusal)
+        studies = refusal.strip().split("take one of ")[1].split(", ")
+        self.assertIn("gersho3d", studies)
+        for name in studies:
+            self.assertRegex(
+                text, rf"(?m)^  {name}  +[^ ].+\n +[0-9,.]+; \d+, seed \d+$")
+
+
 class Files(CliTest):
     def table(self, name):
         lines = self.path(name).read_text().splitlines(keepends=True)

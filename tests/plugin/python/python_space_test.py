@@ -84,7 +84,7 @@ class Arrays(CliTest):
 
 class Files(CliTest):
     def test_files_are_those_of_the_command(self):
-        names = ("vtu", "foam", "msh", "txt")
+        names = ("vtu", "foam", "msh", "obj", "ply", "glb", "txt")
         self.succeed("mesh", "--sites", 40, "--seed", 6, "--lattice", "1,0,0,0.37,0.81,0,0.2,0.4,0.9", "--quiet",
                      *(word for name in names for word in ("-o", f"command/a.{name}")))
         result = pcvt.space(40, OBLIQUE, seed=6)
@@ -140,8 +140,8 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh or .txt"):
-            result.write(self.path("t.obj"))
+        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh, .obj, .ply, .glb or .txt"):
+            result.write(self.path("t.inp"))
         with self.assertRaisesRegex(pcvt.ArgumentError, "path is a null pointer"):
             result.write(None)
 

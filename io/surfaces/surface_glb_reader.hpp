@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+
+#include "io/surfaces/surface_list.hpp"
+#include "io/tiles/encoded_file.hpp"
+
+namespace pcvt {
+
+/// Triangles in single precision, three points each.
+struct GlbPart {
+    /// Of the node.
+    std::string name;
+    std::vector<std::array<float, 3>> corners;
+};
+
+/// The surfaces of a file of encode_surface_glb().
+struct SurfaceGlb {
+    SurfaceForm form = SurfaceForm::kCells;
+    SpaceLattice lattice = SpaceLattice::box(1, 1, 1);
+    Points3 sites = Points3(3, 0);
+    /// One for each primitive.
+    std::vector<GlbPart> parts = {};
+};
+
+/// Whether a file says that it is a GLB of encode_surface_glb().
+bool is_surface_glb(const EncodedFile& file);
+
+/// Reads the triangles, the lattice and the sites.
+/// @throws BadFile naming the file.
+SurfaceGlb decode_surface_glb(const EncodedFile& glb);
+
+/// Requires that the triangles are those of the faces of a list, and the nodes its parts.
+/// @throws NotATile if another triangle or name is found.
+void require_same_surfaces(const SurfaceGlb& glb, const SurfaceList& list);
+
+/// Figures that the proof of the triangles finds.
+struct SurfaceGlbProof {
+    int n_parts = 0;
+    int n_triangles = 0;
+    double volume = 0;
+    /// The largest possible error of the volume by single precision.
+    double tolerance = 0;
+};
+
+/// Proves that the triangles of each cell, or those of the boundary, close: each directed edge
+/// occurs as often as its reverse. Each cell has a positive volume, and all volumes sum to that of
+/// the domain within the rounding of single precision.
+///
+/// Example usage:
+///     std::cout << prove_surface_glb(decode_surface_glb(file)).volume;
+///
+/// @throws NotATile with the part that breaks a law.
+SurfaceGlbProof prove_surface_glb(const SurfaceGlb& glb);
+
+}  // namespace pcvt

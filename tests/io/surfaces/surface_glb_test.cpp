@@ -1,0 +1,103 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "io/gltf/gltf_writer.hpp"
+#include "io/surfaces/surface_glb_reader.hpp"
+#include "io/surfaces/surface_glb_writer.hpp"
+#include "mesher/polyhedra/boundary_surface.hpp"
+#include "tests/support/damaged_text.hpp"
+#include "tests/support/space_tiles.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+
+EncodedFile encoded(const SpaceTile& tile, SurfaceForm form = SurfaceForm::kCells) {
+    return encode_surface_glb(surface_list(tile, form), "t.glb").front();
+}
+
+TEST(SurfaceGlb, HasANodeForEachCell) {
+    const SpaceTile tile = testing::random_space_tile(6);
+    const SurfaceGlb glb = decode_surface_glb(encoded(tile));
+    ASSERT_EQ(glb.parts.size(), 6U);
+    for (int s = 0; s < 6; ++s) EXPECT_EQ(glb.parts[s].name, "cell_" + std::to_string(s));
+    EXPECT_EQ(glb.sites, tile.sites);
+    EXPECT_EQ(glb.lattice.periods(), tile.mesh.lattice.periods());
+    EXPECT_EQ(glb.form, SurfaceForm::kCells);
+}
+
+TEST(SurfaceGlb, IsProvedFromItsBytes) {
+    for (const testing::SpaceCase& c : testing::space_cases()) {
+        SCOPED_TRACE(c.name);
+        const SpaceTile tile = testing::tile_of(c);
+        for (const SurfaceForm form : {SurfaceForm::kCells, SurfaceForm::kBoundary}) {
+            const std::vector<EncodedFile> files{encoded(tile, form)};
+            EXPECT_EQ(space_file_kind(files), SpaceFileKind::kTriangles);
+            prove_own_space_files(files, tile);
+            const SurfaceGlbProof proof = prove_surface_glb(decode_surface_glb(files.front()));
+            EXPECT_NEAR(proof.volume, c.lattice.volume(), proof.tolerance);
+        }
+    }
+}
+
+TEST(SurfaceGlb, OfManyCellsHasOneNode) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const SpaceTile tile =
+        testing::tile_of({"many", cube, uniform_points(cube, kMaxCellNodes + 1, 1)});
+    const EncodedFile file = encoded(tile);
+    for (const GlbPart& part : decode_surface_glb(file).parts) EXPECT_EQ(part.name, "cells");
+    prove_own_space_files({file}, tile);
+}
+
+TEST(SurfaceGlb, OfAnotherTileIsNoProof) {
+    const EncodedFile file = encoded(testing::random_space_tile(6));
+    EXPECT_THROW(prove_own_space_files({file}, testing::random_space_tile(7)), InternalError);
+    EncodedFile renamed = file;
+    for (auto at = renamed.bytes.find("cell_3"); at != std::string::npos;
+         at = renamed.bytes.find("cell_3")) {
+        renamed.bytes[at + 5] = '4';
+    }
+    EXPECT_THROW(prove_own_space_files({renamed}, testing::random_space_tile(6)), InternalError);
+}
+
+TEST(SurfaceGlb, RefutesMovedCorners) {
+    const EncodedFile file = encoded(testing::random_space_tile(3));
+    std::uint32_t json_length = 0;
+    std::memcpy(&json_length, file.bytes.data() + 12, 4);
+    const std::size_t data = 28 + json_length;
+    // The first accessor holds the corners of cell 0.
+    for (std::size_t corner = 0; corner < 10; ++corner) {
+        EncodedFile damaged = file;
+        float x = 0;
+        std::memcpy(&x, file.bytes.data() + data + 12 * corner, 4);
+        x += 0.01F;
+        std::memcpy(damaged.bytes.data() + data + 12 * corner, &x, 4);
+        EXPECT_THROW(prove_surface_glb(decode_surface_glb(damaged)), NotATile) << corner;
+    }
+}
+
+TEST(SurfaceGlb, RefusesDamagedDocuments) {
+    const EncodedFile file = encoded(testing::random_space_tile(3));
+    const auto fault = [&](const std::string& piece, const std::string& other) {
+        EncodedFile damaged = file;
+        damaged.bytes = testing::exchanged(damaged.bytes, piece, other);
+        return testing::fault_in([&] { decode_surface_glb(damaged); });
+    };
+    EXPECT_THAT(fault("\"lattice\":[[1,", "\"lattice\":[[0,"), "");
+    EXPECT_THAT(fault("\"lattice\":", "\"lottice\":"), HasSubstr("not [a, b, c]"));
+    EXPECT_THAT(fault("\"sites\":[[", "\"sites\":[7]"), HasSubstr("t.glb"));
+    EXPECT_THAT(fault("\"POSITION\"", "\"PASITION\""), HasSubstr("POSITION"));
+    EXPECT_THAT(fault("\"children\"", "\"childran\""), HasSubstr("no surface"));
+}
+
+TEST(SurfaceGlb, RefusesCoordinatesBeyondSinglePrecision) {
+    const SpaceLattice huge = SpaceLattice::box(1e39, 1e39, 1e39);
+    const SpaceTile tile = testing::tile_of({"huge", huge, uniform_points(huge, 4, 1)});
+    EXPECT_THROW(encoded(tile), InvalidInput);
+}
+
+}  // namespace
+}  // namespace pcvt
