@@ -173,6 +173,22 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     pcvt_free(result);
 }
 
+static void surfaces_are_for_files_that_have_them(void) {
+    pcvt_options options = space_options_for(8);
+    pcvt_result* result = generated(&options);
+    pcvt_write_options how = {0};
+    how.struct_size = sizeof how;
+    how.surface = 2;
+    CHECK(pcvt_write(result, "refused.obj", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "surface 2 is unknown") != NULL);
+    how.surface = PCVT_SURFACE_BOUNDARY;
+    CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "surface is for .obj, .ply or .glb") != NULL);
+    CHECK(pcvt_write(result, "refused.xyz", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "-o refused.xyz") != NULL);
+    pcvt_free(result);
+}
+
 static void flat_tetrahedra_are_a_matter_of_geometry(void) {
     pcvt_options options = space_options_for(38);
     options.start = PCVT_START_LATTICE;
@@ -217,6 +233,7 @@ int main(void) {
     coincident_sites_are_named();
     views_of_the_other_dimension_name_their_function();
     each_field_of_files_in_the_plane_is_refused_by_its_name();
+    surfaces_are_for_files_that_have_them();
     flat_tetrahedra_are_a_matter_of_geometry();
     what_cannot_fit_is_refused_before_it_is_made();
     return end_of_claims();

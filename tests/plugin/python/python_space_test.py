@@ -96,6 +96,23 @@ class Files(CliTest):
         self.assertGreater(len(folders["command"]), 10)
         self.assertEqual(folders["python"], folders["command"])
 
+    def test_boundaries_are_those_of_the_command(self):
+        names = [f"a.{extension}" for extension in ("obj", "ply", "glb")]
+        self.succeed("mesh", "--sites", 12, "--period", "1,1,1", "--surface", "boundary", "--quiet",
+                     *(word for name in names for word in ("-o", name)))
+        of_command = self.contents()
+        result = pcvt.space(12)
+        for name in names:
+            result.write(self.path(name), surface="boundary", replace=True)
+        self.assertEqual(self.contents(), of_command)
+        for name in names:
+            result.write(self.path(name), replace=True)
+            self.assertNotEqual(self.contents()[name], of_command[name])
+        with self.assertRaisesRegex(pcvt.ArgumentError, "surface is for .obj, .ply or .glb"):
+            result.write(self.path("a.foam"), surface="boundary")
+        with self.assertRaisesRegex(pcvt.ArgumentError, "surface 'skin' is unknown; take one of cells, boundary"):
+            result.write(self.path("a.obj"), surface="skin")
+
     def test_files_are_replaced_on_request_only(self):
         result = pcvt.space(10)
         result.write(self.path("t.vtu"))
