@@ -107,6 +107,9 @@ enum { PCVT_CPE = 0, PCVT_CPS = 1 };
 /** What .inp files hold besides the mesh: nothing, or materials and steps that CalculiX runs. */
 enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
 
+/** What .obj, .ply and .glb show in three dimensions: every cell, or the boundary of the tile. */
+enum { PCVT_SURFACE_CELLS = 0, PCVT_SURFACE_BOUNDARY = 1 };
+
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */
 enum { PCVT_COLOUR_DEFAULT = 0, PCVT_COLOUR_SIDES = 1, PCVT_COLOUR_SIZE = 2 };
 enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4, PCVT_COLOUR_PHASE = 5 };
@@ -438,8 +441,8 @@ typedef struct pcvt_statistics {
 } pcvt_statistics;
 
 /** The options of pcvt_write(). Zero in all fields but struct_size is the default. In three
- *  dimensions only replace, progress and progress_data apply; any other field is refused unless it
- *  has its default. */
+ *  dimensions only replace, progress, progress_data and surface apply; any other field is refused
+ * unless it has its default. */
 typedef struct pcvt_write_options {
     size_t struct_size;
     const char* report; /**< also write the statistics of the run to this .json file [NULL: no] */
@@ -460,6 +463,8 @@ typedef struct pcvt_write_options {
     int32_t job;            /**< of .inp: PCVT_JOB_... [PCVT_JOB_NONE] */
     int32_t reserved;
     double thickness; /**< of .foam: height of the layer of cells along z [0: sqrt(area / faces)] */
+    int32_t surface;  /**< PCVT_SURFACE_..., in three dimensions alone [PCVT_SURFACE_CELLS] */
+    int32_t reserved2;
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */
@@ -525,9 +530,9 @@ PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int3
 PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view, size_t view_size);
 
 /** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
- * dimensions it writes the polyhedra (.vtu, .foam), the Delaunay tetrahedra (.msh) or the sites
- * (.txt). Either all files appear, complete and proved to be a periodic tile, or none. Missing
- * folders are made.
+ * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the
+ * Delaunay tetrahedra (.msh) or the sites (.txt). Either all files appear, complete and proved to
+ * be a periodic tile, or none. Missing folders are made.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.

@@ -191,7 +191,9 @@ bool uses_reserved_fields(const pcvt_options& options) {
            options.reserved4 != 0;
 }
 
-bool uses_reserved_fields(const pcvt_write_options& options) { return options.reserved != 0; }
+bool uses_reserved_fields(const pcvt_write_options& options) {
+    return options.reserved != 0 || options.reserved2 != 0;
+}
 
 void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known) {
     const char* bytes = static_cast<const char*>(begin);
@@ -234,6 +236,9 @@ Outline tile_outline(std::int32_t outline) {
 }
 
 FileOptions file_options(const pcvt_write_options& options) {
+    if (options.surface != PCVT_SURFACE_CELLS) {
+        throw InvalidInput("surface is for three dimensions; leave it at its default");
+    }
     FileOptions result;
     if (options.colour != PCVT_COLOUR_DEFAULT) {
         result.colouring = chosen_row("colour", options.colour, kColourings).colouring;

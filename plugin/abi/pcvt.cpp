@@ -150,11 +150,12 @@ pcvt_status give(const char* name, View* view, std::size_t size, const Look& loo
 
 bool write_in_plane(const Result& result, const char* path, const pcvt_write_options& options,
                     const std::fenv_t& host) {
-    const WriteRequest request{.path = path == nullptr ? "" : path,
-                               .layout = {tile_kind(options.kind), tile_outline(options.outline)},
-                               .files = file_options(options),
-                               .report = options.report == nullptr ? "" : options.report,
-                               .replace = options.replace != 0};
+    WriteRequest request;
+    request.layout = {tile_kind(options.kind), tile_outline(options.outline)};
+    request.files = file_options(options);
+    if (path != nullptr) request.path = path;
+    if (options.report != nullptr) request.report = options.report;
+    request.replace = options.replace != 0;
     if (request.path.empty() && request.report.empty()) {
         throw InvalidInput("neither path nor report; give one");
     }
@@ -164,11 +165,13 @@ bool write_in_plane(const Result& result, const char* path, const pcvt_write_opt
 
 bool write_in_space(const SpaceResult& result, const char* path, const pcvt_write_options& options,
                     const std::fenv_t& host) {
-    check_space_write_options(options);
     if (path == nullptr) throw InvalidInput("path is a null pointer; give the name of a file");
+    SpaceWriteRequest request;
+    request.path = path;
+    request.files = space_file_options(path, options);
+    request.replace = options.replace != 0;
     const HostProgress progress{options.progress, options.progress_data};
-    return result.write(path, options.replace != 0,
-                        job_callback(progress, result.energy_bound(), host));
+    return result.write(request, job_callback(progress, result.energy_bound(), host));
 }
 
 pcvt_status write(const pcvt_result* result, const char* path, const pcvt_write_options* given,

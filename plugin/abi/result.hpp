@@ -17,8 +17,8 @@ struct Layout {
 /// A call of pcvt_write().
 struct WriteRequest {
     /// Empty: none, like `report`.
-    std::string path;
-    Layout layout;
+    std::string path = {};
+    Layout layout = {MeshKind::kVoronoi, Outline::kWhole};
     FileOptions files = {};
     std::string report = {};
     bool replace = false;

@@ -26,6 +26,9 @@ constexpr SpaceSolverRow kSolverRows[] = {{SpaceSolver::kLbfgs, PCVT_SOLVER_DEFA
                                           {SpaceSolver::kLbfgs, PCVT_SOLVER_LBFGS},
                                           {SpaceSolver::kLloyd, PCVT_SOLVER_LLOYD}};
 
+static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_CELLS)->form == SurfaceForm::kCells);
+static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_BOUNDARY)->form == SurfaceForm::kBoundary);
+
 /// @param words  the choices, for the message.
 template <class Table>
 const auto& space_row(const char* name, std::int32_t value, const Table& table, const char* words) {
@@ -69,6 +72,23 @@ void refuse_plane_cells(const UnusedFields<pcvt_options>& plane) {
     plane.refuse("symmetry", &pcvt_options::symmetry);
     plane.refuse("fixed_sites", &pcvt_options::fixed_sites);
     plane.refuse("n_fixed_sites", &pcvt_options::n_fixed_sites);
+}
+
+void refuse_plane_files(const pcvt_write_options& options) {
+    const UnusedFields<pcvt_write_options> plane(options, {}, kPlaneFile);
+    plane.refuse("report", &pcvt_write_options::report);
+    plane.refuse("kind", &pcvt_write_options::kind);
+    plane.refuse("outline", &pcvt_write_options::outline);
+    plane.refuse("colour", &pcvt_write_options::colour);
+    plane.refuse("gltf_nodes", &pcvt_write_options::gltf_nodes);
+    plane.refuse("single_precision", &pcvt_write_options::single_precision);
+    plane.refuse("pixels", &pcvt_write_options::pixels);
+    plane.refuse("element", &pcvt_write_options::element);
+    plane.refuse("cut_width", &pcvt_write_options::cut_width);
+    plane.refuse("background", &pcvt_write_options::background);
+    plane.refuse("voxels", &pcvt_write_options::voxels);
+    plane.refuse("job", &pcvt_write_options::job);
+    plane.refuse("thickness", &pcvt_write_options::thickness);
 }
 
 SpaceLattice space_lattice(const double* numbers) {
@@ -127,21 +147,16 @@ SpaceJob make_space_job(const pcvt_options& options) {
     return job;
 }
 
-void check_space_write_options(const pcvt_write_options& options) {
-    const UnusedFields<pcvt_write_options> plane(options, {}, kPlaneFile);
-    plane.refuse("report", &pcvt_write_options::report);
-    plane.refuse("kind", &pcvt_write_options::kind);
-    plane.refuse("outline", &pcvt_write_options::outline);
-    plane.refuse("colour", &pcvt_write_options::colour);
-    plane.refuse("gltf_nodes", &pcvt_write_options::gltf_nodes);
-    plane.refuse("single_precision", &pcvt_write_options::single_precision);
-    plane.refuse("pixels", &pcvt_write_options::pixels);
-    plane.refuse("element", &pcvt_write_options::element);
-    plane.refuse("cut_width", &pcvt_write_options::cut_width);
-    plane.refuse("background", &pcvt_write_options::background);
-    plane.refuse("voxels", &pcvt_write_options::voxels);
-    plane.refuse("job", &pcvt_write_options::job);
-    plane.refuse("thickness", &pcvt_write_options::thickness);
+SpaceFileOptions space_file_options(const std::string& path, const pcvt_write_options& options) {
+    refuse_plane_files(options);
+    SpaceFileOptions files;
+    files.surfaces = chosen_row("surface", options.surface, kSurfaceForms).form;
+    const SpaceFormat* const format = find_space_format(path);
+    const bool has_surfaces = format == nullptr || format->surfaces == FormatSurfaces::kChosen;
+    if (options.surface != PCVT_SURFACE_CELLS && !has_surfaces) {
+        throw InvalidInput("surface is for " + surface_extensions() + "; leave it at its default");
+    }
+    return files;
 }
 
 }  // namespace pcvt::abi

@@ -17,8 +17,8 @@ bool means_space(const pcvt_options& options);
 /// @throws InvalidInput naming the field, also for each field that applies to the plane alone.
 SpaceJob make_space_job(const pcvt_options& options);
 
-/// Refuses options of files that apply to the plane alone.
-/// @throws InvalidInput naming the field.
-void check_space_write_options(const pcvt_write_options& options);
+/// The forms that the options choose for the file `path`.
+/// @throws InvalidInput naming the field, also for each field that applies to the plane alone.
+SpaceFileOptions space_file_options(const std::string& path, const pcvt_write_options& options);
 
 }  // namespace pcvt::abi

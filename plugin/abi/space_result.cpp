@@ -129,10 +129,11 @@ pcvt_statistics SpaceResult::statistics() const {
     return view;
 }
 
-bool SpaceResult::write(const std::string& path, bool replace, const JobCallback& callback) const {
+bool SpaceResult::write(const SpaceWriteRequest& request, const JobCallback& callback) const {
     SpaceJob job = job_;
-    job.outputs = {path};
-    job.force = replace;
+    job.outputs = {request.path};
+    job.file_options = request.files;
+    job.force = request.replace;
     plan_space_files(job);
     const SpaceTileSource make_tile = [this](JobMonitor& monitor) -> const ProvedSpaceTile& {
         return tile(monitor);

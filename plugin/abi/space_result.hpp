@@ -21,6 +21,13 @@ struct CellArrays {
     Points3 sites;
 };
 
+/// A call of pcvt_write() in three dimensions.
+struct SpaceWriteRequest {
+    std::string path = {};
+    SpaceFileOptions files = {};
+    bool replace = false;
+};
+
 /// A computed job in three dimensions, and views of it that are valid as long as it lives. Any
 /// number of threads may call it at once.
 class SpaceResult {
@@ -31,9 +38,9 @@ class SpaceResult {
     pcvt_cells cells() const;
     pcvt_statistics statistics() const;
     /// @returns false if the callback cancelled.
-    /// @throws BadGeometry if the file holds tetrahedra and some are flat; InvalidInput,
-    ///         OutputError as run_space_job does.
-    bool write(const std::string& path, bool replace, const JobCallback& callback) const;
+    /// @throws BadGeometry if the file holds tetrahedra and some are flat, or a boundary that
+    ///         touches itself; InvalidInput, OutputError as run_space_job does.
+    bool write(const SpaceWriteRequest& request, const JobCallback& callback) const;
 
    private:
     const ProvedSpaceTile& tile(JobMonitor& monitor) const;

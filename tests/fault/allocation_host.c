@@ -120,7 +120,8 @@ static pcvt_status use_result(const pcvt_result* result, hash_number* hash) {
 
 /* Takes the views of a result in three dimensions and writes its files. */
 static pcvt_status use_cells(const pcvt_result* result, hash_number* hash) {
-    static const char* const paths[] = {"b.vtu", "b.foam", "b.msh", "b.txt"};
+    static const char* const paths[] = {"b.vtu", "b.foam", "b.msh", "b.obj",
+                                        "b.ply", "b.glb",  "b.txt"};
     pcvt_cells cells;
     pcvt_statistics statistics;
     pcvt_status status;

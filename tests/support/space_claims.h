@@ -17,10 +17,7 @@ static inline pcvt_cells cells_of(const pcvt_result* result) {
     return cells;
 }
 
-static inline int file_exists(const char* path) {
-    FILE* file = fopen(path, "rb");
-    if (file != NULL) fclose(file);
-    return file != NULL;
-}
+/* Removes a file and returns whether there was one. */
+static inline int removes_file(const char* path) { return remove(path) == 0; }
 
 #endif

@@ -12,6 +12,7 @@ from ._views import statistics_of
 
 _STARTS = ("default", "random", "lattice")
 _SOLVERS = ("default", "lbfgs", "lloyd")
+_SURFACES = ("cells", "boundary")
 
 
 def _period_vectors(lattice, period):
@@ -96,18 +97,20 @@ class SpaceResult:
         """The cells as one SpaceTile. The first use builds and proves it."""
         return SpaceTile(self._handle, self._view())
 
-    def write(self, path, *, replace=False, progress=None):
-        """Writes the polyhedra (.vtu, .foam), the Delaunay tetrahedra (.msh) or the sites (.txt), by
-        the extension. Either the file appears, complete and proved to be a periodic tile, or no file
+    def write(self, path, *, surface="cells", replace=False, progress=None):
+        """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the Delaunay tetrahedra
+        (.msh) or the sites (.txt), by the extension. Either the file appears, complete and proved to be a periodic tile, or no file
         appears. Ctrl-C ends the call soon.
 
+        surface     what .obj, .ply and .glb show: cells, or the boundary of the tile
         replace     whether files that exist are replaced
         progress    called with a Progress ten times a second; a true return value cancels
 
         Raises OutputError, ArgumentError (another extension), GeometryError (.msh with flat
-        tetrahedra), LimitError, Cancelled, or the exception of progress.
+        tetrahedra, a boundary that touches itself), LimitError, Cancelled, or the exception of progress.
         """
-        options = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions), replace=bool(replace))
+        options = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions), replace=bool(replace),
+                                        surface=choice("surface", surface, _SURFACES))
         written(self._handle, path, options, progress)
 
 

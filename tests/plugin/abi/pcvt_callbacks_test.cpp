@@ -16,9 +16,11 @@
 namespace pcvt::abi {
 namespace {
 
-using ::testing::ElementsAre;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
 using ::testing::StrEq;
 
 pcvt_options options_for(int n_sites) {
@@ -132,19 +134,21 @@ pcvt_status written(const pcvt_result* result, const std::string& path, Phases& 
     return pcvt_write(result, path.c_str(), &options);
 }
 
+// A step that is late reports "starting" first.
 TEST(Callbacks, PhasesOfARunAndOfAWriteAreNamed) {
     const pcvt::testing::TemporaryFolder folder;
     Phases of_run;
     Phases of_write;
     pcvt_result* result = generated(of_run);
-    EXPECT_THAT(of_run.words, ElementsAre("placing the sites", "optimising"));
+    EXPECT_THAT(of_run.words, IsSupersetOf({"placing the sites", "optimising"}));
     EXPECT_EQ(written(result, folder / "t.ply", of_write), PCVT_OK);
     EXPECT_THAT(of_write.words,
-                ElementsAre("building the tile", "proving the tile", "writing t.ply, 1 of 1"));
+                IsSupersetOf({"building the tile", "proving the tile", "writing t.ply, 1 of 1"}));
     // The second file takes the tile of the first.
     of_write.words.clear();
     EXPECT_EQ(written(result, folder / "t.obj", of_write), PCVT_OK);
-    EXPECT_THAT(of_write.words, ElementsAre("writing t.obj, 1 of 1"));
+    EXPECT_THAT(of_write.words, Contains("writing t.obj, 1 of 1"));
+    EXPECT_THAT(of_write.words, Not(Contains("building the tile")));
     pcvt_free(result);
 }
 
@@ -153,14 +157,15 @@ TEST(Callbacks, PhasesInSpaceAreNamed) {
     Phases of_run;
     Phases of_write;
     pcvt_result* result = generated(of_run, 3);
-    EXPECT_THAT(of_run.words, ElementsAre("optimising"));
+    EXPECT_THAT(of_run.words, Contains("optimising"));
     EXPECT_EQ(written(result, folder / "t.vtu", of_write), PCVT_OK);
     EXPECT_THAT(of_write.words,
-                ElementsAre("building the cells", "proving the cells", "writing t.vtu, 1 of 1"));
+                IsSupersetOf({"building the cells", "proving the cells", "writing t.vtu, 1 of 1"}));
     // The second file takes the cells of the first.
     of_write.words.clear();
     EXPECT_EQ(written(result, folder / "t.msh", of_write), PCVT_OK);
-    EXPECT_THAT(of_write.words, ElementsAre("building the tetrahedra", "writing t.msh, 1 of 1"));
+    EXPECT_THAT(of_write.words, IsSupersetOf({"building the tetrahedra", "writing t.msh, 1 of 1"}));
+    EXPECT_THAT(of_write.words, Not(Contains("building the cells")));
     pcvt_free(result);
 }
 

@@ -42,6 +42,8 @@ static void print_numbers(void) {
     NUMBER(PCVT_CPS);
     NUMBER(PCVT_JOB_NONE);
     NUMBER(PCVT_JOB_ELASTIC);
+    NUMBER(PCVT_SURFACE_CELLS);
+    NUMBER(PCVT_SURFACE_BOUNDARY);
     NUMBER(PCVT_COLOUR_DEFAULT);
     NUMBER(PCVT_COLOUR_SIDES);
     NUMBER(PCVT_COLOUR_SIZE);
@@ -291,6 +293,8 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, job);
     FIELD(pcvt_write_options, reserved);
     FIELD(pcvt_write_options, thickness);
+    FIELD(pcvt_write_options, surface);
+    FIELD(pcvt_write_options, reserved2);
 }
 
 int main(void) {

@@ -53,6 +53,9 @@ static void reserved_fields_are_zero(void) {
     how.reserved = 1;
     CHECK(pcvt_write(result, "reserved.obj", &how) == PCVT_ERROR_ABI);
     CHECK(strstr(pcvt_last_error(), "does not know") != NULL);
+    how.reserved = 0;
+    how.reserved2 = 1;
+    CHECK(pcvt_write(result, "reserved.obj", &how) == PCVT_ERROR_ABI);
     pcvt_free(result);
     options.reserved = 1;
     REFUSED(&options, PCVT_ERROR_ABI, "does not know");
@@ -351,6 +354,10 @@ static void unknown_forms_of_files_are_refused(void) {
     forms.background = "#12345";
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
     forms.background = NULL;
+    forms.surface = PCVT_SURFACE_BOUNDARY;
+    CHECK(pcvt_write(result, "t.obj", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "surface is for three dimensions") != NULL);
+    forms.surface = PCVT_SURFACE_CELLS;
     forms.kind = -1;
     CHECK(pcvt_write(result, "t.obj", &forms) == PCVT_ERROR_ARGUMENT);
     forms.kind = PCVT_VORONOI;

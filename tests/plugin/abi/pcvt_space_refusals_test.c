@@ -150,7 +150,7 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
         how.field = (value);                                                     \
         CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_ARGUMENT);   \
         CHECK(strncmp(pcvt_last_error(), name " is not for", sizeof name) == 0); \
-        CHECK(!file_exists("refused.vtu"));                                      \
+        CHECK(!removes_file("refused.vtu"));                                     \
     } while (0)
     PLANE_FIELD(report, "report", "refused.json");
     PLANE_FIELD(kind, "kind", PCVT_DELAUNAY);
@@ -173,13 +173,29 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     pcvt_free(result);
 }
 
+static void surfaces_are_for_files_that_have_them(void) {
+    pcvt_options options = space_options_for(8);
+    pcvt_result* result = generated(&options);
+    pcvt_write_options how = {0};
+    how.struct_size = sizeof how;
+    how.surface = 2;
+    CHECK(pcvt_write(result, "refused.obj", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "surface 2 is unknown") != NULL);
+    how.surface = PCVT_SURFACE_BOUNDARY;
+    CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "surface is for .obj, .ply or .glb") != NULL);
+    CHECK(pcvt_write(result, "refused.xyz", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "-o refused.xyz") != NULL);
+    pcvt_free(result);
+}
+
 static void flat_tetrahedra_are_a_matter_of_geometry(void) {
     pcvt_options options = space_options_for(38);
     options.start = PCVT_START_LATTICE;
     pcvt_result* result = generated(&options);
     CHECK(pcvt_write(result, "flat.msh", NULL) == PCVT_ERROR_GEOMETRY);
     CHECK(strstr(pcvt_last_error(), "are flat") != NULL);
-    CHECK(!file_exists("flat.msh"));
+    CHECK(!removes_file("flat.msh"));
     pcvt_free(result);
 }
 
@@ -202,6 +218,7 @@ static void what_cannot_fit_is_refused_before_it_is_made(void) {
     CHECK(strstr(pcvt_last_error(), "the cells take about") != NULL);
     CHECK(pcvt_write(result, "large.vtu", NULL) == PCVT_ERROR_MEMORY);
     CHECK(strstr(pcvt_last_error(), "the files take about") != NULL);
+    CHECK(!removes_file("large.vtu"));
     REFUSED(&options, PCVT_ERROR_MEMORY, "the run takes about");
     CHECK(setrlimit(RLIMIT_AS, &old) == 0);
     /* The refusals leave the result as it was. */
@@ -216,6 +233,7 @@ int main(void) {
     coincident_sites_are_named();
     views_of_the_other_dimension_name_their_function();
     each_field_of_files_in_the_plane_is_refused_by_its_name();
+    surfaces_are_for_files_that_have_them();
     flat_tetrahedra_are_a_matter_of_geometry();
     what_cannot_fit_is_refused_before_it_is_made();
     return end_of_claims();

@@ -98,10 +98,14 @@ static void check_volumes(const pcvt_cells* cells, double volume) {
 /* The two images of each site differ by a translation of the lattice. */
 static void check_sites(const pcvt_cells* cells) {
     const double* m = cells->lattice;
+    const int is_cube = m[0] == 1 && m[4] == 1 && m[8] == 1;
     for (int32_t s = 0; s < cells->n_cells; ++s) {
         double solve[9], move[3];
-        for (int x = 0; x < 3; ++x)
-            move[x] = cells->site_points[3 * s + x] - cells->sites[3 * s + x];
+        for (int x = 0; x < 3; ++x) {
+            const double wrapped = cells->sites[3 * s + x];
+            move[x] = cells->site_points[3 * s + x] - wrapped;
+            CHECK(!is_cube || (wrapped >= 0 && wrapped < 1));
+        }
         for (int k = 0; k < 3; ++k) {
             memcpy(solve, m, sizeof solve);
             memcpy(&solve[3 * k], move, sizeof move);
@@ -201,18 +205,28 @@ static void given_sites_keep_their_order(void) {
     const pcvt_cells cells = cells_of(result);
     for (int k = 0; k < 9; ++k) CHECK(fabs(cells.sites[k] - wrapped[k]) < 1e-15);
     pcvt_free(result);
+    /* Sites of cells whose centroids lie in the domain need not lie there. */
+    options = space_options_for(300);
+    options.max_iterations = 0;
+    result = generated(&options);
+    const pcvt_cells many = cells_of(result);
+    check_sites(&many);
+    CHECK(memcmp(many.sites, many.site_points, 900 * sizeof(double)) != 0);
+    pcvt_free(result);
 }
 
 typedef struct watch {
     int n_calls;
     int rounding;
     int last_iteration;
+    int iteration;
     double bound;
 } watch;
 
 static int cancel_at_last(const pcvt_progress* progress, void* data) {
     watch* seen = data;
     seen->rounding = fegetround();
+    seen->iteration = progress->iteration;
     seen->bound = progress->energy_bound;
     ++seen->n_calls;
     return progress->iteration == seen->last_iteration;
@@ -221,11 +235,11 @@ static int cancel_at_last(const pcvt_progress* progress, void* data) {
 static void a_run_is_cancelled_at_once_and_later(void) {
     for (int last = 0; last <= 5; last += 5) {
         pcvt_options options = space_options_for(500);
-        watch seen = {0, 0, last, 0};
+        watch seen = {0, 0, last, -1, 0};
         options.progress = cancel_at_last;
         options.progress_data = &seen;
         REFUSED(&options, PCVT_CANCELLED, "cancelled");
-        CHECK(seen.n_calls == last + 1);
+        CHECK(seen.n_calls > last && seen.iteration == last);
         CHECK(fabs(seen.bound - 19 / (64 * cbrt(2)) * pow(500, -2.0 / 3)) < 1e-12);
     }
 }
@@ -245,7 +259,7 @@ static void a_write_is_cancelled_in_any_phase(void) {
         how.progress_data = &phase;
         CHECK(pcvt_write(result, "pcvt_space_test_cancelled.vtu", &how) == PCVT_CANCELLED);
         CHECK(strstr(pcvt_last_error(), "cancelled") != NULL);
-        CHECK(!file_exists("pcvt_space_test_cancelled.vtu"));
+        CHECK(!removes_file("pcvt_space_test_cancelled.vtu"));
         CHECK(cells_of(result).n_cells == 200);
         pcvt_free(result);
     }
@@ -253,7 +267,7 @@ static void a_write_is_cancelled_in_any_phase(void) {
 
 static void the_floating_point_environment_of_the_host_is_kept_and_does_not_matter(void) {
     pcvt_options options = space_options_for(50);
-    watch seen = {0, 0, -1, 0};
+    watch seen = {0, 0, -1, -1, 0};
     options.progress = cancel_at_last;
     options.progress_data = &seen;
     options.max_iterations = 5;

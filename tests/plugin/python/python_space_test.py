@@ -67,6 +67,11 @@ class Arrays(CliTest):
         self.assertEqual((limited.stop, limited.iterations, limited.n_threads), ("iteration-limit", 3, 1))
         self.assertEqual(limited.valences.sum(), 50)
 
+    def test_a_period_is_the_lattice_of_a_box(self):
+        result = pcvt.space(20, period=(2, 0.5, 1))
+        np.testing.assert_array_equal(result.tile().lattice, np.diag((2, 0.5, 1)))
+        np.testing.assert_array_equal(result.sites, pcvt.space(20, np.diag((2, 0.5, 1))).sites)
+
     def test_arrays_are_views_that_keep_the_result_alive(self):
         points = pcvt.space(300, max_iterations=0).tile().points
         self.assertFalse(points.flags.owndata or points.flags.writeable)
@@ -79,7 +84,7 @@ class Arrays(CliTest):
 
 class Files(CliTest):
     def test_files_are_those_of_the_command(self):
-        names = ("vtu", "foam", "msh", "txt")
+        names = ("vtu", "foam", "msh", "obj", "ply", "glb", "txt")
         self.succeed("mesh", "--sites", 40, "--seed", 6, "--lattice", "1,0,0,0.37,0.81,0,0.2,0.4,0.9", "--quiet",
                      *(word for name in names for word in ("-o", f"command/a.{name}")))
         result = pcvt.space(40, OBLIQUE, seed=6)
@@ -91,6 +96,23 @@ class Files(CliTest):
         self.assertGreater(len(folders["command"]), 10)
         self.assertEqual(folders["python"], folders["command"])
 
+    def test_boundaries_are_those_of_the_command(self):
+        names = [f"a.{extension}" for extension in ("obj", "ply", "glb")]
+        self.succeed("mesh", "--sites", 12, "--period", "1,1,1", "--surface", "boundary", "--quiet",
+                     *(word for name in names for word in ("-o", name)))
+        of_command = self.contents()
+        result = pcvt.space(12)
+        for name in names:
+            result.write(self.path(name), surface="boundary", replace=True)
+        self.assertEqual(self.contents(), of_command)
+        for name in names:
+            result.write(self.path(name), replace=True)
+            self.assertNotEqual(self.contents()[name], of_command[name])
+        with self.assertRaisesRegex(pcvt.ArgumentError, "surface is for .obj, .ply or .glb"):
+            result.write(self.path("a.foam"), surface="boundary")
+        with self.assertRaisesRegex(pcvt.ArgumentError, "surface 'skin' is unknown; take one of cells, boundary"):
+            result.write(self.path("a.obj"), surface="skin")
+
     def test_files_are_replaced_on_request_only(self):
         result = pcvt.space(10)
         result.write(self.path("t.vtu"))
@@ -101,7 +123,7 @@ class Files(CliTest):
     def test_a_write_and_a_run_can_be_cancelled(self):
         seen = []
         result = pcvt.space(200, tolerance=1e-2, progress=seen.append)
-        self.assertEqual([state.iteration for state in seen[:3]], [0, 1, 2])
+        self.assertEqual(list(dict.fromkeys(state.iteration for state in seen))[:3], [0, 1, 2])
         self.assertAlmostEqual(seen[0].energy_bound, result.statistics.energy_bound)
         with self.assertRaisesRegex(pcvt.Cancelled, "cancelled"):
             result.write(self.path("t.vtu"), progress=lambda state: state.phase == "write")
