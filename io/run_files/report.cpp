@@ -122,11 +122,38 @@ std::string word(const std::vector<Report::Phase>& phases) {
     return text + "]";
 }
 
+std::string word(bool value) { return value ? "true" : "false"; }
+
+std::string word(const std::array<std::array<double, 3>, 3>& vectors) {
+    std::string text;
+    for (const auto& [x, y, z] : vectors) {
+        text += (text.empty() ? "[[" : ", [") + word(x) + ", " + word(y) + ", " + word(z) + "]";
+    }
+    return text + "]";
+}
+
+std::string word(const SpaceReport::Seconds& s) {
+    return "{\"optimize\": " + word(s.optimize) + ", \"write\": " + word(s.write) +
+           ", \"total\": " + word(s.total) + "}";
+}
+
+/// The keys with their values.
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+/// An object with one key per line.
+std::string object_text(const Entries& entries) {
+    std::string text;
+    for (const auto& [key, value] : entries) {
+        text += (text.empty() ? "{\n  \"" : ",\n  \"") + key + "\": " + value;
+    }
+    return text + "\n}\n";
+}
+
 }  // namespace
 
 std::string encode_report(const Report& report) {
     // The keys of every run.
-    std::vector<std::pair<std::string, std::string>> entries{
+    Entries entries{
         {"version", word(report.version)},
         {"sites", std::to_string(report.sites)},
         {"lattice", word(report.lattice)},
@@ -175,12 +202,36 @@ std::string encode_report(const Report& report) {
     if (report.inclusions) entries.emplace_back("inclusions", word(*report.inclusions));
     if (report.walls) entries.emplace_back("walls", word(*report.walls));
     if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
-    // One key per line.
-    std::string text;
-    for (const auto& [key, value] : entries) {
-        text += (text.empty() ? "{\n  \"" : ",\n  \"") + key + "\": " + value;
-    }
-    return text + "\n}\n";
+    return object_text(entries);
+}
+
+std::string encode_report(const SpaceReport& report) {
+    Entries entries;
+    const auto add = [&entries](const char* key, const auto& value) {
+        entries.emplace_back(key, word(value));
+    };
+    add("version", report.version);
+    add("sites", report.sites);
+    add("lattice", report.lattice);
+    entries.emplace_back("seed", std::to_string(report.seed));
+    add("solver", report.solver);
+    add("start", report.start);
+    add("stop", report.stop);
+    add("iterations", report.iterations);
+    add("evaluations", report.evaluations);
+    add("energy", report.energy);
+    add("energy_bound", report.energy_bound);
+    add("residual", report.residual);
+    add("rms_residual", report.rms_residual);
+    add("faces", report.faces);
+    add("volume", report.volume);
+    add("boundary_pairs", report.boundary_pairs);
+    add("translations", report.translations);
+    add("boundary_is_manifold", report.boundary_is_manifold);
+    add("threads", report.threads);
+    add("seconds", report.seconds);
+    add("files", report.files);
+    return object_text(entries);
 }
 
 }  // namespace pcvt

@@ -168,9 +168,43 @@ struct Report {
     std::vector<Phase> phases = {};
 };
 
+/// The report of a run in three dimensions, in the order of the file's keys.
+struct SpaceReport {
+    struct Seconds {
+        double optimize = 0;
+        double write = 0;
+        double total = 0;
+    };
+
+    std::string version;
+    int sites = 0;
+    std::array<std::array<double, 3>, 3> lattice = {};
+    std::uint64_t seed = 0;
+    std::string solver;
+    std::string start;
+    std::string stop;
+    int iterations = 0;
+    int evaluations = 0;
+    double energy = 0;
+    /// The energy of as many truncated octahedra.
+    double energy_bound = 0;
+    double residual = 0;
+    double rms_residual = 0;
+    /// The number of cells with each number of faces.
+    std::map<int, int> faces;
+    double volume = 0;
+    int boundary_pairs = 0;
+    int translations = 0;
+    bool boundary_is_manifold = false;
+    int threads = 0;
+    Seconds seconds;
+    std::vector<std::string> files;
+};
+
 /// Encodes the report as JSON: one key per line, numbers as the shortest decimals that read back,
 /// text as UTF-8 (invalid bytes become U+FFFD).
 /// @throws InternalError if a number is not finite.
 std::string encode_report(const Report& report);
+std::string encode_report(const SpaceReport& report);
 
 }  // namespace pcvt

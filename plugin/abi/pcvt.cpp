@@ -156,19 +156,16 @@ bool write_in_plane(const Result& result, const char* path, const pcvt_write_opt
     if (path != nullptr) request.path = path;
     if (options.report != nullptr) request.report = options.report;
     request.replace = options.replace != 0;
-    if (request.path.empty() && request.report.empty()) {
-        throw InvalidInput("neither path nor report; give one");
-    }
     const HostProgress progress{options.progress, options.progress_data};
     return result.write(request, job_callback(progress, result.energy_bound(), host));
 }
 
 bool write_in_space(const SpaceResult& result, const char* path, const pcvt_write_options& options,
                     const std::fenv_t& host) {
-    if (path == nullptr) throw InvalidInput("path is a null pointer; give the name of a file");
     SpaceWriteRequest request;
-    request.path = path;
-    request.files = space_file_options(path, options);
+    if (path != nullptr) request.path = path;
+    if (options.report != nullptr) request.report = options.report;
+    request.files = space_file_options(request.path, options);
     request.replace = options.replace != 0;
     const HostProgress progress{options.progress, options.progress_data};
     return result.write(request, job_callback(progress, result.energy_bound(), host));
@@ -181,6 +178,9 @@ pcvt_status write(const pcvt_result* result, const char* path, const pcvt_write_
     if (given != nullptr) options = read_struct("pcvt_write_options", given);
     if (path != nullptr && *path == '\0') {
         throw InvalidInput("path is empty; give the name of a file");
+    }
+    if (path == nullptr && (options.report == nullptr || *options.report == '\0')) {
+        throw InvalidInput("neither path nor report; give one");
     }
     const auto* const plane = std::get_if<Result>(&made);
     const bool is_written = plane != nullptr

@@ -10,22 +10,10 @@ constexpr const char* kPlaneAlone =
     "is not for three dimensions; leave it at its default, or set dimension to 2";
 constexpr const char* kPlaneFile = "is not for files in three dimensions; leave it at its default";
 
-/// The choices that apply in space.
-struct SpaceStartRow {
-    SpaceStart start;
-    int abi_value;
-};
-constexpr SpaceStartRow kStarts[] = {{SpaceStart::kRandom, PCVT_START_DEFAULT},
-                                     {SpaceStart::kRandom, PCVT_START_RANDOM},
-                                     {SpaceStart::kLattice, PCVT_START_LATTICE}};
-struct SpaceSolverRow {
-    SpaceSolver solver;
-    int abi_value;
-};
-constexpr SpaceSolverRow kSolverRows[] = {{SpaceSolver::kLbfgs, PCVT_SOLVER_DEFAULT},
-                                          {SpaceSolver::kLbfgs, PCVT_SOLVER_LBFGS},
-                                          {SpaceSolver::kLloyd, PCVT_SOLVER_LLOYD}};
-
+static_assert(find_abi_value(kSpaceStarts, PCVT_START_RANDOM)->start == SpaceStart::kRandom);
+static_assert(find_abi_value(kSpaceStarts, PCVT_START_LATTICE)->start == SpaceStart::kLattice);
+static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LBFGS)->solver == SpaceSolver::kLbfgs);
+static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LLOYD)->solver == SpaceSolver::kLloyd);
 static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_CELLS)->form == SurfaceForm::kCells);
 static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_BOUNDARY)->form == SurfaceForm::kBoundary);
 
@@ -76,7 +64,6 @@ void refuse_plane_cells(const UnusedFields<pcvt_options>& plane) {
 
 void refuse_plane_files(const pcvt_write_options& options) {
     const UnusedFields<pcvt_write_options> plane(options, {}, kPlaneFile);
-    plane.refuse("report", &pcvt_write_options::report);
     plane.refuse("kind", &pcvt_write_options::kind);
     plane.refuse("outline", &pcvt_write_options::outline);
     plane.refuse("colour", &pcvt_write_options::colour);
@@ -133,13 +120,17 @@ SpaceJob make_space_job(const pcvt_options& options) {
     SpaceJob job;
     job.lattice = space_lattice(options.lattice3);
     job.n_sites = options.n_sites;
-    job.start = space_row("start", options.start, kStarts,
-                          "PCVT_START_DEFAULT, PCVT_START_RANDOM or PCVT_START_LATTICE")
-                    .start;
+    if (options.start != PCVT_START_DEFAULT) {
+        job.start = space_row("start", options.start, kSpaceStarts,
+                              "PCVT_START_DEFAULT, PCVT_START_RANDOM or PCVT_START_LATTICE")
+                        .start;
+    }
     job.seed = options.seed;
-    job.solver = space_row("solver", options.solver, kSolverRows,
-                           "PCVT_SOLVER_DEFAULT, PCVT_SOLVER_LBFGS or PCVT_SOLVER_LLOYD")
-                     .solver;
+    if (options.solver != PCVT_SOLVER_DEFAULT) {
+        job.solver = space_row("solver", options.solver, kSpaceSolvers,
+                               "PCVT_SOLVER_DEFAULT, PCVT_SOLVER_LBFGS or PCVT_SOLVER_LLOYD")
+                         .solver;
+    }
     job.tolerance = options.tolerance;
     job.max_iterations = options.max_iterations;
     job.n_threads = thread_count(options.n_threads);

@@ -131,7 +131,8 @@ pcvt_statistics SpaceResult::statistics() const {
 
 bool SpaceResult::write(const SpaceWriteRequest& request, const JobCallback& callback) const {
     SpaceJob job = job_;
-    job.outputs = {request.path};
+    if (!request.path.empty()) job.outputs.push_back(request.path);
+    job.report = request.report;
     job.file_options = request.files;
     job.force = request.replace;
     plan_space_files(job);

@@ -23,7 +23,9 @@ struct CellArrays {
 
 /// A call of pcvt_write() in three dimensions.
 struct SpaceWriteRequest {
+    /// Empty: none, like `report`.
     std::string path = {};
+    std::string report = {};
     SpaceFileOptions files = {};
     bool replace = false;
 };

@@ -281,6 +281,11 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     app.footer(kMeshExamples);
 }
 
+std::string report_file(const std::string& path) {
+    if (path.empty() || path.ends_with(".json")) return path;
+    throw InvalidInput("--report " + path + ": not a .json file; name it FILE.json");
+}
+
 Job make_job(const CLI::App& app, const MeshOptions& options) {
     Job job;
     if (app.count("--symmetry") > 0) {
@@ -302,10 +307,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
         }
         job.outputs.push_back(options.table);
     }
-    if (app.count("--report") > 0 && !options.report.ends_with(".json")) {
-        throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");
-    }
-    job.report = options.report;
+    job.report = report_file(options.report);
     job.stability = options.stability;
     job.force = options.force;
     return job;

@@ -56,6 +56,10 @@ struct MeshOptions {
 ///   const Job job = make_job(app, options);
 void add_mesh_options(CLI::App& app, MeshOptions& options);
 
+/// The value of --report, which may be empty.
+/// @throws InvalidInput unless it ends in .json.
+std::string report_file(const std::string& path);
+
 /// The job that the options describe, without the sites of `options.input` and the areas of a file,
 /// which it does not read.
 /// @param app  that of add_mesh_options, after parsing.

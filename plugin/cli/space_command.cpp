@@ -24,26 +24,10 @@ namespace pcvt::cli {
 namespace {
 
 /// The options of `pcvt mesh` that apply in space.
-constexpr std::array<std::string_view, 17> kOptions{
-    "--help",      "--sites",          "--seed",   "--input",   "--period", "--lattice",
-    "--start",     "--solver",         "--strict", "--threads", "-o",       "--force",
-    "--tolerance", "--max-iterations", "--quiet",  "-h",        "--surface"};
-
-/// The choices of an option that apply in space; `abi_value` is a field of all tables of choices.
-struct StartRow3 {
-    SpaceStart start;
-    const char* word;
-    int abi_value;
-};
-constexpr std::array kStarts{StartRow3{SpaceStart::kRandom, "random", 0},
-                             StartRow3{SpaceStart::kLattice, "lattice", 1}};
-struct SolverRow3 {
-    SpaceSolver solver;
-    const char* word;
-    int abi_value;
-};
-constexpr std::array kSpaceSolvers{SolverRow3{SpaceSolver::kLbfgs, "lbfgs", 0},
-                                   SolverRow3{SpaceSolver::kLloyd, "lloyd", 1}};
+constexpr std::array<std::string_view, 18> kOptions{
+    "--help",      "--sites",          "--seed",   "--input",   "--period",  "--lattice",
+    "--start",     "--solver",         "--strict", "--threads", "-o",        "--force",
+    "--tolerance", "--max-iterations", "--quiet",  "-h",        "--surface", "--report"};
 
 template <class Table>
 const auto& space_row(const char* option, const std::string& word, const Table& table) {
@@ -82,7 +66,8 @@ void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJo
         job.n_sites = whole_number("--sites", options.sites, 1, kMostSpaceSites);
     }
     if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
-    if (app.count("--start") > 0) job.start = space_row("--start", options.start, kStarts).start;
+    if (app.count("--start") > 0)
+        job.start = space_row("--start", options.start, kSpaceStarts).start;
     if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
 }
 
@@ -171,6 +156,7 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
     read_solver_options(app, options, job);
     job.outputs = options.outputs;
     job.force = options.force;
+    job.report = report_file(options.report);
     plan_space_files(job);
     read_file_options(app, options, job);
     return job;
@@ -192,6 +178,7 @@ std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary)
     text += summary_line("seam", seam_text(summary.proof));
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
     for (const std::string& file : summary.files) text += summary_line("file", file);
+    if (!job.report.empty()) text += summary_line("report", job.report);
     text += summary_line("seconds", figure(summary.seconds));
     if (const std::optional<double> peak = peak_memory()) {
         const double estimate = estimated_memory(job, plan_space_files(job));
@@ -217,7 +204,7 @@ ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
     if (summary.run.stop == Stop::kCancelled) return report_cancelled();
     if (!options.quiet) {
         const auto text = [&] { return space_summary_text(job, summary); };
-        if (summary.files.empty()) {
+        if (summary.files.empty() && job.report.empty()) {
             print(text());
         } else {
             print_after_files(text);

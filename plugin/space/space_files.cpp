@@ -61,6 +61,7 @@ std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job) {
     for (const SpaceJobFile& file : files) {
         for (const std::string& path : file.format->paths(file.path)) paths.add_output(path);
     }
+    if (!job.report.empty()) paths.add_output(job.report);
     return files;
 }
 
@@ -70,6 +71,7 @@ std::vector<std::string> require_space_files_writable(const SpaceJob& job,
     for (const SpaceJobFile& file : files) {
         for (const std::string& path : file.format->paths(file.path)) all.push_back(path);
     }
+    if (!job.report.empty()) all.push_back(job.report);
     std::vector<std::string> recovered = recover_unfinished(all);
     for (const SpaceJobFile& file : files) {
         if (file.format->is_folder) {
@@ -78,6 +80,7 @@ std::vector<std::string> require_space_files_writable(const SpaceJob& job,
             require_writable(file.path, job.force);
         }
     }
+    if (!job.report.empty()) require_writable(job.report, job.force);
     return recovered;
 }
 

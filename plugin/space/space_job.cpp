@@ -12,6 +12,7 @@
 #include "plugin/job/job_memory.hpp"
 #include "plugin/space/space_files.hpp"
 #include "plugin/space/space_memory.hpp"
+#include "plugin/space/space_report.hpp"
 
 namespace pcvt {
 namespace {
@@ -106,9 +107,13 @@ void require_closed_boundary(const SpaceJob& job, const std::vector<SpaceJobFile
 SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
                     const SpaceComputation& computation, const SpaceTileSource& make_tile,
                     JobMonitor& monitor) {
+    const Clock::time_point begin = Clock::now();
     const SpaceDelaunay& delaunay = computation.cvt.delaunay;
     OutputSet outputs;
     SpaceSummary summary;
+    summary.n_sites = delaunay.sites.n_sites();
+    summary.energy_bound = body_centred_energy(job.lattice.volume(), summary.n_sites);
+    for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
     monitor.watch([&] {
         std::optional<TetrahedralMesh> tetrahedra = build_tetrahedra(delaunay, files, monitor);
         const ProvedSpaceTile& proved = make_tile(monitor);
@@ -118,12 +123,12 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         summary.face_counts = proved.face_counts;
         require_closed_boundary(job, files, summary.proof);
         stage_space_files(files, content, job.file_options, monitor, outputs);
+        summary.run = computation.cvt.run;
+        if (job.report.empty()) return;
+        outputs.stage(job.report,
+                      encode_space_report(job, summary, computation.seconds, seconds_since(begin)));
     });
-    // The summary is complete before the files appear: nothing may fail after that.
-    summary.n_sites = delaunay.sites.n_sites();
-    summary.energy_bound = body_centred_energy(job.lattice.volume(), summary.n_sites);
-    for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
-    summary.run = computation.cvt.run;
+    // Nothing may fail after the files appear.
     const ClientScope no_client(nullptr);
     outputs.commit(job.force);
     return summary;

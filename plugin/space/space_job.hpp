@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -7,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "io/space/space_tile.hpp"
 #include "io/space_formats.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
 #include "mesher/space/space_cvt.hpp"
@@ -18,6 +18,22 @@ namespace pcvt {
 /// Where the sites begin when none are given: at random, or at the best exact lattice for their
 /// number.
 enum class SpaceStart { kRandom, kLattice };
+
+/// Rows of the tables of choices (mesher/base/choices.hpp), with the numbers of pcvt.h.
+struct SpaceStartRow {
+    SpaceStart start;
+    const char* word;
+    int abi_value;
+};
+inline constexpr std::array kSpaceStarts{SpaceStartRow{SpaceStart::kRandom, "random", 1},
+                                         SpaceStartRow{SpaceStart::kLattice, "lattice", 3}};
+struct SpaceSolverRow {
+    SpaceSolver solver;
+    const char* word;
+    int abi_value;
+};
+inline constexpr std::array kSpaceSolvers{SpaceSolverRow{SpaceSolver::kLbfgs, "lbfgs", 1},
+                                          SpaceSolverRow{SpaceSolver::kLloyd, "lloyd", 2}};
 
 /// The description of a run in three dimensions.
 ///
@@ -41,6 +57,8 @@ struct SpaceJob {
     /// Files to write. The extension selects the format (io/space_formats.hpp).
     std::vector<std::string> outputs;
     SpaceFileOptions file_options = {};
+    /// A .json file with the figures of the run; empty: none.
+    std::string report;
     /// Files that the run reads; no output may replace them.
     std::vector<std::string> inputs;
     bool force = false;

@@ -5,8 +5,8 @@ from ctypes import sizeof
 import numpy as np
 
 from . import _library
-from ._calls import (SOLVERS, STARTS, choice, default_options, doubles, generated, set_doubles, set_integers, set_sites,
-                     written)
+from ._calls import (SOLVERS, STARTS, choice, default_options, doubles, generated, set_doubles, set_integers,
+                     set_sites, text, written)
 from ._library import ArgumentError, library
 from ._views import statistics_of
 
@@ -97,12 +97,15 @@ class SpaceResult:
         """The cells as one SpaceTile. The first use builds and proves it."""
         return SpaceTile(self._handle, self._view())
 
-    def write(self, path, *, surface="cells", replace=False, progress=None):
-        """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the Delaunay tetrahedra
-        (.msh) or the sites (.txt), by the extension. Either the file appears, complete and proved to be a periodic tile, or no file
-        appears. Ctrl-C ends the call soon.
+    def write(self, path, *, surface="cells", report=None, replace=False, progress=None):
+        """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the boundary of the tile
+        (.om), the Delaunay tetrahedra (.msh) or the sites (.txt), by the extension. Either all files
+        appear, complete and proved to be a periodic tile, or none. Ctrl-C ends the call soon.
+
+        path        None: only the report
 
         surface     what .obj, .ply and .glb show: cells, or the boundary of the tile
+        report      also write the statistics of the run to this .json file
         replace     whether files that exist are replaced
         progress    called with a Progress ten times a second; a true return value cancels
 
@@ -110,7 +113,8 @@ class SpaceResult:
         tetrahedra, a boundary that touches itself), LimitError, Cancelled, or the exception of progress.
         """
         options = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions), replace=bool(replace),
-                                        surface=choice("surface", surface, _SURFACES))
+                                        surface=choice("surface", surface, _SURFACES),
+                                        report=None if report is None else text("report", report))
         written(self._handle, path, options, progress)
 
 

@@ -152,7 +152,6 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
         CHECK(strncmp(pcvt_last_error(), name " is not for", sizeof name) == 0); \
         CHECK(!removes_file("refused.vtu"));                                     \
     } while (0)
-    PLANE_FIELD(report, "report", "refused.json");
     PLANE_FIELD(kind, "kind", PCVT_DELAUNAY);
     PLANE_FIELD(outline, "outline", PCVT_BOX);
     PLANE_FIELD(colour, "colour", PCVT_COLOUR_SIDES);

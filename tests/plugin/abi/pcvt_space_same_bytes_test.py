@@ -13,7 +13,7 @@ C_HOST = os.path.abspath(sys.argv.pop())
 CUBE = (1, 0, 0, 0, 1, 0, 0, 0, 1)
 OBLIQUE = (1, 0, 0, 0.37, 0.81, 0, 0.2, 0.4, 0.9)
 LEFT_HANDED = (1, 0, 0, 0, 0, 1.1, 0.3, 0.8, 0)
-FILES = ("a.vtu", "a.foam", "a.msh", "a.obj", "a.ply", "a.glb", "a.txt")
+FILES = ("a.vtu", "a.foam", "a.msh", "a.obj", "a.ply", "a.glb", "a.om", "a.txt")
 # Numbers of pcvt.h.
 STARTS = {"random": 1, "lattice": 3}
 SOLVERS = {"lbfgs": 1, "lloyd": 2}

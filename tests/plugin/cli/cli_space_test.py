@@ -1,5 +1,6 @@
 """pcvt mesh and pcvt check in three dimensions: formats, proofs, refusals."""
 
+import json
 import random
 import re
 import signal
@@ -44,6 +45,31 @@ class Runs(CliTest):
         self.assertRegex(found["energy"], r"^0\.0164931, 1 of truncated octahedra$")
         self.assertEqual(found["faces"], "14 a cell; cells with 14:54")
         self.assertEqual(found["file"], "t.vtu")
+
+    def test_the_report_has_the_figures_of_the_run(self):
+        found = figures(self.succeed("mesh", "--sites", 30, *LATTICES["oblique"], "--seed", 7, "--tolerance", "1e-4",
+                                     "--threads", 1, "-o", "t.vtu", "-o", "t.obj", "--report", "r.json"))
+        self.assertEqual(found["report"], "r.json")
+        report = json.loads(self.path("r.json").read_text())
+        self.assertEqual(list(report), [
+            "version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations", "evaluations", "energy",
+            "energy_bound", "residual", "rms_residual", "faces", "volume", "boundary_pairs", "translations",
+            "boundary_is_manifold", "threads", "seconds", "files"])
+        self.assertEqual(report["lattice"], [[1, 0, 0], [0.37, 0.81, 0], [0.2, 0.4, 0.9]])
+        self.assertEqual([report[key] for key in ("sites", "seed", "solver", "start", "stop", "threads", "files")],
+                         [30, 7, "lbfgs", "random", "converged", 1, ["t.vtu", "t.obj"]])
+        self.assertEqual(sum(report["faces"].values()), 30)
+        self.assertAlmostEqual(report["volume"], 0.81 * 0.9, 12)
+        self.assertGreater(report["energy"], report["energy_bound"])
+        self.assertLessEqual(report["residual"], 1e-4)
+        self.assertLessEqual(report["rms_residual"], report["residual"])
+        self.assertIn(f"in {report['boundary_pairs']} pairs by {report['translations']} translations", found["seam"])
+        self.write("s.txt", "0.1 0.2 0.3\n")
+        self.succeed("mesh", "--input", "s.txt", *CUBE, "--solver", "lloyd", "--quiet", "--report", "q.json")
+        report = json.loads(self.path("q.json").read_text())
+        self.assertEqual([report[key] for key in ("start", "solver", "files")], ["file", "lloyd", []])
+        self.refuse(3, "r.json", "mesh", "--sites", 3, *CUBE, "--report", "r.json")
+        self.refuse(2, "--report r.txt: not a .json file", "mesh", "--sites", 3, *CUBE, "--report", "r.txt")
 
     def test_random_sites_end_above_the_bound(self):
         found = figures(self.succeed("mesh", "--sites", 250, *CUBE, "--tolerance", "1e-4"))
@@ -184,7 +210,7 @@ class Refusals(CliTest):
     def test_options_of_the_plane(self):
         for words in (("--mesh", "voronoi"), ("--density", "1"), ("--symmetry", "p4"), ("--repeat", "2x1"),
                       ("--outline", "box"), ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--origin", "0,0"),
-                      ("--cells", "t.csv"), ("--report", "t.json"), ("--stability",), ("--budget", "5"),
+                      ("--cells", "t.csv"), ("--stability",), ("--budget", "5"),
                       ("--float32",), ("--phases", "a:1"), ("--aspect", "2:0"), ("--short-edges", "0.1")):
             self.refuse(2, rf"^pcvt: {words[0]} is not for three dimensions; leave it out, or give two period vectors$",
                         "mesh", "--sites", 8, *CUBE, *words)

@@ -1,5 +1,6 @@
 """The Python package in three dimensions: arrays, the seam, files, refusals."""
 
+import json
 import gc
 
 from support.cli import CliTest, main
@@ -113,6 +114,19 @@ class Files(CliTest):
         with self.assertRaisesRegex(pcvt.ArgumentError, "surface 'skin' is unknown; take one of cells, boundary"):
             result.write(self.path("a.obj"), surface="skin")
 
+    def test_report_has_the_figures_of_the_run(self):
+        result = pcvt.space(12, tolerance=1e-4)
+        result.write(None, report=self.path("r.json"))
+        result.write(self.path("t.om"), report=self.path("s.json"))
+        alone, beside = (json.loads(self.path(name).read_text()) for name in ("r.json", "s.json"))
+        self.assertEqual((alone["files"], beside["files"]), ([], [str(self.path("t.om"))]))
+        for found in (alone, beside):
+            self.assertEqual(found["energy"], result.statistics.energy)
+            self.assertEqual(found["iterations"], result.statistics.iterations)
+            self.assertEqual(sum(found["faces"].values()), 12)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "neither path nor report"):
+            result.write(None)
+
     def test_files_are_replaced_on_request_only(self):
         result = pcvt.space(10)
         result.write(self.path("t.vtu"))
@@ -159,8 +173,6 @@ class Refusals(CliTest):
         result = pcvt.space(3)
         with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh, .obj, .ply, .glb, .om or .txt"):
             result.write(self.path("t.inp"))
-        with self.assertRaisesRegex(pcvt.ArgumentError, "path is a null pointer"):
-            result.write(None)
 
 
 if __name__ == "__main__":

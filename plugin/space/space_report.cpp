@@ -1,0 +1,47 @@
+#include "plugin/space/space_report.hpp"
+
+#include <algorithm>
+
+#include "io/run_files/report.hpp"
+#include "mesher/base/choices.hpp"
+#include "plugin/job/job.hpp"
+#include "plugin/job/version.hpp"
+
+namespace pcvt {
+
+std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary,
+                                double seconds_optimising, double seconds_writing) {
+    SpaceReport report;
+    report.version = version();
+    report.sites = summary.n_sites;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& period = job.lattice.periods()[k];
+        report.lattice[k] = {period.x(), period.y(), period.z()};
+    }
+    report.seed = job.seed;
+    report.solver = find_row(kSpaceSolvers, [&](const SpaceSolverRow& row) {
+                        return row.solver == job.solver;
+                    })->word;
+    report.start =
+        job.points.cols() > 0 ? "file" : find_row(kSpaceStarts, [&](const SpaceStartRow& row) {
+                                             return row.start == job.start;
+                                         })->word;
+    report.stop = stop_name(summary.run.stop);
+    report.iterations = summary.run.iterations;
+    report.evaluations = summary.run.evaluations;
+    report.energy = summary.run.energy;
+    report.energy_bound = summary.energy_bound;
+    report.residual = summary.run.residual;
+    report.rms_residual = summary.run.rms_residual;
+    report.faces = summary.face_counts;
+    report.volume = summary.proof.volume;
+    report.boundary_pairs = summary.proof.n_boundary_pairs;
+    report.translations = summary.proof.n_translations;
+    report.boundary_is_manifold = summary.proof.boundary_is_manifold;
+    report.threads = job.n_threads;
+    report.seconds = {seconds_optimising, seconds_writing, seconds_optimising + seconds_writing};
+    report.files = summary.files;
+    return encode_report(report);
+}
+
+}  // namespace pcvt

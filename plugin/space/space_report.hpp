@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "plugin/space/space_job.hpp"
+
+namespace pcvt {
+
+/// The JSON report of a run in space, its keys in the order of SpaceReport.
+/// @param seconds_writing  from the optimised sites to the last file.
+std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary,
+                                double seconds_optimising, double seconds_writing);
+
+}  // namespace pcvt
