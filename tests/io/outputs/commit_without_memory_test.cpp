@@ -2,46 +2,21 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "io/outputs/output_set.hpp"
 #include "io/outputs/recovery.hpp"
+#include "tests/support/failing_new.hpp"
 #include "tests/support/temporary_folder.hpp"
-
-namespace {
-
-/// The allocations of this thread that still succeed; negative: all of them.
-thread_local long allocations_left = -1;
-thread_local bool fails_once = false;
-
-void* allocate(std::size_t size) {
-    if (allocations_left == 0) {
-        if (fails_once) allocations_left = -1;
-        throw std::bad_alloc();
-    }
-    if (allocations_left > 0) --allocations_left;
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-    throw std::bad_alloc();
-}
-
-}  // namespace
 
 /// Waiting for the disk would take most of the time of these tests.
 extern "C" int fsync(int) { return 0; }
 
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-
 namespace pcvt {
 namespace {
 
+using testing::allocations_left;
 using testing::bytes_of;
 using ::testing::ElementsAre;
+using testing::fails_once;
 using testing::TemporaryFolder;
 using testing::write_bytes;
 
