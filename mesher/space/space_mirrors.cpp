@@ -7,7 +7,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <functional>
+#include <new>
 #include <set>
+#include <system_error>
+#include <thread>
 
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
@@ -287,22 +292,45 @@ bool Flooding::is_torus(const std::vector<Tetrahedron>& tetrahedra) const {
     return std::abs(volume - 6) < 1;
 }
 
+/// CGAL notes the edges of the hole that it fills in a variable of the thread. Memory that ends
+/// meanwhile leaves them there, and later triangulations of the thread would find them.
+thread_local bool is_thread_spoilt = false;
+
+/// Returns work(), which triangulates with CGAL: in a thread of its own if this one is spoilt.
+SpaceMirrors triangulated(const std::function<SpaceMirrors()>& work) {
+    if (!is_thread_spoilt) {
+        try {
+            return work();
+        } catch (const std::bad_alloc&) {
+            is_thread_spoilt = true;
+            throw;
+        }
+    }
+    SpaceMirrors result;
+    std::exception_ptr failure;
+    Client* const client = current_client();
+    try {
+        std::thread([&] {
+            const ClientScope scope(client);
+            try {
+                result = work();
+            } catch (...) {
+                failure = std::current_exception();
+            }
+        }).join();
+    } catch (const std::system_error&) {
+        // There is no memory for another thread.
+        throw std::bad_alloc();
+    }
+    if (failure) std::rethrow_exception(failure);
+    return result;
+}
+
 SpaceMirrors result_of(const Flooding& flooding) {
     return {flooding.tetrahedra_of_domain(), flooding.n_mirrors()};
 }
 
-}  // namespace
-
-SpaceMirrors space_mirrors(const SpaceSites& sites) {
-    Flooding flooding(sites);
-    flooding.insert_band(flooding.first_band());
-    flooding.flood();
-    SpaceMirrors result = result_of(flooding);
-    if (flooding.is_torus(result.tetrahedra)) return result;
-    return space_full_copies(sites);
-}
-
-SpaceMirrors space_full_copies(const SpaceSites& sites) {
+SpaceMirrors full_copies(const SpaceSites& sites) {
     Flooding flooding(sites);
     flooding.insert_band(Vec3::Constant(kNeighbours));
     SpaceMirrors result = result_of(flooding);
@@ -310,6 +338,25 @@ SpaceMirrors space_full_copies(const SpaceSites& sites) {
         throw InternalError("the tetrahedra of the mirrors do not fill the torus");
     }
     return result;
+}
+
+SpaceMirrors mirrors(const SpaceSites& sites) {
+    Flooding flooding(sites);
+    flooding.insert_band(flooding.first_band());
+    flooding.flood();
+    SpaceMirrors result = result_of(flooding);
+    if (flooding.is_torus(result.tetrahedra)) return result;
+    return full_copies(sites);
+}
+
+}  // namespace
+
+SpaceMirrors space_mirrors(const SpaceSites& sites) {
+    return triangulated([&] { return mirrors(sites); });
+}
+
+SpaceMirrors space_full_copies(const SpaceSites& sites) {
+    return triangulated([&] { return full_copies(sites); });
 }
 
 std::size_t euclidean_tetrahedra(const SpaceSites& sites) {
