@@ -26,6 +26,12 @@ std::span<const Harmless> harmless_in_space_glb() {
                  "cells octahedra"},
         Harmless{"nodes.extras.periodic.lattice row", "swap", "another basis of the same lattice",
                  "cells"},
+        Harmless{"NORMAL.x", "digit", kSingle},
+        Harmless{"NORMAL.y", "digit", kSingle},
+        Harmless{"NORMAL.z", "digit", kSingle},
+        Harmless{"NORMAL.x", "sign", "a component below the rounding"},
+        Harmless{"NORMAL.y", "sign", "a component below the rounding"},
+        Harmless{"NORMAL.z", "sign", "a component below the rounding"},
         Harmless{"nodes.extras.periodic.sites*", "",
                  "the sites behind a boundary, which its triangles do not name", "boundary"},
     };
