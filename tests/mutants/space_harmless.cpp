@@ -13,6 +13,7 @@ std::span<const Harmless> harmless_in_space() {
         Harmless{"alone site row", "duplicate", "one site more, behind no face of the boundary",
                  "boundary"},
         Harmless{"pcvt kind row", "duplicate", "says the same twice"},
+        Harmless{"pcvt", "", "without its only line the case states no site", "one"},
         Harmless{"alone mtllib*", "", "the material file is missing"},
         Harmless{"alone usemtl*", "", "the material file is missing"},
     };
