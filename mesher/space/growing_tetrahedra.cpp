@@ -8,12 +8,9 @@
 namespace pcvt {
 namespace {
 
-constexpr std::uint8_t kUnknown = 0;
-constexpr std::uint8_t kInside = 1;
-constexpr std::uint8_t kOutside = 2;
 /// A walk of more steps has lost its way, and a search of all cells takes over.
 constexpr int kMostSteps = 1000;
-/// Cavities with more corners, of a site amid a sphere of others, are linked by sorting.
+/// Cavities with more neighbours, of a site amid a sphere of others, are linked by sorting.
 constexpr std::size_t kMostInTable = 256;
 
 /// The components of the shortest of a displacement's images; exact for multiples of 2^-50 in
@@ -52,7 +49,7 @@ GrowingTetrahedra::GrowingTetrahedra(const Gram3& gram, const Points3& coordinat
       most_determinant_error_(determinant_rounding({1, 1, 1})),
       most_in_sphere_error_(in_sphere_rounding(gram, {1, 1, 1})),
       cells_(static_cast<std::size_t>(start.n_tetrahedra())),
-      side_(cells_.size(), kUnknown),
+      side_(cells_.size(), Side::kUnknown),
       place_(static_cast<std::size_t>(coordinates.cols()), 0) {
     for (int f = 0; f < start.n_facets(); ++f) {
         cells_[f / 4].site[f % 4] = start.corner(f).site;
@@ -74,31 +71,22 @@ Displacement3 GrowingTetrahedra::from_new_site(SiteId site) const {
     return shortest_between(new_site_.data(), coordinates_.data() + 3 * std::ptrdiff_t(site));
 }
 
-std::array<Displacement3, 4> GrowingTetrahedra::corners_from_new_site(const Cell& cell) const {
+GrowingTetrahedra::Corners GrowingTetrahedra::corners_from_new_site(const Cell& cell) const {
     return {from_new_site(cell.site[0]), from_new_site(cell.site[1]), from_new_site(cell.site[2]),
             from_new_site(cell.site[3])};
 }
 
-bool GrowingTetrahedra::contains_new_site(const std::array<Displacement3, 4>& corners) const {
-    const double value = in_sphere_determinant(gram_, corners);
+bool GrowingTetrahedra::contains_new_site(const Corners& corners,
+                                          const std::array<double, 4>& heights) const {
+    const double value = in_sphere_determinant(corners, heights);
     if (std::abs(value) > most_in_sphere_error_) return value > 0;
     return violates_delaunay(gram_, as_image(corners[0]), as_image(corners[1]),
                              as_image(corners[2]), as_image(corners[3]), as_image({0, 0, 0}));
 }
 
-/// @param facet  of the cell in question; the cell across it contains the new site.
-bool GrowingTetrahedra::is_in_conflict(int facet) const {
-    const Cell& cell = cells_[facet / 4];
-    std::array<Displacement3, 4> corners = corners_from_new_site(cell);
-    // The corners of the facet are less than half a period away, but the fourth one need not be.
-    const int fourth = facet % 4;
-    const int shared = fourth ^ 1;
-    const double* const u = coordinates_.data();
-    const Displacement3 edge = shortest_between(u + 3 * std::ptrdiff_t(cell.site[shared]),
-                                                u + 3 * std::ptrdiff_t(cell.site[fourth]));
-    const Displacement3& d = corners[shared];
-    corners[fourth] = {d.x + edge.x, d.y + edge.y, d.z + edge.z};
-    return contains_new_site(corners);
+bool GrowingTetrahedra::contains_new_site(const Corners& corners) const {
+    return contains_new_site(
+        corners, {height(corners[0]), height(corners[1]), height(corners[2]), height(corners[3])});
 }
 
 /// The corner opposite to a facet beyond which the new site lies, or -1.
@@ -151,112 +139,149 @@ int GrowingTetrahedra::find_by_search() const {
     return -1;
 }
 
+/// The place of a site among the neighbours, which it joins if it is new.
+[[gnu::always_inline]] inline int GrowingTetrahedra::place_of(SiteId site) {
+    const int place = place_[site];
+    if (std::size_t(place) < neighbours_.size() && neighbours_[place].site == site) return place;
+    return add_neighbour(site);
+}
+
+[[gnu::noinline]] int GrowingTetrahedra::add_neighbour(SiteId site) {
+    constexpr double kFar = 0.25;
+    const Displacement3 d = from_new_site(site);
+    const double largest = std::max(std::max(std::abs(d.x), std::abs(d.y)), std::abs(d.z));
+    place_[site] = static_cast<int>(neighbours_.size());
+    neighbours_.push_back({site, largest >= kFar, d, height(d)});
+    return place_[site];
+}
+
+/// @param facet  of the cell in question; the cell across it contains the new site.
+bool GrowingTetrahedra::is_in_conflict(int facet) {
+    const Cell& cell = cells_[facet / 4];
+    Corners corners;
+    std::array<double, 4> heights;
+    bool far = false;
+    for (int k = 0; k < 4; ++k) {
+        const Neighbour& corner = neighbours_[place_of(cell.site[k])];
+        corners[k] = corner.displacement;
+        heights[k] = corner.height;
+        far |= corner.is_far;
+    }
+    return far ? is_in_conflict_across_seam(facet) : contains_new_site(corners, heights);
+}
+
+/// The same where nearest images need not belong together.
+bool GrowingTetrahedra::is_in_conflict_across_seam(int facet) const {
+    const Cell& cell = cells_[facet / 4];
+    Corners corners = corners_from_new_site(cell);
+    // The corners of the facet are less than half a period away, but the fourth one need not be.
+    const int fourth = facet % 4;
+    const int shared = fourth ^ 1;
+    const double* const u = coordinates_.data();
+    const Displacement3 edge = shortest_between(u + 3 * std::ptrdiff_t(cell.site[shared]),
+                                                u + 3 * std::ptrdiff_t(cell.site[fourth]));
+    const Displacement3& d = corners[shared];
+    corners[fourth] = {d.x + edge.x, d.y + edge.y, d.z + edge.z};
+    return contains_new_site(corners);
+}
+
 /// Finds the connected set of tetrahedra that the new site replaces, and its walls.
 void GrowingTetrahedra::find_cavity(int first) {
     cavity_.assign(1, first);
-    side_[first] = kInside;
+    side_[first] = Side::kInside;
     outside_.clear();
     walls_.clear();
-    corners_.clear();
+    neighbours_.clear();
     for (std::size_t k = 0; k < cavity_.size(); ++k) {
         const int t = cavity_[k];
-        for (int f = 4 * t; f < 4 * t + 4; ++f) {
-            const int behind = cells_[t].opposite[f % 4];
-            std::uint8_t& side = side_[behind / 4];
-            if (side == kUnknown) {
-                if (is_in_conflict(behind)) {
-                    side = kInside;
-                    cavity_.push_back(behind / 4);
-                } else {
-                    side = kOutside;
-                    outside_.push_back(behind / 4);
-                }
+        const std::array<int, 4> opposite = cells_[t].opposite;
+        for (int corner = 0; corner < 4; ++corner) {
+            const int behind = opposite[corner];
+            Side side = side_[behind / 4];
+            if (side == Side::kUnknown) {
+                side = is_in_conflict(behind) ? Side::kInside : Side::kOutside;
+                side_[behind / 4] = side;
+                (side == Side::kInside ? cavity_ : outside_).push_back(behind / 4);
             }
-            if (side == kOutside) add_wall(f);
+            if (side == Side::kOutside) add_wall(4 * t + corner);
         }
     }
-    for (const int t : cavity_) side_[t] = kUnknown;
-    for (const int t : outside_) side_[t] = kUnknown;
+    for (const int t : cavity_) side_[t] = Side::kUnknown;
+    for (const int t : outside_) side_[t] = Side::kUnknown;
 }
 
 void GrowingTetrahedra::add_wall(int facet) {
     const Cell& cell = cells_[facet / 4];
     const auto& corners = TorusTetrahedra::kFacetCorners[facet % 4];
-    Wall wall{{}, cell.opposite[facet % 4]};
-    for (int k = 0; k < 3; ++k) {
-        const SiteId site = cell.site[corners[k]];
-        wall.site[k] = site;
-        const auto place = std::size_t(place_[site]);
-        if (place >= corners_.size() || corners_[place] != site) {
-            place_[site] = static_cast<int>(corners_.size());
-            corners_.push_back(site);
-        }
-    }
-    walls_.push_back(wall);
+    const auto place = [&](int k) { return place_of(cell.site[corners[k]]); };
+    walls_.push_back({{place(0), place(1), place(2)}, cell.opposite[facet % 4], -1});
 }
 
 /// Joins the walls to the new site: corner 3 of the new tetrahedra.
 void GrowingTetrahedra::fill_cavity() {
-    // Take the numbers of the old tetrahedra, then those of gaps, then new ones.
-    on_wall_.clear();
-    for (const Wall& wall : walls_) {
-        int t = static_cast<int>(cells_.size());
-        std::vector<int>& free = cavity_.empty() ? gaps_ : cavity_;
-        if (!free.empty()) {
-            t = free.back();
-            free.pop_back();
-        } else {
-            cells_.emplace_back();
-            side_.push_back(kUnknown);
-        }
-        on_wall_.push_back(t);
-        cells_[t].site = {wall.site[0], wall.site[1], wall.site[2], new_number_};
-        cells_[t].opposite[3] = wall.behind;
-        cells_[wall.behind / 4].opposite[wall.behind % 4] = 4 * t + 3;
+    for (Wall& wall : walls_) {
+        wall.cell = number_of_new_cell();
+        Cell& cell = cells_[wall.cell];
+        for (int k = 0; k < 3; ++k) cell.site[k] = neighbours_[wall.corner[k]].site;
+        cell.site[3] = new_number_;
+        cell.opposite[3] = wall.behind;
+        cells_[wall.behind / 4].opposite[wall.behind % 4] = 4 * wall.cell + 3;
     }
     for (const int t : cavity_) {
         cells_[t].site[0] = -1;
         gaps_.push_back(t);
     }
-    if (corners_.size() <= kMostInTable) {
-        link_by_table(corners_.size());
+    if (neighbours_.size() <= kMostInTable) {
+        link_by_table();
     } else {
         link_by_sorting();
     }
-    last_cell_ = on_wall_.back();
+    last_cell_ = walls_.back().cell;
 }
 
-void GrowingTetrahedra::link_by_table(std::size_t n_corners) {
-    beside_.resize(std::max(beside_.size(), n_corners * n_corners));
-    const auto entry = [&](SiteId from, SiteId to) -> int& {
-        return beside_[std::size_t(place_[from]) * n_corners + std::size_t(place_[to])];
-    };
-    const auto for_each_edge = [&](const auto& visit) {
-        for (std::size_t w = 0; w < walls_.size(); ++w) {
-            const auto& [a, b, c] = walls_[w].site;
-            const int first = 4 * on_wall_[w];
-            visit(b, c, first);
-            visit(c, a, first + 1);
-            visit(a, b, first + 2);
-        }
-    };
-    for_each_edge([&](SiteId from, SiteId to, int f) { entry(from, to) = f; });
-    for_each_edge(
-        [&](SiteId from, SiteId to, int f) { cells_[f / 4].opposite[f % 4] = entry(to, from); });
+/// The number of an old tetrahedron, then that of a gap, then a new one.
+int GrowingTetrahedra::number_of_new_cell() {
+    std::vector<int>& free = cavity_.empty() ? gaps_ : cavity_;
+    if (free.empty()) {
+        cells_.emplace_back();
+        side_.push_back(Side::kUnknown);
+        return static_cast<int>(cells_.size()) - 1;
+    }
+    const int number = free.back();
+    free.pop_back();
+    return number;
+}
+
+void GrowingTetrahedra::link_by_table() {
+    const auto n = static_cast<int>(neighbours_.size());
+    beside_.resize(std::max(beside_.size(), neighbours_.size() * neighbours_.size()));
+    for (const Wall& wall : walls_) {
+        const auto& [a, b, c] = wall.corner;
+        beside_[b * n + c] = 4 * wall.cell;
+        beside_[c * n + a] = 4 * wall.cell + 1;
+        beside_[a * n + b] = 4 * wall.cell + 2;
+    }
+    for (const Wall& wall : walls_) {
+        const auto& [a, b, c] = wall.corner;
+        Cell& cell = cells_[wall.cell];
+        cell.opposite[0] = beside_[c * n + b];
+        cell.opposite[1] = beside_[a * n + c];
+        cell.opposite[2] = beside_[b * n + a];
+    }
 }
 
 void GrowingTetrahedra::link_by_sorting() {
     struct Edge {
-        SiteId low;
-        SiteId high;
+        int low;
+        int high;
         int facet;
     };
     std::vector<Edge> edges;
-    for (std::size_t w = 0; w < walls_.size(); ++w) {
+    for (const Wall& wall : walls_) {
         for (int k = 0; k < 3; ++k) {
             const auto [low, high] =
-                std::minmax(walls_[w].site[(k + 1) % 3], walls_[w].site[(k + 2) % 3]);
-            edges.push_back({low, high, 4 * on_wall_[w] + k});
+                std::minmax(wall.corner[(k + 1) % 3], wall.corner[(k + 2) % 3]);
+            edges.push_back({low, high, 4 * wall.cell + k});
         }
     }
     std::sort(edges.begin(), edges.end(), [](const Edge& one, const Edge& other) {

@@ -41,25 +41,45 @@ class GrowingTetrahedra {
     const std::vector<Cell>& cells() const { return cells_; }
 
    private:
-    /// A facet of the cavity, seen from within, and the facet of the tetrahedron behind it.
-    struct Wall {
-        std::array<SiteId, 3> site;
-        int behind;
+    /// A site near the new one.
+    struct Neighbour {
+        SiteId site;
+        /// Whether the nearest image might not be the one that a tetrahedron has as a corner.
+        bool is_far;
+        /// From the new site to the nearest image, and its squared length.
+        Displacement3 displacement;
+        double height;
     };
+    /// A facet of the cavity, seen from within: the places of its corners among the neighbours, the
+    /// facet of the tetrahedron behind it, and the new tetrahedron on it.
+    struct Wall {
+        std::array<int, 3> corner;
+        int behind;
+        int cell;
+    };
+    using Corners = std::array<Displacement3, 4>;
+    /// What is known of a cell at the present insertion.
+    enum class Side : std::uint8_t { kUnknown, kInside, kOutside };
 
     Displacement3 from_new_site(SiteId site) const;
-    std::array<Displacement3, 4> corners_from_new_site(const Cell& cell) const;
-    bool contains_new_site(const std::array<Displacement3, 4>& corners) const;
-    bool is_in_conflict(int facet) const;
+    Corners corners_from_new_site(const Cell& cell) const;
+    double height(const Displacement3& d) const { return gram_.squared_length(d.x, d.y, d.z); }
+    bool contains_new_site(const Corners& corners, const std::array<double, 4>& heights) const;
+    bool contains_new_site(const Corners& corners) const;
     bool can_be_first(int t) const;
     int exit_of(int t) const;
     int find_first() const;
     int find_by_walk() const;
     int find_by_search() const;
+    int place_of(SiteId site);
+    int add_neighbour(SiteId site);
+    bool is_in_conflict(int facet);
+    bool is_in_conflict_across_seam(int facet) const;
     void find_cavity(int first);
     void add_wall(int facet);
     void fill_cavity();
-    void link_by_table(std::size_t n_corners);
+    int number_of_new_cell();
+    void link_by_table();
     void link_by_sorting();
 
     Gram3 gram_;
@@ -72,16 +92,14 @@ class GrowingTetrahedra {
     Vec3 new_site_ = Vec3::Zero();
     SiteId new_number_ = -1;
 
-    /// What is known of each cell at the present insertion: kUnknown, kInside or kOutside.
-    std::vector<std::uint8_t> side_;
+    std::vector<Side> side_;
     std::vector<int> cavity_;
     std::vector<int> outside_;
-    std::vector<Wall> walls_;
-    /// The cell that stands on each wall.
-    std::vector<int> on_wall_;
-    /// The corners of walls, and the place of each site among them, if it is one.
-    std::vector<SiteId> corners_;
+    /// The sites that the present insertion has met, and the place of each site among them, if it
+    /// is one.
+    std::vector<Neighbour> neighbours_;
     std::vector<int> place_;
+    std::vector<Wall> walls_;
     /// The facet beside each directed edge between two places.
     std::vector<int> beside_;
 };

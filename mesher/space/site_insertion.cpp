@@ -105,27 +105,20 @@ std::vector<int> sorted_numbers(const std::vector<Cell>& cells, const std::vecto
     return number;
 }
 
-/// Offsets of corners 1, 2 and 3 relative to corner 0: the nearest images.
-TetrahedronOffsets offsets_of(const Cell& cell, const Points3& coordinates) {
-    TetrahedronOffsets offsets;
-    for (int k = 1; k < 4; ++k) {
-        const Vec3 d = coordinates.col(cell.site[0]) - coordinates.col(cell.site[k]);
+/// Writes the offsets of corners 1, 2 and 3 relative to corner 0, those of their nearest images.
+/// @returns six times the volume of the tetrahedron, in units of the domain.
+double unwrap(const Cell& cell, const Points3& coordinates, TetrahedronOffsets& offsets) {
+    std::array<Vec3, 3> edge;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 d = coordinates.col(cell.site[k + 1]) - coordinates.col(cell.site[0]);
+        // Adding 0.5 is exact, or rounds numbers that are far from the next integer.
+        const Vec3 whole = -(d.array() + 0.5).floor();
+        edge[k] = d + whole;
         for (int axis = 0; axis < 3; ++axis) {
-            offsets.relative[3 * (k - 1) + axis] = std::int8_t(std::lround(d[axis]));
+            offsets.relative[3 * k + axis] = std::int8_t(whole[axis]);
         }
     }
-    return offsets;
-}
-
-/// Six times the volume of a tetrahedron, in units of the domain.
-double six_volumes(const Cell& cell, const TetrahedronOffsets& offsets,
-                   const Points3& coordinates) {
-    const auto edge = [&](int k) -> Vec3 {
-        const std::int8_t* const o = &offsets.relative[3 * (k - 1)];
-        return coordinates.col(cell.site[k]) - coordinates.col(cell.site[0]) +
-               Vec3(o[0], o[1], o[2]);
-    };
-    return edge(1).dot(edge(2).cross(edge(3)));
+    return edge[0].dot(edge[1].cross(edge[2]));
 }
 
 TorusTetrahedra finished(const std::vector<Cell>& cells, const Points3& coordinates,
@@ -145,8 +138,7 @@ TorusTetrahedra finished(const std::vector<Cell>& cells, const Points3& coordina
             sites[4 * number[t] + k] = order[cells[t].site[k]];
             opposite[4 * number[t] + k] = 4 * number[o / 4] + o % 4;
         }
-        offsets[number[t]] = offsets_of(cells[t], coordinates);
-        volume += six_volumes(cells[t], offsets[number[t]], coordinates);
+        volume += unwrap(cells[t], coordinates, offsets[number[t]]);
     }
     if (!(std::abs(volume - 6) < 1e-6)) {
         throw InternalError("the tetrahedra of inserted sites do not fill the torus");

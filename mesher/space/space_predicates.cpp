@@ -143,7 +143,8 @@ int in_sphere(const Gram3& gram, const Image3& p, const Image3& q, const Image3&
               const Image3& t) {
     const std::array<Displacement3, 4> d{difference(t, p), difference(t, q), difference(t, r),
                                          difference(t, s)};
-    const double value = in_sphere_determinant(gram, d);
+    const auto height = [&](int k) { return gram.squared_length(d[k].x, d[k].y, d[k].z); };
+    const double value = in_sphere_determinant(d, {height(0), height(1), height(2), height(3)});
     const auto m = largest(largest(largest(largest({0, 0, 0}, d[0]), d[1]), d[2]), d[3]);
     if (std::abs(value) > in_sphere_rounding(gram, m)) return sign(value);
     return exact_in_sphere(gram, d);

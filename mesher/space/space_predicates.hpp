@@ -63,10 +63,11 @@ struct Components3 {
 };
 using Displacement3 = Components3<double>;
 
-/// The determinant whose sign in_sphere() returns, rounded, from the displacements of p, q, r and s
-/// from t.
-inline double in_sphere_determinant(const Gram3& gram, const std::array<Displacement3, 4>& d) {
-    const auto height = [&](int k) { return gram.squared_length(d[k].x, d[k].y, d[k].z); };
+/// The determinant whose sign in_sphere() returns, rounded.
+/// @param d       the displacements of p, q, r and s from t.
+/// @param height  their squared lengths.
+inline double in_sphere_determinant(const std::array<Displacement3, 4>& d,
+                                    const std::array<double, 4>& height) {
     // Share the minors of x and y between the four determinants.
     const auto minor = [&](int k, int l) { return d[k].x * d[l].y - d[l].x * d[k].y; };
     const double pq = minor(0, 1);
@@ -75,10 +76,10 @@ inline double in_sphere_determinant(const Gram3& gram, const std::array<Displace
     const double qr = minor(1, 2);
     const double qs = minor(1, 3);
     const double rs = minor(2, 3);
-    return height(0) * (d[1].z * rs - d[2].z * qs + d[3].z * qr) -
-           height(1) * (d[0].z * rs - d[2].z * ps + d[3].z * pr) +
-           height(2) * (d[0].z * qs - d[1].z * ps + d[3].z * pq) -
-           height(3) * (d[0].z * qr - d[1].z * pr + d[2].z * pq);
+    return height[0] * (d[1].z * rs - d[2].z * qs + d[3].z * qr) -
+           height[1] * (d[0].z * rs - d[2].z * ps + d[3].z * pr) +
+           height[2] * (d[0].z * qs - d[1].z * ps + d[3].z * pq) -
+           height[3] * (d[0].z * qr - d[1].z * pr + d[2].z * pq);
 }
 
 /// Bounds of the rounding of in_sphere_determinant(), and of the determinant of three
