@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,7 +20,12 @@ struct TetrahedronOffsets {
     std::array<std::int8_t, 9> relative{};
 
     friend bool operator==(const TetrahedronOffsets&, const TetrahedronOffsets&) = default;
-    bool all_zero() const { return relative == std::array<std::int8_t, 9>{}; }
+    /// Most are; two loads instead of a call of memcmp.
+    bool all_zero() const {
+        std::uint64_t first;
+        std::memcpy(&first, relative.data(), sizeof first);
+        return first == 0 && relative[8] == 0;
+    }
 };
 
 /// A triangulation of the 3-torus as a Delta-complex in flat arrays; topology only.
