@@ -1,5 +1,6 @@
 #include "tests/mutants/space_bases.hpp"
 
+#include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "mesher/base/error.hpp"
 #include "tests/support/space_tiles.hpp"
@@ -26,7 +27,7 @@ void add_tile(const SpaceFormat& format, const SpaceCase& c, const std::string& 
         const SpaceFileOptions options{.surfaces = row.form};
         if (format.shows_boundary(options) && !closes) continue;
         const bool has_forms = format.surfaces == FormatSurfaces::kChosen;
-        bases.push_back({c.name + (has_forms ? " " + std::string(row.word) : ""),
+        bases.push_back({(has_forms ? std::string(row.word) + " " : "") + c.name,
                          MeshKind::kVoronoi, format.encode(tile, options, path)});
         if (!has_forms) break;
     }
@@ -53,9 +54,12 @@ void prove(SpaceFileKind kind, const Files& files) {
         case SpaceFileKind::kBoundary:
             prove_boundary_files(files);
             return;
-        case SpaceFileKind::kTriangles:
-            prove_surface_glb(decode_surface_glb(files.front()));
+        case SpaceFileKind::kTriangles: {
+            const SurfaceGlb glb = decode_surface_glb(files.front());
+            prove_surface_glb(glb);
+            compare_surface_glb(files.front(), glb);
             return;
+        }
     }
 }
 
