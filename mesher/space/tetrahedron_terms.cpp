@@ -175,6 +175,9 @@ PCVT_TARGET_CLONES void TetrahedronBlock::compute(const SpaceFrame& frame) {
         const Shape shape = shape_of(edge(0), edge(1), edge(2));
         thick[k] = shape.thick;
         for (int c = 0; c < 4; ++c) inside[c][k] = shape.height[c] - shape.rounding;
+        const auto& h = shape.height;
+        const double least = std::min(std::min(h[0], h[1]), std::min(h[2], h[3]));
+        certain[k] = least - shape.rounding > 0 ? shape.thick : -1;
         const auto facets = facets_of(shape);
         value[k] = (1.0 / 120) *
                    ((facets[0].value + facets[1].value) + (facets[2].value + facets[3].value));

@@ -54,6 +54,8 @@ struct TetrahedronBlock {
     std::array<Row, 4> inside;
     /// Positive where the tetrahedron is certainly positively oriented and not thin.
     Row thick;
+    /// Positive where all five are, which they are for nearly all tetrahedra.
+    Row certain;
 
     void compute(const SpaceFrame& frame);
 };
