@@ -67,6 +67,9 @@ void Slab::run(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
         const int n = std::min(TetrahedronBlock::kSize, end - at);
         gather(tetrahedra, coordinates, at, n, block);
         block.compute(frame);
+        for (int k = 0; k < n; ++k) {
+            if (!(block.thick[k] > 0)) block.correct(k, frame);
+        }
         scatter(tetrahedra, at, n, block);
     }
 }
