@@ -5,7 +5,6 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/space/space_mirrors.hpp"
 #include "mesher/space/tetrahedra_untangling.hpp"
 
 namespace pcvt {
@@ -32,7 +31,7 @@ MovingTetrahedra::MovingTetrahedra(const SpaceSites& sites)
       spacing_(sites.spacing() / unit_),
       frame_(reduction_.reduced, unit_),
       coordinates_(sites.coordinates()),
-      tetrahedra_(sites.n_sites(), space_mirrors(sites).tetrahedra) {}
+      tetrahedra_(space_tetrahedra(sites)) {}
 
 bool MovingTetrahedra::step(const Eigen::VectorXf& direction, double t) {
     constexpr double kFarthest = 2;
@@ -137,7 +136,7 @@ bool MovingTetrahedra::rebuild() {
     // The sites before the step get the same offsets.
     if (!settled_) before_ -= coordinates_ - sites.coordinates();
     coordinates_ = sites.coordinates();
-    tetrahedra_ = TorusTetrahedra(n_sites(), space_mirrors(sites).tetrahedra);
+    tetrahedra_ = space_tetrahedra(sites);
     ++n_rebuilds_;
     return true;
 }

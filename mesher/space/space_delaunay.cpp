@@ -1,12 +1,16 @@
 #include "mesher/space/space_delaunay.hpp"
 
+#include "mesher/space/site_insertion.hpp"
 #include "mesher/space/space_mirrors.hpp"
 
 namespace pcvt {
 
-SpaceDelaunay space_delaunay(const SpaceSites& sites) {
-    return {sites, TorusTetrahedra(sites.n_sites(), space_mirrors(sites).tetrahedra)};
+TorusTetrahedra space_tetrahedra(const SpaceSites& sites) {
+    if (auto inserted = inserted_tetrahedra(sites)) return *std::move(inserted);
+    return {sites.n_sites(), space_mirrors(sites).tetrahedra};
 }
+
+SpaceDelaunay space_delaunay(const SpaceSites& sites) { return {sites, space_tetrahedra(sites)}; }
 
 bool is_locally_delaunay(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
                          const Gram3& gram, int facet) {

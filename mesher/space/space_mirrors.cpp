@@ -7,17 +7,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <functional>
-#include <new>
 #include <set>
-#include <system_error>
-#include <thread>
 
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/space/site_grid.hpp"
+#include "mesher/space_base/unspoilt_thread.hpp"
 
 namespace pcvt {
 namespace {
@@ -292,40 +288,6 @@ bool Flooding::is_torus(const std::vector<Tetrahedron>& tetrahedra) const {
     return std::abs(volume - 6) < 1;
 }
 
-/// CGAL notes the edges of the hole that it fills in a variable of the thread. Memory that ends
-/// meanwhile leaves them there, and later triangulations of the thread would find them.
-thread_local bool is_thread_spoilt = false;
-
-/// Returns work(), which triangulates with CGAL: in a thread of its own if this one is spoilt.
-SpaceMirrors triangulated(const std::function<SpaceMirrors()>& work) {
-    if (!is_thread_spoilt) {
-        try {
-            return work();
-        } catch (const std::bad_alloc&) {
-            is_thread_spoilt = true;
-            throw;
-        }
-    }
-    SpaceMirrors result;
-    std::exception_ptr failure;
-    Client* const client = current_client();
-    try {
-        std::thread([&] {
-            const ClientScope scope(client);
-            try {
-                result = work();
-            } catch (...) {
-                failure = std::current_exception();
-            }
-        }).join();
-    } catch (const std::system_error&) {
-        // There is no memory for another thread.
-        throw std::bad_alloc();
-    }
-    if (failure) std::rethrow_exception(failure);
-    return result;
-}
-
 SpaceMirrors result_of(const Flooding& flooding) {
     return {flooding.tetrahedra_of_domain(), flooding.n_mirrors()};
 }
@@ -352,11 +314,15 @@ SpaceMirrors mirrors(const SpaceSites& sites) {
 }  // namespace
 
 SpaceMirrors space_mirrors(const SpaceSites& sites) {
-    return triangulated([&] { return mirrors(sites); });
+    SpaceMirrors result;
+    run_in_unspoilt_thread([&] { result = mirrors(sites); });
+    return result;
 }
 
 SpaceMirrors space_full_copies(const SpaceSites& sites) {
-    return triangulated([&] { return full_copies(sites); });
+    SpaceMirrors result;
+    run_in_unspoilt_thread([&] { result = full_copies(sites); });
+    return result;
 }
 
 std::size_t euclidean_tetrahedra(const SpaceSites& sites) {

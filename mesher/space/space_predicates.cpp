@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "mesher/space/wide_integer.hpp"
+#include "mesher/space_base/wide_integer.hpp"
 
 namespace pcvt {
 namespace {
@@ -30,19 +30,13 @@ constexpr double kSmallestBound = 1e-290;
 int sign(double x) { return (x > 0) - (x < 0); }
 
 template <class Number>
-struct Vector3 {
-    Number x;
-    Number y;
-    Number z;
-};
-
-template <class Number>
-Number determinant(const Vector3<Number>& p, const Vector3<Number>& q, const Vector3<Number>& r) {
+Number determinant(const Components3<Number>& p, const Components3<Number>& q,
+                   const Components3<Number>& r) {
     return p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) +
            p.z * (q.x * r.y - q.y * r.x);
 }
 
-Vector3<double> difference(const Image3& from, const Image3& to) {
+Displacement3 difference(const Image3& from, const Image3& to) {
     return {to.at.x() - from.at.x(), to.at.y() - from.at.y(), to.at.z() - from.at.z()};
 }
 
@@ -50,7 +44,7 @@ Determinant integer(double difference) {
     return Determinant(static_cast<std::int64_t>(difference * kGrid3));
 }
 
-Vector3<Determinant> integers(const Vector3<double>& d) {
+Components3<Determinant> integers(const Displacement3& d) {
     return {integer(d.x), integer(d.y), integer(d.z)};
 }
 
@@ -65,7 +59,7 @@ SquaredLength gram_integer(double entry) {
 }
 
 /// The squared length of a difference, times 2^160.
-SquaredLength squared_length(const Gram3& g, const Vector3<double>& d) {
+SquaredLength squared_length(const Gram3& g, const Displacement3& d) {
     const auto number = [](double x) {
         return SquaredLength(static_cast<std::int64_t>(x * kGrid3));
     };
@@ -78,14 +72,14 @@ SquaredLength squared_length(const Gram3& g, const Vector3<double>& d) {
            gram_integer(g.cc) * z * z;
 }
 
-Vector3<double> largest(const Vector3<double>& s, const Vector3<double>& t) {
+Displacement3 largest(const Displacement3& s, const Displacement3& t) {
     return {std::max(s.x, std::abs(t.x)), std::max(s.y, std::abs(t.y)),
             std::max(s.z, std::abs(t.z))};
 }
 
-int exact_in_sphere(const Gram3& gram, const std::array<Vector3<double>, 4>& d) {
-    const std::array<Vector3<Determinant>, 4> e{integers(d[0]), integers(d[1]), integers(d[2]),
-                                                integers(d[3])};
+int exact_in_sphere(const Gram3& gram, const std::array<Displacement3, 4>& d) {
+    const std::array<Components3<Determinant>, 4> e{integers(d[0]), integers(d[1]), integers(d[2]),
+                                                    integers(d[3])};
     const auto term = [&](int k, const Determinant& minor) {
         return Product(squared_length(gram, d[k])) * Product(minor);
     };
@@ -96,13 +90,13 @@ int exact_in_sphere(const Gram3& gram, const std::array<Vector3<double>, 4>& d) 
 }
 
 /// The coordinates of a point without that of an axis, in cyclic order.
-std::array<double, 2> projected(int axis, const Vector3<double>& d) {
+std::array<double, 2> projected(int axis, const Displacement3& d) {
     if (axis == 0) return {d.y, d.z};
     if (axis == 1) return {d.z, d.x};
     return {d.x, d.y};
 }
 
-Determinant projected_cross(int axis, const Vector3<double>& d, const Vector3<double>& e) {
+Determinant projected_cross(int axis, const Displacement3& d, const Displacement3& e) {
     const auto p = projected(axis, d);
     const auto q = projected(axis, e);
     return integer(p[0]) * integer(q[1]) - integer(p[1]) * integer(q[0]);
@@ -122,13 +116,24 @@ Gram3 gram_of(const SpaceLattice& reduced) {
     return {entry(a, a), entry(a, b), entry(a, c), entry(b, b), entry(b, c), entry(c, c)};
 }
 
+double in_sphere_rounding(const Gram3& gram, const Displacement3& most) {
+    const auto& [x, y, z] = most;
+    const Gram3 g{gram.aa, std::abs(gram.ab), std::abs(gram.ac),
+                  gram.bb, std::abs(gram.bc), gram.cc};
+    return kInSphereError * x * y * z * g.squared_length(x, y, z) + kSmallestBound;
+}
+
+double determinant_rounding(const Displacement3& most) {
+    return kOrientationError * most.x * most.y * most.z;
+}
+
 int orientation(const Image3& p, const Image3& q, const Image3& r, const Image3& s) {
     const auto d = difference(p, q);
     const auto e = difference(p, r);
     const auto f = difference(p, s);
     const double value = determinant(d, e, f);
     const auto scale = largest(largest(largest({0, 0, 0}, d), e), f);
-    const double bound = kOrientationError * scale.x * scale.y * scale.z;
+    const double bound = determinant_rounding(scale);
     if (std::abs(value) > bound) return sign(value);
     if (bound == 0) return 0;
     return determinant(integers(d), integers(e), integers(f)).sign();
@@ -136,26 +141,12 @@ int orientation(const Image3& p, const Image3& q, const Image3& r, const Image3&
 
 int in_sphere(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r, const Image3& s,
               const Image3& t) {
-    const std::array<Vector3<double>, 4> d{difference(t, p), difference(t, q), difference(t, r),
-                                           difference(t, s)};
+    const std::array<Displacement3, 4> d{difference(t, p), difference(t, q), difference(t, r),
+                                         difference(t, s)};
     const auto height = [&](int k) { return gram.squared_length(d[k].x, d[k].y, d[k].z); };
-    // Share the minors of x and y between the four determinants.
-    const auto minor = [&](int k, int l) { return d[k].x * d[l].y - d[l].x * d[k].y; };
-    const double pq = minor(0, 1);
-    const double pr = minor(0, 2);
-    const double ps = minor(0, 3);
-    const double qr = minor(1, 2);
-    const double qs = minor(1, 3);
-    const double rs = minor(2, 3);
-    const double value = height(0) * (d[1].z * rs - d[2].z * qs + d[3].z * qr) -
-                         height(1) * (d[0].z * rs - d[2].z * ps + d[3].z * pr) +
-                         height(2) * (d[0].z * qs - d[1].z * ps + d[3].z * pq) -
-                         height(3) * (d[0].z * qr - d[1].z * pr + d[2].z * pq);
+    const double value = in_sphere_determinant(d, {height(0), height(1), height(2), height(3)});
     const auto m = largest(largest(largest(largest({0, 0, 0}, d[0]), d[1]), d[2]), d[3]);
-    const Gram3 g{gram.aa, std::abs(gram.ab), std::abs(gram.ac),
-                  gram.bb, std::abs(gram.bc), gram.cc};
-    const double bound = kInSphereError * m.x * m.y * m.z * g.squared_length(m.x, m.y, m.z);
-    if (std::abs(value) > bound + kSmallestBound) return sign(value);
+    if (std::abs(value) > in_sphere_rounding(gram, m)) return sign(value);
     return exact_in_sphere(gram, d);
 }
 
@@ -183,7 +174,7 @@ int in_coplanar_circle(const Gram3& gram, const Image3& p, const Image3& q, cons
                        const Image3& t) {
     int axis = 2;
     while (axis > 0 && projected_orientation(axis, p, q, r) == 0) --axis;
-    const std::array<Vector3<double>, 3> d{difference(t, p), difference(t, q), difference(t, r)};
+    const std::array<Displacement3, 3> d{difference(t, p), difference(t, q), difference(t, r)};
     const auto term = [&](int k, int l, int m) {
         return Product(squared_length(gram, d[k])) * Product(projected_cross(axis, d[l], d[m]));
     };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "mesher/space/space_sites.hpp"
 
 namespace pcvt {
@@ -51,6 +53,39 @@ struct Gram3 {
 };
 
 Gram3 gram_of(const SpaceLattice& reduced);
+
+/// The coordinates of a displacement in the reduced basis.
+template <class Number>
+struct Components3 {
+    Number x;
+    Number y;
+    Number z;
+};
+using Displacement3 = Components3<double>;
+
+/// The determinant whose sign in_sphere() returns, rounded.
+/// @param d       the displacements of p, q, r and s from t.
+/// @param height  their squared lengths.
+inline double in_sphere_determinant(const std::array<Displacement3, 4>& d,
+                                    const std::array<double, 4>& height) {
+    // Share the minors of x and y between the four determinants.
+    const auto minor = [&](int k, int l) { return d[k].x * d[l].y - d[l].x * d[k].y; };
+    const double pq = minor(0, 1);
+    const double pr = minor(0, 2);
+    const double ps = minor(0, 3);
+    const double qr = minor(1, 2);
+    const double qs = minor(1, 3);
+    const double rs = minor(2, 3);
+    return height[0] * (d[1].z * rs - d[2].z * qs + d[3].z * qr) -
+           height[1] * (d[0].z * rs - d[2].z * ps + d[3].z * pr) +
+           height[2] * (d[0].z * qs - d[1].z * ps + d[3].z * pq) -
+           height[3] * (d[0].z * qr - d[1].z * pr + d[2].z * pq);
+}
+
+/// Bounds of the rounding of in_sphere_determinant(), and of the determinant of three
+/// displacements, whose components are at most those of `most`.
+double in_sphere_rounding(const Gram3& gram, const Displacement3& most);
+double determinant_rounding(const Displacement3& most);
 
 /// The predicates are exact: a filter in doubles decides nearly all cases, integers the others.
 /// They depend only on differences of images, so a common translation never changes an answer.

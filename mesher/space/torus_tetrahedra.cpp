@@ -88,6 +88,13 @@ TorusTetrahedra::TorusTetrahedra(int n_sites, const std::vector<Tetrahedron>& te
     for (int t = 0; t < n_tetrahedra(); ++t) set_tetrahedron(t, tetrahedra[t]);
 }
 
+TorusTetrahedra::TorusTetrahedra(int n_sites, std::vector<SiteId> corner_sites,
+                                 std::vector<int> opposite, std::vector<TetrahedronOffsets> offsets)
+    : n_sites_(n_sites),
+      sites_(std::move(corner_sites)),
+      opposite_(std::move(opposite)),
+      offsets_(std::move(offsets)) {}
+
 void TorusTetrahedra::set_tetrahedron(int t, const Tetrahedron& corners) {
     for (int k = 0; k < 4; ++k) sites_[4 * t + k] = corners[k].site;
     for (int k = 1; k < 4; ++k) {

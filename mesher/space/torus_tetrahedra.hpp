@@ -48,6 +48,10 @@ class TorusTetrahedra {
     /// @throws InternalError unless each facet has exactly two sides. Every member function also
     ///         throws it where offsets within a tetrahedron differ by more than 127.
     TorusTetrahedra(int n_sites, const std::vector<Tetrahedron>& tetrahedra);
+    /// Takes tetrahedra that are linked already: the sites of their corners and the opposites of
+    /// their facets, four a tetrahedron, for which the laws hold.
+    TorusTetrahedra(int n_sites, std::vector<SiteId> corner_sites, std::vector<int> opposite,
+                    std::vector<TetrahedronOffsets> offsets);
 
     int n_sites() const { return n_sites_; }
     int n_tetrahedra() const { return static_cast<int>(offsets_.size()); }

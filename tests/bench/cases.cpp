@@ -11,10 +11,14 @@ namespace pcvt::bench {
 
 Points Input::sites() const { return uniform_points(lattice, n, 1); }
 
+benchmark::internal::Benchmark* add_case(const std::string& name,
+                                         const std::function<void(benchmark::State&)>& body) {
+    return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
+}
+
 benchmark::internal::Benchmark* add_case(const std::string& what, const Input& input,
                                          const std::function<void(benchmark::State&)>& body) {
-    const std::string name = what + '/' + input.lattice_name + '/' + std::to_string(input.n);
-    return benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
+    return add_case(what + '/' + input.lattice_name + '/' + std::to_string(input.n), body);
 }
 
 double cpu_seconds() {

@@ -18,6 +18,10 @@ struct Input {
     Points sites() const;
 };
 
+/// Registers a case by its name, in the form `<what>/<lattice>/<n>`.
+benchmark::internal::Benchmark* add_case(const std::string& name,
+                                         const std::function<void(benchmark::State&)>& body);
+
 /// Registers the case `<what>/<lattice>/<n>`. Cases run in the order of registration, so cases that
 /// a ratio compares should be registered next to each other.
 benchmark::internal::Benchmark* add_case(const std::string& what, const Input& input,
@@ -47,6 +51,9 @@ void add_area_cases(const Input& input);
 
 /// The cost of the C interface: a run through it over the same run through a call of the mesher.
 void add_abi_case(const Input& input);
+
+/// Three dimensions: n random sites of the unit cube, this program's tetrahedra and those of CGAL.
+void add_space_cases(int n);
 
 /// Cases of one size only: many small runs, and resident memory, which must come last.
 void add_single_cases();

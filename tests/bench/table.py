@@ -15,7 +15,8 @@ import sys
 from dataclasses import dataclass
 
 SIZES = [10_000, 100_000, 1_000_000]
-LATTICES = {"unit": "", "oblique": ", oblique (1, 0), (0.37, 0.81)", "thin": ", 20 x 1"}
+LATTICES = {"unit": "", "oblique": ", oblique (1, 0), (0.37, 0.81)", "thin": ", 20 x 1", "cube": ", in space"}
+PLANE = ("unit", "oblique", "thin")
 SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
@@ -40,14 +41,22 @@ class Row:
 PLAIN = Measure("cgal_plain")
 BUILD = Measure("build")
 RUN = Measure("iteration", "run_seconds")
+PLAIN_3 = Measure("cgal_plain_3")
+SPACE_BUILD = Measure("space_build")
+
+
+def in_space(text, over, under=PLAIN_3, bound=""):
+    """A row of three dimensions."""
+    return Row(text, over, under, bound, sizes=(10_000, 100_000), lattices=("cube",))
+
 
 ROWS = [
     Row("evaluation with certificate, converging regime / one CGAL plain build of n sites",
-        Measure("evaluation"), PLAIN, "1/25", lattices=tuple(LATTICES)),
+        Measure("evaluation"), PLAIN, "1/25", lattices=PLANE),
     Row("whole L-BFGS iteration, mean from random to RMS residual 1e-4 / CGAL plain build",
-        Measure("iteration"), PLAIN, "1/14", lattices=tuple(LATTICES)),
+        Measure("iteration"), PLAIN, "1/14", lattices=PLANE),
     Row("initial periodic Delaunay / CGAL plain build",
-        BUILD, PLAIN, "0.6", lattices=tuple(LATTICES)),
+        BUILD, PLAIN, "0.6", lattices=PLANE),
     Row("CGAL Periodic_2 / our initial build",
         Measure("cgal_periodic"), BUILD, "≥ 20"),
     Row("random start to RMS residual 1e-4, in CGAL plain builds",
@@ -77,11 +86,21 @@ ROWS = [
     Row("CGAL Periodic_2 / CGAL plain build", Measure("cgal_periodic"), PLAIN),
     Row("our mirror diagram / CGAL plain build", Measure("mirrors"), PLAIN),
     Row("voro++ / CGAL plain build", Measure("voro"), PLAIN),
+    in_space("evaluation with certificate, converging regime / CGAL plain build",
+             Measure("space_evaluation"), bound="1/12"),
+    in_space("whole L-BFGS iteration, mean from random to RMS residual 1e-4 / CGAL plain build",
+             Measure("space_iteration"), bound="1/8"),
+    in_space("initial periodic Delaunay / CGAL plain build", SPACE_BUILD, bound="1.6"),
+    in_space("CGAL Periodic_3 / our initial build", Measure("cgal_periodic_3"), SPACE_BUILD, "≥ 2.5"),
+    in_space("our mirrors / our initial build", Measure("space_mirrors"), SPACE_BUILD),
+    in_space("rebuilds, whole run", Measure("space_iteration", "rebuilds"), None),
 ]
 
 # Cases whose times the second table lists, in this order.
 TIMED = ["cgal_plain", "build", "evaluation", "iteration",
-         "cgal_nine_copies", "cgal_periodic", "mirrors", "voro"]
+         "cgal_nine_copies", "cgal_periodic", "mirrors", "voro",
+         "cgal_plain_3", "space_build", "space_evaluation", "space_iteration", "space_mirrors",
+         "cgal_periodic_3"]
 
 
 class Rounds:

@@ -1,4 +1,4 @@
-#include "mesher/space/wide_integer.hpp"
+#include "mesher/space_base/wide_integer.hpp"
 
 #include <gtest/gtest.h>
 

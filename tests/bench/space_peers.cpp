@@ -1,0 +1,43 @@
+#include "tests/bench/space_peers.hpp"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Periodic_3_Delaunay_triangulation_3.h>
+#include <CGAL/Periodic_3_Delaunay_triangulation_traits_3.h>
+
+#include <vector>
+
+namespace pcvt::bench {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Plain = CGAL::Delaunay_triangulation_3<Kernel>;
+using PeriodicTraits = CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>;
+using Periodic = CGAL::Periodic_3_Delaunay_triangulation_3<PeriodicTraits>;
+
+template <class Point>
+std::vector<Point> converted(const Points3& points) {
+    std::vector<Point> copy;
+    copy.reserve(static_cast<std::size_t>(points.cols()));
+    for (const auto& p : points.colwise()) copy.emplace_back(p.x(), p.y(), p.z());
+    return copy;
+}
+
+}  // namespace
+
+SpaceTriangulation cgal_plain_in_space(const Points3& points) {
+    const auto copy = converted<Kernel::Point_3>(points);
+    const auto plain = std::make_shared<Plain>(copy.begin(), copy.end());
+    return {static_cast<std::int64_t>(plain->number_of_vertices()),
+            static_cast<std::int64_t>(plain->number_of_finite_cells()), plain};
+}
+
+SpaceTriangulation cgal_periodic_in_space(const Points3& points) {
+    const auto copy = converted<Periodic::Point>(points);
+    const auto periodic = std::make_shared<Periodic>();
+    periodic->insert(copy.begin(), copy.end(), true);
+    return {static_cast<std::int64_t>(periodic->number_of_vertices()),
+            static_cast<std::int64_t>(periodic->number_of_cells()), periodic};
+}
+
+}  // namespace pcvt::bench
