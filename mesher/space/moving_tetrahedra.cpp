@@ -5,10 +5,15 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/space/tetrahedra_flips.hpp"
+#include "mesher/space/tetrahedra_untangling.hpp"
 
 namespace pcvt {
 namespace {
+
+/// A local repair that moves back more sites than this share, and more than this number, costs more
+/// than a new build.
+constexpr double kMostHeldShare = 0.2;
+constexpr std::size_t kMostHeldAtLeast = 16;
 
 double unit_near(double length) {
     int exponent = 0;
@@ -61,42 +66,67 @@ void MovingTetrahedra::keep_in_range() {
         if (whole.minCoeff() >= -1 && whole.maxCoeff() <= 1) continue;
         coordinates_.col(s) -= whole;
         if (!settled_) before_.col(s) -= whole;
+        if (valid_.cols() > 0) valid_.col(s) -= whole;
         change[s] = {int(whole.x()), int(whole.y()), int(whole.z())};
         changes = true;
     }
     if (changes) tetrahedra_.add_to_offsets(change);
 }
 
-bool MovingTetrahedra::all_positive(const SpaceSuspects& suspects) const {
-    const auto positive = [this](int t) { return is_positive(tetrahedra_, coordinates_, t); };
-    return std::all_of(suspects.tetrahedra.begin(), suspects.tetrahedra.end(), positive);
+std::vector<int> MovingTetrahedra::inverted(const SpaceSuspects& suspects) const {
+    std::vector<int> found;
+    for (const int t : suspects.tetrahedra) {
+        if (!is_positive(tetrahedra_, coordinates_, t)) found.push_back(t);
+    }
+    return found;
 }
 
 bool MovingTetrahedra::is_restored(const SpaceSuspects& suspects) const {
     const auto delaunay = [this](int f) {
         return is_locally_delaunay(tetrahedra_, coordinates_, gram_, f);
     };
-    return all_positive(suspects) &&
+    return inverted(suspects).empty() &&
            std::all_of(suspects.facets.begin(), suspects.facets.end(), delaunay);
 }
 
 bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
-    const auto pass = [&] {
-        return evaluate_space_energy(tetrahedra_, coordinates_, frame_, workers, energy);
+    const auto certified = [&] {
+        const SpaceSuspects suspects =
+            evaluate_space_energy(tetrahedra_, coordinates_, frame_, workers, energy);
+        return is_restored(suspects) ? std::nullopt : std::optional(suspects);
     };
-    const SpaceSuspects suspects = pass();
-    if (is_restored(suspects)) return true;
-    if (restore_by_flips(suspects) && is_restored(pass())) return true;
-    if (!rebuild()) return false;
-    if (!is_restored(pass())) throw InternalError("a new build in space is not Delaunay");
+    auto suspects = certified();
+    if (suspects && restore(std::move(*suspects))) suspects = certified();
+    if (suspects) {
+        valid_.resize(3, 0);
+        if (!rebuild()) return false;
+        if (certified()) throw InternalError("a new build in space is not Delaunay");
+    }
+    valid_ = coordinates_;
     return true;
 }
 
-bool MovingTetrahedra::restore_by_flips(const SpaceSuspects& suspects) {
-    if (!all_positive(suspects)) return false;
+/// @returns false if the triangulation must be built from scratch.
+bool MovingTetrahedra::restore(SpaceSuspects suspects) {
+    const std::vector<int> wrong = inverted(suspects);
+    return wrong.empty() ? restore_by_flips(suspects.facets)
+                         : untangle(wrong, std::move(suspects.facets));
+}
+
+bool MovingTetrahedra::restore_by_flips(const std::vector<int>& facets) {
     TetrahedraFlips flips(tetrahedra_, coordinates_, gram_);
-    const bool done = flips.flip(suspects.facets);
+    const bool done = flips.flip(facets);
     n_flips_ += flips.n_flips();
+    return done;
+}
+
+bool MovingTetrahedra::untangle(const std::vector<int>& inverted, std::vector<int> facets) {
+    if (valid_.cols() == 0) return false;
+    const auto share = static_cast<std::size_t>(kMostHeldShare * n_sites());
+    TetrahedraUntangling untangling(tetrahedra_, valid_, coordinates_, gram_);
+    const bool done =
+        untangling.run(inverted, std::move(facets), std::max(share, kMostHeldAtLeast));
+    n_flips_ += untangling.n_flips();
     return done;
 }
 

@@ -59,8 +59,9 @@ class MovingTetrahedra {
     bool settled() const { return settled_; }
 
     /// Evaluates, and certifies the triangulation in the same pass. Where a facet is no longer
-    /// Delaunay, it restores the triangulation by flips and evaluates again; it builds the
-    /// triangulation from scratch if a tetrahedron is not positive, or if flips get stuck.
+    /// Delaunay, it restores the triangulation by flips and evaluates again; where a tetrahedron is
+    /// inverted, it untangles the triangulation (tetrahedra_untangling.hpp). It builds the
+    /// triangulation from scratch if flips get stuck, or if too many sites would have to move back.
     /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool evaluate(Workers& workers, SpaceEnergy& energy);
 
@@ -68,9 +69,12 @@ class MovingTetrahedra {
     SpaceDelaunay release();
 
    private:
-    bool all_positive(const SpaceSuspects& suspects) const;
+    /// The tetrahedra among the suspects that are not positive.
+    std::vector<int> inverted(const SpaceSuspects& suspects) const;
     bool is_restored(const SpaceSuspects& suspects) const;
-    bool restore_by_flips(const SpaceSuspects& suspects);
+    bool restore(SpaceSuspects suspects);
+    bool restore_by_flips(const std::vector<int>& facets);
+    bool untangle(const std::vector<int>& inverted, std::vector<int> facets);
     bool rebuild();
     void keep_in_range();
     SpaceSites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
@@ -84,6 +88,9 @@ class MovingTetrahedra {
     Points3 coordinates_;
     /// The coordinates before the last step, with offsets that fit the tetrahedra.
     Points3 before_;
+    /// The coordinates where the tetrahedra were positive last, with offsets that fit them; no
+    /// columns if unknown.
+    Points3 valid_;
     TorusTetrahedra tetrahedra_;
     bool settled_ = true;
     int n_rebuilds_ = 0;

@@ -22,7 +22,7 @@ int TetrahedraFlips::turn(const Corner3& p, const Corner3& q, const Corner3& r,
 }
 
 bool TetrahedraFlips::flip(const std::vector<int>& facets) {
-    queue_ = facets;
+    queue_.insert(queue_.end(), facets.begin(), facets.end());
     const std::int64_t most =
         n_flips_ + kFlipsPerSuspect * (static_cast<std::int64_t>(facets.size()) + 16);
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -39,10 +39,11 @@ bool TetrahedraFlips::flip(const std::vector<int>& facets) {
         if (stuck.empty()) return true;
         queue_ = std::move(stuck);
     }
-    return std::all_of(queue_.begin(), queue_.end(), [this](int f) {
+    std::erase_if(queue_, [this](int f) {
         return f >= tetrahedra_.n_facets() ||
                is_locally_delaunay(tetrahedra_, coordinates_, gram_, f);
     });
+    return queue_.empty();
 }
 
 bool TetrahedraFlips::try_flip(int facet) {
@@ -121,6 +122,7 @@ bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
     for (const int t : changed)
         queue_.insert(queue_.end(), {4 * t, 4 * t + 1, 4 * t + 2, 4 * t + 3});
     ++n_flips_;
+    if (after_flip_) after_flip_(changed);
     return true;
 }
 

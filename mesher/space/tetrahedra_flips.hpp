@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "mesher/space/space_delaunay.hpp"
 
 namespace pcvt {
@@ -14,15 +16,26 @@ namespace pcvt {
 ///     if (!flips.flip(suspects.facets)) rebuild();
 class TetrahedraFlips {
    public:
+    /// Receives the numbers of the tetrahedra that are new or have another number after a flip.
+    using Observer = std::function<void(const std::vector<int>&)>;
+
     /// @param coordinates  3 x n, reduced basis; it and the triangulation must outlive this object.
-    TetrahedraFlips(TorusTetrahedra& tetrahedra, const Points3& coordinates, const Gram3& gram)
-        : tetrahedra_(tetrahedra), coordinates_(coordinates), gram_(gram) {}
+    ///                     They may change between calls of flip().
+    TetrahedraFlips(TorusTetrahedra& tetrahedra, const Points3& coordinates, const Gram3& gram,
+                    Observer after_flip = {})
+        : tetrahedra_(tetrahedra),
+          coordinates_(coordinates),
+          gram_(gram),
+          after_flip_(std::move(after_flip)) {}
 
     /// Flips the suspects that are not locally Delaunay, then the facets that become suspects.
     /// Every tetrahedron must be positive, and remains so.
-    /// @param facets  all facets that may not be locally Delaunay.
+    /// @param facets  all facets that may not be locally Delaunay, besides those that an earlier
+    ///                call could not mend.
     /// @returns false if facets remain that no flip can mend.
     bool flip(const std::vector<int>& facets);
+    /// The facets that the last call could not mend.
+    std::size_t n_stuck() const { return queue_.size(); }
     std::int64_t n_flips() const { return n_flips_; }
 
    private:
@@ -37,6 +50,7 @@ class TetrahedraFlips {
     TorusTetrahedra& tetrahedra_;
     const Points3& coordinates_;
     const Gram3& gram_;
+    Observer after_flip_;
     std::vector<int> queue_;
     std::int64_t n_flips_ = 0;
 };
