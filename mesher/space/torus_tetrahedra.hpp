@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,7 +20,11 @@ struct TetrahedronOffsets {
     std::array<std::int8_t, 9> relative{};
 
     friend bool operator==(const TetrahedronOffsets&, const TetrahedronOffsets&) = default;
-    bool all_zero() const { return relative == std::array<std::int8_t, 9>{}; }
+    bool all_zero() const {
+        std::uint64_t first = 0;
+        std::memcpy(&first, relative.data(), sizeof first);
+        return (first | std::uint8_t(relative[8])) == 0;
+    }
 };
 
 /// A triangulation of the 3-torus as a Delta-complex in flat arrays; topology only.

@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "mesher/space/moving_tetrahedra.hpp"
-#include "mesher/space/space_cvt.hpp"
+#include "mesher/space_cvt/space_cvt.hpp"
 #include "mesher/space/space_mirrors.hpp"
 #include "tests/bench/cases.hpp"
 #include "tests/bench/space_peers.hpp"
