@@ -6,6 +6,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/space/tetrahedra_untangling.hpp"
+#include "mesher/space_base/hilbert_curve.hpp"
 
 namespace pcvt {
 namespace {
@@ -21,6 +22,17 @@ double unit_near(double length) {
     return std::ldexp(1.0, exponent);
 }
 
+Points3 in_order(const Points3& coordinates, const std::vector<SiteId>& order) {
+    Points3 ordered(3, coordinates.cols());
+    for (Eigen::Index s = 0; s < coordinates.cols(); ++s)
+        ordered.col(s) = coordinates.col(order[s]);
+    return ordered;
+}
+
+bool is_empty(const SpaceSuspects& suspects) {
+    return suspects.tetrahedra.empty() && suspects.facets.empty();
+}
+
 }  // namespace
 
 MovingTetrahedra::MovingTetrahedra(const SpaceSites& sites)
@@ -30,8 +42,9 @@ MovingTetrahedra::MovingTetrahedra(const SpaceSites& sites)
       unit_(unit_near(sites.spacing())),
       spacing_(sites.spacing() / unit_),
       frame_(reduction_.reduced, unit_),
-      coordinates_(sites.coordinates()),
-      tetrahedra_(space_tetrahedra(sites)) {}
+      order_(hilbert_order(sites.coordinates())),
+      coordinates_(in_order(sites.coordinates(), order_)),
+      tetrahedra_(space_tetrahedra(wrapped_sites())) {}
 
 bool MovingTetrahedra::step(const Eigen::VectorXf& direction, double t) {
     constexpr double kFarthest = 2;
@@ -73,44 +86,39 @@ void MovingTetrahedra::keep_in_range() {
     if (changes) tetrahedra_.add_to_offsets(change);
 }
 
-std::vector<int> MovingTetrahedra::inverted(const SpaceSuspects& suspects) const {
-    std::vector<int> found;
-    for (const int t : suspects.tetrahedra) {
-        if (!is_positive(tetrahedra_, coordinates_, t)) found.push_back(t);
-    }
-    return found;
-}
-
-bool MovingTetrahedra::is_restored(const SpaceSuspects& suspects) const {
-    const auto delaunay = [this](int f) {
-        return is_locally_delaunay(tetrahedra_, coordinates_, gram_, f);
-    };
-    return inverted(suspects).empty() &&
-           std::all_of(suspects.facets.begin(), suspects.facets.end(), delaunay);
-}
-
 bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
-    const auto certified = [&] {
-        const SpaceSuspects suspects =
-            evaluate_space_energy(tetrahedra_, coordinates_, frame_, workers, energy);
-        return is_restored(suspects) ? std::nullopt : std::optional(suspects);
+    const auto find_violations = [&] {
+        return violations(
+            evaluate_space_energy(tetrahedra_, coordinates_, frame_, workers, energy));
     };
-    auto suspects = certified();
-    if (suspects && restore(std::move(*suspects))) suspects = certified();
-    if (suspects) {
+    SpaceSuspects wrong = find_violations();
+    bool certified = is_empty(wrong);
+    if (!certified) certified = restore(std::move(wrong)) && is_empty(find_violations());
+    if (!certified) {
         valid_.resize(3, 0);
         if (!rebuild()) return false;
-        if (certified()) throw InternalError("a new build in space is not Delaunay");
+        if (!is_empty(find_violations())) {
+            throw InternalError("a new build in space is not Delaunay");
+        }
     }
     valid_ = coordinates_;
     return true;
 }
 
-/// @returns false if the triangulation must be built from scratch.
-bool MovingTetrahedra::restore(SpaceSuspects suspects) {
-    const std::vector<int> wrong = inverted(suspects);
-    return wrong.empty() ? restore_by_flips(suspects.facets)
-                         : untangle(wrong, std::move(suspects.facets));
+SpaceSuspects MovingTetrahedra::violations(SpaceSuspects suspects) const {
+    std::erase_if(suspects.tetrahedra,
+                  [this](int t) { return is_positive(tetrahedra_, coordinates_, t); });
+    // The test of a facet needs positive tetrahedra.
+    if (!suspects.tetrahedra.empty()) return suspects;
+    std::erase_if(suspects.facets, [this](int f) {
+        return is_locally_delaunay(tetrahedra_, coordinates_, gram_, f);
+    });
+    return suspects;
+}
+
+bool MovingTetrahedra::restore(SpaceSuspects wrong) {
+    return wrong.tetrahedra.empty() ? restore_by_flips(wrong.facets)
+                                    : untangle(wrong.tetrahedra, std::move(wrong.facets));
 }
 
 bool MovingTetrahedra::restore_by_flips(const std::vector<int>& facets) {
@@ -143,9 +151,14 @@ bool MovingTetrahedra::rebuild() {
 
 SpaceDelaunay MovingTetrahedra::release() {
     std::vector<Offset3> change(static_cast<std::size_t>(n_sites()));
-    for (SiteId s = 0; s < n_sites(); ++s) change[s] = wrap(coordinates_.col(s)).whole;
+    Points3 coordinates(3, n_sites());
+    for (SiteId s = 0; s < n_sites(); ++s) {
+        change[s] = wrap(coordinates_.col(s)).whole;
+        coordinates.col(order_[s]) = coordinates_.col(s);
+    }
     tetrahedra_.add_to_offsets(change);
-    return {wrapped_sites(), std::move(tetrahedra_)};
+    tetrahedra_.renumber_sites(order_);
+    return {SpaceSites(lattice_, reduction_, std::move(coordinates)), std::move(tetrahedra_)};
 }
 
 }  // namespace pcvt

@@ -7,6 +7,7 @@ namespace pcvt {
 
 /// The periodic Delaunay triangulation of moving sites in space, and their energy.
 ///
+/// The class renumbers the sites along a Hilbert curve, so that neighbours are close in memory.
 /// Coordinates in the reduced basis are wrapped only when they leave [-1, 2), and remain multiples
 /// of 2^-50. All lengths are in `unit()`, a power of two near h, and in the SpaceFrame.
 ///
@@ -35,6 +36,8 @@ class MovingTetrahedra {
 
     explicit MovingTetrahedra(const SpaceSites& sites);
 
+    /// The id of the site in the constructor's argument.
+    SiteId original_id(SiteId site) const { return order_[site]; }
     int n_sites() const { return static_cast<int>(coordinates_.cols()); }
     /// 3 x n, reduced basis, in [-1, 2).
     const Points3& coordinates() const { return coordinates_; }
@@ -65,14 +68,16 @@ class MovingTetrahedra {
     /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool evaluate(Workers& workers, SpaceEnergy& energy);
 
-    /// Returns the sites and their triangulation. The object must not be used afterwards.
+    /// Returns the sites and their triangulation in the numbering of the constructor's argument.
+    /// The object must not be used afterwards.
     SpaceDelaunay release();
 
    private:
-    /// The tetrahedra among the suspects that are not positive.
-    std::vector<int> inverted(const SpaceSuspects& suspects) const;
-    bool is_restored(const SpaceSuspects& suspects) const;
-    bool restore(SpaceSuspects suspects);
+    /// The suspects that break law (1): all inverted tetrahedra; without these, all facets that are
+    /// not locally Delaunay, else all facets that may not be.
+    SpaceSuspects violations(SpaceSuspects suspects) const;
+    /// @returns false if the triangulation must be built from scratch.
+    bool restore(SpaceSuspects wrong);
     bool restore_by_flips(const std::vector<int>& facets);
     bool untangle(const std::vector<int>& inverted, std::vector<int> facets);
     bool rebuild();
@@ -85,6 +90,7 @@ class MovingTetrahedra {
     double unit_;
     double spacing_;
     SpaceFrame frame_;
+    std::vector<SiteId> order_;
     Points3 coordinates_;
     /// The coordinates before the last step, with offsets that fit the tetrahedra.
     Points3 before_;

@@ -20,9 +20,9 @@ struct TetrahedronOffsets {
     std::array<std::int8_t, 9> relative{};
 
     friend bool operator==(const TetrahedronOffsets&, const TetrahedronOffsets&) = default;
-    /// Most are; two loads instead of a call of memcmp.
+    /// Most are. Two loads take less time than a call of memcmp.
     bool all_zero() const {
-        std::uint64_t first;
+        std::uint64_t first = 0;
         std::memcpy(&first, relative.data(), sizeof first);
         return first == 0 && relative[8] == 0;
     }

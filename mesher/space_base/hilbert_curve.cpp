@@ -1,5 +1,11 @@
 #include "mesher/space_base/hilbert_curve.hpp"
 
+#include <functional>
+#include <utility>
+
+#include "mesher/base/cancellable_sort.hpp"
+#include "mesher/base/checkpoint.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -62,6 +68,23 @@ std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& box) {
         pose = next.pose;
     }
     return index;
+}
+
+std::vector<SiteId> hilbert_order(const Eigen::Matrix3Xd& coordinates) {
+    std::vector<std::pair<std::uint64_t, SiteId>> places;
+    places.reserve(static_cast<std::size_t>(coordinates.cols()));
+    for (SiteId s = 0; s < static_cast<SiteId>(coordinates.cols()); ++s) {
+        checkpoint_each(s);
+        const auto slice = [&](int axis) {
+            return std::uint32_t(coordinates(axis, s) * (1 << kHilbertBits));
+        };
+        places.emplace_back(hilbert_index({slice(0), slice(1), slice(2)}), s);
+    }
+    cancellable_sort(places.begin(), places.end(), std::less<>());
+    std::vector<SiteId> order;
+    order.reserve(places.size());
+    for (const auto& [place, site] : places) order.push_back(site);
+    return order;
 }
 
 }  // namespace pcvt

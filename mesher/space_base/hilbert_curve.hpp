@@ -1,7 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <vector>
+
+#include "mesher/base/site_id.hpp"
 
 namespace pcvt {
 
@@ -17,5 +21,10 @@ inline constexpr int kHilbertBits = 20;
 ///     const auto slice = [](double u) { return std::uint32_t(u * (1 << kHilbertBits)); };
 ///     const std::uint64_t key = hilbert_index({slice(u), slice(v), slice(w)});
 std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& box);
+
+/// The sites in the order in which the curve visits them; by number within one box.
+///
+/// @param coordinates  3 x n in [0, 1)^3.
+std::vector<SiteId> hilbert_order(const Eigen::Matrix3Xd& coordinates);
 
 }  // namespace pcvt

@@ -10,7 +10,7 @@
 
 #include "io/space_formats.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
-#include "mesher/space/space_cvt.hpp"
+#include "mesher/space_cvt/space_cvt.hpp"
 #include "plugin/job/job_progress.hpp"
 
 namespace pcvt {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "io/pictures/plot_svg.hpp"
-#include "mesher/space/space_cvt.hpp"
+#include "mesher/space_cvt/space_cvt.hpp"
 #include "mesher/space_search/space_pattern.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/study/study_pictures.hpp"

@@ -104,7 +104,8 @@ TEST(MovingTetrahedra, ReportsSitesThatCoincide) {
     points << 0.25, 0.5, 0.25, 0.5, 0.25, 0.5;
     MovingTetrahedra moving(SpaceSites(cube, points));
     Eigen::VectorXf direction = Eigen::VectorXf::Zero(8);
-    direction.segment<3>(0).setConstant(float(0.25 / moving.unit()));
+    const SiteId first = moving.original_id(0) == 0 ? 0 : 1;
+    direction.segment<3>(4 * first).setConstant(float(0.25 / moving.unit()));
     Workers workers(1);
     SpaceEnergy energy;
     ASSERT_TRUE(moving.step(direction, 1));

@@ -49,5 +49,23 @@ TEST(HilbertCurve, UsesAllBits) {
     EXPECT_LT(hilbert_index({last, last, last}), std::uint64_t{1} << (3 * kHilbertBits));
 }
 
+/// The boxes in the order of the curve, given in another one.
+TEST(HilbertOrder, SortsPointsAlongTheCurve) {
+    const auto curve = coarse_curve();
+    Eigen::Matrix3Xd points(3, kBoxes);
+    std::vector<SiteId> expected(kBoxes);
+    for (int b = 0; b < kBoxes; ++b) {
+        const SiteId site = 101 * b % kBoxes;
+        for (int k = 0; k < 3; ++k) points(k, site) = (curve[b][k] + 0.5) / kSide;
+        expected[b] = site;
+    }
+    EXPECT_EQ(hilbert_order(points), expected);
+}
+
+TEST(HilbertOrder, KeepsTheOrderOfNumbersInOneBox) {
+    EXPECT_EQ(hilbert_order(Eigen::Matrix3Xd::Constant(3, 4, 0.3)),
+              (std::vector<SiteId>{0, 1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace pcvt

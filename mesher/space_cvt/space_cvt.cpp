@@ -1,4 +1,4 @@
-#include "mesher/space/space_cvt.hpp"
+#include "mesher/space_cvt/space_cvt.hpp"
 
 #include <cmath>
 
