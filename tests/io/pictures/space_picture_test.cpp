@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "tests/support/space_tiles.hpp"
