@@ -5,6 +5,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/extension.hpp"
+#include "io/pictures/space_picture.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
@@ -12,6 +13,7 @@
 #include "io/space/space_msh_writer.hpp"
 #include "io/space/space_vtu_reader.hpp"
 #include "io/space/space_vtu_writer.hpp"
+#include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "io/surfaces/surface_glb_writer.hpp"
 #include "io/surfaces/surface_obj_reader.hpp"
@@ -126,6 +128,22 @@ constexpr std::array kFormats{
                 .encode = encode_om_boundary,
                 .encode_tetrahedra = nullptr,
                 .kind = kind_where<SpaceFileKind::kBoundary, is_surface_om>},
+    SpaceFormat{.extension = ".svg",
+                .is_folder = false,
+                .surfaces = FormatSurfaces::kNone,
+                .memory = 7000,
+                .paths = itself,
+                .encode = encode_volumes<encode_space_svg>,
+                .encode_tetrahedra = nullptr,
+                .kind = nullptr},
+    SpaceFormat{.extension = ".png",
+                .is_folder = false,
+                .surfaces = FormatSurfaces::kNone,
+                .memory = 7000,
+                .paths = itself,
+                .encode = encode_volumes<encode_space_png>,
+                .encode_tetrahedra = nullptr,
+                .kind = nullptr},
     SpaceFormat{.extension = ".txt",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kNone,
@@ -193,8 +211,15 @@ std::vector<EncodedFile> encode_again(const TileSurface& surface, const std::str
 bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
     const SurfaceGlb found = decode_surface_glb(glb);
     prove_surface_glb(found);
+    compare_surface_glb(glb, found);
     require_same_surfaces(found, surface_list(tile, found.form));
     return found.lattice.periods() == tile.mesh.lattice.periods() && found.sites == tile.sites;
+}
+
+/// Whether a file is a VTU that pcvt wrote, whose tags and words follow from its tile.
+bool is_own_vtu(const EncodedFile& file) {
+    return lower_case_extension(file.path) == ".vtu" &&
+           file.bytes.find(kSpaceVtuMark) != std::string::npos;
 }
 
 SpaceTile decode(const std::vector<EncodedFile>& files) {
@@ -267,6 +292,9 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files) {
     if (extension == ".obj" || extension == ".ply") {
         const SurfaceList list = surface_list(tile, SurfaceForm::kCells);
         require_same_bytes(files, encode_again(list, files.front().path));
+    }
+    if (is_own_vtu(files.front())) {
+        require_same_bytes(files, encode_space_vtu(tile, files.front().path));
     }
     return result;
 }

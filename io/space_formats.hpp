@@ -46,9 +46,11 @@ struct SpaceFormat {
     std::vector<EncodedFile> (*encode_tetrahedra)(const TetrahedralMesh& mesh,
                                                   const std::string& path);
     /// Returns what files of this extension hold, as `pcvt check` reads them; nothing if they hold
-    /// no tile in space. Null where none is read.
+    /// no tile in space. Null for pictures and sites.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files);
 
+    /// Whether its files are written and never read back.
+    bool is_picture() const { return encode != nullptr && kind == nullptr; }
     bool shows_boundary(const SpaceFileOptions& options) const {
         return surfaces == FormatSurfaces::kBoundary ||
                (surfaces == FormatSurfaces::kChosen && options.surfaces == SurfaceForm::kBoundary);

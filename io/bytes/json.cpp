@@ -315,6 +315,17 @@ const Json* Json::begin() const {
     return entries == nullptr ? nullptr : (*entries)->data();
 }
 
+bool Json::same(const Json& other) const {
+    if (is_number() && other.is_number()) return get<double>() == other.get<double>();
+    if (value_.index() != other.value_.index() || size() != other.size()) return false;
+    if (is_string()) return text() == other.text();
+    if (holds<bool>()) return std::get<bool>(value_) == std::get<bool>(other.value_);
+    if (is_array()) return std::ranges::equal(*this, other, &Json::same);
+    return std::ranges::all_of(members(), [&other](const JsonMember& own) {
+        return other.contains(own.name) && own.value.same(*other.find(own.name));
+    });
+}
+
 void append_json_string(std::string& json, std::string_view text) {
     json += '"';
     while (!text.empty()) {

@@ -90,6 +90,9 @@ class Json {
         return whole != nullptr && std::cmp_equal(*whole, other);
     }
 
+    /// Whether both say the same; members may have another order.
+    bool same(const Json& other) const;
+
    private:
     friend class JsonParser;
     // Pointers, so that the many small numbers of a file need 16 bytes each.

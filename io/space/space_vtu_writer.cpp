@@ -126,7 +126,8 @@ std::vector<int> cell_points(const PolyhedronList& cells, int cell) {
 std::vector<EncodedFile> encode_space_vtu(const SpaceTile& tile, const std::string& path) {
     const PolyhedronList cells = polyhedron_list(tile.mesh);
     std::string text =
-        "<?xml version=\"1.0\"?>\n<!-- A periodic tile of polyhedra, written by pcvt -->\n"
+        "<?xml version=\"1.0\"?>\n" + std::string(kSpaceVtuMark) +
+        "\n"
         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
         "<UnstructuredGrid>\n";
     append_field_data(text, tile.mesh.lattice);

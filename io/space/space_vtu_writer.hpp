@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/space/space_tile.hpp"
@@ -8,6 +9,10 @@
 #include "mesher/polyhedra/polyhedral_assembly.hpp"
 
 namespace pcvt {
+
+/// The comment by which the reader knows a file of encode_space_vtu().
+inline constexpr std::string_view kSpaceVtuMark =
+    "<!-- A periodic tile of polyhedra, written by pcvt -->";
 
 /// Encodes a tile of polyhedra as a VTU in ASCII, for ParaView and VTK: VTK_POLYHEDRON cells whose
 /// faces run counter-clockwise seen from outside.

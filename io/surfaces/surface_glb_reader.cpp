@@ -87,6 +87,14 @@ class GlbParser {
         }
     }
 
+    static std::vector<Corner> corners_of(const std::vector<float>& numbers) {
+        std::vector<Corner> corners;
+        for (std::size_t k = 0; k < numbers.size(); k += 3) {
+            corners.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
+        }
+        return corners;
+    }
+
     void add_node(const Json& node, std::vector<GlbPart>& parts) const {
         const Json& name = GltfDocument::member(node, "name");
         const Json& mesh = document_.entry("meshes", document_.count_in(node, "mesh"));
@@ -96,8 +104,14 @@ class GlbParser {
             const Json& attributes = GltfDocument::member(primitive, "attributes");
             const std::vector<float> points =
                 document_.floats(document_.count_in(attributes, "POSITION"), 3);
-            for (const int v :
-                 document_.indices(document_.count_in(primitive, "indices"), points.size() / 3)) {
+            part.normals =
+                corners_of(document_.floats(document_.count_in(attributes, "NORMAL"), 3));
+            if (3 * part.normals.size() != points.size()) {
+                document_.throw_bad_file("a primitive has not one normal for each vertex");
+            }
+            part.vertices =
+                document_.indices(document_.count_in(primitive, "indices"), points.size() / 3);
+            for (const int v : part.vertices) {
                 const std::size_t at = 3 * static_cast<std::size_t>(v);
                 part.corners.push_back({points[at], points[at + 1], points[at + 2]});
             }

@@ -12,6 +12,9 @@ struct GlbPart {
     /// Of the node.
     std::string name;
     std::vector<std::array<float, 3>> corners;
+    /// The vertex of each corner, and a normal for each vertex.
+    std::vector<int> vertices = {};
+    std::vector<std::array<float, 3>> normals = {};
 };
 
 /// The surfaces of a file of encode_surface_glb().

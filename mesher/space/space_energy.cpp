@@ -25,6 +25,7 @@ struct Slab {
              const SpaceFrame& frame);
 
    private:
+    void add_suspects(int t, const TetrahedronBlock& block, int k);
     void scatter(const TorusTetrahedra& tetrahedra, int at, int n, const TetrahedronBlock& block);
 };
 
@@ -66,6 +67,9 @@ void Slab::run(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
         const int n = std::min(TetrahedronBlock::kSize, end - at);
         gather(tetrahedra, coordinates, at, n, block);
         block.compute(frame);
+        for (int k = 0; k < n; ++k) {
+            if (!(block.thick[k] > 0)) block.correct(k, frame);
+        }
         scatter(tetrahedra, at, n, block);
     }
 }
@@ -75,11 +79,7 @@ void Slab::scatter(const TorusTetrahedra& tetrahedra, int at, int n,
     const SiteId* site = tetrahedra.corner_sites().data() + 4 * std::size_t(at);
     double part = 0;
     for (int k = 0; k < n; ++k, site += 4) {
-        // Collect the elements that the block could not certify.
-        if (!(block.thick[k] > 0)) suspects.tetrahedra.push_back(at + k);
-        for (int f = 0; f < 4; ++f) {
-            if (!(block.inside[f][k] > 0)) suspects.facets.push_back(4 * (at + k) + f);
-        }
+        if (!(block.certain[k] > 0)) add_suspects(at + k, block, k);
         part += block.value[k];
         for (int c = 0; c < 4; ++c) {
             double* const sum = sums.data() + 4 * std::size_t(site[c] - first_site);
@@ -90,6 +90,14 @@ void Slab::scatter(const TorusTetrahedra& tetrahedra, int at, int n,
         }
     }
     value += part;
+}
+
+/// Collects the elements of lane k that the block could not certify.
+void Slab::add_suspects(int t, const TetrahedronBlock& block, int k) {
+    if (!(block.thick[k] > 0)) suspects.tetrahedra.push_back(t);
+    for (int f = 0; f < 4; ++f) {
+        if (!(block.inside[f][k] > 0)) suspects.facets.push_back(4 * t + f);
+    }
 }
 
 void add(const Slab& slab, SpaceEnergy& energy) {

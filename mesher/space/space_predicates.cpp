@@ -30,6 +30,11 @@ constexpr double kSmallestBound = 1e-290;
 int sign(double x) { return (x > 0) - (x < 0); }
 
 template <class Number>
+Components3<Number> cross(const Components3<Number>& p, const Components3<Number>& q) {
+    return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+
+template <class Number>
 Number determinant(const Components3<Number>& p, const Components3<Number>& q,
                    const Components3<Number>& r) {
     return p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) +
@@ -100,6 +105,15 @@ Determinant projected_cross(int axis, const Displacement3& d, const Displacement
     const auto p = projected(axis, d);
     const auto q = projected(axis, e);
     return integer(p[0]) * integer(q[1]) - integer(p[1]) * integer(q[0]);
+}
+
+/// G^-1 v.
+Vec3 divided(const Gram3& gram, const Vec3& v) {
+    const Vec3 rows[3] = {
+        {gram.aa, gram.ab, gram.ac}, {gram.ab, gram.bb, gram.bc}, {gram.ac, gram.bc, gram.cc}};
+    const Vec3 yz = rows[1].cross(rows[2]);
+    return (v.x() * yz + v.y() * rows[2].cross(rows[0]) + v.z() * rows[0].cross(rows[1])) /
+           rows[0].dot(yz);
 }
 
 }  // namespace
@@ -193,14 +207,28 @@ Vec3 circumcentre(const Gram3& gram, const Image3& p, const Image3& q, const Ima
     const Vec3 first = d[1].cross(d[2]);
     const double twice_det = 2 * d[0].dot(first);
     const auto height = [&](int k) { return gram.squared_length(d[k].x(), d[k].y(), d[k].z()); };
-    const Vec3 gc =
-        (height(0) * first + height(1) * d[2].cross(d[0]) + height(2) * d[0].cross(d[1])) /
-        twice_det;
-    const Vec3 rows[3] = {
-        {gram.aa, gram.ab, gram.ac}, {gram.ab, gram.bb, gram.bc}, {gram.ac, gram.bc, gram.cc}};
-    const Vec3 yz = rows[1].cross(rows[2]);
-    return (gc.x() * yz + gc.y() * rows[2].cross(rows[0]) + gc.z() * rows[0].cross(rows[1])) /
-           rows[0].dot(yz);
+    return divided(
+        gram, (height(0) * first + height(1) * d[2].cross(d[0]) + height(2) * d[0].cross(d[1])) /
+                  twice_det);
+}
+
+Vec3 exact_circumcentre(const Gram3& gram, const std::array<Vec3, 3>& d) {
+    const auto vector = [](const Vec3& p) { return Displacement3{p.x(), p.y(), p.z()}; };
+    const std::array<Displacement3, 3> edge{vector(d[0]), vector(d[1]), vector(d[2])};
+    const std::array<Components3<Determinant>, 3> e{integers(edge[0]), integers(edge[1]),
+                                                    integers(edge[2])};
+    std::array<Product, 3> sum{Product(0), Product(0), Product(0)};
+    for (int k = 0; k < 3; ++k) {
+        const Product height(squared_length(gram, edge[k]));
+        const auto minor = cross(e[(k + 1) % 3], e[(k + 2) % 3]);
+        sum[0] = sum[0] + height * Product(minor.x);
+        sum[1] = sum[1] + height * Product(minor.y);
+        sum[2] = sum[2] + height * Product(minor.z);
+    }
+    // The sums are multiples of 2^-260, the determinant of 2^-150.
+    const double twice_det = 2 * determinant(e[0], e[1], e[2]).rounded();
+    const auto quotient = [&](int k) { return std::ldexp(sum[k].rounded() / twice_det, -110); };
+    return divided(gram, {quotient(0), quotient(1), quotient(2)});
 }
 
 }  // namespace pcvt

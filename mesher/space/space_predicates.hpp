@@ -126,4 +126,9 @@ inline bool is_lexicographically_less(const Image3& p, const Image3& q) {
 Vec3 circumcentre(const Gram3& gram, const Image3& p, const Image3& q, const Image3& r,
                   const Image3& s);
 
+/// The circumcentre of the corners 0, d[0], d[1] and d[2] from exact determinants, so that it is as
+/// accurate for a flat tetrahedron as for any other.
+/// @param d  multiples of 2^-50 in (-8, 8)^3, linearly independent.
+Vec3 exact_circumcentre(const Gram3& gram, const std::array<Vec3, 3>& d);
+
 }  // namespace pcvt

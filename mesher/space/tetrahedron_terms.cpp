@@ -77,6 +77,11 @@ struct Shape {
     double thick;
 };
 
+[[gnu::always_inline]] inline std::array<double, 4> heights(const Shape& s) {
+    return {dot(s.centre - s.p1, s.normal[0]), dot(s.centre, s.normal[1]),
+            dot(s.centre, s.normal[2]), dot(s.centre, s.normal[3])};
+}
+
 [[gnu::always_inline]] inline Shape shape_of(const Vector& p1, const Vector& p2, const Vector& p3) {
     Shape s{p1, p2, p3, p2 - p1, p3 - p1, p3 - p2, {}, {}, {}, 0, 0, 0, 0, 0};
     s.normal = {cross(s.p13, s.p12), cross(p2, p3), cross(p3, p1), cross(p1, p2)};
@@ -86,8 +91,7 @@ struct Shape {
     s.l3 = dot(p3, p3);
     const double per_det = 1 / det;
     s.centre = (0.5 * per_det) * (s.l1 * s.normal[1] + s.l2 * s.normal[2] + s.l3 * s.normal[3]);
-    s.height = {dot(s.centre - p1, s.normal[0]), dot(s.centre, s.normal[1]),
-                dot(s.centre, s.normal[2]), dot(s.centre, s.normal[3])};
+    s.height = heights(s);
     const double longest = std::max(std::max(s.l1, s.l2), s.l3);
     const double cube = longest * longest * longest;
     s.thick = det * std::abs(det) - kThin * kThin * cube;
@@ -148,6 +152,22 @@ struct CornerSums {
                  (f0.w[1] + f0.w[2]) * f0.centre + w3 * (s.centre - 3 * s.p3)}};
 }
 
+/// Stores the contributions of a tetrahedron as number k of a block.
+[[gnu::always_inline]] inline void store(const Shape& shape, int k, TetrahedronBlock& block) {
+    const auto facets = facets_of(shape);
+    block.value[k] =
+        (1.0 / 120) * ((facets[0].value + facets[1].value) + (facets[2].value + facets[3].value));
+    const CornerSums sums = corner_sums(shape, facets);
+    for (int c = 0; c < 4; ++c) {
+        block.volume[c][k] = (1.0 / 24) * sums.weight[c];
+        block.gradient[c][0][k] = (-1.0 / 48) * sums.moment[c].x;
+        block.gradient[c][1][k] = (-1.0 / 48) * sums.moment[c].y;
+        block.gradient[c][2][k] = (-1.0 / 48) * sums.moment[c].z;
+    }
+}
+
+Vector vector(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
 }  // namespace
 
 SpaceFrame::SpaceFrame(const SpaceLattice& reduced, double unit) {
@@ -161,6 +181,7 @@ SpaceFrame::SpaceFrame(const SpaceLattice& reduced, double unit) {
     cx = a.dot(c) / ax;
     cy = ab.cross(a).dot(c) / (ab.norm() * ax);
     cz = ab.dot(c) / ab.norm();
+    gram = gram_of(reduced);
 }
 
 PCVT_TARGET_CLONES void TetrahedronBlock::compute(const SpaceFrame& frame) {
@@ -175,17 +196,28 @@ PCVT_TARGET_CLONES void TetrahedronBlock::compute(const SpaceFrame& frame) {
         const Shape shape = shape_of(edge(0), edge(1), edge(2));
         thick[k] = shape.thick;
         for (int c = 0; c < 4; ++c) inside[c][k] = shape.height[c] - shape.rounding;
-        const auto facets = facets_of(shape);
-        value[k] = (1.0 / 120) *
-                   ((facets[0].value + facets[1].value) + (facets[2].value + facets[3].value));
-        const CornerSums sums = corner_sums(shape, facets);
-        for (int c = 0; c < 4; ++c) {
-            volume[c][k] = (1.0 / 24) * sums.weight[c];
-            gradient[c][0][k] = (-1.0 / 48) * sums.moment[c].x;
-            gradient[c][1][k] = (-1.0 / 48) * sums.moment[c].y;
-            gradient[c][2][k] = (-1.0 / 48) * sums.moment[c].z;
-        }
+        const auto& h = shape.height;
+        const double least = std::min(std::min(h[0], h[1]), std::min(h[2], h[3]));
+        certain[k] = least - shape.rounding > 0 ? shape.thick : -1;
+        store(shape, k, *this);
     }
+}
+
+void TetrahedronBlock::correct(int k, const SpaceFrame& frame) {
+    std::array<Vec3, 3> d;
+    std::array<Vector, 3> edge;
+    for (int c = 0; c < 3; ++c) {
+        d[c] = {corner[c][0][k], corner[c][1][k], corner[c][2][k]};
+        edge[c] = vector(frame.to_space(d[c]));
+    }
+    Shape shape = shape_of(edge[0], edge[1], edge[2]);
+    shape.p12 = vector(frame.to_space(d[1] - d[0]));
+    shape.p13 = vector(frame.to_space(d[2] - d[0]));
+    shape.p23 = vector(frame.to_space(d[2] - d[1]));
+    shape.normal[0] = cross(shape.p13, shape.p12);
+    shape.centre = vector(frame.to_space(exact_circumcentre(frame.gram, d)));
+    shape.height = heights(shape);
+    store(shape, k, *this);
 }
 
 }  // namespace pcvt

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "mesher/space/space_lattice.hpp"
+#include "mesher/space/space_predicates.hpp"
 
 namespace pcvt {
 
@@ -20,6 +20,8 @@ struct SpaceFrame {
     double cx = 0;
     double cy = 0;
     double cz = 1;
+    /// The metric of the predicates, in a unit of its own.
+    Gram3 gram{1, 0, 0, 1, 0, 1};
 
     SpaceFrame() = default;
     /// @param reduced  right-handed.
@@ -54,8 +56,13 @@ struct TetrahedronBlock {
     std::array<Row, 4> inside;
     /// Positive where the tetrahedron is certainly positively oriented and not thin.
     Row thick;
+    /// Positive where all five are, which they are for nearly all tetrahedra.
+    Row certain;
 
     void compute(const SpaceFrame& frame);
+    /// Replaces the contributions of tetrahedron k by those for its exact circumcentre: that of a
+    /// flat tetrahedron, which doubles do not give, made those of compute() arbitrary.
+    void correct(int k, const SpaceFrame& frame);
 };
 
 }  // namespace pcvt

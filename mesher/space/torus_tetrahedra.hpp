@@ -20,10 +20,11 @@ struct TetrahedronOffsets {
     std::array<std::int8_t, 9> relative{};
 
     friend bool operator==(const TetrahedronOffsets&, const TetrahedronOffsets&) = default;
+    /// Most are. Two loads take less time than a call of memcmp.
     bool all_zero() const {
         std::uint64_t first = 0;
         std::memcpy(&first, relative.data(), sizeof first);
-        return (first | std::uint8_t(relative[8])) == 0;
+        return first == 0 && relative[8] == 0;
     }
 };
 

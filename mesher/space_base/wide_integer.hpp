@@ -38,6 +38,14 @@ class WideInteger {
         return 0;
     }
 
+    /// The nearest double, up to some units in its last place.
+    double rounded() const {
+        if (sign() < 0) return -(WideInteger(0) - *this).rounded();
+        double sum = 0;
+        for (int k = words - 1; k >= 0; --k) sum = sum * 0x1p64 + static_cast<double>(word_[k]);
+        return sum;
+    }
+
     friend WideInteger operator+(const WideInteger& x, const WideInteger& y) {
         WideInteger sum;
         Double carry = 0;

@@ -34,6 +34,7 @@ std::vector<EncodedFile> encode(const SpaceJobFile& file, const SpaceContent& co
 
 void prove(const SpaceFormat& format, const std::vector<EncodedFile>& encoded,
            const SpaceContent& content) {
+    if (format.is_picture()) return;
     if (format.encode != nullptr) {
         prove_own_space_files(encoded, content.tile);
     } else if (format.encode_tetrahedra != nullptr) {

@@ -6,7 +6,8 @@ Runs inside Blender: imports each file and checks that
   at each corner u a + v b is the position, so that a picture lies upright on the tile,
   a .glb has one object for each cell or one for all,
   where FILE.csv lists the cells, each object has the area of its cell,
-  boundary edges of one mesh cover the walls that the file states.
+  boundary edges of one mesh cover the walls that the file states,
+  of three dimensions, each cell or the sides of the boundary together close, and the volumes sum to that of the domain.
 """
 
 import csv
@@ -17,6 +18,7 @@ import sys
 from collections import Counter
 from pathlib import Path
 
+import bmesh
 import bpy
 import numpy as np
 
@@ -117,8 +119,33 @@ def require_walls(item, lattice, walls):
             require(abs(found - wanted) < 1e-5, f"edges of {found} in place of {wanted} lie on a wall")
 
 
+def check_solids(path, items, periodic):
+    """Proves the surfaces of polyhedra."""
+    lattice = np.array(periodic["lattice"])
+    whole = abs(np.linalg.det(lattice))
+    is_boundary = periodic["kind"] == "boundary"
+    require(is_boundary or len(items) == len(periodic["sites"]), f"{len(items)} objects")
+    groups = [items] if is_boundary else [[item] for item in items]
+    volume = 0
+    for group in groups:
+        solid = bmesh.new()
+        for item in group:
+            solid.from_mesh(item.data)
+        bmesh.ops.remove_doubles(solid, verts=solid.verts, dist=SINGLE * whole ** (1 / 3))
+        require(all(edge.is_manifold for edge in solid.edges), f"{group[0].name} does not close")
+        part = solid.calc_volume(signed=True)
+        require(part > 0, f"{group[0].name} has the volume {part}")
+        volume += part
+        solid.free()
+    require(abs(volume / whole - 1) < 1e-5, f"the volume is {volume} in place of {whole}")
+    print(f"{path}: {len(items)} objects, closed, volume {volume:.7g}")
+
+
 def check(path):
     items = load(path)
+    if path.suffix == ".glb" and "kind" in (periodic := read_glb(path)[0]) and len(periodic["lattice"]) == 3:
+        check_solids(path, items, periodic)
+        return
     if path.suffix == ".obj":
         lattice, walls, faces = read_obj(path)
         expected = 1

@@ -169,7 +169,8 @@ std::vector<BaseFile> voxel_files(const TileFormat& format) {
 
 }  // namespace
 
-std::vector<BaseFile> base_files(const TileFormat& format) {
+std::vector<BaseFile> base_files(std::string_view extension) {
+    const TileFormat& format = *find_tile_format("tile" + std::string(extension));
     if (format.needs_torus()) return grid_files(format);
     if (format.reads_voxels()) return voxel_files(format);
     const Lattice lattice({1, 0}, {0.37, 0.81});
@@ -204,7 +205,8 @@ std::vector<BaseFile> base_files(const TileFormat& format) {
     return bases;
 }
 
-std::string refusal(const TileFormat& format, const Files& files) {
+std::string refusal(std::string_view extension, const Files& files) {
+    const TileFormat& format = *find_tile_format("tile" + std::string(extension));
     try {
         if (const auto* read = std::get_if<GridReader*>(&format.read)) {
             prove_grid(files, (*read)(files));

@@ -16,10 +16,10 @@ struct BaseFile {
     Files files;
 };
 
-/// Returns files of a format: each kind, outline, repetition and form that it holds.
-std::vector<BaseFile> base_files(const TileFormat& format);
+/// Returns files of the plane in a format: each kind, outline, repetition and form that it holds.
+std::vector<BaseFile> base_files(std::string_view extension);
 
 /// Returns the complaint with which `pcvt check` refuses the files; empty if it accepts them.
-std::string refusal(const TileFormat& format, const Files& files);
+std::string refusal(std::string_view extension, const Files& files);
 
 }  // namespace pcvt::testing

@@ -58,10 +58,10 @@ void write_files(const Files& files, const std::filesystem::path& folder) {
     }
 }
 
-void run_base(const MutatedFormat& row, const TileFormat& format, const BaseFile& base,
-              const Options& options, std::map<std::string, Tally>& tallies) {
-    if (const std::string fault = refusal(format, base.files); !fault.empty()) {
-        std::printf("%s, %s: the unchanged file is refused: %s\n", row.extension.data(),
+void run_base(const MutatedFormat& row, const BaseFile& base, const Options& options,
+              std::map<std::string, Tally>& tallies) {
+    if (const std::string fault = row.refusal(row.extension, base.files); !fault.empty()) {
+        std::printf("%s, %s: the unchanged file is refused: %s\n", row.name.data(),
                     base.name.c_str(), fault.c_str());
         ++tallies["unchanged file"].accepted;
         return;
@@ -69,13 +69,13 @@ void run_base(const MutatedFormat& row, const TileFormat& format, const BaseFile
     for (const Mutant& mutant : sampled(row.mutants(base), options)) {
         Tally& tally = tallies[mutant.field];
         ++tally.n;
-        if (!refusal(format, mutant.files()).empty()) continue;
+        if (!row.refusal(row.extension, mutant.files()).empty()) continue;
         if (is_harmless(row, base, mutant)) {
             ++tally.harmless;
             continue;
         }
         if (++tally.accepted <= options.most_lines) {
-            std::printf("%s, %s: accepted: %s, %s\n", row.extension.data(), base.name.c_str(),
+            std::printf("%s, %s: accepted: %s, %s\n", row.name.data(), base.name.c_str(),
                         mutant.field.c_str(), mutant.change.c_str());
             if (options.folder.empty()) continue;
             write_files(base.files, options.folder / base.name / "base");
@@ -88,23 +88,21 @@ void run_base(const MutatedFormat& row, const TileFormat& format, const BaseFile
 
 /// Returns the number of faults.
 std::size_t run_format(const MutatedFormat& row, const Options& options) {
-    const TileFormat& format = *find_tile_format("tile" + std::string(row.extension));
     std::map<std::string, Tally> tallies;
-    for (const BaseFile& base : base_files(format)) {
-        run_base(row, format, base, options, tallies);
+    for (const BaseFile& base : row.bases(row.extension)) {
+        run_base(row, base, options, tallies);
     }
     Tally sum;
     for (const auto& [field, tally] : tallies) {
         if (options.lists_fields) {
-            std::printf("%-6s %-24s %6zu mutants, %5zu harmless, %5zu accepted\n",
-                        row.extension.data(), field.c_str(), tally.n, tally.harmless,
-                        tally.accepted);
+            std::printf("%-10s %-24s %6zu mutants, %5zu harmless, %5zu accepted\n", row.name.data(),
+                        field.c_str(), tally.n, tally.harmless, tally.accepted);
         }
         sum.n += tally.n;
         sum.harmless += tally.harmless;
         sum.accepted += tally.accepted;
     }
-    std::printf("%s: %zu mutants, %zu refused, %zu harmless, %zu accepted\n", row.extension.data(),
+    std::printf("%s: %zu mutants, %zu refused, %zu harmless, %zu accepted\n", row.name.data(),
                 sum.n, sum.n - sum.harmless - sum.accepted, sum.harmless, sum.accepted);
     return sum.accepted;
 }
@@ -112,7 +110,7 @@ std::size_t run_format(const MutatedFormat& row, const Options& options) {
 int run(int argc, char** argv) {
     Options options;
     CLI::App app{"Changes each field of valid files once; the proof must refuse the result."};
-    app.add_option("FORMAT", options.formats, "extensions: obj ply ...; none: all");
+    app.add_option("FORMAT", options.formats, "rows of the table: obj space_vtu ...; none: all");
     app.add_option("--sample", options.sample, "mutants for each base file; 0: all");
     app.add_option("--seed", options.seed, "of the sample");
     app.add_flag("--fields", options.lists_fields, "list each field with its numbers");
@@ -121,9 +119,9 @@ int run(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     std::size_t faults = 0;
     for (const MutatedFormat& row : mutated_formats()) {
-        const bool wanted =
-            options.formats.empty() || std::find(options.formats.begin(), options.formats.end(),
-                                                 row.extension.substr(1)) != options.formats.end();
+        const bool wanted = options.formats.empty() ||
+                            std::find(options.formats.begin(), options.formats.end(), row.name) !=
+                                options.formats.end();
         if (wanted) faults += run_format(row, options);
     }
     return faults == 0 ? 0 : 1;

@@ -42,7 +42,13 @@ inline constexpr std::string_view kStretched = "below the rounding of 32 bits in
 
 /// One row of the table of formats whose fields the campaign changes.
 struct MutatedFormat {
+    /// As the command line of the campaign names it: "space_obj".
+    std::string_view name;
     std::string_view extension;
+    /// base_files or space_base_files.
+    std::vector<BaseFile> (*bases)(std::string_view extension);
+    /// refusal or space_refusal.
+    std::string (*refusal)(std::string_view extension, const Files& files);
     /// Every change of every field and row that a consumer reads.
     /// @pre the base outlives the result.
     std::vector<Mutant> (*mutants)(const BaseFile& base);
@@ -73,5 +79,7 @@ std::span<const Harmless> harmless_in_vtu();
 std::span<const Harmless> harmless_in_foam();
 std::span<const Harmless> harmless_in_nc();
 std::span<const Harmless> harmless_in_vti();
+std::span<const Harmless> harmless_in_space();
+std::span<const Harmless> harmless_in_space_glb();
 
 }  // namespace pcvt::testing

@@ -57,6 +57,8 @@ std::vector<Mutant> obj_mutants(const BaseFile& base) {
                            [files = mutants[k].files] { return Files{files().front()}; }});
     }
     add(1, names_of_mtl, "");
+    // Surfaces in space have no sidecar.
+    if (base.files.size() < 3) return mutants;
     std::string key;
     add(
         2,

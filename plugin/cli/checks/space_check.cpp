@@ -1,6 +1,7 @@
 #include "plugin/cli/checks/space_check.hpp"
 
 #include "io/bytes/bad_file.hpp"
+#include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "mesher/proof/validate.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -49,6 +50,7 @@ std::string prove_boundary(const std::vector<EncodedFile>& files) {
 std::string prove_triangles(const EncodedFile& file) {
     const SurfaceGlb glb = decode_surface_glb(file);
     const SurfaceGlbProof proof = prove_surface_glb(glb);
+    compare_surface_glb(file, glb);
     return std::to_string(proof.n_triangles) + " triangles in " + counted(proof.n_parts, "part") +
            (glb.form == SurfaceForm::kCells ? ", each closed" : ", which close together") +
            ", volume " + figure(proof.volume) + " (tolerance " + figure(proof.tolerance) + ")";

@@ -79,6 +79,21 @@ TEST(Json, AcceptsAndReadsAsItsTwinDoes) {
     EXPECT_GT(n_valid, 10000);
 }
 
+TEST(Json, IsTheSameInAnyOrderOfMembers) {
+    const auto same = [](const char* s, const char* t) {
+        return Json::parse(s).same(Json::parse(t));
+    };
+    EXPECT_TRUE(same(R"({"a":[1,-2,true,null],"b":"c"})", R"({"b":"c", "a":[1.0,-2,true,null]})"));
+    for (const char* other :
+         {"{}", R"({"a":1,"c":2})", R"({"a":2,"b":2})", R"({"a":1,"b":2,"c":3})",
+          R"({"a":1,"b":true})", R"({"a":[1],"b":2})", R"({"a":1,"b":"2"})"}) {
+        EXPECT_FALSE(same(R"({"a":1,"b":2})", other)) << other;
+        EXPECT_FALSE(same(other, R"({"a":1,"b":2})")) << other;
+    }
+    EXPECT_FALSE(same("[true]", "[false]"));
+    EXPECT_FALSE(same("[1,2]", "[2,1]"));
+}
+
 TEST(Json, EveryPrefixIsRefusedAtItsEnd) {
     for (const std::string& text : kTexts) {
         for (std::size_t n = 0; n < text.size(); ++n) {

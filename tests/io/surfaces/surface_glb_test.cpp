@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "io/gltf/gltf_writer.hpp"
+#include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "io/surfaces/surface_glb_writer.hpp"
 #include "mesher/polyhedra/boundary_surface.hpp"
@@ -38,6 +39,7 @@ TEST(SurfaceGlb, IsProvedFromItsBytes) {
             EXPECT_EQ(space_file_kind(files), SpaceFileKind::kTriangles);
             prove_own_space_files(files, tile);
             const SurfaceGlbProof proof = prove_surface_glb(decode_surface_glb(files.front()));
+            compare_surface_glb(files.front(), decode_surface_glb(files.front()));
             EXPECT_NEAR(proof.volume, c.lattice.volume(), proof.tolerance);
         }
     }
@@ -61,6 +63,27 @@ TEST(SurfaceGlb, OfAnotherTileIsNoProof) {
         renamed.bytes[at + 5] = '4';
     }
     EXPECT_THROW(prove_own_space_files({renamed}, testing::random_space_tile(6)), InternalError);
+}
+
+TEST(SurfaceGlb, RefutesOtherNormals) {
+    const EncodedFile file = encoded(testing::random_space_tile(3));
+    SurfaceGlb glb = decode_surface_glb(file);
+    glb.parts[1].normals[4][0] += 1e-3F;
+    EXPECT_THROW(compare_surface_glb(file, glb), BadFile);
+}
+
+TEST(SurfaceGlb, RefutesOtherSites) {
+    const SpaceTile tile = testing::random_space_tile(5);
+    for (int s = 0; s < 5; ++s) {
+        SpaceTile moved = tile;
+        moved.sites(s % 3, s) += 1e-4;
+        const EncodedFile file = encoded(moved);
+        EXPECT_THROW(compare_surface_glb(file, decode_surface_glb(file)), NotATile) << s;
+    }
+    SpaceTile exchanged = tile;
+    exchanged.sites.col(1).swap(exchanged.sites.col(3));
+    const EncodedFile file = encoded(exchanged);
+    EXPECT_THROW(compare_surface_glb(file, decode_surface_glb(file)), NotATile);
 }
 
 TEST(SurfaceGlb, RefutesMovedCorners) {

@@ -144,6 +144,28 @@ TEST(SpaceEnergy, EqualsClosedFormsOfCubicLattices) {
     }
 }
 
+/// Sites that are nearly cospherical have flat tetrahedra, whose circumcentres doubles do not give.
+TEST(SpaceEnergy, IsAccurateWhereTetrahedraAreFlat) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    std::mt19937_64 random(12);
+    const auto expect = [&](Cubic kind, int m, double g) {
+        Points3 points = testing::cubic_points(kind, m);
+        for (double& x : points.reshaped()) x += (double(random() % 3) - 1) / kGrid3;
+        const SpaceSites sites(cube, points);
+        SCOPED_TRACE(sites.n_sites());
+        const SpaceEnergy energy = energy_of(sites);
+        EXPECT_NEAR(normalised(sites, energy), g, 1e-13);
+        EXPECT_LT(energy.gradient.cwiseAbs().maxCoeff(), 1e-14);
+        const double cell = 1.0 / sites.n_sites();
+        EXPECT_LT((energy.volume.array() - cell).abs().maxCoeff(), 1e-14);
+    };
+    for (const int m : {1, 2, 3, 4, 5}) {
+        expect(Cubic::kBodyCentred, m, 19.0 / (192.0 * std::cbrt(2.0)));
+        expect(Cubic::kFaceCentred, m, std::pow(2.0, -11.0 / 3));
+        expect(Cubic::kSimple, m, 1.0 / 12);
+    }
+}
+
 /// The certificate: facets that are not locally Delaunay are among the suspects, on both or either
 /// side, and so are tetrahedra that are not positive.
 TEST(SpaceSuspects, SlowContainEverythingThatIsWrong) {

@@ -171,7 +171,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh, .obj, .ply, .glb, .om or .txt"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh, .obj, .ply, .glb, .om, .svg, .png or .txt"):
             result.write(self.path("t.inp"))
 
 

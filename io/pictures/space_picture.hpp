@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/colours/palette.hpp"
+#include "io/space/space_tile.hpp"
+#include "io/tiles/encoded_file.hpp"
+
+namespace pcvt {
+
+/// A face of a tile as a picture shows it: its corners in the plane of the picture, length units,
+/// y upwards, and its shaded colour.
+struct ShownFace {
+    std::vector<Vec2> corners;
+    Colour colour;
+};
+
+/// Returns the faces of the boundary of a tile that face the viewer, from back to front, in
+/// parallel projection. A line meets Voronoi cells in the order of their sites along it, so that
+/// painting the cells in this order hides every hidden surface. Each cell has the colour of its
+/// number of faces, darker where a face turns off the light.
+/// @pre the tile has sites, each in its cell.
+std::vector<ShownFace> shown_faces(const SpaceTile& tile);
+
+/// Encodes a picture of a tile, with a legend in SVG.
+///
+/// Example usage:
+///     for (const EncodedFile& file : encode_space_svg(tile, "tile.svg")) {
+///         output.stage(file.path, file.bytes);
+///     }
+std::vector<EncodedFile> encode_space_svg(const SpaceTile& tile, const std::string& path);
+std::vector<EncodedFile> encode_space_png(const SpaceTile& tile, const std::string& path);
+
+}  // namespace pcvt

@@ -1,0 +1,91 @@
+#include "tests/mutants/space_bases.hpp"
+
+#include "io/surfaces/surface_glb_fields.hpp"
+#include "io/surfaces/surface_glb_reader.hpp"
+#include "mesher/base/error.hpp"
+#include "tests/support/space_tiles.hpp"
+
+namespace pcvt::testing {
+namespace {
+
+std::vector<SpaceCase> cases() {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
+    const SpaceLattice left_handed({1, 0, 0}, {0, 0, 1.1}, {0.3, 0.8, 0});
+    return {{"one", oblique, uniform_points(oblique, 1, 2)},
+            {"octahedra", cube, lattice_points(2)},
+            {"left-handed", left_handed, uniform_points(left_handed, 3, 1)},
+            {"oblique", oblique, uniform_points(oblique, 5, 3)}};
+}
+
+/// Adds the files of a tile, in each form of its surfaces.
+void add_tile(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
+              std::vector<BaseFile>& bases) {
+    const SpaceTile tile = tile_of(c);
+    const bool closes = prove_polyhedra(tile.mesh).boundary_is_manifold;
+    for (const SurfaceFormRow& row : kSurfaceForms) {
+        const SpaceFileOptions options{.surfaces = row.form};
+        if (format.shows_boundary(options) && !closes) continue;
+        const bool has_forms = format.surfaces == FormatSurfaces::kChosen;
+        bases.push_back({(has_forms ? std::string(row.word) + " " : "") + c.name,
+                         MeshKind::kVoronoi, format.encode(tile, options, path)});
+        if (!has_forms) break;
+    }
+}
+
+void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
+                    std::vector<BaseFile>& bases) {
+    const SpaceDelaunay delaunay = space_delaunay(SpaceSites(c.lattice, c.points));
+    const TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
+    // Some tetrahedra of exact lattices are flat.
+    if (n_flat_tetrahedra(mesh, delaunay.sites.n_sites()) > 0) return;
+    bases.push_back(
+        {c.name + " tetrahedra", MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
+}
+
+void prove(SpaceFileKind kind, const Files& files) {
+    switch (kind) {
+        case SpaceFileKind::kPolyhedra:
+            prove_space_files(files);
+            return;
+        case SpaceFileKind::kTetrahedra:
+            prove_tetrahedral_file(files.front());
+            return;
+        case SpaceFileKind::kBoundary:
+            prove_boundary_files(files);
+            return;
+        case SpaceFileKind::kTriangles: {
+            const SurfaceGlb glb = decode_surface_glb(files.front());
+            prove_surface_glb(glb);
+            compare_surface_glb(files.front(), glb);
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<BaseFile> space_base_files(std::string_view extension) {
+    const std::string path = "tile" + std::string(extension);
+    const SpaceFormat& format = *find_space_format(path);
+    std::vector<BaseFile> bases;
+    for (const SpaceCase& c : cases()) {
+        if (format.encode != nullptr) add_tile(format, c, path, bases);
+        if (format.encode_tetrahedra != nullptr) add_tetrahedra(format, c, path, bases);
+    }
+    return bases;
+}
+
+std::string space_refusal(std::string_view extension, const Files& files) {
+    try {
+        const std::optional<SpaceFileKind> kind = space_file_kind(files);
+        // `pcvt check` takes such a file for one of the plane.
+        if (!kind) return refusal(extension, files);
+        prove(*kind, files);
+        return "";
+    } catch (const InvalidInput& fault) {
+        return fault.what();
+    }
+}
+
+}  // namespace pcvt::testing
