@@ -222,8 +222,8 @@ class Refusals(CliTest):
                     "mesh", "--sites", 8, *CUBE, "--solver", "newton")
 
     def test_formats_without_volumes(self):
-        for extension in ("svg", "inp", "nc", "vti", "csv", "unknown"):
-            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam, \.msh, \.obj, \.ply, \.glb, \.om or \.txt",
+        for extension in ("inp", "nc", "vti", "csv", "unknown"):
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam, \.msh, \.obj, \.ply, \.glb, \.om, \.svg, \.png or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 
     def test_period_vectors(self):
