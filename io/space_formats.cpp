@@ -180,7 +180,7 @@ void require_same_bytes(const std::vector<EncodedFile>& files,
             const auto line = 1 + std::count(file.bytes.begin(), here, '\n');
             throw BadFile(
                 file.path + ":" + std::to_string(line) +
-                ": another line follows from the surfaces; write the file again with pcvt");
+                ": another line follows from the cells; write the file again with pcvt");
         }
     }
 }
