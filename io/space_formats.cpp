@@ -178,9 +178,8 @@ void require_same_bytes(const std::vector<EncodedFile>& files,
             const auto [here, there] = std::mismatch(file.bytes.begin(), file.bytes.end(),
                                                      own.bytes.begin(), own.bytes.end());
             const auto line = 1 + std::count(file.bytes.begin(), here, '\n');
-            throw BadFile(
-                file.path + ":" + std::to_string(line) +
-                ": another line follows from the cells; write the file again with pcvt");
+            throw BadFile(file.path + ":" + std::to_string(line) +
+                          ": another line follows from the cells; write the file again with pcvt");
         }
     }
 }

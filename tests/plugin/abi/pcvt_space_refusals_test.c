@@ -168,7 +168,8 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     CHECK(pcvt_write(result, NULL, NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "", NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "refused.inp", NULL) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), ".vtu, .foam, .msh, .obj, .ply, .glb, .om, .svg, .png or .txt") != NULL);
+    CHECK(strstr(pcvt_last_error(),
+                 ".vtu, .foam, .msh, .obj, .ply, .glb, .om, .svg, .png or .txt") != NULL);
     pcvt_free(result);
 }
 
