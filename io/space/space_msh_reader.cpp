@@ -183,7 +183,10 @@ class TetrahedraParser {
 }  // namespace
 
 bool holds_tetrahedra(const EncodedFile& msh) {
-    return msh.bytes.find(kTetrahedraComment) != std::string::npos;
+    const std::size_t at = msh.bytes.find(kTetrahedraComment);
+    if (at == std::string::npos) return false;
+    const char next = msh.bytes[at + kTetrahedraComment.size()];
+    return next == '\n' || next == '\r';
 }
 
 TetrahedralMesh decode_space_msh(const EncodedFile& msh) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
@@ -9,7 +10,7 @@
 namespace pcvt {
 
 /// The comment of a file of tetrahedra.
-inline constexpr const char* kTetrahedraComment = "pcvt kind tetrahedra";
+inline constexpr std::string_view kTetrahedraComment = "pcvt kind tetrahedra";
 
 /// Encodes a tile of Delaunay tetrahedra as Gmsh MSH 4.1 in ASCII with double precision.
 ///
