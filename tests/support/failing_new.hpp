@@ -13,13 +13,18 @@ inline thread_local long allocations_left = -1;
 /// Whether only one allocation fails, or all from then on.
 inline thread_local bool fails_once = false;
 
-inline void* allocate(std::size_t size) {
+/// Returns null where the allocation fails.
+inline void* allocate_or_null(std::size_t size) {
     if (allocations_left == 0) {
         if (fails_once) allocations_left = -1;
-        throw std::bad_alloc();
+        return nullptr;
     }
     if (allocations_left > 0) --allocations_left;
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+    return std::malloc(size == 0 ? 1 : size);
+}
+
+inline void* allocate(std::size_t size) {
+    if (void* memory = allocate_or_null(size)) return memory;
     throw std::bad_alloc();
 }
 
@@ -27,6 +32,12 @@ inline void* allocate(std::size_t size) {
 
 void* operator new(std::size_t size) { return pcvt::testing::allocate(size); }
 void* operator new[](std::size_t size) { return pcvt::testing::allocate(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return pcvt::testing::allocate_or_null(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+    return pcvt::testing::allocate_or_null(size);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
