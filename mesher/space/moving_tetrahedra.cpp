@@ -16,6 +16,9 @@ namespace {
 constexpr double kMostHeldShare = 0.2;
 constexpr std::size_t kMostHeldAtLeast = 16;
 
+/// Corrections for more tetrahedra than this share cost more than another pass.
+constexpr double kMostCorrectedShare = 0.1;
+
 double unit_near(double length) {
     int exponent = 0;
     std::frexp(length, &exponent);
@@ -92,13 +95,17 @@ bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
             evaluate_space_energy(tetrahedra_, coordinates_, frame_, workers, energy));
     };
     SpaceSuspects wrong = find_violations();
-    bool certified = is_empty(wrong);
-    if (!certified) certified = restore(std::move(wrong)) && is_empty(find_violations());
-    if (!certified) {
-        valid_.resize(3, 0);
-        if (!rebuild()) return false;
-        if (!is_empty(find_violations())) {
-            throw InternalError("a new build in space is not Delaunay");
+    if (!is_empty(wrong)) {
+        const Restored restored = restore(std::move(wrong), energy);
+        const bool certified =
+            restored == Restored::kEnergy ||
+            (restored == Restored::kTriangulation && is_empty(find_violations()));
+        if (!certified) {
+            valid_.resize(3, 0);
+            if (!rebuild()) return false;
+            if (!is_empty(find_violations())) {
+                throw InternalError("a new build in space is not Delaunay");
+            }
         }
     }
     valid_ = coordinates_;
@@ -116,16 +123,25 @@ SpaceSuspects MovingTetrahedra::violations(SpaceSuspects suspects) const {
     return suspects;
 }
 
-bool MovingTetrahedra::restore(SpaceSuspects wrong) {
-    return wrong.tetrahedra.empty() ? restore_by_flips(wrong.facets)
-                                    : untangle(wrong.tetrahedra, std::move(wrong.facets));
+MovingTetrahedra::Restored MovingTetrahedra::restore(SpaceSuspects wrong, SpaceEnergy& energy) {
+    if (wrong.tetrahedra.empty()) return restore_by_flips(wrong.facets, energy);
+    const bool done = untangle(wrong.tetrahedra, std::move(wrong.facets));
+    return done ? Restored::kTriangulation : Restored::kNothing;
 }
 
-bool MovingTetrahedra::restore_by_flips(const std::vector<int>& facets) {
+/// The flips test all facets of the tetrahedra that they add, and the pass certified the others.
+MovingTetrahedra::Restored MovingTetrahedra::restore_by_flips(const std::vector<int>& facets,
+                                                              SpaceEnergy& energy) {
     TetrahedraFlips flips(tetrahedra_, coordinates_, gram_);
     const bool done = flips.flip(facets);
     n_flips_ += flips.n_flips();
-    return done;
+    if (!done) return Restored::kNothing;
+    ExchangedTetrahedra exchanged = flips.take_exchanged();
+    const bool pays =
+        double(exchanged.added.size()) < kMostCorrectedShare * tetrahedra_.n_tetrahedra();
+    return pays && correct_space_energy(std::move(exchanged), coordinates_, frame_, energy)
+               ? Restored::kEnergy
+               : Restored::kTriangulation;
 }
 
 bool MovingTetrahedra::untangle(const std::vector<int>& inverted, std::vector<int> facets) {

@@ -62,9 +62,10 @@ class MovingTetrahedra {
     bool settled() const { return settled_; }
 
     /// Evaluates, and certifies the triangulation in the same pass. Where a facet is no longer
-    /// Delaunay, it restores the triangulation by flips and evaluates again; where a tetrahedron is
-    /// inverted, it untangles the triangulation (tetrahedra_untangling.hpp). It builds the
-    /// triangulation from scratch if flips get stuck, or if too many sites would have to move back.
+    /// Delaunay, it restores the triangulation by flips and corrects the energy for the tetrahedra
+    /// that they exchange; where a tetrahedron is inverted, it untangles the triangulation
+    /// (tetrahedra_untangling.hpp) and evaluates again. It builds the triangulation from scratch if
+    /// flips get stuck, or if too many sites would have to move back.
     /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool evaluate(Workers& workers, SpaceEnergy& energy);
 
@@ -76,9 +77,11 @@ class MovingTetrahedra {
     /// The suspects that break law (1): all inverted tetrahedra; without these, all facets that are
     /// not locally Delaunay, else all facets that may not be.
     SpaceSuspects violations(SpaceSuspects suspects) const;
-    /// @returns false if the triangulation must be built from scratch.
-    bool restore(SpaceSuspects wrong);
-    bool restore_by_flips(const std::vector<int>& facets);
+    /// What a local repair restored: nothing, so that the triangulation must be built from scratch,
+    /// or the triangulation, or its energy as well.
+    enum class Restored { kNothing, kTriangulation, kEnergy };
+    Restored restore(SpaceSuspects wrong, SpaceEnergy& energy);
+    Restored restore_by_flips(const std::vector<int>& facets, SpaceEnergy& energy);
     bool untangle(const std::vector<int>& inverted, std::vector<int> facets);
     bool rebuild();
     void keep_in_range();

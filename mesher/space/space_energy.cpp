@@ -1,6 +1,8 @@
 #include "mesher/space/space_energy.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace pcvt {
 namespace {
@@ -8,6 +10,8 @@ namespace {
 /// A slab, the task of one worker, has at least this number of tetrahedra.
 constexpr int kTetrahedraPerSlab = 50'000;
 constexpr int kMostSlabs = 32;
+/// Contributions of this many mean cells lose four bits in the sum of a site.
+constexpr double kLargest = 16;
 
 /// One task of the pass: a range of tetrahedra and the sums at the sites of their corners.
 struct Slab {
@@ -29,6 +33,13 @@ struct Slab {
     void scatter(const TorusTetrahedra& tetrahedra, int at, int n, const TetrahedronBlock& block);
 };
 
+/// Fills up an incomplete block with tetrahedra that cause no division by zero.
+void fill_up(TetrahedronBlock& block, int n) {
+    for (int k = n; k < TetrahedronBlock::kSize; ++k) {
+        for (int c = 0; c < 9; ++c) block.corner[c / 3][c % 3][k] = c / 3 == c % 3 ? 1 : 0;
+    }
+}
+
 void gather(const TorusTetrahedra& tetrahedra, const Points3& coordinates, int at, int n,
             TetrahedronBlock& block) {
     const SiteId* site = tetrahedra.corner_sites().data() + 4 * std::size_t(at);
@@ -45,9 +56,26 @@ void gather(const TorusTetrahedra& tetrahedra, const Points3& coordinates, int a
         if (offsets[k].all_zero()) continue;
         for (int c = 0; c < 9; ++c) block.corner[c / 3][c % 3][k] += offsets[k].relative[c];
     }
-    // Fill up an incomplete block with tetrahedra that cause no division by zero.
-    for (int k = n; k < TetrahedronBlock::kSize; ++k) {
-        for (int c = 0; c < 9; ++c) block.corner[c / 3][c % 3][k] = c / 3 == c % 3 ? 1 : 0;
+    fill_up(block, n);
+}
+
+void gather(std::span<const Tetrahedron> tetrahedra, const Points3& coordinates,
+            TetrahedronBlock& block) {
+    for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
+        const Vec3 origin = image(coordinates, tetrahedra[k][0]).at;
+        for (int c = 0; c < 3; ++c) {
+            const Vec3 edge = image(coordinates, tetrahedra[k][c + 1]).at - origin;
+            for (int axis = 0; axis < 3; ++axis) block.corner[c][axis][k] = edge[axis];
+        }
+    }
+    fill_up(block, static_cast<int>(tetrahedra.size()));
+}
+
+/// Computes a block whose first n tetrahedra count.
+void compute(TetrahedronBlock& block, int n, const SpaceFrame& frame) {
+    block.compute(frame);
+    for (int k = 0; k < n; ++k) {
+        if (!(block.thick[k] > 0)) block.correct(k, frame);
     }
 }
 
@@ -66,10 +94,7 @@ void Slab::run(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
     for (int at = first; at < end; at += TetrahedronBlock::kSize) {
         const int n = std::min(TetrahedronBlock::kSize, end - at);
         gather(tetrahedra, coordinates, at, n, block);
-        block.compute(frame);
-        for (int k = 0; k < n; ++k) {
-            if (!(block.thick[k] > 0)) block.correct(k, frame);
-        }
+        compute(block, n, frame);
         scatter(tetrahedra, at, n, block);
     }
 }
@@ -115,6 +140,60 @@ void append(std::vector<int>& list, const std::vector<int>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
+/// Removes the tetrahedra that are in both lists from both.
+void cancel_common(std::vector<Tetrahedron>& one, std::vector<Tetrahedron>& other) {
+    std::sort(one.begin(), one.end());
+    std::sort(other.begin(), other.end());
+    std::vector<Tetrahedron> only_one;
+    std::vector<Tetrahedron> only_other;
+    std::set_difference(one.begin(), one.end(), other.begin(), other.end(),
+                        std::back_inserter(only_one));
+    std::set_difference(other.begin(), other.end(), one.begin(), one.end(),
+                        std::back_inserter(only_other));
+    one = std::move(only_one);
+    other = std::move(only_other);
+}
+
+/// Adds the contribution of tetrahedron k of a block to an energy, times 1 or -1.
+void add(const TetrahedronBlock& block, int k, const Tetrahedron& corners, double sign,
+         SpaceEnergy& energy) {
+    energy.value += sign * block.value[k];
+    for (int c = 0; c < 4; ++c) {
+        const SiteId site = corners[c].site;
+        for (int axis = 0; axis < 3; ++axis) {
+            energy.gradient[3 * Eigen::Index{site} + axis] += sign * block.gradient[c][axis][k];
+        }
+        energy.volume[site] += sign * block.volume[c][k];
+    }
+}
+
+/// Adds the contributions of tetrahedra, times 1 or -1.
+/// @returns false if one is too large.
+bool add_tetrahedra(std::span<const Tetrahedron> tetrahedra, double sign,
+                    const Points3& coordinates, const SpaceFrame& frame, SpaceEnergy& energy) {
+    const double mean_cell = 1.0 / static_cast<double>(coordinates.cols());
+    const double largest_volume = kLargest * mean_cell * frame.volume();
+    const double largest_value = kLargest * mean_cell * energy.value;
+    TetrahedronBlock block;
+    while (!tetrahedra.empty()) {
+        const auto part =
+            tetrahedra.first(std::min<std::size_t>(tetrahedra.size(), TetrahedronBlock::kSize));
+        const int n = static_cast<int>(part.size());
+        gather(part, coordinates, block);
+        compute(block, n, frame);
+        for (int k = 0; k < n; ++k) {
+            bool small = std::abs(block.value[k]) <= largest_value;
+            for (const auto& volume : block.volume) {
+                small = small && std::abs(volume[k]) <= largest_volume;
+            }
+            if (!small) return false;
+            add(block, k, part[k], sign, energy);
+        }
+        tetrahedra = tetrahedra.subspan(part.size());
+    }
+    return true;
+}
+
 }  // namespace
 
 SpaceSuspects evaluate_space_energy(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
@@ -141,6 +220,13 @@ SpaceSuspects evaluate_space_energy(const TorusTetrahedra& tetrahedra, const Poi
         append(suspects.facets, slab.suspects.facets);
     }
     return suspects;
+}
+
+bool correct_space_energy(ExchangedTetrahedra exchanged, const Points3& coordinates,
+                          const SpaceFrame& frame, SpaceEnergy& energy) {
+    cancel_common(exchanged.removed, exchanged.added);
+    return add_tetrahedra(exchanged.removed, -1, coordinates, frame, energy) &&
+           add_tetrahedra(exchanged.added, 1, coordinates, frame, energy);
 }
 
 }  // namespace pcvt

@@ -112,13 +112,27 @@ int TetrahedraFlips::facet_opposite_to(int tetrahedron, const Corner3& corner,
     return 4 * tetrahedron + 3;
 }
 
+/// Both lists of exchanged tetrahedra are in the frames of their first corners.
+void TetrahedraFlips::note_exchanged(const std::vector<Tetrahedron>& removed,
+                                     const std::vector<Tetrahedron>& added) {
+    exchanged_.removed.insert(exchanged_.removed.end(), removed.begin(), removed.end());
+    for (Tetrahedron t : added) {
+        const Offset3 frame = t[0].offset;
+        for (Corner3& corner : t) corner.offset = corner.offset - frame;
+        exchanged_.added.push_back(t);
+    }
+}
+
 bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
                               const std::vector<Tetrahedron>& fresh) {
     for (const auto& [p, q, r, s] : fresh) {
         if (turn(p, q, r, s) <= 0) return false;
     }
+    std::vector<Tetrahedron> removed;
+    for (const auto& placed : old) removed.push_back(tetrahedra_.tetrahedron(placed.number));
     const auto changed = tetrahedra_.replace(old, fresh);
     if (changed.empty()) return false;
+    note_exchanged(removed, fresh);
     for (const int t : changed)
         queue_.insert(queue_.end(), {4 * t, 4 * t + 1, 4 * t + 2, 4 * t + 3});
     ++n_flips_;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "mesher/space/space_delaunay.hpp"
+#include "mesher/space/space_energy.hpp"
 
 namespace pcvt {
 
@@ -37,6 +39,8 @@ class TetrahedraFlips {
     /// The facets that the last call could not mend.
     std::size_t n_stuck() const { return queue_.size(); }
     std::int64_t n_flips() const { return n_flips_; }
+    /// The tetrahedra that all flips so far replaced; this object forgets them.
+    ExchangedTetrahedra take_exchanged() { return std::exchange(exchanged_, {}); }
 
    private:
     bool try_flip(int facet);
@@ -44,6 +48,8 @@ class TetrahedraFlips {
     /// The facet of a tetrahedron, placed in a frame, opposite to one of its corners.
     int facet_opposite_to(int tetrahedron, const Corner3& corner, Offset3 frame) const;
     int turn(const Corner3& p, const Corner3& q, const Corner3& r, const Corner3& s) const;
+    void note_exchanged(const std::vector<Tetrahedron>& removed,
+                        const std::vector<Tetrahedron>& added);
     bool replace(const std::vector<TorusTetrahedra::Placed>& old,
                  const std::vector<Tetrahedron>& fresh);
 
@@ -52,6 +58,7 @@ class TetrahedraFlips {
     const Gram3& gram_;
     Observer after_flip_;
     std::vector<int> queue_;
+    ExchangedTetrahedra exchanged_;
     std::int64_t n_flips_ = 0;
 };
 

@@ -10,8 +10,7 @@
 namespace pcvt {
 namespace {
 
-/// Sites that moved so little that no tetrahedron is inverted: the largest of
-/// some noises.
+/// Sites that moved so little that no tetrahedron is inverted: the largest of some noises.
 Points3 moved_a_little(const SpaceDelaunay& delaunay, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -28,8 +27,8 @@ Points3 moved_a_little(const SpaceDelaunay& delaunay, std::uint64_t seed) {
     }
 }
 
-/// After flips the triangulation is that of a new build; where flips get stuck
-/// it still fills the torus.
+/// After flips the triangulation is that of a new build; where flips get stuck, it still fills the
+/// torus.
 TEST(TetrahedraFlips, SlowRestoreTheTriangulation) {
     int n_restored = 0;
     int n_stuck = 0;
@@ -53,6 +52,32 @@ TEST(TetrahedraFlips, SlowRestoreTheTriangulation) {
     EXPECT_GT(n_restored, 10 * n_stuck);
     RecordProperty("restored", n_restored);
     RecordProperty("stuck", n_stuck);
+}
+
+/// The energy before the flips, corrected for them, is that of a pass after them.
+TEST(TetrahedraFlips, SlowAllowToCorrectTheEnergy) {
+    int n_corrected = 0;
+    Workers workers(1);
+    for (const auto& [name, sites] : testing::space_site_families(14)) {
+        SCOPED_TRACE(name);
+        SpaceDelaunay delaunay = space_delaunay(sites);
+        const Points3 moved = moved_a_little(delaunay, 15);
+        const SpaceFrame frame(sites.reduction().reduced, sites.spacing());
+        SpaceEnergy corrected;
+        const auto suspects =
+            evaluate_space_energy(delaunay.tetrahedra, moved, frame, workers, corrected);
+        TetrahedraFlips flips(delaunay.tetrahedra, moved, gram_of(sites.reduction().reduced));
+        if (!flips.flip(suspects.facets) || flips.n_flips() == 0) continue;
+        if (!correct_space_energy(flips.take_exchanged(), moved, frame, corrected)) continue;
+        ++n_corrected;
+        SpaceEnergy expected;
+        evaluate_space_energy(delaunay.tetrahedra, moved, frame, workers, expected);
+        EXPECT_NEAR(corrected.value, expected.value, 1e-13 * expected.value);
+        const double cell = frame.volume() / sites.n_sites();
+        EXPECT_LT((corrected.volume - expected.volume).cwiseAbs().maxCoeff(), 1e-12 * cell);
+        EXPECT_LT((corrected.gradient - expected.gradient).cwiseAbs().maxCoeff(), 1e-12 * cell);
+    }
+    EXPECT_GT(n_corrected, 10);
 }
 
 }  // namespace
