@@ -55,7 +55,7 @@ class TetrahedraFlips {
 
     TorusTetrahedra& tetrahedra_;
     const Points3& coordinates_;
-    const Gram3& gram_;
+    Gram3 gram_;
     Observer after_flip_;
     std::vector<int> queue_;
     ExchangedTetrahedra exchanged_;

@@ -8,6 +8,11 @@
 #include "mesher/space/space_mirrors.hpp"
 #include "tests/support/failing_new.hpp"
 
+/// Leaks that the leak sanitizer does not report: CGAL 5.5 loses a block of cells or vertices where
+/// the memory for its list of blocks is missing.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): the sanitizer's name
+extern "C" const char* __lsan_default_suppressions() { return "leak:allocate_new_block\n"; }
+
 namespace pcvt {
 namespace {
 

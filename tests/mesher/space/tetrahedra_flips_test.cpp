@@ -66,7 +66,8 @@ TEST(TetrahedraFlips, SlowAllowToCorrectTheEnergy) {
         SpaceEnergy corrected;
         const auto suspects =
             evaluate_space_energy(delaunay.tetrahedra, moved, frame, workers, corrected);
-        TetrahedraFlips flips(delaunay.tetrahedra, moved, gram_of(sites.reduction().reduced));
+        const Gram3 gram = gram_of(sites.reduction().reduced);
+        TetrahedraFlips flips(delaunay.tetrahedra, moved, gram);
         if (!flips.flip(suspects.facets) || flips.n_flips() == 0) continue;
         if (!correct_space_energy(flips.take_exchanged(), moved, frame, corrected)) continue;
         ++n_corrected;
