@@ -1,8 +1,8 @@
 #include "mesher/cvt/coarse_levels.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
+
+#include "mesher/optimize/level_share.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,31 +26,6 @@ std::vector<int> levels(int n_orbits) {
     return orbits;
 }
 
-/// Measures how much of the work of all levels is done, from the sizes of the levels and from the
-/// digits that the RMS residual of the current one has lost.
-class LevelShare {
-   public:
-    LevelShare(double n_sites, double n_all) : n_sites_(n_sites), n_all_(n_all) {}
-    double at(double rms) {
-        if (first_ == 0) first_ = rms;
-        const bool measurable = first_ > kRmsTolerance && rms > 0;
-        const double digits =
-            measurable ? std::log(first_ / rms) / std::log(first_ / kRmsTolerance) : 0;
-        return (n_before_ + n_sites_ * std::clamp(digits, 0.0, 1.0)) / n_all_;
-    }
-    void next_level(double n_sites) {
-        n_before_ += n_sites_;
-        n_sites_ = n_sites;
-        first_ = 0;
-    }
-
-   private:
-    double n_sites_;
-    double n_all_;
-    double n_before_ = 0;
-    double first_ = 0;
-};
-
 }  // namespace
 
 int coarsest_level(int n_orbits) { return levels(n_orbits).back(); }
@@ -60,7 +35,7 @@ bool run_coarse_levels(const LevelSizes& sizes, const CoarseStartOptions& option
     std::vector<int> orbits = levels(sizes.n_orbits);
     double n_all = 0;
     for (std::size_t k = 1; k < orbits.size(); ++k) n_all += sizes.n_sites(orbits[k]);
-    LevelShare done(sizes.n_sites(orbits.back()), n_all);
+    LevelShare done(sizes.n_sites(orbits.back()), n_all, kRmsTolerance);
     bool cancelled = false;
     CvtOptions of_level;
     // Where the density is not smooth, an RMS residual of 1e-4 may be out of reach.

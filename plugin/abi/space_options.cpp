@@ -11,6 +11,7 @@ constexpr const char* kPlaneAlone =
 constexpr const char* kPlaneFile = "is not for files in three dimensions; leave it at its default";
 
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_RANDOM)->start == SpaceStart::kRandom);
+static_assert(find_abi_value(kSpaceStarts, PCVT_START_COARSE)->start == SpaceStart::kCoarse);
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_LATTICE)->start == SpaceStart::kLattice);
 static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LBFGS)->solver == SpaceSolver::kLbfgs);
 static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LLOYD)->solver == SpaceSolver::kLloyd);
@@ -122,7 +123,8 @@ SpaceJob make_space_job(const pcvt_options& options) {
     job.n_sites = options.n_sites;
     if (options.start != PCVT_START_DEFAULT) {
         job.start = space_row("start", options.start, kSpaceStarts,
-                              "PCVT_START_DEFAULT, PCVT_START_RANDOM or PCVT_START_LATTICE")
+                              "PCVT_START_DEFAULT, PCVT_START_RANDOM, PCVT_START_COARSE or "
+                              "PCVT_START_LATTICE")
                         .start;
     }
     job.seed = options.seed;

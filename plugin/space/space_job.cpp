@@ -8,6 +8,7 @@
 #include "mesher/polyhedra/cell_faces.hpp"
 #include "mesher/polyhedra/cell_sites.hpp"
 #include "mesher/proof/validate.hpp"
+#include "mesher/space_cvt/space_coarse_start.hpp"
 #include "mesher/space_search/space_pattern.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/space/space_files.hpp"
@@ -16,6 +17,9 @@
 
 namespace pcvt {
 namespace {
+
+/// For fewer sites the time of random starts does not matter.
+constexpr int kFewestForCoarse = 1000;
 
 using Clock = std::chrono::steady_clock;
 
@@ -36,17 +40,32 @@ Eigen::Matrix3d period_matrix(const SpaceLattice& lattice) {
     return period;
 }
 
-Points3 start_points(const SpaceJob& job) {
+Points3 coarse_points(const SpaceJob& job, JobMonitor& monitor) {
+    Points3 points = space_coarse_start(
+        job.lattice, job.n_sites,
+        {.seed = job.seed, .n_threads = job.n_threads, .progress = [&](const Progress& progress) {
+             return monitor.start_iteration(progress);
+         }});
+    if (points.cols() == 0) throw Cancelled{};
+    return points;
+}
+
+Points3 start_points(const SpaceJob& job, JobMonitor& monitor) {
     if (job.points.cols() > 0) return job.points;
-    if (job.start == SpaceStart::kRandom) {
-        return uniform_points(job.lattice, job.n_sites, job.seed);
+    switch (chosen_start(job)) {
+        case SpaceStart::kCoarse:
+            return coarse_points(job, monitor);
+        case SpaceStart::kLattice:
+            return pattern_points(best_space_pattern(period_matrix(job.lattice), job.n_sites));
+        case SpaceStart::kRandom:
+            break;
     }
-    return pattern_points(best_space_pattern(period_matrix(job.lattice), job.n_sites));
+    return uniform_points(job.lattice, job.n_sites, job.seed);
 }
 
 SpaceCvtResult optimise(const SpaceJob& job, JobMonitor& monitor) {
     SpaceCvtResult result = compute_space_cvt(
-        job.lattice, start_points(job),
+        job.lattice, start_points(job, monitor),
         {.solver = job.solver,
          .tolerance = job.tolerance,
          .max_iterations = job.max_iterations,
@@ -146,6 +165,11 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
 }
 
 }  // namespace
+
+SpaceStart chosen_start(const SpaceJob& job) {
+    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0;
+    return job.start.value_or(coarse ? SpaceStart::kCoarse : SpaceStart::kRandom);
+}
 
 double energy_bound(const SpaceJob& job) {
     const auto n_given = static_cast<int>(job.points.cols());

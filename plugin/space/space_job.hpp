@@ -15,9 +15,9 @@
 
 namespace pcvt {
 
-/// Where the sites begin when none are given: at random, or at the best exact lattice for their
-/// number.
-enum class SpaceStart { kRandom, kLattice };
+/// Where the sites begin when none are given: at random, from coarse to fine, or at the best exact
+/// lattice for their number.
+enum class SpaceStart { kRandom, kCoarse, kLattice };
 
 /// Rows of the tables of choices (mesher/base/choices.hpp), with the numbers of pcvt.h.
 struct SpaceStartRow {
@@ -26,6 +26,7 @@ struct SpaceStartRow {
     int abi_value;
 };
 inline constexpr std::array kSpaceStarts{SpaceStartRow{SpaceStart::kRandom, "random", 1},
+                                         SpaceStartRow{SpaceStart::kCoarse, "coarse", 2},
                                          SpaceStartRow{SpaceStart::kLattice, "lattice", 3}};
 struct SpaceSolverRow {
     SpaceSolver solver;
@@ -46,7 +47,8 @@ struct SpaceJob {
     /// The sites, 3 x n, length units. If there are no columns, `n_sites` sites begin at `start`.
     Points3 points = Points3(3, 0);
     int n_sites = 0;
-    SpaceStart start = SpaceStart::kRandom;
+    /// None: pcvt chooses.
+    std::optional<SpaceStart> start = {};
     std::uint64_t seed = 0;
     SpaceSolver solver = SpaceSolver::kLbfgs;
     double tolerance = 1e-6;
@@ -108,6 +110,10 @@ SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback);
 
 // The steps of run_space_job one by one, for a host that keeps the result in memory; errors as
 // there.
+
+/// The start of the sites that the job does not give: what it states, else coarse from 1,000 sites
+/// on if they are optimised, else random.
+SpaceStart chosen_start(const SpaceJob& job);
 
 /// The energy of as many truncated octahedra as the job has sites, length^5.
 double energy_bound(const SpaceJob& job);

@@ -24,7 +24,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
                     })->word;
     report.start =
         job.points.cols() > 0 ? "file" : find_row(kSpaceStarts, [&](const SpaceStartRow& row) {
-                                             return row.start == job.start;
+                                             return row.start == chosen_start(job);
                                          })->word;
     report.stop = stop_name(summary.run.stop);
     report.iterations = summary.run.iterations;

@@ -10,7 +10,7 @@ from ._calls import (SOLVERS, STARTS, choice, default_options, doubles, generate
 from ._library import ArgumentError, library
 from ._views import statistics_of
 
-_STARTS = ("default", "random", "lattice")
+_STARTS = ("default", "random", "coarse", "lattice")
 _SOLVERS = ("default", "lbfgs", "lloyd")
 _SURFACES = ("cells", "boundary")
 
@@ -46,8 +46,9 @@ def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="
     lattice         (3, 3), the period vectors as rows a, b, c, of either orientation; None: the unit
                     cube
     period          (x, y, z), the sides of a box, in place of lattice
-    start           where drawn sites begin: default (random), random, lattice (the best exact lattice
-                    for their number)
+    start           where drawn sites begin: default (coarse from 1000 sites on, else random), random,
+                    coarse (few sites first, then between them more), lattice (the best exact
+                    lattice for their number)
     solver          default (lbfgs), lbfgs, lloyd
     tolerance       converged once the residual max |x_i - g_i| / h is at most this, with h the cube
                     root of volume / n

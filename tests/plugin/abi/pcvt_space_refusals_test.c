@@ -53,7 +53,6 @@ static void each_field_of_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(symmetry, "symmetry", PCVT_SYMMETRY_P1);
     PLANE_FIELD(fixed_sites, "fixed_sites", three);
     PLANE_FIELD(n_fixed_sites, "n_fixed_sites", 1);
-    PLANE_FIELD(start, "start", PCVT_START_COARSE);
     PLANE_FIELD(start, "start", PCVT_START_BEST);
     PLANE_FIELD(start, "start", 77);
     PLANE_FIELD(solver, "solver", PCVT_SOLVER_NEWTON);

@@ -15,7 +15,7 @@ OBLIQUE = (1, 0, 0, 0.37, 0.81, 0, 0.2, 0.4, 0.9)
 LEFT_HANDED = (1, 0, 0, 0, 0, 1.1, 0.3, 0.8, 0)
 FILES = ("a.vtu", "a.foam", "a.msh", "a.obj", "a.ply", "a.glb", "a.om", "a.txt")
 # Numbers of pcvt.h.
-STARTS = {"random": 1, "lattice": 3}
+STARTS = {"random": 1, "coarse": 2, "lattice": 3}
 SOLVERS = {"lbfgs": 1, "lloyd": 2}
 
 
@@ -31,7 +31,7 @@ class SameBytes(CliTest):
         return files
 
     def compare(self, n_sites, seed, lattice, start="random", solver="lbfgs", limit=-1):
-        drawn = ["--seed", seed] if start == "random" else []
+        drawn = ["--seed", seed] if start != "lattice" else []
         limits = ["--max-iterations", limit] if limit >= 0 else []
         of_command = self.files_of(self.binary(), "mesh", "--sites", n_sites, *drawn, "--lattice",
                                    ",".join(map(str, lattice)), "--start", start, "--solver", solver, *limits,
@@ -48,6 +48,9 @@ class SameBytes(CliTest):
 
     def test_the_best_lattice(self):
         self.compare(7, 0, OBLIQUE, start="lattice")
+
+    def test_from_coarse_to_fine(self):
+        self.compare(300, 4, OBLIQUE, start="coarse", limit=20)
 
     def test_steps_of_lloyd(self):
         self.compare(80, 1, CUBE, solver="lloyd", limit=4)

@@ -71,6 +71,16 @@ class Runs(CliTest):
         self.refuse(3, "r.json", "mesh", "--sites", 3, *CUBE, "--report", "r.json")
         self.refuse(2, "--report r.txt: not a .json file", "mesh", "--sites", 3, *CUBE, "--report", "r.txt")
 
+    def test_many_sites_start_from_coarse_to_fine(self):
+        def start_of(*words):
+            self.succeed("mesh", *CUBE, "--quiet", "--force", "--report", "r.json", *words)
+            return json.loads(self.path("r.json").read_text())["start"]
+
+        self.assertEqual(start_of("--sites", 1000, "--max-iterations", 1), "coarse")
+        self.assertEqual(start_of("--sites", 1000, "--max-iterations", 0), "random")
+        self.assertEqual(start_of("--sites", 999, "--max-iterations", 1), "random")
+        self.assertEqual(start_of("--sites", 50, "--start", "coarse"), "coarse")
+
     def test_random_sites_end_above_the_bound(self):
         found = figures(self.succeed("mesh", "--sites", 250, *CUBE, "--tolerance", "1e-4"))
         ratio = float(found["energy"].split()[1])
@@ -216,8 +226,8 @@ class Refusals(CliTest):
                         "mesh", "--sites", 8, *CUBE, *words)
 
     def test_choices_of_the_plane(self):
-        self.refuse(2, "^pcvt: --start coarse: not for three dimensions; take random or lattice$",
-                    "mesh", "--sites", 8, *CUBE, "--start", "coarse")
+        self.refuse(2, "^pcvt: --start best: not for three dimensions; take random, coarse or lattice$",
+                    "mesh", "--sites", 8, *CUBE, "--start", "best")
         self.refuse(2, "^pcvt: --solver newton: not for three dimensions; take lbfgs or lloyd$",
                     "mesh", "--sites", 8, *CUBE, "--solver", "newton")
 

@@ -163,8 +163,8 @@ class Refusals(CliTest):
         self.refuse(pcvt.ArgumentError, "lattice3: ", lattice=((1, 0, 0), (0, 1, 0), (1, 1, 0)))
         self.refuse(pcvt.ArgumentError, "exclude each other", lattice=OBLIQUE, period=(1, 1, 1))
         self.refuse(pcvt.ArgumentError, r"period \(1, 0, 1\): a side is not above 0", period=(1, 0, 1))
-        self.refuse(pcvt.ArgumentError, "start 'coarse' is unknown; take one of default, random, lattice",
-                    start="coarse")
+        self.refuse(pcvt.ArgumentError, "start 'best' is unknown; take one of default, random, coarse, lattice",
+                    start="best")
         self.refuse(pcvt.ArgumentError, "solver 'newton' is unknown", solver="newton")
         self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
         self.refuse(pcvt.LimitError, "memory", 2**26)
