@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/decimal_text.hpp"
 
 namespace pcvt {
 
@@ -278,7 +279,8 @@ class JsonParser {
         } else {
             // Numbers closer to 0 than every double are 0.
             is_small = is_small || first[is_negative ? 1 : 0] == '0';
-            if (!fits(real) && !is_small) fail(JsonFault::Kind::kNumberTooLarge);
+            const bool is_real = read_decimal(first, last, real).ec == std::errc();
+            if (!is_real && !is_small) fail(JsonFault::Kind::kNumberTooLarge);
             json.value_ = real;
         }
     }

@@ -8,6 +8,7 @@
 
 #include "io/bytes/char_set.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/decimal_text.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,7 +27,7 @@ std::string_view without_plus(std::string_view word) {
     return plus ? word.substr(1) : word;
 }
 
-/// Recognizes NaN and infinity, which std::from_chars accepts as numbers.
+/// Recognizes NaN and infinity, which read_decimal() accepts as numbers.
 bool spells_no_finite_number(std::string_view word) {
     const std::size_t at = word.find_first_not_of("+-");
     if (at == std::string_view::npos) return false;
@@ -51,6 +52,14 @@ bool spells_no_finite_number(std::string_view word) {
     throw InvalidInput(complaint);
 }
 
+std::from_chars_result read(const char* begin, const char* end, double& value) {
+    return read_decimal(begin, end, value);
+}
+
+std::from_chars_result read(const char* begin, const char* end, int& value) {
+    return std::from_chars(begin, end, value);
+}
+
 template <class Number>
 Number parse(std::string_view word) {
     checkpoint();
@@ -60,7 +69,7 @@ Number parse(std::string_view word) {
     const bool begins_well =
         first < digits.size() && (is_digit(digits[first]) || digits[first] == '.');
     Number value = 0;
-    const auto [stop, fault] = std::from_chars(digits.data(), end, value);
+    const auto [stop, fault] = read(digits.data(), end, value);
     if (!begins_well || stop != end) refuse_number(word, std::errc::invalid_argument);
     if (fault != std::errc()) refuse_number(word, fault);
     return value;
@@ -73,7 +82,7 @@ void append_finite(std::string& text, Number value) {
     if (!std::isfinite(value)) throw InternalError("a number to be written is not finite");
     std::array<char, 32> digits;
     const Number written = value == 0 ? Number(0) : value;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), written).ptr;
+    char* const end = write_decimal(digits.data(), digits.data() + digits.size(), written);
     text.append(digits.data(), end);
 }
 

@@ -10,6 +10,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/valence.hpp"
+#include "mesher/portable/decimal_text.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -28,9 +29,9 @@ const std::vector<SiteId>& owners(const Tile& tile) {
 
 std::string rounded(double value, int digits) {
     std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                   std::chars_format::general, digits);
-    return {text.data(), end.ptr};
+    char* const end = write_decimal(text.data(), text.data() + text.size(), value,
+                                    std::chars_format::general, digits);
+    return {text.data(), end};
 }
 
 /// Returns the area of each site's cell, over all faces of the cell, or a third of the area of the

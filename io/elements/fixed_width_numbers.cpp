@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/bytes/text.hpp"
+#include "mesher/portable/decimal_text.hpp"
 
 namespace pcvt {
 namespace {
@@ -17,9 +18,8 @@ constexpr int kMostDigits = 20;
 std::string rounded(double value, std::chars_format format) {
     std::array<char, 400> digits{};
     for (int precision = kMostDigits; precision >= 0; --precision) {
-        const auto end =
-            std::to_chars(digits.data(), digits.data() + digits.size(), value, format, precision)
-                .ptr;
+        char* const end =
+            write_decimal(digits.data(), digits.data() + digits.size(), value, format, precision);
         if (end - digits.data() <= static_cast<std::ptrdiff_t>(kFixedWidth)) {
             return {digits.data(), end};
         }

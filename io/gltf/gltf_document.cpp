@@ -1,7 +1,7 @@
 #include "io/gltf/gltf_document.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -145,7 +145,7 @@ std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t width)
     numbers.reserve(from.n * width);
     for (std::size_t k = 0; k < from.n * width; ++k) {
         const unsigned char* data = from.data + k / width * from.stride + k % width * sizeof(float);
-        numbers.push_back(std::bit_cast<float>(little_endian(data, sizeof(float))));
+        numbers.push_back(Eigen::numext::bit_cast<float>(little_endian(data, sizeof(float))));
         if (!std::isfinite(numbers.back())) {
             throw_bad_file("element " + std::to_string(k / width) + " of accessor " +
                            std::to_string(accessor) + " is not finite");

@@ -7,6 +7,7 @@
 
 #include "io/bytes/json.hpp"
 #include "io/gltf/gltf_container.hpp"
+#include "mesher/portable/decimal_text.hpp"
 
 namespace pcvt {
 namespace {
@@ -49,7 +50,7 @@ void append_real(std::string& json, double value) {
     const bool plain = value == 0 || (size >= kLeastPlain && size < kMostPlain);
     const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
     char* const begin = digits.data();
-    char* const end = std::to_chars(begin, begin + digits.size(), value, format).ptr;
+    char* const end = write_decimal(begin, begin + digits.size(), value, format);
     json.append(begin, end);
     if (plain && std::find(begin, end, '.') == end) json += ".0";
 }

@@ -1,6 +1,6 @@
 #include "io/graphics/om_bytes.hpp"
 
-#include <bit>
+#include <Eigen/Core>
 
 #include "io/bytes/bad_file.hpp"
 
@@ -33,7 +33,7 @@ std::int64_t OmBytes::integer_of(std::string_view bytes) {
 }
 
 double OmBytes::double_of(std::string_view bytes) {
-    return std::bit_cast<double>(integer_of(bytes.substr(0, 8)));
+    return Eigen::numext::bit_cast<double>(integer_of(bytes.substr(0, 8)));
 }
 
 void OmBytes::throw_bad_file(const std::string& complaint) const {

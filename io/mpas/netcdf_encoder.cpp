@@ -1,6 +1,6 @@
 #include "io/mpas/netcdf_encoder.hpp"
 
-#include <bit>
+#include <Eigen/Core>
 
 namespace pcvt {
 namespace {
@@ -52,7 +52,7 @@ void NetcdfEncoder::add_attribute(std::string_view name, double number) {
     append_text(attributes_, name);
     append_number(attributes_, static_cast<std::uint32_t>(NetcdfType::kDouble));
     append_number(attributes_, std::uint32_t{1});
-    append_number(attributes_, std::bit_cast<std::uint64_t>(number));
+    append_number(attributes_, Eigen::numext::bit_cast<std::uint64_t>(number));
     ++n_attributes_;
 }
 
@@ -74,7 +74,8 @@ void NetcdfEncoder::append(const std::vector<int>& values) {
 }
 
 void NetcdfEncoder::append(const std::vector<double>& values) {
-    for (const double value : values) append_number(values_, std::bit_cast<std::uint64_t>(value));
+    for (const double value : values)
+        append_number(values_, Eigen::numext::bit_cast<std::uint64_t>(value));
 }
 
 std::string NetcdfEncoder::bytes() && {

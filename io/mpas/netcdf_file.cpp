@@ -1,8 +1,8 @@
 #include "io/mpas/netcdf_file.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -174,8 +174,9 @@ std::size_t NetcdfFile::dimension(std::string_view name) const {
 double NetcdfFile::number(const Values& values, std::uint64_t k) const {
     const std::uint64_t width = kTypeBytes[values.type - 1];
     const std::uint64_t bits = big_endian(bytes_.substr(values.begin + k * width, width));
-    if (values.type == kFloat) return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    if (values.type == kDouble) return std::bit_cast<double>(bits);
+    if (values.type == kFloat)
+        return Eigen::numext::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    if (values.type == kDouble) return Eigen::numext::bit_cast<double>(bits);
     const bool has_sign = values.type < kFloat || values.type == kLargeSigned;
     if (!has_sign) return static_cast<double>(bits);
     // Shift the sign to the highest bit and back.

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <system_error>
 
+#include "io/outputs/free_name.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -85,7 +87,7 @@ int overwrite(int file, std::string_view bytes) noexcept {
 }
 
 int move_file_to_free_name(const char* from, const char* to) noexcept {
-    if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return 0;
+    if (rename_to_free_name(from, to) == 0) return 0;
     if (errno != EEXIST && !is_missing_call(errno)) return errno;
     // The file system lacks this rename, or the name is taken, perhaps by the other link that an
     // earlier pair of link and unlink left. A hard link does not replace an existing file either.
@@ -98,7 +100,7 @@ int move_file_to_free_name(const char* from, const char* to) noexcept {
 }
 
 int move_folder_to_free_name(const char* from, const char* to) noexcept {
-    if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return 0;
+    if (rename_to_free_name(from, to) == 0) return 0;
     if (!is_missing_call(errno)) return errno;
     // Where the file system lacks this rename, an empty folder is replaced.
     return error_of(::rename(from, to));

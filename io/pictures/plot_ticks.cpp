@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "mesher/portable/decimal_text.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -61,8 +63,8 @@ std::string superscript(int exponent) {
 /// Returns `value` with `digits` decimals.
 std::string fixed(double value, int digits) {
     std::array<char, 400> text{};
-    const auto end =
-        std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed, digits).ptr;
+    char* const end =
+        write_decimal(text.begin(), text.end(), value, std::chars_format::fixed, digits);
     return {text.begin(), end};
 }
 

@@ -9,6 +9,7 @@
 
 #include "mesher/areas/portable_functions.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/portable/decimal_text.hpp"
 
 namespace pcvt {
 namespace {
@@ -75,9 +76,9 @@ double draw_diameter(const AreaLaw& law, RandomNumbers& random) {
 
 std::string in_words(double x) {
     std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 3);
-    return {text.data(), end.ptr};
+    char* const end =
+        write_decimal(text.data(), text.data() + text.size(), x, std::chars_format::general, 3);
+    return {text.data(), end};
 }
 
 const LawRow* find_row(std::string_view text) {
@@ -106,7 +107,7 @@ AreaLaw parse_area_law(const std::string& text) {
     }
     const char* const end = text.data() + text.size();
     const char* const begin = colon == std::string::npos ? end : text.data() + colon + 1;
-    const auto [stop, error] = std::from_chars(begin, end, law.spread);
+    const auto [stop, error] = read_decimal(begin, end, law.spread);
     if (error == std::errc{} && stop == end && law.spread > 0 && law.spread <= kMostSpread) {
         return law;
     }

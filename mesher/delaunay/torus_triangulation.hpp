@@ -1,7 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -25,7 +25,7 @@ struct CornerOffsets {
     std::int8_t j2 = 0;
 
     friend bool operator==(const CornerOffsets&, const CornerOffsets&) = default;
-    bool all_zero() const { return std::bit_cast<std::uint32_t>(*this) == 0; }
+    bool all_zero() const { return Eigen::numext::bit_cast<std::uint32_t>(*this) == 0; }
 };
 
 /// Packs the offsets of corners 1 and 2 relative to corner 0.

@@ -11,6 +11,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/simd.hpp"
 #include "mesher/base/target_clones.hpp"
+#include "mesher/portable/decimal_text.hpp"
 
 namespace pcvt {
 namespace {
@@ -18,9 +19,9 @@ namespace {
 std::string digits(double value) {
     if (std::isnan(value)) return "not a number";
     std::array<char, 32> text;
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
-    return {text.data(), end.ptr};
+    char* const end =
+        write_decimal(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
+    return {text.data(), end};
 }
 
 bool is_density(double rho) { return rho >= kLeastDensity && rho <= kGreatestDensity; }

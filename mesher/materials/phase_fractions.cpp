@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesher/base/error.hpp"
+#include "mesher/portable/decimal_text.hpp"
 
 namespace pcvt {
 namespace {
@@ -36,9 +37,9 @@ std::string in_quotes(std::string_view text) {
 
 std::string in_words(double x) {
     std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 6);
-    return {text.data(), end.ptr};
+    char* const end =
+        write_decimal(text.data(), text.data() + text.size(), x, std::chars_format::general, 6);
+    return {text.data(), end};
 }
 
 PhaseFraction parse_phase(std::string_view entry) {
@@ -46,7 +47,7 @@ PhaseFraction parse_phase(std::string_view entry) {
     PhaseFraction phase{.name = std::string(entry.substr(0, colon))};
     const char* const begin = entry.data() + std::min(colon + 1, entry.size());
     const char* const end = entry.data() + entry.size();
-    const auto [stop, error] = std::from_chars(begin, end, phase.fraction);
+    const auto [stop, error] = read_decimal(begin, end, phase.fraction);
     if (error == std::errc{} && stop == end) return phase;
     throw InvalidInput(in_quotes(entry) + " is no phase; write NAME:FRACTION, such as ferrite:0.3");
 }

@@ -1,7 +1,7 @@
 #include "mesher/optimize/packed_vectors.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -44,8 +44,8 @@ PCVT_TARGET_CLONES void round_to(float scale, float* x, std::int16_t* numbers, E
     const float per_scale = 1 / scale;
     for (Eigen::Index i = 0; i < n; ++i) {
         const float whole = x[i] * per_scale + kRounding;
-        numbers[i] = static_cast<std::int16_t>(std::bit_cast<std::int32_t>(whole) -
-                                               std::bit_cast<std::int32_t>(kRounding));
+        numbers[i] = static_cast<std::int16_t>(Eigen::numext::bit_cast<std::int32_t>(whole) -
+                                               Eigen::numext::bit_cast<std::int32_t>(kRounding));
         x[i] = scale * (whole - kRounding);
     }
 }

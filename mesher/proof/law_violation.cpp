@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "mesher/portable/decimal_text.hpp"
+
 namespace pcvt {
 
 void throw_violation(const std::string& law, const std::string& what) {
@@ -11,9 +13,9 @@ void throw_violation(const std::string& law, const std::string& what) {
 
 std::string in_words(double amount) {
     std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), amount,
-                                   std::chars_format::general, 3);
-    return {text.data(), end.ptr};
+    char* const end = write_decimal(text.data(), text.data() + text.size(), amount,
+                                    std::chars_format::general, 3);
+    return {text.data(), end};
 }
 
 std::string in_words(Offset offset) {

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cxxabi.h>
-
 #include <cfenv>
 #include <exception>
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
+#include "plugin/abi/thread_end.hpp"
 #include "plugin/pcvt.h"
 
 namespace pcvt::abi {
@@ -69,7 +68,7 @@ int call_host(const char* name, const std::fenv_t& host, const Callback& callbac
     const ClientScope no_client(nullptr);
     try {
         return callback();
-    } catch (const __cxxabiv1::__forced_unwind&) {
+    } catch (const ThreadEnd&) {
         throw;
     } catch (const std::exception& error) {
         throw CallbackFault("the " + std::string(name) + " callback threw: " + error.what());
@@ -106,7 +105,7 @@ pcvt_status guarded(const Call& call) {
     set_last_error("");
     try {
         return call(environment.left());
-    } catch (const __cxxabiv1::__forced_unwind&) {
+    } catch (const ThreadEnd&) {
         throw;
     } catch (...) {
         return note_failure(std::current_exception());

@@ -8,6 +8,7 @@
 
 #include "io/bytes/text.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/portable/decimal_text.hpp"
 
 namespace pcvt {
 namespace {
@@ -129,9 +130,8 @@ std::string in_full(double value) {
 std::string rounded(double value, int digits) {
     if (!std::isfinite(value)) throw InternalError("a number of a table is not finite");
     std::array<char, 64> text{};
-    const auto end =
-        std::to_chars(text.begin(), text.end(), value + 0.0, std::chars_format::general, digits)
-            .ptr;
+    char* const end =
+        write_decimal(text.begin(), text.end(), value + 0.0, std::chars_format::general, digits);
     return {text.begin(), end};
 }
 
