@@ -499,6 +499,14 @@ PCVT_API pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** re
 /** Frees a result and ends its views; ignores NULL. Any thread, once no call uses the result. */
 PCVT_API void pcvt_free(pcvt_result* result);
 
+/** The sites at the iteration that a progress callback reports. Only for the duration of that
+ *  callback, on its thread: once an iteration of PCVT_PHASE_OPTIMISE, in the plane. The view has
+ *  lattice, points and n_sites, in the order of the result with the sites inside of holes among
+ *  them; the rest is zero. A run costs and gives the same whether a callback calls this or not.
+ *  @param view_size  sizeof(*view) of the host.
+ *  @returns PCVT_ERROR_ARGUMENT where the sites are not known. */
+PCVT_API pcvt_status pcvt_get_progress_sites(pcvt_sites* view, size_t view_size);
+
 /*  The views. `view_size` is sizeof(*view) of the host: fields that only the host knows become
  * zero, fields that only the library knows are left out. The first call computes the contents of a
  * view; a mesh or a tile that cannot fit into the memory is refused by an estimate before. Any

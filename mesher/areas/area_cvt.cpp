@@ -171,10 +171,12 @@ AreaCvtResult minimized(MovingDelaunay delaunay, const TiedSites* tied,
     AreaObjective objective(delaunay, areas, tied ? tied->weights : WeightOrbits(),
                             options.newton_progress, workers);
     const double value_unit = std::pow(unit, 4);
+    const std::function<Points()> positions = [&delaunay] { return delaunay.positions(); };
     ProgressCallback progress;
     if (options.progress) {
         progress = [&](Progress now) {
             now.value *= value_unit;
+            now.positions = &positions;
             return options.progress(now);
         };
     }

@@ -175,10 +175,18 @@ CvtResult minimized(MovingDelaunay delaunay, const Lattice& lattice, const Densi
                     const OrbitEmbedding* orbits, const CvtOptions& options) {
     require_distinct(delaunay);
     // Minimise the energy.
+    CvtOptions with_positions = options;
+    const std::function<Points()> positions = [&delaunay] { return delaunay.positions(); };
+    if (options.progress) {
+        with_positions.progress = [&](Progress progress) {
+            progress.positions = &positions;
+            return options.progress(progress);
+        };
+    }
     std::optional<DensityFigures> figures;
-    const RunStatistics run = density
-                                  ? minimize(delaunay, lattice, *density, options, orbits, figures)
-                                  : minimize(delaunay, options, orbits);
+    const RunStatistics run =
+        density ? minimize(delaunay, lattice, *density, with_positions, orbits, figures)
+                : minimize(delaunay, with_positions, orbits);
     // Convert the result to the caller's order and units.
     const DelaunayCounts counts = delaunay.counts();
     auto [sites, triangulation] = delaunay.release();

@@ -166,6 +166,21 @@ int move_onto_walls(const PeriodicDelaunay& torus, const std::vector<int>& orbit
     return n_moved;
 }
 
+/// The first n_sites points of the torus, each replaced by its mirror image if that one lies
+/// between the walls.
+Points folded_between_walls(Points torus, const WalledDomain& domain) {
+    Points points = torus.leftCols(domain.n_sites);
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!has_walls_across(domain.walls, axis)) continue;
+        const double side = side_length(domain.lattice, axis);
+        for (double& at : points.row(axis)) {
+            at -= std::floor(at / (2 * side)) * 2 * side;
+            if (at > side) at = 2 * side - at;
+        }
+    }
+    return points;
+}
+
 }  // namespace
 
 Points points_between_walls(const PeriodicDelaunay& torus, const WalledDomain& domain) {
@@ -186,10 +201,15 @@ Points points_between_walls(const PeriodicDelaunay& torus, const WalledDomain& d
 ProgressCallback progress_between_walls(const ProgressCallback& progress,
                                         const WalledDomain& domain, const RunStatistics& before) {
     if (!progress) return {};
-    return [&progress, n_images = domain.n_images(), &before](Progress of_torus) {
-        of_torus.value /= n_images;
+    return [&progress, domain, &before](Progress of_torus) {
+        of_torus.value /= domain.n_images();
         of_torus.iteration += before.iterations;
         of_torus.evaluations += before.evaluations;
+        const auto* const on_torus = of_torus.positions;
+        const std::function<Points()> between_walls = [&domain, on_torus] {
+            return folded_between_walls((*on_torus)(), domain);
+        };
+        if (on_torus != nullptr) of_torus.positions = &between_walls;
         return progress(of_torus);
     };
 }

@@ -205,19 +205,35 @@ bool MovingDelaunay::untangle(const std::vector<int>& inverted, Suspects& suspec
     return rebuild();
 }
 
-std::pair<Sites, TorusTriangulation> MovingDelaunay::release() {
-    std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
+Points MovingDelaunay::positions() const {
+    const Sites sites = released_sites();
+    Points points(2, n_sites());
+    for (SiteId s = 0; s < n_sites(); ++s) points.col(s) = sites.position(s);
+    return points;
+}
+
+Sites MovingDelaunay::released_sites() const {
     Points coordinates(2, n_sites());
     for (SiteId s = 0; s < n_sites(); ++s) {
         checkpoint_each(s);
         const Vec2 whole = coordinates_.col(s).array().floor();
-        change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
         coordinates.col(order_[s]) = coordinates_.col(s) - whole;
     }
+    return {lattice_, reduction_, std::move(coordinates)};
+}
+
+std::pair<Sites, TorusTriangulation> MovingDelaunay::release() {
+    std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
+    for (SiteId s = 0; s < n_sites(); ++s) {
+        checkpoint_each(s);
+        const Vec2 whole = coordinates_.col(s).array().floor();
+        change[s] = {static_cast<int>(whole.x()), static_cast<int>(whole.y())};
+    }
+    Sites released = released_sites();
     coordinates_.resize(2, 0);
     triangulation_.add_to_offsets(change);
     triangulation_.renumber_sites(order_);
-    return {Sites(lattice_, reduction_, std::move(coordinates)), std::move(triangulation_)};
+    return {std::move(released), std::move(triangulation_)};
 }
 
 void require_distinct(const MovingDelaunay& delaunay) {

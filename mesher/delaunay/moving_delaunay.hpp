@@ -126,6 +126,10 @@ class MovingDelaunay {
     /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool untangle(const std::vector<int>& inverted, Suspects& suspects);
 
+    /// The current positions of the sites, in the constructor's `numbering`: those that release()
+    /// gives. 2 x n, length units. Cost: of order n.
+    Points positions() const;
+
     /// Returns the sites, in the constructor's `numbering`, and their triangulation. The object
     /// must not be used afterwards.
     std::pair<Sites, TorusTriangulation> release();
@@ -135,6 +139,8 @@ class MovingDelaunay {
     void prefer_huge_pages();
     bool rebuild();
     void keep_in_range();
+    /// The sites in the constructor's `numbering`.
+    Sites released_sites() const;
     void begin_flip_log();
     Sites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
 

@@ -76,6 +76,9 @@ struct Progress {
     int budget = 0;
     /// Of a coarse start: the part of its work that is done, from 0 to 1.
     double share = 0;
+    /// Returns the positions of the sites at this iteration, 2 x n, in the order of the result and
+    /// in length units. Valid during the callback; nullptr where positions are not known.
+    const std::function<Eigen::Matrix2Xd()>* positions = nullptr;
 };
 
 /// Called once per iteration on the calling thread; returning false cancels the run.

@@ -10,6 +10,7 @@
 #include "plugin/abi/density.hpp"
 #include "plugin/abi/guard.hpp"
 #include "plugin/abi/options.hpp"
+#include "plugin/abi/progress_sites.hpp"
 #include "plugin/abi/result.hpp"
 #include "plugin/abi/run_status.hpp"
 #include "plugin/abi/space_options.hpp"
@@ -40,6 +41,8 @@ static_assert(static_cast<int>(Phase::kWriting) == PCVT_PHASE_WRITE);
 struct HostProgress {
     pcvt_progress_callback call;
     void* data;
+    /// The job whose sites the callback may get; must outlive the run. nullptr: none.
+    const Job* job = nullptr;
 };
 
 /// Whether the host wants the run to continue.
@@ -56,6 +59,7 @@ bool report_progress(const HostProgress& to, double energy_bound, const JobProgr
                              .reserved = 0,
                              .fraction = progress.fraction,
                              .phase_text = progress.text.c_str()};
+    const ProgressSites sites(to.job, progress.run);
     return call_host("progress", host, [&] { return to.call(&view, to.data); }) == 0;
 }
 
@@ -88,7 +92,7 @@ pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
                               const std::fenv_t& host) {
     Job job = make_job(options);
     const JobCallback callback =
-        job_callback({options.progress, options.progress_data}, bound_of(options, job), host);
+        job_callback({options.progress, options.progress_data, &job}, bound_of(options, job), host);
     std::optional<Computation> computed;
     if (read_density(options, callback, host, job)) computed = compute_job(job, callback);
     if (!computed) return cancelled_status();
@@ -244,6 +248,10 @@ pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** result) {
 }
 
 void pcvt_free(pcvt_result* result) { delete result; }
+
+pcvt_status pcvt_get_progress_sites(pcvt_sites* view, size_t view_size) {
+    return give("pcvt_sites", view, view_size, [] { return ProgressSites::current_view(); });
+}
 
 pcvt_status pcvt_get_sites(const pcvt_result* result, pcvt_sites* view, size_t view_size) {
     return give("pcvt_sites", view, view_size, [&] { return plane_content(result).sites(); });

@@ -73,6 +73,7 @@ bool JobMonitor::start_iteration(const Progress& progress) {
     now_.text = (progress.budget > 0 ? "searching" : "placing the sites") + target_.note;
     now_.fraction = std::clamp(share_of_start(progress), now_.fraction, 1.0);
     now_.run = progress;
+    now_.run.positions = nullptr;  // A start moves other sites than the run.
     return report(now_);
 }
 
@@ -111,7 +112,9 @@ bool JobMonitor::iteration(const Progress& progress) {
     now_.fraction = std::clamp(share, now_.fraction, 1.0);
     now_.run = progress;
     now_.text = optimising_words();
-    return report(now_);
+    const bool wanted = report(now_);
+    now_.run.positions = nullptr;  // They are valid during this call alone.
+    return wanted;
 }
 
 void JobMonitor::watch(const std::function<void()>& work) {

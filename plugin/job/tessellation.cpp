@@ -99,6 +99,19 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
             .areas = result.areas};
 }
 
+/// Moves points into the Domain at `origin`, but not across walls.
+Points wrapped(Points points, const Lattice& lattice, const Vec2& origin, Walls walls) {
+    const Domain domain(lattice, origin);
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        checkpoint_each(s);
+        Offset into = domain.offset_into(points.col(s));
+        if (has_walls_across(walls, 0)) into.i = 0;
+        if (has_walls_across(walls, 1)) into.j = 0;
+        points.col(s) += lattice.translation(into);
+    }
+    return points;
+}
+
 double mean(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
@@ -170,30 +183,30 @@ Eigen::VectorXd site_weights(const Tessellation& tessellation) {
 }
 
 Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {
+    const Lattice& lattice = tessellation.lattice();
     if (const auto& walled = tessellation.walled) {
-        Points points = points_between_walls(tessellation.delaunay, *walled);
-        const Domain domain(walled->lattice, origin);
-        for (Eigen::Index s = 0; s < points.cols(); ++s) {
-            Offset into = domain.offset_into(points.col(s));
-            if (has_walls_across(walled->walls, 0)) into.i = 0;
-            if (has_walls_across(walled->walls, 1)) into.j = 0;
-            points.col(s) += walled->lattice.translation(into);
-        }
-        return points;
+        return wrapped(points_between_walls(tessellation.delaunay, *walled), lattice, origin,
+                       walled->walls);
     }
     const Sites& sites = tessellation.delaunay.sites();
-    const Lattice& lattice = tessellation.lattice();
-    const Domain domain(lattice, origin);
     const Metric metric = tessellation.elongation ? tessellation.elongation->metric : Metric();
     Points points(2, sites.n_sites());
     for (SiteId s = 0; s < sites.n_sites(); ++s) {
         checkpoint_each(s);
-        const Vec2 p = metric.from_round(sites.position(s));
-        points.col(s) = p + lattice.translation(domain.offset_into(p));
+        points.col(s) = metric.from_round(sites.position(s));
     }
+    points = wrapped(std::move(points), lattice, origin, Walls::kNone);
     if (tessellation.holes.empty()) return points;
     const std::vector<SiteId> kept = tessellation.holes.kept();
     return points(Eigen::all, kept);
+}
+
+Points progress_sites(const Job& job, const Progress& progress) {
+    if (progress.positions == nullptr) return {};
+    const Metric metric = metric_of(job);
+    Points points = (*progress.positions)();
+    for (auto p : points.colwise()) p = metric.from_round(p);
+    return wrapped(std::move(points), job.lattice, job.origin, job.walls);
 }
 
 double energy_bound(const Tessellation& tessellation) {

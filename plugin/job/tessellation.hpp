@@ -121,6 +121,10 @@ Eigen::VectorXd site_weights(const Tessellation& tessellation);
 /// The sites outside of holes, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
 Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin);
 
+/// The sites of a run at the iteration that `progress` reports, 2 x n, as wrapped_sites() gives
+/// them once the run has ended; sites inside holes are among them. Empty where they are not known.
+Points progress_sites(const Job& job, const Progress& progress);
+
 /// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. The cells
 /// of sites on walls count as what lies between the walls.
 double energy_bound(const Tessellation& tessellation);
