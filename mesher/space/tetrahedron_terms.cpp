@@ -195,10 +195,13 @@ PCVT_TARGET_CLONES void TetrahedronBlock::compute(const SpaceFrame& frame) {
         };
         const Shape shape = shape_of(edge(0), edge(1), edge(2));
         thick[k] = shape.thick;
-        for (int c = 0; c < 4; ++c) inside[c][k] = shape.height[c] - shape.rounding;
-        const auto& h = shape.height;
-        const double least = std::min(std::min(h[0], h[1]), std::min(h[2], h[3]));
-        certain[k] = least - shape.rounding > 0 ? shape.thick : -1;
+        std::array<double, 4> above;
+        for (int c = 0; c < 4; ++c) above[c] = shape.height[c] - shape.rounding;
+        for (int c = 0; c < 4; ++c) inside[c][k] = above[c];
+        // A difference after the minimum would become a branch, and the loop could not be
+        // vectorised.
+        const double least = std::min(std::min(above[0], above[1]), std::min(above[2], above[3]));
+        certain[k] = std::min(least, shape.thick);
         store(shape, k, *this);
     }
 }

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""vectorized_kernels_test.py OBJECT...  Every version of the kernels of the energy must be vectorised.
+
+The compiler writes each kernel for three kinds of processors (mesher/base/target_clones.hpp). A version whose
+loop it does not vectorise gives the same numbers, but takes four times as long, and only on processors
+of that kind. All divisions of a kernel stand in its loop, so that none of them may be scalar.
+"""
+
+import re
+import subprocess
+import sys
+import unittest
+
+KERNELS = ("pcvt::TetrahedronBlock::compute", "pcvt::TriangleBlock::compute")
+VERSIONS = ("default", "arch_x86_64_v3", "arch_x86_64_v4")
+
+
+def divisions(objects):
+    """The instructions that divide, by the name of their function."""
+    text = subprocess.run(["objdump", "--disassemble", "--demangle", "--no-show-raw-insn", *objects],
+                          check=True, capture_output=True, text=True).stdout
+    found, name = {}, None
+    for line in text.splitlines():
+        if head := re.fullmatch(r"[0-9a-f]+ <(.*)>:", line):
+            name = head[1]
+        elif word := re.search(r"\sv?div[ps]d\s", line):
+            found.setdefault(name, []).append(word[0].strip())
+    return found
+
+
+class VectorizedKernels(unittest.TestCase):
+    def test_no_version_divides_number_by_number(self):
+        found = divisions(sys.argv[1:])
+        for kernel in KERNELS:
+            for version in VERSIONS:
+                with self.subTest(kernel=kernel, version=version):
+                    own = [words for name, words in found.items()
+                           if name.startswith(kernel + "(") and f"[clone .{version}]" in name]
+                    self.assertEqual(len(own), 1)
+                    self.assertTrue(all(word.endswith("divpd") for word in own[0]), own[0])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
