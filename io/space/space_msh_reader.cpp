@@ -7,6 +7,7 @@
 
 #include "io/solvers/msh_fields.hpp"
 #include "io/solvers/msh_rows.hpp"
+#include "io/space/point_offsets.hpp"
 #include "io/space/space_msh_writer.hpp"
 
 namespace pcvt {
@@ -14,8 +15,6 @@ namespace {
 
 constexpr int kTetrahedron = 4;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-/// Offsets of points are below this, so that their numbers fit into an int.
-constexpr double kMostPeriods = 1 << 30;
 
 class TetrahedraParser {
    public:
@@ -33,7 +32,7 @@ class TetrahedraParser {
                           ": $NodeData \"cell_id\" does not state the site of each node; write the "
                           "file again with pcvt");
         }
-        find_offsets();
+        find_point_offsets(name_, *mesh_);
         return *std::move(mesh_);
     }
 
@@ -155,22 +154,6 @@ class TetrahedraParser {
                 rows_.throw_bad_file(std::to_string(site) + " is no site; correct it");
             }
             mesh().point_site.push_back(site);
-        }
-    }
-
-    void find_offsets() {
-        std::vector<int> first(mesh_->points.size(), -1);
-        for (int v = 0; v < mesh_->n_points(); ++v) {
-            int& of = first[mesh_->point_site[v]];
-            if (of < 0) of = v;
-            const Vec3 u =
-                mesh_->lattice.to_lattice(mesh_->points[v] - mesh_->points[of]).array().round();
-            if (!(u.lpNorm<Eigen::Infinity>() < kMostPeriods)) {
-                throw BadFile(name_ + ": node " + std::to_string(v + 1) +
-                              " lies too far from its image; correct its position");
-            }
-            mesh_->point_offset.push_back(
-                {static_cast<int>(u.x()), static_cast<int>(u.y()), static_cast<int>(u.z())});
         }
     }
 

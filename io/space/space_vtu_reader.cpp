@@ -9,6 +9,7 @@
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/text.hpp"
 #include "io/solvers/vtu_arrays.hpp"
+#include "io/space/space_vtu_parts.hpp"
 #include "io/space/space_vtu_writer.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
 
@@ -68,8 +69,8 @@ class VtuCells {
         require_types();
         const PolyhedronList cells = read_cells();
         compare_connectivity(cells);
-        SpaceTile tile{.mesh = assembled_mesh(read_lattice(), cells)};
-        compare_orbits(tile.mesh);
+        SpaceTile tile{.mesh = assembled_mesh(read_space_lattice(name_, arrays_), cells)};
+        compare_images(name_, arrays_, tile.mesh.point_orbit, tile.mesh.point_offset);
         compare_cells(tile.mesh, cells);
         if (arrays_.find("CellData/Site") != nullptr) {
             const VtuArray& sites = arrays_.get("CellData/Site", n_, 3, false);
@@ -93,26 +94,9 @@ class VtuCells {
         }
     }
 
-    SpaceLattice read_lattice() const {
-        const VtuArray& array = arrays_.get("FieldData/PeriodicLattice", 3, 3, false);
-        const Eigen::Map<const Eigen::Matrix3d> periods(array.values.data());
-        try {
-            return {periods.col(0), periods.col(1), periods.col(2)};
-        } catch (const InvalidInput& fault) {
-            fail(array.line, fault.what());
-        }
-    }
-
     PolyhedronList read_cells() const {
         PolyhedronList cells;
-        const VtuArray& points = arrays_.get("Points/Points", arrays_.n_points(), 3, false);
-        if (points.type != "Float64") {
-            fail(points.line,
-                 "the points are " + points.type + ", too coarse for a proof; write Float64");
-        }
-        for (std::size_t k = 0; k < points.size(); k += 3) {
-            cells.points.emplace_back(points.values[k], points.values[k + 1], points.values[k + 2]);
-        }
+        cells.points = read_space_points(name_, arrays_);
         const VtuArray& faces = arrays_.get("Cells/faces", -1, 1, true);
         const VtuArray& ends = arrays_.get("Cells/faceoffsets", n_, 1, true);
         ArrayWalk walk(name_, faces);
@@ -149,23 +133,6 @@ class VtuCells {
             walk.require(ends, static_cast<std::size_t>(s), walk.at());
         }
         if (!walk.ended()) fail(points.lines[walk.at()], "a number follows the last cell");
-    }
-
-    void compare_orbits(const PolyhedralMesh& mesh) const {
-        if (arrays_.find("PointData/PeriodicPointIds") == nullptr) return;
-        const int n = mesh.n_points();
-        const VtuArray& orbits = arrays_.get("PointData/PeriodicPointIds", n, 1, true);
-        const VtuArray& offsets = arrays_.get("PointData/PeriodicOffset", n, 3, true);
-        for (std::size_t v = 0; v < orbits.size(); ++v) {
-            const Offset3 stated{offsets.integer(3 * v), offsets.integer(3 * v + 1),
-                                 offsets.integer(3 * v + 2)};
-            if (orbits.integer(v) == mesh.point_orbit[v] && stated == mesh.point_offset[v]) {
-                continue;
-            }
-            fail(orbits.lines[v], "point " + std::to_string(v) + " lies on the orbit of point " +
-                                      std::to_string(mesh.point_orbit[v]) +
-                                      " by another translation; write the file again with pcvt");
-        }
     }
 
     void compare_cells(const PolyhedralMesh& mesh, const PolyhedronList& cells) const {

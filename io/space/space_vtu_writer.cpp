@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/bytes/vtk_text.hpp"
+#include "io/space/space_vtu_parts.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
 
@@ -12,32 +13,6 @@ namespace pcvt {
 namespace {
 
 constexpr int kVtkPolyhedron = 42;
-
-void append_vector(std::string& text, const Vec3& vector) {
-    for (const double x : vector) append_vtk_word(text, x);
-    end_vtk_line(text);
-}
-
-void append_field_data(std::string& text, const SpaceLattice& lattice) {
-    text += "<FieldData>\n";
-    open_vtk_array(text, "Float64", "PeriodicLattice",
-                   " NumberOfTuples=\"3\" NumberOfComponents=\"3\"");
-    for (const Vec3& period : lattice.periods()) append_vector(text, period);
-    close_vtk_array(text);
-    text += "</FieldData>\n";
-}
-
-void append_point_data(std::string& text, const PolyhedralMesh& mesh) {
-    text += "<PointData>\n";
-    append_vtk_integers(text, "Int64", "PeriodicPointIds", mesh.point_orbit);
-    open_vtk_array(text, "Int32", "PeriodicOffset", " NumberOfComponents=\"3\"");
-    for (const Offset3& offset : mesh.point_offset) {
-        for (const int number : {offset.i, offset.j, offset.k}) append_vtk_word(text, number);
-        end_vtk_line(text);
-    }
-    close_vtk_array(text);
-    text += "</PointData>\n";
-}
 
 void append_cell_data(std::string& text, const SpaceTile& tile, const PolyhedronList& cells) {
     std::vector<int> ids(static_cast<std::size_t>(cells.n_cells()));
@@ -55,18 +30,10 @@ void append_cell_data(std::string& text, const SpaceTile& tile, const Polyhedron
     close_vtk_array(text);
     if (tile.sites.cols() > 0) {
         open_vtk_array(text, "Float64", "Site", " NumberOfComponents=\"3\"");
-        for (const auto& site : tile.sites.colwise()) append_vector(text, site);
+        for (const auto& site : tile.sites.colwise()) append_space_vector(text, site);
         close_vtk_array(text);
     }
     text += "</CellData>\n";
-}
-
-void append_points(std::string& text, const std::vector<Vec3>& points) {
-    text += "<Points>\n";
-    open_vtk_array(text, "Float64", "Points", " NumberOfComponents=\"3\"");
-    for (const Vec3& p : points) append_vector(text, p);
-    close_vtk_array(text);
-    text += "</Points>\n";
 }
 
 /// Appends each cell as the number of its faces, and each face as the number of its points and
@@ -125,17 +92,13 @@ std::vector<int> cell_points(const PolyhedronList& cells, int cell) {
 
 std::vector<EncodedFile> encode_space_vtu(const SpaceTile& tile, const std::string& path) {
     const PolyhedronList cells = polyhedron_list(tile.mesh);
-    std::string text =
-        "<?xml version=\"1.0\"?>\n" + std::string(kSpaceVtuMark) +
-        "\n"
-        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-        "<UnstructuredGrid>\n";
-    append_field_data(text, tile.mesh.lattice);
-    text += "<Piece NumberOfPoints=\"" + std::to_string(tile.mesh.n_points()) +
-            "\" NumberOfCells=\"" + std::to_string(cells.n_cells()) + "\">\n";
-    append_point_data(text, tile.mesh);
+    std::string text;
+    open_space_vtu(text, kSpaceVtuMark, tile.mesh.lattice, tile.mesh.n_points(), cells.n_cells());
+    text += "<PointData>\n";
+    append_images(text, tile.mesh.point_orbit, tile.mesh.point_offset);
+    text += "</PointData>\n";
     append_cell_data(text, tile, cells);
-    append_points(text, tile.mesh.points);
+    append_space_points(text, tile.mesh.points);
     append_cells(text, cells);
     text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
     return only_file(path, std::move(text));

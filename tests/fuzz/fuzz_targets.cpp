@@ -113,15 +113,23 @@ void read_tile(const TileFormat& format, const std::string& bytes) {
     if (file.tile.kind != MeshKind::kGrains) prove_voronoi(file.tile, proof, 1e-6);
 }
 
-/// The files of a tile in space with three cells, or their tetrahedra.
-std::vector<EncodedFile> space_files(const char* path, SurfaceForm surfaces) {
+/// The files of a tile in space with three cells in each form, and of their tetrahedra, as far as
+/// the format holds them.
+std::vector<std::vector<EncodedFile>> space_files(const char* path) {
     const SpaceFormat& format = *find_space_format(path);
+    std::vector<std::vector<EncodedFile>> sets;
     if (format.encode != nullptr) {
-        return format.encode(random_space_tile(3), {.surfaces = surfaces}, path);
+        for (const SurfaceForm form : {SurfaceForm::kCells, SurfaceForm::kBoundary}) {
+            sets.push_back(format.encode(random_space_tile(3), {.surfaces = form}, path));
+            if (format.surfaces != FormatSurfaces::kChosen) break;
+        }
     }
-    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
-    const SpaceSites sites(cube, uniform_points(cube, 3, 1));
-    return format.encode_tetrahedra(tetrahedral_mesh(space_delaunay(sites)), path);
+    if (format.encode_tetrahedra != nullptr) {
+        const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+        const SpaceSites sites(cube, uniform_points(cube, 3, 1));
+        sets.push_back(format.encode_tetrahedra(tetrahedral_mesh(space_delaunay(sites)), path));
+    }
+    return sets;
 }
 
 void read_space_tile(const char* path, const std::string& bytes) {
@@ -146,13 +154,10 @@ FuzzTarget space_target(std::string_view name, const char* path) {
     return {name, [=](const std::string& bytes) { read_space_tile(path, bytes); },
             [=] {
                 std::vector<std::string> seeds;
-                for (const SurfaceForm form : {SurfaceForm::kCells, SurfaceForm::kBoundary}) {
+                for (const std::vector<EncodedFile>& set : space_files(path)) {
                     std::vector<std::string> files;
-                    for (const EncodedFile& file : space_files(path, form)) {
-                        files.push_back(file.bytes);
-                    }
+                    for (const EncodedFile& file : set) files.push_back(file.bytes);
                     seeds.push_back(files.size() == 1 ? files.front() : join_files(files));
-                    if (find_space_format(path)->surfaces != FormatSurfaces::kChosen) break;
                 }
                 return seeds;
             }};

@@ -1,5 +1,6 @@
 #include "tests/mutants/space_bases.hpp"
 
+#include "io/space_file_proof.hpp"
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "mesher/base/error.hpp"

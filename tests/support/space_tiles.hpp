@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/space_formats.hpp"
+#include "io/space_file_proof.hpp"
 #include "tests/support/polyhedra.hpp"
 
 namespace pcvt::testing {

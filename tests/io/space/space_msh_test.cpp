@@ -7,7 +7,7 @@
 #include "io/space/seam_entities.hpp"
 #include "io/space/space_msh_reader.hpp"
 #include "io/space/space_msh_writer.hpp"
-#include "io/space_formats.hpp"
+#include "io/space_file_proof.hpp"
 #include "mesher/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/polyhedra.hpp"

@@ -1,0 +1,96 @@
+#include "io/space/space_vtu_parts.hpp"
+
+#include <Eigen/Core>
+
+#include "io/bytes/bad_file.hpp"
+#include "io/bytes/vtk_text.hpp"
+#include "mesher/base/error.hpp"
+
+namespace pcvt {
+namespace {
+
+[[noreturn]] void fail(const std::string& name, int line, const std::string& complaint) {
+    throw BadFile(name + ":" + std::to_string(line) + ": " + complaint);
+}
+
+}  // namespace
+
+void open_space_vtu(std::string& text, std::string_view mark, const SpaceLattice& lattice,
+                    int n_points, int n_cells) {
+    text += "<?xml version=\"1.0\"?>\n" + std::string(mark) +
+            "\n"
+            "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+            "<UnstructuredGrid>\n<FieldData>\n";
+    open_vtk_array(text, "Float64", "PeriodicLattice",
+                   " NumberOfTuples=\"3\" NumberOfComponents=\"3\"");
+    for (const Vec3& period : lattice.periods()) append_space_vector(text, period);
+    close_vtk_array(text);
+    text += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(n_points) +
+            "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n";
+}
+
+void append_space_vector(std::string& text, const Vec3& vector) {
+    for (const double x : vector) append_vtk_word(text, x);
+    end_vtk_line(text);
+}
+
+void append_images(std::string& text, const std::vector<int>& orbits,
+                   const std::vector<Offset3>& offsets) {
+    append_vtk_integers(text, "Int64", "PeriodicPointIds", orbits);
+    open_vtk_array(text, "Int32", "PeriodicOffset", " NumberOfComponents=\"3\"");
+    for (const Offset3& offset : offsets) {
+        for (const int number : {offset.i, offset.j, offset.k}) append_vtk_word(text, number);
+        end_vtk_line(text);
+    }
+    close_vtk_array(text);
+}
+
+void append_space_points(std::string& text, const std::vector<Vec3>& points) {
+    text += "<Points>\n";
+    open_vtk_array(text, "Float64", "Points", " NumberOfComponents=\"3\"");
+    for (const Vec3& p : points) append_space_vector(text, p);
+    close_vtk_array(text);
+    text += "</Points>\n";
+}
+
+SpaceLattice read_space_lattice(const std::string& name, const VtuArrays& arrays) {
+    const VtuArray& array = arrays.get("FieldData/PeriodicLattice", 3, 3, false);
+    const Eigen::Map<const Eigen::Matrix3d> periods(array.values.data());
+    try {
+        return {periods.col(0), periods.col(1), periods.col(2)};
+    } catch (const InvalidInput& fault) {
+        fail(name, array.line, fault.what());
+    }
+}
+
+std::vector<Vec3> read_space_points(const std::string& name, const VtuArrays& arrays) {
+    const VtuArray& array = arrays.get("Points/Points", arrays.n_points(), 3, false);
+    if (array.type != "Float64") {
+        fail(name, array.line,
+             "the points are " + array.type + ", too coarse for a proof; write Float64");
+    }
+    std::vector<Vec3> points;
+    for (std::size_t k = 0; k < array.size(); k += 3) {
+        points.emplace_back(array.values[k], array.values[k + 1], array.values[k + 2]);
+    }
+    return points;
+}
+
+void compare_images(const std::string& name, const VtuArrays& arrays,
+                    const std::vector<int>& orbits, const std::vector<Offset3>& offsets) {
+    if (arrays.find("PointData/PeriodicPointIds") == nullptr) return;
+    const auto n = static_cast<int>(orbits.size());
+    const VtuArray& stated_orbits = arrays.get("PointData/PeriodicPointIds", n, 1, true);
+    const VtuArray& stated_offsets = arrays.get("PointData/PeriodicOffset", n, 3, true);
+    for (std::size_t v = 0; v < orbits.size(); ++v) {
+        const Offset3 stated{stated_offsets.integer(3 * v), stated_offsets.integer(3 * v + 1),
+                             stated_offsets.integer(3 * v + 2)};
+        if (stated_orbits.integer(v) == orbits[v] && stated == offsets[v]) continue;
+        fail(name, stated_orbits.lines[v],
+             "point " + std::to_string(v) + " lies on the orbit of point " +
+                 std::to_string(orbits[v]) +
+                 " by another translation; write the file again with pcvt");
+    }
+}
+
+}  // namespace pcvt

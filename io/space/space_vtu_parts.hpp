@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/solvers/vtu_arrays.hpp"
+#include "mesher/space/space_lattice.hpp"
+
+namespace pcvt {
+
+// The parts that VTUs of polyhedra and of tetrahedra share:
+//
+//     open_space_vtu(text, kSpaceVtuMark, lattice, n_points, n_cells);
+//     append_images(text, mesh.point_orbit, mesh.point_offset);
+//     append_space_points(text, mesh.points);
+//     text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+
+/// Appends all that comes before the first array of the piece. `mark` is a comment.
+void open_space_vtu(std::string& text, std::string_view mark, const SpaceLattice& lattice,
+                    int n_points, int n_cells);
+
+/// Appends x, y and z as a line of an array.
+void append_space_vector(std::string& text, const Vec3& vector);
+
+/// Appends the arrays of PointData that name the point of which each point is an image, and the
+/// offset from it.
+void append_images(std::string& text, const std::vector<int>& orbits,
+                   const std::vector<Offset3>& offsets);
+
+/// Appends the section of the points, length units.
+void append_space_points(std::string& text, const std::vector<Vec3>& points);
+
+/// Returns the lattice of a file.
+/// @throws BadFile  there are not three independent vectors.
+SpaceLattice read_space_lattice(const std::string& name, const VtuArrays& arrays);
+
+/// Returns the points of a file.
+/// @throws BadFile  there are none in double precision.
+std::vector<Vec3> read_space_points(const std::string& name, const VtuArrays& arrays);
+
+/// Compares the images that a file states, if it does, with those of its points.
+/// @throws BadFile  naming the point.
+void compare_images(const std::string& name, const VtuArrays& arrays,
+                    const std::vector<int>& orbits, const std::vector<Offset3>& offsets);
+
+}  // namespace pcvt

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "io/space_formats.hpp"
+#include "mesher/polyhedra/cell_sites.hpp"
+#include "mesher/polyhedra/polyhedral_proof.hpp"
+#include "mesher/surfaces/surface_proof.hpp"
+#include "mesher/tetrahedra/tetrahedral_proof.hpp"
+
+namespace pcvt {
+
+/// The figures that the proof of a file finds.
+struct SpaceFileProof {
+    SpaceTile tile;
+    PolyhedralProof proof;
+    /// Of files that state sites.
+    std::optional<CellSiteFigures> sites;
+};
+
+/// Proves all that the files state: the laws of PolyhedralMesh, the pairs of the seam, the
+/// volumes, that the cells are the Voronoi cells of the sites, the files of a case beside its mesh,
+/// and the names and colours of surfaces.
+///
+/// Example usage:
+///     const SpaceFileProof proof = prove_space_files(encode_space_vtu(tile, "tile.vtu"));
+///
+/// @pre space_file_kind(files) is kPolyhedra.
+/// @throws BadFile, NotATile as the readers and the proofs do.
+SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files);
+
+/// The boundary of a tile in a file, and the figures that its proof finds.
+struct BoundaryFileProof {
+    TileSurface surface;
+    SurfaceProof proof;
+};
+
+/// Proves all that files of the boundary state: the laws of TileSurface, and the names and colours.
+/// @pre space_file_kind(files) is kBoundary.
+/// @throws BadFile, NotATile as the readers and the proof do.
+BoundaryFileProof prove_boundary_files(const std::vector<EncodedFile>& files);
+
+/// Proves a file, of any of these kinds, that pcvt is about to write, which must hold `tile` as
+/// well.
+/// @throws InternalError  a law is violated: a fault of pcvt.
+void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTile& tile);
+
+/// The tetrahedra of a file, and the figures that their proof finds.
+struct TetrahedralFileProof {
+    TetrahedralMesh mesh;
+    TetrahedralProof proof;
+};
+
+/// Proves all that an MSH or a VTU states: the laws of TetrahedralMesh, the groups and the links of
+/// the seam, the images of points.
+/// @pre space_file_kind({file}) is kTetrahedra.
+/// @throws BadFile, NotATile as the reader and the proof do.
+TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file);
+
+/// The same for a file that pcvt is about to write, which must hold `mesh` as well.
+/// @throws InternalError  a law is violated: a fault of pcvt.
+void prove_own_tetrahedra(const EncodedFile& file, const TetrahedralMesh& mesh);
+
+/// Proves that a .txt file holds exactly these sites.
+/// @throws InternalError  another site is read: a fault of pcvt.
+void prove_space_site_file(const EncodedFile& file, const Points3& sites);
+
+}  // namespace pcvt
