@@ -1,95 +1,17 @@
 #include "mesher/energy/stability.hpp"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-#include <optional>
-#include <random>
-
 #include "mesher/energy/hessian.hpp"
+#include "mesher/optimize/inertia.hpp"
 
 namespace pcvt {
 namespace {
 
-/// Relative to the largest eigenvalue.
-constexpr double kThreshold = 1e-6;
-/// Steps of the power iteration, which determine the largest eigenvalue to a few percent.
-constexpr int kPowerSteps = 60;
 constexpr int kTranslations = 2;
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
-SparseMatrix lower_triangle(const BlockMatrix& h) {
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&entries](int row, int column, const auto& block) {
-        for (int k = 0; k < 4; ++k) {
-            const int r = 2 * row + k % 2;
-            const int c = 2 * column + k / 2;
-            if (r >= c) entries.emplace_back(r, c, block[k]);
-        }
-    };
-    for (int i = 0; i < h.n_rows(); ++i) {
-        add(i, i, h.diagonal[i]);
-        for (int k = h.row_begin[i]; k < h.row_begin[i + 1]; ++k) add(i, h.column[k], h.block[k]);
-    }
-    SparseMatrix matrix(2 * h.n_rows(), 2 * h.n_rows());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-
-double largest_eigenvalue(const BlockMatrix& h) {
-    Workers workers(1);
-    std::mt19937_64 random(0);
-    Eigen::VectorXd x(2 * h.n_rows());
-    for (double& entry : x) entry = static_cast<double>(random()) * 0x1p-64 - 0.5;
-    Eigen::VectorXd y(x.size());
-    double eigenvalue = 0;
-    for (int step = 0; step < kPowerSteps && x.norm() > 0; ++step) {
-        x.normalize();
-        eigenvalue = h.multiply(x, y, workers);
-        x.swap(y);
-    }
-    return eigenvalue;
-}
-
-/// Counts the eigenvalues of a matrix below a shift.
-class Inertia {
-   public:
-    explicit Inertia(const SparseMatrix& lower) : lower_(lower) { ldlt_.analyzePattern(lower_); }
-
-    /// Returns nullopt if a pivot is zero.
-    std::optional<Eigen::Index> n_below(double shift) {
-        ldlt_.setShift(-shift);
-        ldlt_.factorize(lower_);
-        if (ldlt_.info() != Eigen::Success) return std::nullopt;
-        return (ldlt_.vectorD().array() < 0).count();
-    }
-
-   private:
-    SparseMatrix lower_;
-    Eigen::SimplicialLDLT<SparseMatrix> ldlt_;
-};
 
 }  // namespace
 
-const char* minimum_name(Minimum minimum) {
-    switch (minimum) {
-        case Minimum::kYes:
-            return "yes";
-        case Minimum::kNo:
-            return "no";
-        case Minimum::kUnknown:
-            return "unknown";
-    }
-    return "";
-}
-
 Minimum stability(const BlockMatrix& hessian) {
-    if (hessian.n_rows() == 1) return Minimum::kYes;
-    const double threshold = kThreshold * largest_eigenvalue(hessian);
-    Inertia inertia(lower_triangle(hessian));
-    if (inertia.n_below(threshold) == kTranslations) return Minimum::kYes;
-    const auto n_negative = inertia.n_below(-threshold);
-    return n_negative && *n_negative > 0 ? Minimum::kNo : Minimum::kUnknown;
+    return hessian.n_rows() == 1 ? Minimum::kYes : minimum_by_inertia(hessian, kTranslations);
 }
 
 Minimum stability(const Sites& sites) {

@@ -12,10 +12,6 @@
 namespace pcvt {
 namespace {
 
-/// The smallest eigenvalue decides `minimum` only if its absolute value, relative to the largest,
-/// exceeds this.
-constexpr double kCertain = 1e-6;
-
 /// A symmetric 2 x 2 matrix.
 struct Symmetric {
     double xx = 0;
@@ -90,12 +86,7 @@ LatticeStability lattice_stability(const LatticePattern& pattern) {
             largest = std::max(largest, high);
         }
     }
-    // Decide by the ratio of the extremes.
-    const double ratio = smallest / largest;
-    const Minimum minimum = ratio > kCertain    ? Minimum::kYes
-                            : ratio < -kCertain ? Minimum::kNo
-                                                : Minimum::kUnknown;
-    return {minimum, ratio};
+    return decided_stability(smallest, largest);
 }
 
 }  // namespace pcvt

@@ -1,19 +1,9 @@
 #pragma once
 
-#include <optional>
-
-#include "mesher/energy/stability.hpp"
+#include "mesher/optimize/minimum.hpp"
 #include "mesher/search/lattice_pattern.hpp"
 
 namespace pcvt {
-
-/// The signs of the eigenvalues of the Hessian of F at a lattice, without the two translations.
-struct LatticeStability {
-    Minimum minimum;
-    /// The smallest eigenvalue over the largest; `nullopt` for n = 1, where only the translations
-    /// exist.
-    std::optional<double> smallest;
-};
 
 /// Decides whether a lattice is a local minimum of F.
 ///

@@ -124,12 +124,17 @@ SpacePattern space_pattern(const Eigen::Matrix3d& period, const SpaceForm& form)
                          .reduced = reduced_periods(period),
                          .form = form,
                          .basis = Eigen::Matrix3d::Zero(),
+                         .steps = {},
                          .moment = 0,
                          .energy = 0};
     const Eigen::Matrix3d metric = metric_of(pattern.reduced, n);
     const std::array<LatticeVector, 4> superbase = obtuse_superbase(form_basis(form), metric);
+    std::copy_n(superbase.begin(), 3, pattern.steps.begin());
     pattern.basis = pattern.reduced * columns_of(superbase) / n;
-    if (pattern.basis.determinant() < 0) pattern.basis = -pattern.basis;
+    if (pattern.basis.determinant() < 0) {
+        pattern.basis = -pattern.basis;
+        for (LatticeVector& step : pattern.steps) step = -step;
+    }
     pattern.moment = second_moment(superbase, metric);
     pattern.energy = space_energy(pattern.moment, pattern.reduced.determinant(), n);
     return pattern;

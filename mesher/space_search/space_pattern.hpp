@@ -5,6 +5,8 @@
 #include <compare>
 #include <cstdint>
 
+#include "mesher/space_search/obtuse_superbase.hpp"
+
 namespace pcvt {
 
 /// Identifies one lattice of space among all that contain the period lattice with index n = a d f,
@@ -46,6 +48,8 @@ struct SpacePattern {
     SpaceForm form;
     /// Three vectors of an obtuse superbase, one a column, right-handed, length units.
     Eigen::Matrix3d basis;
+    /// The same in n-ths of the reduced period vectors.
+    std::array<LatticeVector, 3> steps;
     /// The dimensionless second moment per dimension, G = F n^(2/3) / (3 V^(5/3)).
     double moment;
     /// F, length^5.
