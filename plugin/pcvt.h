@@ -441,8 +441,8 @@ typedef struct pcvt_statistics {
 } pcvt_statistics;
 
 /** The options of pcvt_write(). Zero in all fields but struct_size is the default. In three
- *  dimensions only replace, progress, progress_data and surface apply; any other field is refused
- * unless it has its default. */
+ *  dimensions only kind, replace, progress, progress_data and surface apply, and kind is
+ *  PCVT_VORONOI or PCVT_DELAUNAY; any other field is refused unless it has its default. */
 typedef struct pcvt_write_options {
     size_t struct_size;
     const char* report; /**< also write the statistics of the run to this .json file [NULL: no] */
@@ -522,8 +522,8 @@ PCVT_API pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statist
                                          size_t view_size);
 
 /** @param minimum  becomes PCVT_MINIMUM_...: unknown if the run did not converge, has a density or
- * more than 10,000 sites, or if an eigenvalue is too small. The first call takes time of order
- * n^1.5. Any thread, any number of calls on one result at once. */
+ * more than 10,000 sites (2,000 in three dimensions), or if an eigenvalue is too small. The first
+ * call takes time of order n^1.5 (n^2). Any thread, any number of calls on one result at once. */
 PCVT_API pcvt_status pcvt_get_minimum(const pcvt_result* result, int32_t* minimum);
 
 /** @param kind  PCVT_VORONOI or PCVT_DELAUNAY. */
@@ -539,8 +539,8 @@ PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view,
 
 /** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
  * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the
- * Delaunay tetrahedra (.msh) or the sites (.txt). Either all files appear, complete and proved to
- * be a periodic tile, or none. Missing folders are made.
+ * Delaunay tetrahedra (.msh, and .vtu for PCVT_DELAUNAY) or the sites (.txt). Either all files
+ * appear, complete and proved to be a periodic tile, or none. Missing folders are made.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.

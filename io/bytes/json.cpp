@@ -252,12 +252,10 @@ class JsonParser {
         const std::size_t begin = at_;
         const bool is_negative = take('-');
         if (!take('0') && !take_digits()) fail();
-        bool is_whole = true;
+        const bool has_point = take('.');
+        if (has_point && !take_digits()) fail();
+        bool is_whole = !has_point;
         bool is_small = false;
-        if (take('.')) {
-            is_whole = false;
-            if (!take_digits()) fail();
-        }
         if (take('e') || take('E')) {
             is_whole = false;
             is_small = take('-');

@@ -65,12 +65,17 @@ std::string word(const Lattice& lattice) {
     return "[" + word(lattice.a()) + ", " + word(lattice.b()) + "]";
 }
 
+/// The last keys of a pattern of the plane or of space.
+template <class Pattern>
+std::string verdict_words(const Pattern& pattern) {
+    return ", \"minimum\": " + word(pattern.minimum) +
+           ", \"smallest_eigenvalue\": " + word(pattern.smallest_eigenvalue);
+}
+
 std::string word(const Report::Pattern& pattern) {
     const auto [a, b, d] = pattern.hermite;
     return "{\"basis\": " + word(pattern.basis) + ", \"hermite\": [" + word(a) + ", " + word(b) +
-           ", " + word(d) + "], \"energy\": " + word(pattern.energy) +
-           ", \"minimum\": " + word(pattern.minimum) +
-           ", \"smallest_eigenvalue\": " + word(pattern.smallest_eigenvalue) + "}";
+           ", " + word(d) + "], \"energy\": " + word(pattern.energy) + verdict_words(pattern) + "}";
 }
 
 std::string word(const Report::Areas& areas) {
@@ -130,6 +135,13 @@ std::string word(const std::array<std::array<double, 3>, 3>& vectors) {
         text += (text.empty() ? "[[" : ", [") + word(x) + ", " + word(y) + ", " + word(z) + "]";
     }
     return text + "]";
+}
+
+std::string word(const SpaceReport::Pattern& pattern) {
+    std::string form;
+    for (const int entry : pattern.hermite) form += (form.empty() ? "[" : ", ") + word(entry);
+    return "{\"basis\": " + word(pattern.basis) + ", \"hermite\": " + form +
+           "], \"energy\": " + word(pattern.energy) + verdict_words(pattern) + "}";
 }
 
 std::string word(const SpaceReport::Seconds& s) {
@@ -223,6 +235,7 @@ std::string encode_report(const SpaceReport& report) {
     add("energy_bound", report.energy_bound);
     add("residual", report.residual);
     add("rms_residual", report.rms_residual);
+    add("minimum", report.minimum);
     add("faces", report.faces);
     add("volume", report.volume);
     add("boundary_pairs", report.boundary_pairs);
@@ -231,6 +244,7 @@ std::string encode_report(const SpaceReport& report) {
     add("threads", report.threads);
     add("seconds", report.seconds);
     add("files", report.files);
+    if (report.pattern) add("pattern", *report.pattern);
     return object_text(entries);
 }
 

@@ -175,6 +175,18 @@ struct SpaceReport {
         double write = 0;
         double total = 0;
     };
+    /// The best exact lattice for the number of sites.
+    struct Pattern {
+        std::array<std::array<double, 3>, 3> basis;
+        /// {a, d, f, b, c, e}: the vectors (d f, 0, 0) / n, (-b f, a f, 0) / n and
+        /// (b e - c d, -a e, a d) / n, in the reduced period vectors, span the lattice.
+        std::array<int, 6> hermite;
+        double energy;
+        /// Whether the lattice is a minimum: yes, no, unknown.
+        std::string minimum;
+        /// The smallest eigenvalue of the Hessian over the largest one; null for one site.
+        std::optional<double> smallest_eigenvalue;
+    };
 
     std::string version;
     int sites = 0;
@@ -190,6 +202,8 @@ struct SpaceReport {
     double energy_bound = 0;
     double residual = 0;
     double rms_residual = 0;
+    /// yes, no or unknown; null if the run did not determine it.
+    std::optional<std::string> minimum = {};
     /// The number of cells with each number of faces.
     std::map<int, int> faces;
     double volume = 0;
@@ -199,6 +213,8 @@ struct SpaceReport {
     int threads = 0;
     Seconds seconds;
     std::vector<std::string> files;
+    /// Runs that do not begin at a lattice leave this key out.
+    std::optional<Pattern> pattern = {};
 };
 
 /// Encodes the report as JSON: one key per line, numbers as the shortest decimals that read back,

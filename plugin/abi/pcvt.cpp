@@ -273,7 +273,7 @@ pcvt_status pcvt_get_statistics(const pcvt_result* result, pcvt_statistics* view
 pcvt_status pcvt_get_minimum(const pcvt_result* result, int32_t* minimum) {
     return guarded([&](const std::fenv_t&) {
         if (minimum == nullptr) throw pcvt::InvalidInput("minimum is a null pointer");
-        *minimum = plane_content(result).minimum();
+        *minimum = std::visit([](const auto& made) { return made.minimum(); }, content(result));
         return pcvt_status{PCVT_OK};
     });
 }

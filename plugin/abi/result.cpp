@@ -98,11 +98,6 @@ std::int32_t outline_number(Outline outline) {
     return outline == Outline::kBox ? PCVT_BOX : PCVT_WHOLE;
 }
 
-std::int32_t minimum_number(const std::optional<Minimum>& minimum) {
-    if (minimum == Minimum::kYes) return PCVT_MINIMUM_YES;
-    return minimum == Minimum::kNo ? PCVT_MINIMUM_NO : PCVT_MINIMUM_UNKNOWN;
-}
-
 }  // namespace
 
 Result::Result(Job job, Computation computed)

@@ -9,6 +9,11 @@ std::int32_t stop_number(Stop stop) {
     return stop == Stop::kIterationLimit ? PCVT_STOP_ITERATION_LIMIT : PCVT_STOP_STALLED;
 }
 
+std::int32_t minimum_number(const std::optional<Minimum>& minimum) {
+    if (minimum == Minimum::kYes) return PCVT_MINIMUM_YES;
+    return minimum == Minimum::kNo ? PCVT_MINIMUM_NO : PCVT_MINIMUM_UNKNOWN;
+}
+
 pcvt_status status_of(int max_iterations, const RunStatistics& run) {
     if (run.stop == Stop::kConverged || max_iterations == 0) return PCVT_OK;
     set_last_error(run.stop == Stop::kStalled

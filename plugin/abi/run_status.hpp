@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "mesher/optimize/minimum.hpp"
 #include "mesher/optimize/run_statistics.hpp"
 #include "plugin/pcvt.h"
 
@@ -9,6 +11,9 @@ namespace pcvt::abi {
 
 /// PCVT_STOP_...
 std::int32_t stop_number(Stop stop);
+
+/// PCVT_MINIMUM_...
+std::int32_t minimum_number(const std::optional<Minimum>& minimum);
 
 /// The status of a run that has a result; says why where it is not PCVT_OK.
 pcvt_status status_of(int max_iterations, const RunStatistics& run);

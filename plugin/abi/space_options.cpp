@@ -15,6 +15,8 @@ static_assert(find_abi_value(kSpaceStarts, PCVT_START_COARSE)->start == SpaceSta
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_LATTICE)->start == SpaceStart::kLattice);
 static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LBFGS)->solver == SpaceSolver::kLbfgs);
 static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LLOYD)->solver == SpaceSolver::kLloyd);
+static_assert(find_abi_value(kSpaceMeshes, PCVT_VORONOI)->mesh == SpaceMesh::kVoronoi);
+static_assert(find_abi_value(kSpaceMeshes, PCVT_DELAUNAY)->mesh == SpaceMesh::kDelaunay);
 static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_CELLS)->form == SurfaceForm::kCells);
 static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_BOUNDARY)->form == SurfaceForm::kBoundary);
 
@@ -65,7 +67,6 @@ void refuse_plane_cells(const UnusedFields<pcvt_options>& plane) {
 
 void refuse_plane_files(const pcvt_write_options& options) {
     const UnusedFields<pcvt_write_options> plane(options, {}, kPlaneFile);
-    plane.refuse("kind", &pcvt_write_options::kind);
     plane.refuse("outline", &pcvt_write_options::outline);
     plane.refuse("colour", &pcvt_write_options::colour);
     plane.refuse("gltf_nodes", &pcvt_write_options::gltf_nodes);
@@ -143,6 +144,8 @@ SpaceJob make_space_job(const pcvt_options& options) {
 SpaceFileOptions space_file_options(const std::string& path, const pcvt_write_options& options) {
     refuse_plane_files(options);
     SpaceFileOptions files;
+    files.mesh =
+        space_row("kind", options.kind, kSpaceMeshes, "PCVT_VORONOI or PCVT_DELAUNAY").mesh;
     files.surfaces = chosen_row("surface", options.surface, kSurfaceForms).form;
     const SpaceFormat* const format = find_space_format(path);
     const bool has_surfaces = format == nullptr || format->surfaces == FormatSurfaces::kChosen;

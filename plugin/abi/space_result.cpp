@@ -129,6 +129,10 @@ pcvt_statistics SpaceResult::statistics() const {
     return view;
 }
 
+std::int32_t SpaceResult::minimum() const {
+    return minimum_.get([&] { return minimum_number(minimum_of(computed_)); });
+}
+
 bool SpaceResult::write(const SpaceWriteRequest& request, const JobCallback& callback) const {
     SpaceJob job = job_;
     if (!request.path.empty()) job.outputs.push_back(request.path);

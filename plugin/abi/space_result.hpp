@@ -39,6 +39,7 @@ class SpaceResult {
     double energy_bound() const;
     pcvt_cells cells() const;
     pcvt_statistics statistics() const;
+    std::int32_t minimum() const;
     /// @returns false if the callback cancelled.
     /// @throws BadGeometry if the file holds tetrahedra and some are flat, or a boundary that
     ///         touches itself; InvalidInput, OutputError as run_space_job does.
@@ -54,6 +55,7 @@ class SpaceResult {
     Lazy<ProvedSpaceTile> tile_;
     Lazy<CellArrays> arrays_;
     Lazy<std::vector<int>> valences_;
+    Lazy<std::int32_t> minimum_;
 };
 
 }  // namespace pcvt::abi

@@ -90,6 +90,11 @@ ExitCode run_chosen(const CommandLine& line) {
         end_start_guard();
         return run_mesh(job, line.mesh_options);
     }
+    if (line.pattern->parsed() && means_space(line.pattern_options)) {
+        const SpaceJob job = make_space_pattern_job(*line.pattern, line.pattern_options);
+        end_start_guard();
+        return run_space_mesh(job, line.pattern_options);
+    }
     if (line.pattern->parsed()) {
         const Job job = make_pattern_job(*line.pattern, line.pattern_options);
         end_start_guard();

@@ -120,7 +120,7 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
                  "write the files, but exit with 5 if the run did not converge");
     app.add_flag("--stability", options.stability,
                  "answer whether the sites end at a minimum of the energy: up to\n"
-                 "10000 sites, without a density; takes up to three times the\n"
+                 "10000 sites (2000 in space), without a density; takes up to three times the\n"
                  "optimisation");
     add(app, "--threads", options.threads, "N", "the result does not depend on it [all cores]");
 }

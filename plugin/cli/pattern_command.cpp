@@ -14,7 +14,9 @@ constexpr const char* kExamples =
     "  pcvt pattern --sites 30 --lattice 1,0,0.37,0.81 --mesh delaunay -o pattern.obj\n"
     "      its dual on an oblique period lattice\n"
     "  pcvt pattern --sites 10\n"
-    "      only the summary: basis, energy, and whether the lattice is a minimum\n";
+    "      only the summary: basis, energy, and whether the lattice is a minimum\n"
+    "  pcvt pattern --sites 54 --period 1,1,1 -o pattern.vtu\n"
+    "      54 truncated octahedra in space\n";
 
 /// Options of `pcvt mesh` that do not apply, because pattern computes the sites, does not move them
 /// and gives all cells one area.
@@ -23,19 +25,7 @@ constexpr const char* kForeign[] = {"--seed",      "--input",          "--start"
                                     "--density",   "--density-range",  "--areas",  "--retry",
                                     "--stability"};
 
-}  // namespace
-
-void add_pattern_options(CLI::App& app, MeshOptions& options) {
-    add_mesh_options(app, options);
-    app.get_option("--sites")->description("the number of cells, 1 to 268435456");
-    app.get_option("--period")->description("a rectangle [1,1]");
-    app.get_option("--lattice")->description("any two independent period vectors");
-    app.get_option("--threads")->group("Output");
-    for (const char* name : kForeign) app.get_option(name)->group("");
-    app.footer(kExamples);
-}
-
-Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {
+void require_pattern_options(const CLI::App& app) {
     for (const char* name : kForeign) {
         if (app.count(name) > 0) {
             throw InvalidInput(std::string(name) +
@@ -43,8 +33,33 @@ Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {
         }
     }
     if (app.count("--sites") == 0) throw InvalidInput("no sites; give --sites N");
+}
+
+}  // namespace
+
+void add_pattern_options(CLI::App& app, MeshOptions& options) {
+    add_mesh_options(app, options);
+    app.get_option("--sites")->description("the number of cells, 1 to 268435456");
+    app.get_option("--period")->description("a rectangle [1,1]; W,H,D: a box in space");
+    app.get_option("--lattice")
+        ->description("any two independent period vectors; nine numbers: three, in space");
+    app.get_option("--threads")->group("Output");
+    for (const char* name : kForeign) app.get_option(name)->group("");
+    app.footer(kExamples);
+}
+
+Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {
+    require_pattern_options(app);
     Job job = make_job(app, options);
     job.start = Start::kLattice;
+    job.max_iterations = 0;
+    return job;
+}
+
+SpaceJob make_space_pattern_job(const CLI::App& app, const MeshOptions& options) {
+    require_pattern_options(app);
+    SpaceJob job = make_space_job(app, options);
+    job.start = SpaceStart::kLattice;
     job.max_iterations = 0;
     return job;
 }

@@ -24,10 +24,10 @@ namespace pcvt::cli {
 namespace {
 
 /// The options of `pcvt mesh` that apply in space.
-constexpr std::array<std::string_view, 18> kOptions{
-    "--help",      "--sites",          "--seed",   "--input",   "--period",  "--lattice",
-    "--start",     "--solver",         "--strict", "--threads", "-o",        "--force",
-    "--tolerance", "--max-iterations", "--quiet",  "-h",        "--surface", "--report"};
+constexpr std::array<std::string_view, 20> kOptions{
+    "--help",   "--sites",  "--seed",    "--input",  "--period", "--lattice",   "--start",
+    "--solver", "--strict", "--threads", "-o",       "--force",  "--tolerance", "--max-iterations",
+    "--quiet",  "-h",       "--surface", "--report", "--mesh",   "--stability"};
 
 template <class Table>
 const auto& space_row(const char* option, const std::string& word, const Table& table) {
@@ -108,6 +108,21 @@ SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
     });
 }
 
+/// Requires that no file holds another mesh than the one that --mesh names.
+void read_mesh(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+    if (app.count("--mesh") == 0) return;
+    if (options.meshes.size() > 1) {
+        throw InvalidInput("--mesh: one mesh a run in three dimensions; remove one");
+    }
+    job.file_options.mesh = space_row("--mesh", options.meshes.front(), kSpaceMeshes).mesh;
+    if (job.file_options.mesh == SpaceMesh::kDelaunay) return;
+    for (const SpaceJobFile& file : plan_space_files(job)) {
+        if (!file.format->shows_tetrahedra(job.file_options)) continue;
+        throw InvalidInput("-o " + file.path + ": the format holds the tetrahedra of --mesh " +
+                           "delaunay; leave --mesh out");
+    }
+}
+
 void read_file_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
     if (app.count("--surface") == 0) return;
     job.file_options.surfaces = chosen_row("--surface", options.files.surface, kSurfaceForms).form;
@@ -123,6 +138,18 @@ std::string vector_text(const Vec3& v) {
     // Adding 0 turns -0 into 0.
     return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ", " + figure(v.z() + 0.0) +
            ")";
+}
+
+/// The best exact lattice, its energy and its stability.
+std::string pattern_lines(const SpacePatternOutcome& pattern, double bound) {
+    const SpacePattern& lattice = pattern.lattice;
+    std::string basis;
+    for (int k = 0; k < 3; ++k) {
+        basis += (k == 0 ? "" : " ") + vector_text(lattice.basis.col(k));
+    }
+    return summary_line("pattern", basis + ", energy " + figure(lattice.energy) + ", " +
+                                       figure(lattice.energy / bound) + " of truncated octahedra") +
+           stability_line(pattern.stability);
 }
 
 std::string face_text(const SpaceSummary& summary) {
@@ -157,6 +184,8 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
     job.outputs = options.outputs;
     job.force = options.force;
     job.report = report_file(options.report);
+    job.stability = options.stability;
+    read_mesh(app, options, job);
     plan_space_files(job);
     read_file_options(app, options, job);
     return job;
@@ -167,6 +196,7 @@ std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary)
     text +=
         summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()) +
                                     " " + vector_text(job.lattice.c()));
+    if (summary.pattern) text += pattern_lines(*summary.pattern, summary.energy_bound);
     text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
                                      counted(summary.run.iterations, "iteration") + ", " +
                                      counted(summary.run.evaluations, "evaluation"));
@@ -174,6 +204,7 @@ std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary)
                                        figure(summary.run.energy / summary.energy_bound) +
                                        " of truncated octahedra");
     text += summary_line("residual", figure(summary.run.residual));
+    if (job.stability) text += minimum_line(summary.minimum);
     text += summary_line("faces", face_text(summary));
     text += summary_line("seam", seam_text(summary.proof));
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);

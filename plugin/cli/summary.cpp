@@ -79,14 +79,6 @@ std::string tile_lines(const RunSummary& summary) {
     return text;
 }
 
-std::string stability_text(const LatticeStability& stability) {
-    const std::string verdict = stability.minimum == Minimum::kYes  ? "the pattern is a minimum"
-                                : stability.minimum == Minimum::kNo ? "the pattern is a saddle"
-                                                                    : "too near to call";
-    if (!stability.smallest) return verdict + "; one site has only the translations";
-    return verdict + "; smallest eigenvalue " + figure(*stability.smallest) + " of the largest";
-}
-
 /// The best exact lattice, its energy and its stability.
 std::string pattern_lines(const PatternOutcome& pattern) {
     const LatticePattern& lattice = pattern.lattice;
@@ -95,7 +87,7 @@ std::string pattern_lines(const PatternOutcome& pattern) {
                                        figure(lattice.energy) + ", " +
                                        figure(lattice.energy / lattice.energy_bound) +
                                        " of the hexagonal bound") +
-           summary_line("stability", stability_text(pattern.stability));
+           stability_line(pattern.stability);
 }
 
 std::string energy_text(const RunSummary& summary) {
@@ -168,10 +160,6 @@ std::string phase_lines(const RunSummary& summary) {
     return text;
 }
 
-std::string minimum_text(const RunSummary& summary) {
-    return summary.minimum ? minimum_name(*summary.minimum) : "not known: not converged";
-}
-
 std::string seed_text(const Job& job, const RunSummary& summary) {
     return std::to_string(summary.seed) + ", because an output refused the cells of seed " +
            std::to_string(job.seed) +
@@ -184,6 +172,21 @@ std::string summary_line(const char* label, const std::string& text) {
     char head[16];
     std::snprintf(head, sizeof head, "%-10s ", label);
     return head + text + "\n";
+}
+
+std::string minimum_line(const std::optional<Minimum>& minimum) {
+    return summary_line("minimum", minimum ? minimum_name(*minimum) : "not known: not converged");
+}
+
+std::string stability_line(const LatticeStability& stability) {
+    const std::string verdict = stability.minimum == Minimum::kYes  ? "the pattern is a minimum"
+                                : stability.minimum == Minimum::kNo ? "the pattern is a saddle"
+                                                                    : "too near to call";
+    const std::string reason =
+        stability.smallest
+            ? "smallest eigenvalue " + figure(*stability.smallest) + " of the largest"
+            : "one site has only the translations";
+    return summary_line("stability", verdict + "; " + reason);
 }
 
 std::string summary_text(const Job& job, const RunSummary& summary) {
@@ -202,7 +205,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     }
     text += summary_line("energy", energy_text(summary));
     text += summary_line("residual", figure(summary.run.residual));
-    if (job.stability) text += summary_line("minimum", minimum_text(summary));
+    if (job.stability) text += minimum_line(summary.minimum);
     text += summary_line("hexagons", valence_text(summary));
     if (!summary.start.found.empty()) text += summary_line("found", summary.start.found);
     if (summary.start.pattern) text += pattern_lines(*summary.start.pattern);

@@ -9,6 +9,12 @@ namespace pcvt::cli {
 /// One line of such a text: the label and a value.
 std::string summary_line(const char* label, const std::string& text);
 
+/// The line that says whether the result is a minimum.
+std::string minimum_line(const std::optional<Minimum>& minimum);
+
+/// The line of a lattice that says whether it is a minimum.
+std::string stability_line(const LatticeStability& stability);
+
 /// The text that `pcvt mesh` prints on standard output at the end: one "label value" a line.
 std::string summary_text(const Job& job, const RunSummary& summary);
 

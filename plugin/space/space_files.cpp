@@ -7,38 +7,44 @@
 #include "io/outputs/recovery.hpp"
 #include "io/outputs/writable_paths.hpp"
 #include "io/run_files/site_writer.hpp"
+#include "io/space_file_proof.hpp"
 
 namespace pcvt {
 namespace {
 
-SpaceJobFile plan_file(std::string path) {
+SpaceJobFile plan_file(std::string path, const SpaceFileOptions& options) {
     if (path.ends_with(".foam/")) path.pop_back();
     const SpaceFormat* const format = find_space_format(path);
     if (format == nullptr) {
         throw InvalidInput("-o " + path + ": the format holds no volumes; take " +
                            space_extensions() + ", or give two period vectors");
     }
+    if (options.mesh == SpaceMesh::kDelaunay && format->encode != nullptr &&
+        format->encode_tetrahedra == nullptr) {
+        throw InvalidInput("-o " + path + ": the format holds no tetrahedra; take " +
+                           tetrahedra_extensions() + ", or write the cells in a run of their own");
+    }
     return {path, format};
 }
 
 std::vector<EncodedFile> encode(const SpaceJobFile& file, const SpaceContent& content,
                                 const SpaceFileOptions& options) {
+    if (file.format->shows_tetrahedra(options)) {
+        return file.format->encode_tetrahedra(content.tetrahedra.value(), file.path);
+    }
     if (file.format->encode != nullptr) {
         return file.format->encode(content.tile, options, file.path);
-    }
-    if (file.format->encode_tetrahedra != nullptr) {
-        return file.format->encode_tetrahedra(content.tetrahedra.value(), file.path);
     }
     return only_file(file.path, encode_sites(content.points));
 }
 
 void prove(const SpaceFormat& format, const std::vector<EncodedFile>& encoded,
-           const SpaceContent& content) {
+           const SpaceContent& content, const SpaceFileOptions& options) {
     if (format.is_picture()) return;
-    if (format.encode != nullptr) {
-        prove_own_space_files(encoded, content.tile);
-    } else if (format.encode_tetrahedra != nullptr) {
+    if (format.shows_tetrahedra(options)) {
         prove_own_tetrahedra(encoded.front(), content.tetrahedra.value());
+    } else if (format.encode != nullptr) {
+        prove_own_space_files(encoded, content.tile);
     } else {
         prove_space_site_file(encoded.front(), content.points);
     }
@@ -49,7 +55,7 @@ void stage_file(const SpaceJobFile& file, const SpaceContent& content,
     const std::vector<EncodedFile> encoded = encode(file, content, options);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     require_on_disk(outputs, encoded);
-    prove(*file.format, encoded, content);
+    prove(*file.format, encoded, content, options);
 }
 
 }  // namespace
@@ -58,7 +64,7 @@ std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job) {
     std::vector<SpaceJobFile> files;
     DistinctPaths paths;
     for (const std::string& path : job.inputs) paths.add_input(path);
-    for (const std::string& path : job.outputs) files.push_back(plan_file(path));
+    for (const std::string& path : job.outputs) files.push_back(plan_file(path, job.file_options));
     for (const SpaceJobFile& file : files) {
         for (const std::string& path : file.format->paths(file.path)) paths.add_output(path);
     }

@@ -15,7 +15,7 @@ struct SpaceContent {
     const SpaceTile& tile;
     /// The sites in the domain, 3 x n, for .txt files.
     Points3 points;
-    /// For .msh files; nothing if there is none.
+    /// For files of tetrahedra; nothing if there is none.
     std::optional<TetrahedralMesh> tetrahedra = {};
 };
 
@@ -31,7 +31,9 @@ struct SpaceJobFile {
 /// Example usage:
 ///     for (const SpaceJobFile& file : plan_space_files(job)) std::puts(file.path.c_str());
 ///
-/// @throws InvalidInput for a format that holds no volumes, and for two equal paths.
+/// @throws InvalidInput for a format that holds no volumes, for one that holds no tetrahedra where
+/// the
+///         job names these, and for two equal paths.
 std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job);
 
 /// Requires that all files can be written. Completes or removes the unfinished sets of earlier

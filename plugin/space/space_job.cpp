@@ -9,7 +9,7 @@
 #include "mesher/polyhedra/cell_sites.hpp"
 #include "mesher/proof/validate.hpp"
 #include "mesher/space_cvt/space_coarse_start.hpp"
-#include "mesher/space_search/space_pattern.hpp"
+#include "mesher/tetrahedra/tetrahedral_proof.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/space/space_files.hpp"
 #include "plugin/space/space_memory.hpp"
@@ -50,22 +50,32 @@ Points3 coarse_points(const SpaceJob& job, JobMonitor& monitor) {
     return points;
 }
 
-Points3 start_points(const SpaceJob& job, JobMonitor& monitor) {
+void check_stability(const SpaceJob& job) {
+    const auto n = std::max(job.n_sites, static_cast<int>(job.points.cols()));
+    if (!job.stability || n <= kMostSpaceSitesForMinimum) return;
+    throw InvalidInput("the stability is known of at most " +
+                       std::to_string(kMostSpaceSitesForMinimum) +
+                       " sites in space; leave it out, or take fewer sites");
+}
+
+/// The best lattice and its stability, if the run begins there.
+std::optional<SpacePatternOutcome> find_pattern(const SpaceJob& job) {
+    if (job.points.cols() > 0 || chosen_start(job) != SpaceStart::kLattice) return std::nullopt;
+    const SpacePattern pattern = best_space_pattern(period_matrix(job.lattice), job.n_sites);
+    return SpacePatternOutcome{pattern, space_stability(pattern)};
+}
+
+Points3 start_points(const SpaceJob& job, const std::optional<SpacePatternOutcome>& pattern,
+                     JobMonitor& monitor) {
     if (job.points.cols() > 0) return job.points;
-    switch (chosen_start(job)) {
-        case SpaceStart::kCoarse:
-            return coarse_points(job, monitor);
-        case SpaceStart::kLattice:
-            return pattern_points(best_space_pattern(period_matrix(job.lattice), job.n_sites));
-        case SpaceStart::kRandom:
-            break;
-    }
+    if (pattern) return pattern_points(pattern->lattice);
+    if (chosen_start(job) == SpaceStart::kCoarse) return coarse_points(job, monitor);
     return uniform_points(job.lattice, job.n_sites, job.seed);
 }
 
-SpaceCvtResult optimise(const SpaceJob& job, JobMonitor& monitor) {
+SpaceCvtResult optimise(const SpaceJob& job, const Points3& points, JobMonitor& monitor) {
     SpaceCvtResult result = compute_space_cvt(
-        job.lattice, start_points(job, monitor),
+        job.lattice, points,
         {.solver = job.solver,
          .tolerance = job.tolerance,
          .max_iterations = job.max_iterations,
@@ -77,7 +87,10 @@ SpaceCvtResult optimise(const SpaceJob& job, JobMonitor& monitor) {
 
 SpaceComputation compute(const SpaceJob& job, JobMonitor& monitor) {
     const Clock::time_point begin = Clock::now();
-    SpaceComputation computation{.cvt = optimise(job, monitor)};
+    std::optional<SpacePatternOutcome> pattern = find_pattern(job);
+    SpaceComputation computation{.cvt =
+                                     optimise(job, start_points(job, pattern, monitor), monitor)};
+    computation.pattern = std::move(pattern);
     computation.seconds = seconds_since(begin);
     return computation;
 }
@@ -93,9 +106,10 @@ SpaceTile build_tile(const SpaceDelaunay& delaunay, JobMonitor& monitor) {
 /// The tetrahedra, if a file holds them.
 std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
                                                 const std::vector<SpaceJobFile>& files,
+                                                const SpaceFileOptions& options,
                                                 JobMonitor& monitor) {
-    const auto file = std::find_if(files.begin(), files.end(), [](const SpaceJobFile& f) {
-        return f.format->encode_tetrahedra != nullptr;
+    const auto file = std::find_if(files.begin(), files.end(), [&](const SpaceJobFile& f) {
+        return f.format->shows_tetrahedra(options);
     });
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
@@ -134,7 +148,8 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     summary.energy_bound = body_centred_energy(job.lattice.volume(), summary.n_sites);
     for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
     monitor.watch([&] {
-        std::optional<TetrahedralMesh> tetrahedra = build_tetrahedra(delaunay, files, monitor);
+        std::optional<TetrahedralMesh> tetrahedra =
+            build_tetrahedra(delaunay, files, job.file_options, monitor);
         const ProvedSpaceTile& proved = make_tile(monitor);
         Points3 points = wrapped_sites(computation);
         const SpaceContent content{proved.tile, std::move(points), std::move(tetrahedra)};
@@ -143,6 +158,8 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         require_closed_boundary(job, files, summary.proof);
         stage_space_files(files, content, job.file_options, monitor, outputs);
         summary.run = computation.cvt.run;
+        summary.pattern = computation.pattern;
+        if (job.stability) summary.minimum = minimum_of(computation);
         if (job.report.empty()) return;
         outputs.stage(job.report,
                       encode_space_report(job, summary, computation.seconds, seconds_since(begin)));
@@ -174,6 +191,13 @@ SpaceStart chosen_start(const SpaceJob& job) {
 double energy_bound(const SpaceJob& job) {
     const auto n_given = static_cast<int>(job.points.cols());
     return body_centred_energy(job.lattice.volume(), n_given > 0 ? n_given : job.n_sites);
+}
+
+std::optional<Minimum> minimum_of(const SpaceComputation& computation) {
+    const SpaceDelaunay& delaunay = computation.cvt.delaunay;
+    const bool few = delaunay.sites.n_sites() <= kMostSpaceSitesForMinimum;
+    if (computation.cvt.run.stop != Stop::kConverged || !few) return {};
+    return space_minimum(delaunay);
 }
 
 Points3 wrapped_sites(const SpaceComputation& computation) {
@@ -215,9 +239,10 @@ SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& comput
                              const SpaceTileSource& tile, const JobCallback& callback) {
     const std::vector<SpaceJobFile> files = plan_space_files(job);
     require_space_files_writable(job, files);
-    require_available("the files take",
-                      memory_to_write(computation.cvt.delaunay.sites.n_sites(), files),
-                      kFewerOutputs);
+    require_available(
+        "the files take",
+        memory_to_write(computation.cvt.delaunay.sites.n_sites(), files, job.file_options),
+        kFewerOutputs);
     JobMonitor monitor(callback, target_of(job));
     try {
         return finish(job, files, computation, tile, monitor);
@@ -228,6 +253,7 @@ SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& comput
 
 SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     const Clock::time_point begin = Clock::now();
+    check_stability(job);
     const std::vector<SpaceJobFile> files = plan_space_files(job);
     std::vector<std::string> recovered = require_space_files_writable(job, files);
     require_available("the run takes", estimated_memory(job, files), kFewerOutputs);

@@ -11,6 +11,8 @@
 #include "io/space_formats.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
 #include "mesher/space_cvt/space_cvt.hpp"
+#include "mesher/space_cvt/space_minimum.hpp"
+#include "mesher/space_search/space_stability.hpp"
 #include "plugin/job/job_progress.hpp"
 
 namespace pcvt {
@@ -59,6 +61,9 @@ struct SpaceJob {
     /// Files to write. The extension selects the format (io/space_formats.hpp).
     std::vector<std::string> outputs;
     SpaceFileOptions file_options = {};
+    /// Whether the summary and the report say if the result is a minimum. At most
+    /// kMostSpaceSitesForMinimum sites.
+    bool stability = false;
     /// A .json file with the figures of the run; empty: none.
     std::string report;
     /// Files that the run reads; no output may replace them.
@@ -66,9 +71,17 @@ struct SpaceJob {
     bool force = false;
 };
 
+/// The best exact lattice for the number of sites.
+struct SpacePatternOutcome {
+    SpacePattern lattice;
+    LatticeStability stability;
+};
+
 /// The optimised sites of a job, from which its tile and its files are made.
 struct SpaceComputation {
     SpaceCvtResult cvt;
+    /// Of a run that began at a lattice.
+    std::optional<SpacePatternOutcome> pattern = {};
     /// Of the computation alone.
     double seconds = 0;
 };
@@ -88,6 +101,10 @@ struct SpaceSummary {
     int n_sites = 0;
     /// The energy of as many truncated octahedra, length^5.
     double energy_bound = 0;
+    /// Of jobs with `stability` that converged.
+    std::optional<Minimum> minimum = {};
+    /// Of a run that began at a lattice.
+    std::optional<SpacePatternOutcome> pattern = {};
     /// Cells by their number of faces.
     std::map<int, int> face_counts = {};
     PolyhedralProof proof = {};
@@ -117,6 +134,10 @@ SpaceStart chosen_start(const SpaceJob& job);
 
 /// The energy of as many truncated octahedra as the job has sites, length^5.
 double energy_bound(const SpaceJob& job);
+
+/// Whether the sites are a minimum of the energy; nothing if the run did not converge, or for more
+/// than kMostSpaceSitesForMinimum sites.
+std::optional<Minimum> minimum_of(const SpaceComputation& computation);
 
 /// Optimises the sites; `nullopt` after a cancelled run.
 std::optional<SpaceComputation> compute_space_job(const SpaceJob& job, const JobCallback& callback);

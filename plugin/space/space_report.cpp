@@ -8,6 +8,25 @@
 #include "plugin/job/version.hpp"
 
 namespace pcvt {
+namespace {
+
+std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+std::optional<SpaceReport::Pattern> report_pattern(
+    const std::optional<SpacePatternOutcome>& pattern) {
+    if (!pattern) return std::nullopt;
+    const auto& [lattice, stability] = *pattern;
+    const auto& [a, d, f, b, c, e] = lattice.form;
+    return SpaceReport::Pattern{
+        .basis = {numbers(lattice.basis.col(0)), numbers(lattice.basis.col(1)),
+                  numbers(lattice.basis.col(2))},
+        .hermite = {a, d, f, b, c, e},
+        .energy = lattice.energy,
+        .minimum = minimum_name(stability.minimum),
+        .smallest_eigenvalue = stability.smallest};
+}
+
+}  // namespace
 
 std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary,
                                 double seconds_optimising, double seconds_writing) {
@@ -15,8 +34,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     report.version = version();
     report.sites = summary.n_sites;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& period = job.lattice.periods()[k];
-        report.lattice[k] = {period.x(), period.y(), period.z()};
+        report.lattice[k] = numbers(job.lattice.periods()[k]);
     }
     report.seed = job.seed;
     report.solver = find_row(kSpaceSolvers, [&](const SpaceSolverRow& row) {
@@ -33,6 +51,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     report.energy_bound = summary.energy_bound;
     report.residual = summary.run.residual;
     report.rms_residual = summary.run.rms_residual;
+    if (summary.minimum) report.minimum = minimum_name(*summary.minimum);
     report.faces = summary.face_counts;
     report.volume = summary.proof.volume;
     report.boundary_pairs = summary.proof.n_boundary_pairs;
@@ -41,6 +60,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     report.threads = job.n_threads;
     report.seconds = {seconds_optimising, seconds_writing, seconds_optimising + seconds_writing};
     report.files = summary.files;
+    report.pattern = report_pattern(summary.pattern);
     return encode_report(report);
 }
 

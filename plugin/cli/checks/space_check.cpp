@@ -1,6 +1,7 @@
 #include "plugin/cli/checks/space_check.hpp"
 
 #include "io/bytes/bad_file.hpp"
+#include "io/space_file_proof.hpp"
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "mesher/proof/validate.hpp"

@@ -26,7 +26,7 @@ the translation i a + j b, with a, b the rows of `lattice`; an offset i, j, k me
 """
 
 import operator
-from ctypes import byref, c_int32, sizeof
+from ctypes import sizeof
 
 try:
     import numpy as np
@@ -39,10 +39,10 @@ from ._callbacks import Progress
 from ._calls import (SOLVERS as _SOLVERS, STARTS as _STARTS, choice as _choice, default_options, doubles as _doubles,
                      generated, set_doubles as _set_doubles, set_integers as _set_integers, set_sites as _set_sites,
                      text as _text, written)
-from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, LimitError, OutputError, checked,
+from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, LimitError, OutputError,
                        library)
 from ._space import SpaceResult, SpaceTile, space
-from ._views import KINDS, OUTLINES, Statistics, Tile, TorusMesh, inclusions_of, statistics_of
+from ._views import KINDS, OUTLINES, Statistics, Tile, TorusMesh, inclusions_of, minimum_of, statistics_of
 
 __all__ = ["mesh", "space", "version", "Result", "Tile", "TorusMesh", "SpaceResult", "SpaceTile", "Statistics",
            "Progress", "Error", "Cancelled", "ArgumentError", "DensityError", "GeometryError", "LimitError",
@@ -263,9 +263,7 @@ class Result:
         False for a saddle. None where they prove neither, for a run that did not converge, with a
         density, and above 10,000 sites. The first use takes time of order n^1.5.
         """
-        number = c_int32()
-        checked(library.pcvt_get_minimum(self._handle.pointer, byref(number)))
-        return (None, True, False)[number.value]
+        return minimum_of(self._handle)
 
     @property
     def cells(self):

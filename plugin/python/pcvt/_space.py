@@ -8,10 +8,11 @@ from . import _library
 from ._calls import (SOLVERS, STARTS, choice, default_options, doubles, generated, set_doubles, set_integers,
                      set_sites, text, written)
 from ._library import ArgumentError, library
-from ._views import statistics_of
+from ._views import minimum_of, statistics_of
 
 _STARTS = ("default", "random", "coarse", "lattice")
 _SOLVERS = ("default", "lbfgs", "lloyd")
+_MESHES = ("voronoi", "delaunay")
 _SURFACES = ("cells", "boundary")
 
 
@@ -94,17 +95,26 @@ class SpaceResult:
     def statistics(self):
         return statistics_of(self._handle)
 
+    @property
+    def minimum(self):
+        """Whether the result is a minimum of the energy, as the eigenvalues of its Hessian prove: True, or
+        False for a saddle. None where they prove neither, for a run that did not converge, and above
+        2,000 sites. The first use takes time of order n^2.
+        """
+        return minimum_of(self._handle)
+
     def tile(self):
         """The cells as one SpaceTile. The first use builds and proves it."""
         return SpaceTile(self._handle, self._view())
 
-    def write(self, path, *, surface="cells", report=None, replace=False, progress=None):
+    def write(self, path, *, mesh="voronoi", surface="cells", report=None, replace=False, progress=None):
         """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the boundary of the tile
-        (.om), the Delaunay tetrahedra (.msh) or the sites (.txt), by the extension. Either all files
+        (.om), the Delaunay tetrahedra (.msh, .vtu) or the sites (.txt), by the extension. Either all files
         appear, complete and proved to be a periodic tile, or none. Ctrl-C ends the call soon.
 
         path        None: only the report
 
+        mesh        what .vtu shows: voronoi, the polyhedra, or delaunay, the tetrahedra
         surface     what .obj, .ply and .glb show: cells, or the boundary of the tile
         report      also write the statistics of the run to this .json file
         replace     whether files that exist are replaced
@@ -114,6 +124,7 @@ class SpaceResult:
         tetrahedra, a boundary that touches itself), LimitError, Cancelled, or the exception of progress.
         """
         options = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions), replace=bool(replace),
+                                        kind=choice("mesh", mesh, _MESHES),
                                         surface=choice("surface", surface, _SURFACES),
                                         report=None if report is None else text("report", report))
         written(self._handle, path, options, progress)

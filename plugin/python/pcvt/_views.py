@@ -1,5 +1,6 @@
 """The views of a result: statistics, the mesh on the torus, the tile with its seam."""
 
+from ctypes import byref, c_int32
 from typing import NamedTuple
 
 import numpy as np
@@ -36,6 +37,13 @@ def statistics_of(handle):
     figures["valences"] = handle.array(view.valences, np.int32, view.n_valences)
     figures["stop"] = STOPS[view.stop]
     return Statistics(**figures)
+
+
+def minimum_of(handle):
+    """True for a minimum, False for a saddle, None where neither is known."""
+    number = c_int32()
+    _library.checked(_library.library.pcvt_get_minimum(handle.pointer, byref(number)))
+    return (None, True, False)[number.value]
 
 
 class Statistics(NamedTuple):

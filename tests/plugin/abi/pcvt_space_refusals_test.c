@@ -115,7 +115,6 @@ static void views_of_the_other_dimension_name_their_function(void) {
     pcvt_mesh mesh;
     pcvt_tile tile;
     pcvt_cells cells;
-    int32_t minimum;
 #define NAMES_CELLS(call)                                           \
     do {                                                            \
         CHECK((call) == PCVT_ERROR_ARGUMENT);                       \
@@ -123,7 +122,6 @@ static void views_of_the_other_dimension_name_their_function(void) {
     } while (0)
     NAMES_CELLS(pcvt_get_sites(result, &sites, sizeof sites));
     NAMES_CELLS(pcvt_get_inclusions(result, &inclusions, sizeof inclusions));
-    NAMES_CELLS(pcvt_get_minimum(result, &minimum));
     NAMES_CELLS(pcvt_get_mesh(result, PCVT_VORONOI, &mesh, sizeof mesh));
     NAMES_CELLS(pcvt_get_tile(result, PCVT_VORONOI, PCVT_WHOLE, &tile, sizeof tile));
 #undef NAMES_CELLS
@@ -151,7 +149,6 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
         CHECK(strncmp(pcvt_last_error(), name " is not for", sizeof name) == 0); \
         CHECK(!removes_file("refused.vtu"));                                     \
     } while (0)
-    PLANE_FIELD(kind, "kind", PCVT_DELAUNAY);
     PLANE_FIELD(outline, "outline", PCVT_BOX);
     PLANE_FIELD(colour, "colour", PCVT_COLOUR_SIDES);
     PLANE_FIELD(gltf_nodes, "gltf_nodes", PCVT_NODES_ONE);
@@ -185,6 +182,22 @@ static void surfaces_are_for_files_that_have_them(void) {
     CHECK(strstr(pcvt_last_error(), "surface is for .obj, .ply or .glb") != NULL);
     CHECK(pcvt_write(result, "refused.xyz", &how) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "-o refused.xyz") != NULL);
+    pcvt_free(result);
+}
+
+static void tetrahedra_are_for_files_that_hold_them(void) {
+    pcvt_options options = space_options_for(8);
+    pcvt_result* result = generated(&options);
+    pcvt_write_options how = {0};
+    how.struct_size = sizeof how;
+    how.kind = PCVT_GRAINS;
+    CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "take PCVT_VORONOI or PCVT_DELAUNAY") != NULL);
+    how.kind = PCVT_DELAUNAY;
+    CHECK(pcvt_write(result, "refused.foam", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "the format holds no tetrahedra; take .vtu or .msh") != NULL);
+    CHECK(pcvt_write(result, "tetrahedra.vtu", &how) == PCVT_OK);
+    CHECK(removes_file("tetrahedra.vtu"));
     pcvt_free(result);
 }
 
@@ -233,6 +246,7 @@ int main(void) {
     views_of_the_other_dimension_name_their_function();
     each_field_of_files_in_the_plane_is_refused_by_its_name();
     surfaces_are_for_files_that_have_them();
+    tetrahedra_are_for_files_that_hold_them();
     flat_tetrahedra_are_a_matter_of_geometry();
     what_cannot_fit_is_refused_before_it_is_made();
     return end_of_claims();

@@ -158,6 +158,33 @@ static void body_centred_lattices_have_the_energy_of_truncated_octahedra(void) {
     }
 }
 
+static int32_t minimum_of(const pcvt_result* result) {
+    int32_t minimum = -1;
+    CHECK(pcvt_get_minimum(result, &minimum) == PCVT_OK);
+    return minimum;
+}
+
+static void minima_and_saddles_are_known(void) {
+    double grid[24];
+    for (int k = 0; k < 24; ++k) grid[k] = (k / 3 >> k % 3 & 1) / 2.0;
+    pcvt_options options = space_options_for(16);
+    options.start = PCVT_START_LATTICE;
+    pcvt_result* octahedra = generated(&options);
+    CHECK(minimum_of(octahedra) == PCVT_MINIMUM_YES);
+    CHECK(minimum_of(octahedra) == PCVT_MINIMUM_YES);
+    pcvt_free(octahedra);
+    options = space_options_for(8);
+    options.sites = grid;
+    pcvt_result* cubes = generated(&options);
+    CHECK(minimum_of(cubes) == PCVT_MINIMUM_NO);
+    pcvt_free(cubes);
+    options = space_options_for(40);
+    options.max_iterations = 0;
+    pcvt_result* unfinished = generated(&options);
+    CHECK(minimum_of(unfinished) == PCVT_MINIMUM_UNKNOWN);
+    pcvt_free(unfinished);
+}
+
 static void statistics_describe_the_run(void) {
     pcvt_options options = space_options_for(60);
     pcvt_statistics figures;
@@ -305,6 +332,7 @@ static void existing_files_are_kept_unless_replaced(void) {
 int main(void) {
     each_boundary_face_has_a_partner_by_a_translation();
     body_centred_lattices_have_the_energy_of_truncated_octahedra();
+    minima_and_saddles_are_known();
     statistics_describe_the_run();
     results_do_not_depend_on_threads();
     given_sites_keep_their_order();

@@ -73,5 +73,53 @@ class Pattern(CliTest):
         self.assertAlmostEqual(report["energy"] / SQUARE_MINIMA[56], 1, delta=1e-12)
 
 
+class SpacePattern(CliTest):
+    """The same with three period vectors."""
+
+    def report(self, *arguments):
+        self.succeed("pattern", *arguments, "--report", "run.json", "--force", "--quiet")
+        return json.loads(self.path("run.json").read_text())
+
+    def test_the_summary_shows_basis_energy_ratio_and_stability(self):
+        text = self.succeed("pattern", "--sites", 4, "--period", "1,1,1")
+        self.assertRegex(text, r"pattern +\(.*\) \(.*\) \(.*\), energy 0\.09375, 1\.00257 of truncated")
+        self.assertRegex(text, r"stability +the pattern is a minimum; smallest eigenvalue 0\.\d+ of")
+        self.assertRegex(text, r"faces +12 a cell; cells with 12:4")
+        text = self.succeed("pattern", "--sites", 1, "--period", "1,1,1")
+        self.assertRegex(text, "the pattern is a minimum; one site has only the translations")
+
+    def test_the_report_holds_the_closed_energies(self):
+        # The energies per cell of volume 1 of SC and of BCC lattices.
+        for n, moment in ((1, 1 / 12), (2, 19 / (192 * 2 ** (1 / 3))), (54, 19 / (192 * 2 ** (1 / 3)))):
+            report = self.report("--sites", n, "--period", "1,1,1")
+            energy = 3 * moment / n ** (2 / 3)
+            self.assertAlmostEqual(report["energy"] / energy, 1, delta=1e-12)
+            self.assertAlmostEqual(report["pattern"]["energy"] / energy, 1, delta=1e-12)
+            self.assertEqual((report["start"], report["stop"]), ("lattice", "converged"))
+            self.assertEqual(report["pattern"]["minimum"], "yes")
+            a, d, f, b, c, e = report["pattern"]["hermite"]
+            self.assertEqual(a * d * f, n)
+
+    def test_files_are_proved(self):
+        for lattice in ("1,0,0,0.37,0.81,0,0.2,0.4,0.9", "1,0,0,7,1,0,-3,5,1"):
+            for n in (1, 2, 7, 30):
+                self.report("--sites", n, "--lattice", lattice, "-o", "t.vtu", "-o", "t.obj")
+                self.assertEqual(len(self.succeed("check", "t.vtu", "t.obj", "--cvt").splitlines()), 2)
+
+    def test_options_are_refused(self):
+        self.refuse(2, "--seed is not for pattern.*; leave it out", "pattern", "--sites", 3,
+                    "--period", "1,1,1", "--seed", 1)
+        self.refuse(2, "--symmetry is not for three dimensions", "pattern", "--sites", 3,
+                    "--period", "1,1,1", "--symmetry", "p4m")
+        self.refuse(2, "no sites; give --sites N$", "pattern", "--period", "1,1,1")
+        self.refuse(2, "the lattices of 1000000 cells are more than", "pattern", "--sites", 1000000,
+                    "--period", "1,1,1")
+
+    def test_mesh_may_start_from_the_lattice_and_then_stays_there(self):
+        text = self.succeed("mesh", "--sites", 16, "--period", "1,1,1", "--start", "lattice")
+        self.assertRegex(text, "the pattern is a minimum")
+        self.assertRegex(text, "converged after 0 iterations")
+
+
 if __name__ == "__main__":
     main()

@@ -53,7 +53,7 @@ class Runs(CliTest):
         report = json.loads(self.path("r.json").read_text())
         self.assertEqual(list(report), [
             "version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations", "evaluations", "energy",
-            "energy_bound", "residual", "rms_residual", "faces", "volume", "boundary_pairs", "translations",
+            "energy_bound", "residual", "rms_residual", "minimum", "faces", "volume", "boundary_pairs", "translations",
             "boundary_is_manifold", "threads", "seconds", "files"])
         self.assertEqual(report["lattice"], [[1, 0, 0], [0.37, 0.81, 0], [0.2, 0.4, 0.9]])
         self.assertEqual([report[key] for key in ("sites", "seed", "solver", "start", "stop", "threads", "files")],
@@ -122,6 +122,18 @@ class Runs(CliTest):
         self.assertEqual(done.returncode, 5)
         self.assertIn(b"not converged (iteration-limit", done.stderr)
         self.assertIn("t.txt", self.contents())
+
+    def test_stability_is_answered_on_request(self):
+        run = ("mesh", *CUBE, "--report", "r.json", "--force")
+        self.assertRegex(self.succeed(*run, "--sites", 40, "--stability"), r"\nminimum +yes\n")
+        self.assertEqual(json.loads(self.path("r.json").read_text())["minimum"], "yes")
+        self.assertNotIn("minimum", self.succeed(*run, "--sites", 40))
+        self.assertIsNone(json.loads(self.path("r.json").read_text())["minimum"])
+        self.assertRegex(self.succeed(*run, "--sites", 40, "--stability", "--max-iterations", 3),
+                         r"\nminimum +not known: not converged\n")
+        self.write("cubes.txt", "".join(f"{i / 2} {j / 2} {k / 2}\n" for i in (0, 1) for j in (0, 1) for k in (0, 1)))
+        self.assertRegex(self.succeed("mesh", *CUBE, "--input", "cubes.txt", "--stability"), r"\nminimum +no\n")
+        self.refuse(2, "the stability is known of at most 2000 sites in space", *run, "--sites", 2001, "--stability")
 
     def test_lloyd_lowers_the_energy(self):
         one, ten = (float(figures(self.succeed("mesh", "--sites", 40, *CUBE, "--solver", "lloyd",
@@ -200,6 +212,37 @@ class Tetrahedra(CliTest):
             self.assertRegex(out, rf"^{name}\.msh: a periodic tile of tetrahedra: \d+ of 20 sites, .* in \d+ pairs, "
                                   "Euler characteristic 0 after gluing, volume ")
 
+    def test_vtu_is_proved_and_checked(self):
+        for name, words in LATTICES.items():
+            self.succeed("mesh", "--sites", 20, *words, "--mesh", "delaunay", "-o", f"{name}.vtu", "-o", f"{name}.msh")
+            of_vtu, of_msh = (self.succeed("check", f"{name}.{extension}").split(": ", 1)[1]
+                              for extension in ("vtu", "msh"))
+            self.assertEqual(of_vtu, of_msh)
+
+    def test_damaged_vtu_is_found(self):
+        self.succeed("mesh", "--sites", 20, *CUBE, "--mesh", "delaunay", "-o", "t.vtu")
+        text = self.path("t.vtu").read_text()
+        self.write("t.vtu", text.replace("\n10\n", "\n12\n", 1))
+        self.refuse(2, r"^t\.vtu:\d+: a cell is no tetrahedron", "check", "t.vtu")
+        self.write("t.vtu", text.replace("<!--", "<!-- Written again.", 1))
+        self.succeed("check", "t.vtu")
+        # The first site is taken for another one.
+        self.write("t.vtu", text.replace('"CellId" format="ascii">\n0\n', '"CellId" format="ascii">\n1\n', 1))
+        self.assertNotEqual(text, self.path("t.vtu").read_text())
+        self.refuse(2, r"^t\.vtu: ", "check", "t.vtu")
+
+    def test_mesh_names_what_the_files_hold(self):
+        run = ("mesh", "--sites", 8, *CUBE)
+        self.refuse(2, r"^pcvt: -o t\.foam: the format holds no tetrahedra; take \.vtu or \.msh, or write the cells in a "
+                       "run of their own$", *run, "--mesh", "delaunay", "-o", "t.vtu", "-o", "t.foam")
+        self.refuse(2, r"^pcvt: -o t\.msh: the format holds the tetrahedra of --mesh delaunay; leave --mesh out$",
+                    *run, "--mesh", "voronoi", "-o", "t.msh")
+        self.refuse(2, "^pcvt: --mesh grains: not for three dimensions; take voronoi or delaunay$", *run, "--mesh",
+                    "grains", "-o", "t.vtu")
+        self.refuse(2, "^pcvt: --mesh: one mesh a run in three dimensions; remove one$", *run, "--mesh", "voronoi",
+                    "--mesh", "delaunay", "-o", "t.vtu")
+        self.succeed(*run, "--mesh", "voronoi", "-o", "t.vtu", "-o", "t.obj")
+
     def test_damage_is_found(self):
         self.succeed("mesh", "--sites", 20, *CUBE, "-o", "t.msh")
         text = self.path("t.msh").read_text()
@@ -218,9 +261,9 @@ class Tetrahedra(CliTest):
 
 class Refusals(CliTest):
     def test_options_of_the_plane(self):
-        for words in (("--mesh", "voronoi"), ("--density", "1"), ("--symmetry", "p4"), ("--repeat", "2x1"),
+        for words in (("--density", "1"), ("--symmetry", "p4"), ("--repeat", "2x1"),
                       ("--outline", "box"), ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--origin", "0,0"),
-                      ("--cells", "t.csv"), ("--stability",), ("--budget", "5"),
+                      ("--cells", "t.csv"), ("--budget", "5"),
                       ("--float32",), ("--phases", "a:1"), ("--aspect", "2:0"), ("--short-edges", "0.1")):
             self.refuse(2, rf"^pcvt: {words[0]} is not for three dimensions; leave it out, or give two period vectors$",
                         "mesh", "--sites", 8, *CUBE, *words)

@@ -114,6 +114,21 @@ class Files(CliTest):
         with self.assertRaisesRegex(pcvt.ArgumentError, "surface 'skin' is unknown; take one of cells, boundary"):
             result.write(self.path("a.obj"), surface="skin")
 
+    def test_minimum_is_known_of_converged_runs(self):
+        self.assertIs(pcvt.space(16, start="lattice").minimum, True)
+        self.assertIsNone(pcvt.space(40, max_iterations=0).minimum)
+
+    def test_tetrahedra_are_those_of_the_command(self):
+        self.succeed("mesh", "--sites", 12, "--period", "1,1,1", "--mesh", "delaunay", "--quiet", "-o", "a.vtu")
+        of_command = self.contents()
+        result = pcvt.space(12)
+        result.write(self.path("a.vtu"), mesh="delaunay", replace=True)
+        self.assertEqual(self.contents(), of_command)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "the format holds no tetrahedra; take .vtu or .msh"):
+            result.write(self.path("a.obj"), mesh="delaunay")
+        with self.assertRaisesRegex(pcvt.ArgumentError, "mesh 'grains' is unknown; take one of voronoi, delaunay"):
+            result.write(self.path("a.vtu"), mesh="grains", replace=True)
+
     def test_report_has_the_figures_of_the_run(self):
         result = pcvt.space(12, tolerance=1e-4)
         result.write(None, report=self.path("r.json"))

@@ -1,0 +1,113 @@
+#include "mesher/space_search/space_stability.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "mesher/space/moving_tetrahedra.hpp"
+
+namespace pcvt {
+namespace {
+
+const Eigen::Matrix3d kCube = Eigen::Matrix3d::Identity();
+
+/// The error of differences over 1e-5 h; the third derivative jumps where facets vanish.
+constexpr double kDifferences = 3e-5;
+
+Eigen::Matrix3d sheared_period() {
+    Eigen::Matrix3d period;
+    period << 1, 0.3, 0.1, 0, 0.8, 0.2, 0, 0, 1.3;
+    return period;
+}
+
+/// The gradient of F in the order of the sites, 3 n numbers. The period vectors are reduced, the
+/// first lies along x and the second in the plane x, y, so that frame and space agree up to a unit.
+Eigen::VectorXd gradient_at(const Eigen::Matrix3d& period, const Points3& points) {
+    const SpaceLattice lattice(period.col(0), period.col(1), period.col(2));
+    MovingTetrahedra moving(SpaceSites(lattice, points));
+    Workers workers(1);
+    SpaceEnergy energy;
+    EXPECT_TRUE(moving.evaluate(workers, energy));
+    Eigen::VectorXd gradient(3 * points.cols());
+    for (SiteId s = 0; s < moving.n_sites(); ++s) {
+        gradient.segment<3>(3 * Eigen::Index{moving.original_id(s)}) =
+            energy.gradient.segment<3>(3 * Eigen::Index{s});
+    }
+    return gradient;
+}
+
+/// Computes the Hessian column by column from central differences of the gradient.
+Eigen::MatrixXd hessian_by_differences(const SpacePattern& pattern) {
+    const double step = 1e-5 * std::cbrt(pattern.basis.determinant());
+    Points3 points = pattern_points(pattern);
+    Eigen::MatrixXd hessian(points.size(), points.size());
+    for (Eigen::Index k = 0; k < points.size(); ++k) {
+        const double there = points.reshaped()[k];
+        points.reshaped()[k] = there + step;
+        const Eigen::VectorXd after = gradient_at(pattern.period, points);
+        points.reshaped()[k] = there - step;
+        const Eigen::VectorXd before = gradient_at(pattern.period, points);
+        points.reshaped()[k] = there;
+        hessian.col(k) = (after - before) / (2 * step);
+    }
+    return (hessian + hessian.transpose()) / 2;
+}
+
+/// Returns the smallest eigenvalue over the largest, without the three nearest to zero, which are
+/// the translations.
+double smallest_by_differences(const SpacePattern& pattern) {
+    Eigen::VectorXd values =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hessian_by_differences(pattern))
+            .eigenvalues();
+    const double largest = values[values.size() - 1];
+    std::sort(values.begin(), values.end(),
+              [](double x, double y) { return std::abs(x) < std::abs(y); });
+    return values.tail(values.size() - 3).minCoeff() / largest;
+}
+
+/// Law (1), at minima, saddles and lattices whose cells have six to fourteen faces.
+TEST(SpaceStability, AgreesWithDifferencesOfTheGradient) {
+    for (const Eigen::Matrix3d& period : {kCube, sheared_period()}) {
+        for (const int n : {2, 3, 4, 5, 7, 10, 12}) {
+            const SpacePattern pattern = best_space_pattern(period, n);
+            EXPECT_NEAR(*space_stability(pattern).smallest, smallest_by_differences(pattern),
+                        kDifferences)
+                << n;
+        }
+        const SpacePattern layers = space_pattern(period, {.a = 2, .d = 1, .f = 4, .e = 3});
+        EXPECT_NEAR(*space_stability(layers).smallest, smallest_by_differences(layers),
+                    kDifferences);
+    }
+}
+
+TEST(SpaceStability, BodyCentredLatticesAreMinimaAndCubesSaddles) {
+    for (const int n : {2, 16, 54}) {
+        EXPECT_EQ(space_stability(best_space_pattern(kCube, n)).minimum, Minimum::kYes) << n;
+    }
+    for (const int k : {2, 3}) {
+        const SpacePattern cubes = space_pattern(kCube, {.a = k, .d = k, .f = k});
+        EXPECT_EQ(space_stability(cubes).minimum, Minimum::kNo) << k;
+    }
+}
+
+TEST(SpaceStability, OneSiteHasOnlyTheTranslations) {
+    const LatticeStability stability = space_stability(best_space_pattern(kCube, 1));
+    EXPECT_EQ(stability.minimum, Minimum::kYes);
+    EXPECT_FALSE(stability.smallest.has_value());
+}
+
+TEST(SpaceStability, DependsNeitherOnTheUnitNorOnTheHandOfThePeriods) {
+    for (const int n : {5, 12}) {
+        const double smallest = *space_stability(best_space_pattern(sheared_period(), n)).smallest;
+        for (const double unit : {1e-6, -1.0, 1e6}) {
+            const SpacePattern scaled = best_space_pattern(unit * sheared_period(), n);
+            EXPECT_NEAR(*space_stability(scaled).smallest, smallest, 1e-9) << unit;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pcvt
