@@ -1,6 +1,9 @@
 // What JavaScript calls of the module: options and results of pcvt.h, with fields by name.
 #include <emscripten.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -78,20 +81,23 @@ struct Run {
     pcvt_result* result = nullptr;
 };
 
-// Calls the function that JavaScript put at Module.progress.
+// Calls the function that JavaScript stored as Module.progress; it throws nothing.
 EM_JS(int, report_progress,
       (int iteration, int evaluations, double energy, double energy_bound, double residual,
-       int phase, double fraction, const char* text),
+       int phase, double fraction, const char* text, const double* sites, int n_sites),
       {
           return Module["progress"](iteration, evaluations, energy, energy_bound, residual, phase,
-                                    fraction, UTF8ToString(text))
-                     ? 0
-                     : 1;
+                                    fraction, text, sites, n_sites);
       });
 
-int on_progress(const pcvt_progress* p, void* /*data*/) {
+/// @param data  a bool: whether JavaScript wants the sites.
+int on_progress(const pcvt_progress* p, void* data) {
+    pcvt_sites sites{};
+    if (*static_cast<const bool*>(data) && p->phase == PCVT_PHASE_OPTIMISE) {
+        pcvt_get_progress_sites(&sites, sizeof sites);
+    }
     return report_progress(p->iteration, p->evaluations, p->energy, p->energy_bound, p->residual,
-                           p->phase, p->fraction, p->phase_text);
+                           p->phase, p->fraction, p->phase_text, sites.points, sites.n_sites);
 }
 
 }  // namespace
@@ -152,8 +158,9 @@ EMSCRIPTEN_KEEPALIVE bool run_numbers(Run* run, const char* name, const double* 
     return true;
 }
 
-EMSCRIPTEN_KEEPALIVE int run_generate(Run* run, bool with_progress) {
+EMSCRIPTEN_KEEPALIVE int run_generate(Run* run, bool with_progress, bool with_sites) {
     if (with_progress) run->options.progress = on_progress;
+    run->options.progress_data = &with_sites;
     return pcvt_generate(&run->options, &run->result);
 }
 

@@ -13,15 +13,18 @@ export interface Progress {
     /** The part of the phase that is done; negative: unknown. */
     fraction: number;
     text: string;
+    /** The sites at this iteration: x, y, x, y, ... Only with `progressSites`, in the phase 'optimise', in the plane. */
+    sites?: Float64Array;
 }
 
 /** The names and meanings are those of the long options of `pcvt mesh`. */
 export interface MeshOptions {
-    /** Their number, or the sites themselves: x, y, x, y, ... */
+    /** Their number, or the sites themselves: x, y, x, y, ... (in three dimensions x, y, z, ...) */
     sites: number | ArrayLike<number>;
     seed?: number;
+    /** Width and height; a depth as well makes polyhedra in three dimensions. */
     period?: ArrayLike<number>;
-    /** ax, ay, bx, by. */
+    /** ax, ay, bx, by; or ax, ay, az, bx, by, bz, cx, cy, cz in three dimensions. */
     lattice?: ArrayLike<number>;
     origin?: ArrayLike<number> | 'auto';
     density?: string;
@@ -47,6 +50,8 @@ export interface MeshOptions {
     shortEdges?: number;
     /** Called once an iteration; `false` ends the run, and mesh() then throws. */
     progress?: (state: Progress) => boolean | void;
+    /** Whether progress() gets the sites; a run gives the same bits with and without them. */
+    progressSites?: boolean;
 }
 
 export interface WriteOptions {
@@ -56,6 +61,8 @@ export interface WriteOptions {
     glbNodes?: 'cells' | 'one';
     float32?: boolean;
     pixels?: number;
+    /** In three dimensions: every cell, or the boundary of the tile. */
+    surface?: 'cells' | 'boundary';
 }
 
 export interface Result {

@@ -1,18 +1,19 @@
-// One run in a module worker. The page sends {type: 'mesh', options}, then {type: 'write', id, name, options}.
-import { runHere } from './engine.js';
+// Runs in a module worker, one after another. The page sends {type: 'load', wasm} once, then for each run
+// {type: 'mesh', options, withProgress}, {type: 'write', id, name, options} for each file, and {type: 'free'}.
+import { runHere, sizeOfMemory, useModule } from './engine.js';
 
 let result;
 
 const failure = (error) => ({ message: error.message, option: error.option });
 
+function progress(state) {
+    postMessage({ type: 'progress', state }, state.sites ? [state.sites.buffer] : []);
+}
+
 async function start({ options, withProgress }) {
-    const progress = (state) => {
-        postMessage({ type: 'progress', state });
-        return true;
-    };
     try {
         result = await runHere(withProgress ? { ...options, progress } : options);
-        postMessage({ type: 'done', values: { ...result } });
+        postMessage({ type: 'done', values: { ...result }, bytes: await sizeOfMemory() });
     } catch (error) {
         postMessage({ type: 'failed', error: failure(error) });
     }
@@ -27,4 +28,11 @@ function write({ id, name, options }) {
     }
 }
 
-onmessage = ({ data }) => (data.type === 'mesh' ? start(data) : write(data));
+const handlers = {
+    load: ({ wasm }) => useModule(wasm),
+    mesh: start,
+    write,
+    free: () => result.free(),
+};
+
+onmessage = ({ data }) => handlers[data.type](data);

@@ -152,8 +152,9 @@ export function clearFaults() {
  * Shows an error of the form or of pcvt at the field that it concerns, and moves the focus there.
  */
 export function showError(error) {
+    const known = error.id ?? error.option;
     const field =
-        FIELDS.find(({id, words}) => error.id ? error.id === id : words.test(error.message));
+        FIELDS.find(({id, words}) => known ? known === id : words.test(error.message));
     if (!field) {
         input('form-fault').textContent = error.message;
         return;

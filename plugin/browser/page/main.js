@@ -33,6 +33,7 @@ class Page {
             ended: (result, stopped) => this.ended(result, stopped),
             failed: (error) => this.failed(error),
         });
+        this.chosen = 'tile';
         this.connect();
         fields.restore(location.hash.slice(1));
         this.run();
@@ -56,8 +57,8 @@ class Page {
         }
         element('format').addEventListener('change', () => this.showCommand());
         element('form').addEventListener('input', () => this.showCommand());
-        element('show-sites').addEventListener('click', () => this.show('sites'));
-        element('show-tile').addEventListener('click', () => this.show('tile'));
+        element('show-sites').addEventListener('click', () => this.choose('sites'));
+        element('show-tile').addEventListener('click', () => this.choose('tile'));
         element('download').addEventListener('click', () => this.download());
         element('copy-command')
             .addEventListener(
@@ -132,7 +133,7 @@ class Page {
         const n = result.sites.length / 2;
         this.say(`${stopped ? 'Stopped' : STOPS[result.stop[0]]}: ${n.toLocaleString('en')} site${
             n === 1 ? '' : 's'}.`);
-        if (n <= MOST_SITES_AT_ONCE && !stopped && !this.isDragging) this.show('tile');
+        if (n <= MOST_SITES_AT_ONCE && !stopped && this.chosen === 'tile') this.show('tile');
     }
 
     failed(error) {
@@ -174,6 +175,12 @@ class Page {
         } catch {
             element('command').textContent = '–';
         }
+    }
+
+    /** Shows a picture, also at the end of the next runs. */
+    choose(what) {
+        this.chosen = what;
+        this.show(what);
     }
 
     /** Shows the moving sites, or the tile as tile.html shows it. */
@@ -230,7 +237,6 @@ class Page {
     dragTo(lattice, ended) {
         element('lattice').value = lattice.join(', ');
         clearTimeout(this.dragTimer);
-        this.isDragging = !ended;
         this.dragTimer = setTimeout(() => this.run(), ended ? 0 : DRAG_PAUSE);
     }
 }

@@ -1,4 +1,4 @@
-// page_test.js CHROMIUM PCVT ADDRESS: drives the page of plugin/browser/page in headless Chromium.
+// page_test.js CHROMIUM PCVT PAGE: drives the page in the folder PAGE in headless Chromium.
 // It runs, stops and goes on, drags a period vector, compares a downloaded OBJ with the file of the
 // command, and gives fifteen wrong inputs, each of which must show a message at its field. Exits
 // with 1 if a value is wrong or if the console has an entry.
@@ -8,6 +8,7 @@ const os = require('os');
 const path = require('path');
 const {execFileSync} = require('child_process');
 const {withBrowser} = require('../../consumers/browser.js');
+const {withServer} = require('./static_server.js');
 
 // Field, wrong text, and other fields that the fault needs.
 const kWrong = [
@@ -66,7 +67,7 @@ async function checkDownload(browser, pcvt) {
 
 async function checkDrag(browser, address) {
     await open(browser, address, 'sites=100');
-    await browser.value(`page.show('sites')`);
+    await browser.value(`document.getElementById('show-sites').click()`);
     await browser.until('page.stage.width > 0 && !page.stage.frame');
     const at = (x, y) => browser.value(`(() => {
         const box = page.stage.canvas.getBoundingClientRect(), [x, y] = page.stage.pixel(${x}, ${
@@ -121,17 +122,20 @@ function complaints(browser, address) {
     return browser.complaints().filter((line) => !line.startsWith(`loads ${address}`));
 }
 
-async function main(chromium, pcvt, address) {
-    await withBrowser(chromium, async (browser) => {
-        await checkRun(browser, address);
-        await checkDownload(browser, pcvt);
+async function drive(browser, pcvt, address) {
+    await checkRun(browser, address);
+    await checkDownload(browser, pcvt);
+    assert.deepStrictEqual(complaints(browser, address), []);
+    for (const check of [checkDrag, checkWrong, checkStop]) {
+        await check(browser, address);
         assert.deepStrictEqual(complaints(browser, address), []);
-        for (const check of [checkDrag, checkWrong, checkStop]) {
-            await check(browser, address);
-            assert.deepStrictEqual(complaints(browser, address), []);
-        }
-    });
+    }
     console.log('the page runs, drags, downloads, refuses, stops and goes on');
+}
+
+function main(chromium, pcvt, page) {
+    return withServer(
+        page, (address) => withBrowser(chromium, (browser) => drive(browser, pcvt, address)));
 }
 
 main(...process.argv.slice(2)).catch((fault) => {
