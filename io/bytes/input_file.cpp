@@ -91,7 +91,7 @@ std::string read_all(const std::string& name, int file, const InputLimit& limit,
     BlockReader reader(name, file);
     if (size > limit.bytes) throw_too_large(name, limit);
     std::string bytes;
-    if (!limit.ends_at_nul) bytes.reserve(size);
+    if (!limit.ends_at_nul) bytes.reserve(static_cast<std::size_t>(size));
     for (std::string_view block = reader.next(); !block.empty(); block = reader.next()) {
         if (bytes.size() + block.size() > limit.bytes) throw_too_large(name, limit);
         bytes += block;

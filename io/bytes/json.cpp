@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/portable/decimal_text.hpp"
@@ -290,15 +291,13 @@ class JsonParser {
 Json Json::parse(std::string_view text) { return JsonParser(text).whole(); }
 
 std::span<const JsonMember> Json::members() const {
-    const auto* members = std::get_if<Object>(&value_);
-    if (members == nullptr) return {};
-    return **members;
+    if (const auto* members = std::get_if<Object>(&value_)) return **members;
+    return {};
 }
 
 const Json* Json::find(std::string_view name) const {
-    const auto* members = std::get_if<Object>(&value_);
-    if (members == nullptr) return nullptr;
-    for (auto member = (*members)->rbegin(); member != (*members)->rend(); ++member) {
+    const std::span<const JsonMember> all = members();
+    for (auto member = all.rbegin(); member != all.rend(); ++member) {
         if (member->name == name) return &member->value;
     }
     return nullptr;
@@ -306,8 +305,7 @@ const Json* Json::find(std::string_view name) const {
 
 std::size_t Json::size() const {
     if (const auto* entries = std::get_if<List>(&value_)) return (*entries)->size();
-    const auto* members = std::get_if<Object>(&value_);
-    return members == nullptr ? 0 : (*members)->size();
+    return members().size();
 }
 
 const Json* Json::begin() const {
@@ -320,8 +318,8 @@ bool Json::same(const Json& other) const {
     if (value_.index() != other.value_.index() || size() != other.size()) return false;
     if (is_string()) return text() == other.text();
     if (holds<bool>()) return std::get<bool>(value_) == std::get<bool>(other.value_);
-    if (is_array()) return std::ranges::equal(*this, other, &Json::same);
-    return std::ranges::all_of(members(), [&other](const JsonMember& own) {
+    if (is_array()) return std::equal(begin(), end(), other.begin(), std::mem_fn(&Json::same));
+    return std::all_of(members().begin(), members().end(), [&other](const JsonMember& own) {
         return other.contains(own.name) && own.value.same(*other.find(own.name));
     });
 }

@@ -12,10 +12,9 @@ constexpr std::size_t kShortestBeginning = 3;
 /// Returns the only word that begins with `beginning`, or else an empty string.
 std::string only_continuation(std::string_view beginning, const std::vector<std::string>& words) {
     const auto continues = [&](const std::string& word) { return word.starts_with(beginning); };
-    if (beginning.size() < kShortestBeginning || std::ranges::count_if(words, continues) != 1) {
-        return {};
-    }
-    return *std::ranges::find_if(words, continues);
+    if (beginning.size() < kShortestBeginning) return {};
+    if (std::count_if(words.begin(), words.end(), continues) != 1) return {};
+    return *std::find_if(words.begin(), words.end(), continues);
 }
 
 }  // namespace

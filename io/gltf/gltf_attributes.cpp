@@ -30,11 +30,12 @@ std::vector<float> attribute(const GltfDocument& document, const Json& primitive
 
 /// Whether two primitives name the same accessors.
 bool same_accessors(const Json& attributes, const Json& others) {
-    return attributes.size() == others.size() &&
-           std::ranges::all_of(attributes.members(), [&](const JsonMember& member) {
-               const Json* other = others.find(member.name);
-               return other != nullptr && *other == member.value.get<std::size_t>();
-           });
+    if (attributes.size() != others.size()) return false;
+    for (const JsonMember& member : attributes.members()) {
+        const Json* other = others.find(member.name);
+        if (other == nullptr || !(*other == member.value.get<std::size_t>())) return false;
+    }
+    return true;
 }
 
 void require_flat(const GltfDocument& document, const Json& primitive, const Tile& tile) {

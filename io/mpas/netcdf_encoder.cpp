@@ -89,7 +89,7 @@ std::string NetcdfEncoder::bytes() && {
     // The values begin behind the header, which holds 64 bits for the beginning of each variable.
     std::uint64_t begin = bytes.size();
     for (const Variable& variable : variables_) begin += variable.definition.size() + sizeof begin;
-    bytes.reserve(begin + values_.size());
+    bytes.reserve(static_cast<std::size_t>(begin) + values_.size());
     for (const Variable& variable : variables_) {
         bytes += variable.definition;
         append_number(bytes, begin);

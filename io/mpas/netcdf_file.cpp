@@ -31,6 +31,11 @@ constexpr std::uint32_t kFloat = 5;
 constexpr std::uint32_t kDouble = 6;
 constexpr std::uint32_t kLargeSigned = 10;
 
+/// @pre  The part lies within the bytes.
+std::string_view part(std::string_view bytes, std::uint64_t begin, std::uint64_t n_bytes) {
+    return bytes.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(n_bytes));
+}
+
 std::uint64_t big_endian(std::string_view bytes) {
     std::uint64_t value = 0;
     for (const char byte : bytes) value = value << 8 | static_cast<unsigned char>(byte);
@@ -99,7 +104,7 @@ class NetcdfHeaderScanner {
         if (count > left / entry_bytes) throw_bad_header("ends too early");
         const std::uint64_t padded = (count * entry_bytes + kPadding - 1) / kPadding * kPadding;
         if (padded > left) throw_bad_header("ends too early");
-        const std::string_view taken = file_.bytes_.substr(at_, count * entry_bytes);
+        const std::string_view taken = part(file_.bytes_, at_, count * entry_bytes);
         at_ += padded;
         return taken;
     }
@@ -167,13 +172,13 @@ const auto& NetcdfFile::find(const Entries& entries, std::string_view name) cons
 }
 
 std::size_t NetcdfFile::dimension(std::string_view name) const {
-    return find(dimensions_, name).size;
+    return static_cast<std::size_t>(find(dimensions_, name).size);
 }
 
 /// Returns a value that lies within the file.
 double NetcdfFile::number(const Values& values, std::uint64_t k) const {
     const std::uint64_t width = kTypeBytes[values.type - 1];
-    const std::uint64_t bits = big_endian(bytes_.substr(values.begin + k * width, width));
+    const std::uint64_t bits = big_endian(part(bytes_, values.begin + k * width, width));
     if (values.type == kFloat)
         return Eigen::numext::bit_cast<float>(static_cast<std::uint32_t>(bits));
     if (values.type == kDouble) return Eigen::numext::bit_cast<double>(bits);
@@ -192,7 +197,7 @@ bool NetcdfFile::has_attribute(std::string_view name) const {
 std::string_view NetcdfFile::text(std::string_view name) const {
     const Values& values = find(attributes_, name);
     if (values.type != kText) throw_bad_file("attribute " + std::string(name) + " is no text");
-    return bytes_.substr(values.begin, values.count);
+    return part(bytes_, values.begin, values.count);
 }
 
 double NetcdfFile::attribute(std::string_view name) const {
@@ -213,7 +218,8 @@ const NetcdfFile::Variable& NetcdfFile::variable(std::string_view name,
             throw_bad_file(std::string(name) + " has an unknown dimension; give the whole file");
         }
         // No more entries than bytes; the number of values of another length is not of interest.
-        entries *= std::min<std::uint64_t>(dimensions_[index].size, bytes_.size() + 1);
+        entries *= std::min<std::uint64_t>(dimensions_[static_cast<std::size_t>(index)].size,
+                                           bytes_.size() + 1);
         entries = std::min<std::uint64_t>(entries, bytes_.size() + 1);
     }
     std::uint64_t wanted = 1;
@@ -250,11 +256,11 @@ std::vector<int> NetcdfFile::integers(std::string_view name,
 std::vector<double> NetcdfFile::numbers(std::string_view name,
                                         const std::vector<std::size_t>& size) const {
     const Variable& found = variable(name, size);
-    std::uint64_t n = 1;
+    std::size_t n = 1;
     for (const std::size_t length : size) n *= length;
     std::vector<double> result;
     result.reserve(n);
-    for (std::uint64_t k = 0; k < n; ++k) result.push_back(number(found.values, k));
+    for (std::size_t k = 0; k < n; ++k) result.push_back(number(found.values, k));
     return result;
 }
 

@@ -46,9 +46,11 @@ bool unpack(std::string_view text, std::size_t header_size, std::size_t n_bytes,
     for (std::size_t b = 0; b < n_blocks; ++b) {
         checkpoint();
         const std::uint64_t size = b + 1 == n_blocks ? last_size : block_size;
-        const std::uint64_t packed_size = entry(3 + b);
-        if (size > n_bytes - bytes.size() || packed_size > rest.size()) return false;
-        if (!zlib_decompress(rest.substr(0, packed_size), size, bytes)) return false;
+        if (size > n_bytes - bytes.size() || entry(3 + b) > rest.size()) return false;
+        const auto packed_size = static_cast<std::size_t>(entry(3 + b));
+        if (!zlib_decompress(rest.substr(0, packed_size), static_cast<std::size_t>(size), bytes)) {
+            return false;
+        }
         rest.remove_prefix(packed_size);
     }
     return rest.empty() && bytes.size() == n_bytes;

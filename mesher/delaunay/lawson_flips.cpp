@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/prefetch.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "mesher/delaunay/predicates.hpp"
 
 namespace pcvt {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mesher/base/prefetch.hpp"
 #include "mesher/lattice/sites.hpp"

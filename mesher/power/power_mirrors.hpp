@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "mesher/delaunay/torus_triangulation.hpp"
 

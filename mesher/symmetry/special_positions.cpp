@@ -33,7 +33,9 @@ struct Line {
     Pair along;
     int at;
 
-    friend auto operator<=>(const Line&, const Line&) = default;
+    friend bool operator<(const Line& l, const Line& m) {
+        return std::tie(l.along, l.at) < std::tie(m.along, m.at);
+    }
 };
 
 /// The same direction with a positive first entry that is not 0.

@@ -79,7 +79,7 @@ class OrbitBuilder {
         }
         orbit.n_sites = static_cast<int>(images.size());
         orbits_.push_back(orbit);
-        checkpoint_each(static_cast<std::int64_t>(orbits_.size()));
+        checkpoint_each(static_cast<long>(orbits_.size()));
     }
 
     SymmetricSites build() {

@@ -265,7 +265,8 @@ def check_python(folder, text):
 
 
 ROWS = {
-    ("pcvt", "Install"): Row(reason="samples/demo and tests/run are run by themselves"),
+    ("pcvt", ""): Row(reason="tests/plugin/browser/run imports the npm package"),
+    ("pcvt", "Install"): Row(reason="samples/demo, samples/browser and tests/run are run by themselves"),
     ("pcvt", "A first mesh in a minute"): Row(check_first_mesh),
     ("pcvt", "One command for each job"): Row(check_jobs),
     ("pcvt", "Citation"): Row(reason="an entry of a bibliography"),
@@ -298,6 +299,7 @@ ROWS = {
     ("plugin", "Packages"): Row(reason="tests/install/packages makes the packages and uses them"),
     ("plugin", "C and C++ through pcvt.h"): Row(check_c_program, programs=("cc",)),
     ("plugin", "Python"): Row(check_python, modules=("matplotlib",)),
+    ("plugin", "JavaScript"): Row(reason="tests/plugin/browser/run packs the package and imports it"),
     ("mesher", "From sites to a tile"): Row(reason="a diagram"),
     ("io", "Inclusions"): Row(reason="the form of a file"),
     ("Speed", ""): Row(reason="a benchmark"),

@@ -1,0 +1,13 @@
+# libpng from its Debian source.
+set(folder ${PCVT_SOURCES}/libpng1.6)
+set(files)
+foreach(part error get mem pread read rio rtran rutil set trans wio write wtran wutil)
+  list(APPEND files ${folder}/png${part}.c)
+endforeach()
+add_library(png STATIC ${folder}/png.c ${files})
+configure_file(${folder}/scripts/pnglibconf.h.prebuilt ${CMAKE_BINARY_DIR}/libpng/pnglibconf.h COPYONLY)
+target_include_directories(png SYSTEM PUBLIC ${folder} ${CMAKE_BINARY_DIR}/libpng)
+target_compile_options(png PRIVATE -w)
+target_link_libraries(png PUBLIC ZLIB::ZLIB)
+add_library(PNG::PNG ALIAS png)
+set(PNG_FOUND TRUE)

@@ -1,0 +1,169 @@
+// The options of mesh() and write(): names of the command's long options in camelCase. Each entry checks a
+// value, with the command's message, and says which field of the C interface takes it. The words of a choice stand
+// in the order of their numbers in pcvt.h.
+
+const flag = (name) => `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+
+/** An error of an option: the message is the command's line, `option` the name here. */
+export class OptionError extends Error {
+    constructor(option, message) {
+        super(message);
+        this.name = 'OptionError';
+        this.option = option;
+    }
+}
+
+function refuse(name, value, complaint) {
+    throw new OptionError(name, `${flag(name)} ${value}: ${complaint}`);
+}
+
+const whole = (field, lowest, highest) => (name, value) => {
+    const form = `give a whole number from ${lowest} to ${highest}`;
+    if (!Number.isInteger(value) || value < 0) refuse(name, value, `not a whole number; ${form}`);
+    if (value < lowest) refuse(name, value, `too small; ${form}`);
+    if (value > highest) refuse(name, value, `too large for pcvt; ${form}`);
+    return { field, value };
+};
+
+const positive = (field) => (name, value) => {
+    if (typeof value !== 'number' || !(value > 0) || !Number.isFinite(value)) {
+        refuse(name, value, 'not above 0; give a positive number, such as 1e-6');
+    }
+    return { field, value };
+};
+
+const anyOf = (words) => words.slice(0, -1).join(', ') + (words.length > 1 ? ' or ' : '') + words.at(-1);
+
+const choice = (field, first, words) => (name, value) => {
+    const k = words.indexOf(value);
+    if (k < 0) refuse(name, value, `unknown; take ${anyOf(words)}`);
+    return { field, value: first + k };
+};
+
+const numbers = (field, counts, form) => (name, value) => {
+    const list = Float64Array.from(value);
+    if (counts && !counts.includes(list.length)) refuse(name, [...value].join(','), `give ${form}`);
+    const bad = [...list].findIndex((x) => !Number.isFinite(x));
+    if (bad >= 0) refuse(name, [...value].join(','), `'${value[bad]}' is not a finite number; give finite numbers`);
+    return { field, value: list };
+};
+
+const text = (field) => (name, value) => {
+    if (typeof value !== 'string') refuse(name, value, 'not a text');
+    return { field, value };
+};
+
+/** The largest number of sites. */
+export const mostSites = 268435456;
+
+const symmetries =
+    'p1 p2 pm pg cm pmm pmg pgg cmm p4 p4m p4g p3 p3m1 p31m p6 p6m'.split(' ');
+
+function sites(name, value) {
+    if (typeof value === 'number') return whole('n_sites', 1, mostSites)(name, value);
+    const list = numbers('sites')(name, value);
+    if (list.value.length === 0) refuse(name, '', 'holds no sites; give at least one');
+    return list;
+}
+
+function seed(name, value) {
+    if (!Number.isSafeInteger(value) || value < 0) {
+        refuse(name, value, 'not a seed; give a whole number from 0 to 18446744073709551615');
+    }
+    return { field: 'seed', value };
+}
+
+function period(name, value) {
+    const sides = numbers('', [2, 3], 'W,H, such as 1,1')(name, value).value;
+    if (sides.some((side) => side <= 0)) {
+        refuse(name, [...sides].join(','), 'a side is not above 0; give two positive lengths');
+    }
+    const [w, h, d] = sides;
+    if (sides.length === 2) return { field: 'lattice', value: Float64Array.of(w, 0, 0, h) };
+    return { field: 'lattice3', value: Float64Array.of(w, 0, 0, 0, h, 0, 0, 0, d) };
+}
+
+function lattice(name, value) {
+    const list = numbers('lattice', [4, 9], 'AX,AY,BX,BY')(name, value);
+    return list.value.length === 9 ? { ...list, field: 'lattice3' } : list;
+}
+
+function areas(name, value) {
+    return typeof value === 'string' ? { field: 'area_law', value } : numbers('areas')(name, value);
+}
+
+function aspect(name, value) {
+    const [ratio, degrees = 0] = [value].flat();
+    if (!(ratio >= 0.01 && ratio <= 100)) {
+        refuse(name, [value].flat().join(','), 'the aspect ratio must lie between 0.01 and 100');
+    }
+    return [{ field: 'aspect', value: ratio }, { field: 'aspect_degrees', value: degrees }];
+}
+
+function fibres(name, value) {
+    return { field: 'fibres', value: typeof value === 'string' ? value : [...value].join(',') };
+}
+
+function hole(name, value) {
+    return { field: 'holes', value: [value].flat().join(',') };
+}
+
+function origin(name, value) {
+    if (value === 'auto') return { field: 'find_origin', value: 1 };
+    return numbers('origin', [2], 'X,Y')(name, value);
+}
+
+function repeat(name, value) {
+    const [columns, rows] = numbers('', [2], 'IxJ')(name, value).value;
+    return [whole('columns', 1, 1e6)(name, columns), whole('rows', 1, 1e6)(name, rows)].flat();
+}
+
+export const runOptions = {
+    period,
+    lattice,
+    sites,
+    seed,
+    origin,
+    areas,
+    aspect,
+    fibres,
+    hole,
+    repeat,
+    density: text('density_source'),
+    fixed: numbers('fixed_sites'),
+    inclusions: text('inclusions'),
+    maxIterations: whole('max_iterations', 0, 2147483647),
+    order: choice('grain_order', 1, [1, 2]),
+    perEdge: whole('grain_per_edge', 1, 2147483647),
+    phases: text('phases'),
+    shortEdges: positive('short_edges'),
+    size: positive('grain_size'),
+    solver: choice('solver', 1, ['lbfgs', 'lloyd', 'newton']),
+    start: choice('start', 1, ['random', 'coarse', 'lattice', 'best']),
+    symmetry: choice('symmetry', 1, symmetries),
+    tolerance: positive('tolerance'),
+    wallCells: choice('wall_cells', 0, ['whole', 'half']),
+    walls: choice('walls', 1, ['x', 'y', 'xy']),
+};
+
+export const writeOptions = {
+    mesh: choice('kind', 0, ['voronoi', 'delaunay', 'grains']),
+    outline: choice('outline', 0, ['whole', 'box']),
+    colour: choice('colour', 1, ['sides', 'size', 'cells', 'density', 'phase', 'orbit', 'tag']),
+    glbNodes: choice('gltf_nodes', 1, ['cells', 'one']),
+    float32: (name, value) => ({ field: 'single_precision', value: value ? 1 : 0 }),
+    pixels: whole('pixels', 1, 65536),
+    surface: choice('surface', 0, ['cells', 'boundary']),
+};
+
+/** The fields of the C interface that `options` sets, those of the lattice first. */
+export function fieldsOf(table, options, others = []) {
+    for (const name of Object.keys(options)) {
+        if (!(name in table) && !others.includes(name)) {
+            throw new OptionError(name, `${flag(name)}: unknown option`);
+        }
+    }
+    return Object.keys(table)
+        .filter((name) => options[name] !== undefined && options[name] !== null)
+        .flatMap((name) => [table[name](name, options[name])].flat().map((set) => ({ ...set, name })));
+}
