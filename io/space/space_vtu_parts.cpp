@@ -13,6 +13,12 @@ namespace {
     throw BadFile(name + ":" + std::to_string(line) + ": " + complaint);
 }
 
+/// "(1, 0, -1)"
+std::string in_words(const Offset3& offset) {
+    return "(" + std::to_string(offset.i) + ", " + std::to_string(offset.j) + ", " +
+           std::to_string(offset.k) + ")";
+}
+
 }  // namespace
 
 void open_space_vtu(std::string& text, std::string_view mark, const SpaceLattice& lattice,
@@ -87,9 +93,9 @@ void compare_images(const std::string& name, const VtuArrays& arrays,
                              stated_offsets.integer(3 * v + 2)};
         if (stated_orbits.integer(v) == orbits[v] && stated == offsets[v]) continue;
         fail(name, stated_orbits.lines[v],
-             "point " + std::to_string(v) + " lies on the orbit of point " +
-                 std::to_string(orbits[v]) +
-                 " by another translation; write the file again with pcvt");
+             "point " + std::to_string(v) + " is point " + std::to_string(orbits[v]) +
+                 " moved by " + in_words(offsets[v]) +
+                 ", and the file states another image; write the file again with pcvt");
     }
 }
 

@@ -69,11 +69,11 @@ TEST(TetrahedraVtu, IsRefusedWhereItStatesSomethingElse) {
     EXPECT_THAT(fault_of("Float64\" Name=\"Points", "Float32\" Name=\"Points"),
                 HasSubstr("too coarse for a proof"));
     EXPECT_THAT(fault_of("<PointData>", "<PointData >"), HasSubstr("another line follows"));
-    EXPECT_THAT(fault_of("\n10\n", "\n14\n"), HasSubstr("no tetrahedron"));
+    EXPECT_THAT(fault_of("\n10\n10\n", "\n14\n10\n"), HasSubstr("no tetrahedron"));
     EXPECT_THAT(fault_of("\n4\n8\n", "\n3\n8\n"), HasSubstr("a tetrahedron has 4 points"));
     EXPECT_THAT(fault_of("Name=\"PeriodicPointIds\" format=\"ascii\">\n0\n",
                          "Name=\"PeriodicPointIds\" format=\"ascii\">\n3\n"),
-                HasSubstr("point 0 lies on the orbit of point 0"));
+                HasSubstr("point 0 is point 0 moved by (0, 0, 0)"));
     EXPECT_THAT(fault_of("NumberOfPoints=\"", "NumberOfPoints=\"1"), HasSubstr("t.vtu"));
     EXPECT_THAT(fault_of("1 0.2 0.1\n", "1.5 0.2 0.1\n"), HasSubstr("t.vtu"));
     EXPECT_THAT(fault_of("1 0.2 0.1\n", "0 0 0\n"), HasSubstr("t.vtu:"));

@@ -112,7 +112,7 @@ class SpacePattern(CliTest):
         self.refuse(2, "--symmetry is not for three dimensions", "pattern", "--sites", 3,
                     "--period", "1,1,1", "--symmetry", "p4m")
         self.refuse(2, "no sites; give --sites N$", "pattern", "--period", "1,1,1")
-        self.refuse(2, "the lattices of 1000000 cells are more than", "pattern", "--sites", 1000000,
+        self.refuse(4, "the lattices of 1000000 cells are more than", "pattern", "--sites", 1000000,
                     "--period", "1,1,1")
 
     def test_mesh_may_start_from_the_lattice_and_then_stays_there(self):
