@@ -6,6 +6,8 @@ import { compile } from './wasm.js';
 const stops = ['converged', 'iteration limit', 'stalled'];
 const phases = ['start', 'optimise', 'build', 'prove', 'write'];
 const cancelled = 1;
+/** The folder of the module's file system in which files are written. */
+const folder = '/out';
 
 let loading;
 
@@ -42,7 +44,7 @@ const concerns = [
 
 /** The last error of the module, as the command words it. */
 function lastError(module, options = {}) {
-    const line = module.UTF8ToString(module._pcvt_last_error());
+    const line = module.UTF8ToString(module._pcvt_last_error()).replaceAll(`${folder}/`, '');
     const option = concerns.find(([words, name]) => words.test(line) && options[name] !== undefined)?.[1];
     if (option === 'density') return new OptionError(option, `--density '${options.density}': ${line}`);
     if (option === 'lattice') return new OptionError(option, `--lattice ${[...options.lattice]}: ${line}`);
@@ -129,14 +131,14 @@ class Result {
         if (this.#run === 0) throw new Error('the result has been freed');
         if (name.endsWith('.foam')) throw new Error(`${name}: a folder of files; the command writes it`);
         const module = this.#module;
-        const path = `/out/${name.split('/').at(-1)}`;
+        const path = `${folder}/${name.split('/').at(-1)}`;
         module._run_write_defaults(this.#run);
         for (const set of fieldsOf(writeOptions, options)) setField(module, this.#run, set);
         const status = withText(module, path, (text) => module._run_write(this.#run, text));
         if (status !== 0) throw lastError(module);
         const bytes = module.FS.readFile(path);
-        for (const file of module.FS.readdir('/out')) {
-            if (file !== '.' && file !== '..') module.FS.unlink(`/out/${file}`);
+        for (const file of module.FS.readdir(folder)) {
+            if (file !== '.' && file !== '..') module.FS.unlink(`${folder}/${file}`);
         }
         return bytes;
     }
