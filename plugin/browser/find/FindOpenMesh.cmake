@@ -12,5 +12,5 @@ add_library(OpenMeshCore STATIC ${files}
   ${core}/writer/VTKWriter.cc)
 target_include_directories(OpenMeshCore SYSTEM PUBLIC ${folder})
 target_compile_definitions(OpenMeshCore PUBLIC OM_STATIC_BUILD)
-target_compile_options(OpenMeshCore PRIVATE -w)
+target_compile_options(OpenMeshCore PRIVATE -w -Os)
 set(OpenMesh_FOUND TRUE)

@@ -1,25 +1,29 @@
 // Runs of pcvt in this thread, on the WebAssembly module.
 import loadModule from './pcvt_wasm.mjs';
 import { OptionError, fieldsOf, runOptions, writeOptions } from './option_table.js';
+import { compile } from './wasm.js';
 
 const stops = ['converged', 'iteration limit', 'stalled'];
 const phases = ['start', 'optimise', 'build', 'prove', 'write'];
 const cancelled = 1;
+/** The folder of the module's file system in which files are written. */
+const folder = '/out';
 
 let loading;
 
-/** Loads the module from its compiled form, in place of the file beside this one. */
+/** Takes a compiled module, which another thread may share. */
 export function useModule(wasm) {
     const instantiateWasm = (imports, done) => {
         WebAssembly.instantiate(wasm, imports).then((instance) => done(instance, wasm));
         return {};
     };
     loading = loadModule({ instantiateWasm });
+    return loading;
 }
 
 /** The module, which is loaded once. */
 function load() {
-    loading ??= loadModule();
+    loading ??= compile().then(useModule);
     return loading;
 }
 
@@ -28,19 +32,23 @@ export async function sizeOfMemory() {
     return (await load()).HEAPU8.length;
 }
 
-/** The options whose messages in the C interface name no option: the command puts the option in front. */
-const prefixed = [
-    [/^density_source '/, 'density', "--density '"],
-    [/^area_law '/, 'areas', "--areas '"],
+/** Words of messages of the C interface, which name no option, and the option that they concern. */
+const concerns = [
+    [/^character \d+: |^the density /, 'density'],
+    [/^the period vectors |^the lattice /, 'lattice'],
+    [/law of areas|^areas? |^the areas /, 'areas'],
+    [/^the symmetry /, 'symmetry'],
+    [/^walls /, 'walls'],
+    [/^the area fraction |fibre/, 'fibres'],
 ];
 
 /** The last error of the module, as the command words it. */
-function lastError(module) {
-    const line = module.UTF8ToString(module._pcvt_last_error());
-    for (const [pattern, option, words] of prefixed) {
-        if (pattern.test(line)) return new OptionError(option, line.replace(pattern, words));
-    }
-    return new Error(line);
+function lastError(module, options = {}) {
+    const line = module.UTF8ToString(module._pcvt_last_error()).replaceAll(`${folder}/`, '');
+    const option = concerns.find(([words, name]) => words.test(line) && options[name] !== undefined)?.[1];
+    if (option === 'density') return new OptionError(option, `--density '${options.density}': ${line}`);
+    if (option === 'lattice') return new OptionError(option, `--lattice ${[...options.lattice]}: ${line}`);
+    return option ? new OptionError(option, line) : new Error(line);
 }
 
 /** Calls use(address) with a text in the memory of the module. */
@@ -123,14 +131,14 @@ class Result {
         if (this.#run === 0) throw new Error('the result has been freed');
         if (name.endsWith('.foam')) throw new Error(`${name}: a folder of files; the command writes it`);
         const module = this.#module;
-        const path = `/out/${name.split('/').at(-1)}`;
+        const path = `${folder}/${name.split('/').at(-1)}`;
         module._run_write_defaults(this.#run);
         for (const set of fieldsOf(writeOptions, options)) setField(module, this.#run, set);
         const status = withText(module, path, (text) => module._run_write(this.#run, text));
         if (status !== 0) throw lastError(module);
         const bytes = module.FS.readFile(path);
-        for (const file of module.FS.readdir('/out')) {
-            if (file !== '.' && file !== '..') module.FS.unlink(`/out/${file}`);
+        for (const file of module.FS.readdir(folder)) {
+            if (file !== '.' && file !== '..') module.FS.unlink(`${folder}/${file}`);
         }
         return bytes;
     }
@@ -172,7 +180,7 @@ function watch(module, progress) {
 /** Runs in this thread; see mesh() in index.d.ts. */
 export async function runHere({ progress, progressSites = false, ...options }) {
     const fields = fieldsOf(runOptions, options);
-    if (options.sites === undefined) throw new OptionError('sites', 'give --sites N or --input FILE');
+    if (options.sites === undefined) throw new OptionError('sites', 'no sites; give --sites N or --input FILE');
     const module = await load();
     const run = module._run_new();
     try {
@@ -181,7 +189,7 @@ export async function runHere({ progress, progressSites = false, ...options }) {
         const seen = progress ? watch(module, progress) : {};
         const status = module._run_generate(run, Boolean(progress), Boolean(progressSites));
         if ('fault' in seen) throw seen.fault;
-        if (status < 0 || status === cancelled) throw lastError(module);
+        if (status < 0 || status === cancelled) throw lastError(module, options);
         return new Result(module, run);
     } catch (error) {
         module._run_free(run);

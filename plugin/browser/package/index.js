@@ -1,5 +1,6 @@
 // mesh(): in node in this thread, in a browser in a worker.
 import { OptionError, fieldsOf, runOptions } from './option_table.js';
+import { compile } from './wasm.js';
 
 const inNode = typeof process !== 'undefined' && Boolean(process.versions?.node);
 
@@ -16,7 +17,7 @@ let compiled;
 let idle = null;
 
 async function takeWorker() {
-    compiled ??= WebAssembly.compileStreaming(fetch(new URL('./pcvt_wasm.wasm', import.meta.url)));
+    compiled ??= compile();
     const wasm = await compiled;
     if (idle) {
         const worker = idle;

@@ -1,5 +1,5 @@
 // The options of mesh() and write(): names of the command's long options in camelCase. Each entry checks a
-// value, with the command's message, and says which field of the C interface takes it. The words of a choice stand
+// value, with the command's message, and says which field of the C interface takes it. The words of a choice are
 // in the order of their numbers in pcvt.h.
 
 const flag = (name) => `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
@@ -42,7 +42,9 @@ const choice = (field, first, words) => (name, value) => {
 
 const numbers = (field, counts, form) => (name, value) => {
     const list = Float64Array.from(value);
-    if (counts && !counts.includes(list.length)) refuse(name, [...value].join(','), `give ${form}`);
+    if (counts && !counts.includes(list.length)) {
+        refuse(name, [...value].join(','), `${list.length} of ${counts[0]} numbers; give ${form}`);
+    }
     const bad = [...list].findIndex((x) => !Number.isFinite(x));
     if (bad >= 0) refuse(name, [...value].join(','), `'${value[bad]}' is not a finite number; give finite numbers`);
     return { field, value: list };
@@ -84,7 +86,7 @@ function period(name, value) {
 }
 
 function lattice(name, value) {
-    const list = numbers('lattice', [4, 9], 'AX,AY,BX,BY')(name, value);
+    const list = numbers('lattice', [4, 9], 'AX,AY,BX,BY, such as 1,0,0.5,1')(name, value);
     return list.value.length === 9 ? { ...list, field: 'lattice3' } : list;
 }
 

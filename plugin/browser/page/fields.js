@@ -67,7 +67,7 @@ export const FIELDS = [
         read: asGiven,
         words: /walls|rectangle/i,
         choices:
-            [['', 'none'], ['x', 'left and right'], ['y', 'below and above'], ['xy', 'all round']]
+            [['', 'none'], ['x', 'left, right'], ['y', 'bottom, top'], ['xy', 'all round']]
     },
     {
         id: 'wallCells',
@@ -92,7 +92,7 @@ export const FIELDS = [
         value: '',
         read: asGiven,
         words: /solver/i,
-        choices: [['', 'L-BFGS, Newton'], ['lloyd', 'Lloyd'], ['newton', 'Newton']]
+        choices: [['', 'automatic'], ['lloyd', 'Lloyd'], ['newton', 'Newton']]
     },
     {id: 'tolerance', value: '', read: number, words: /tolerance/i},
     {id: 'maxIterations', value: '', read: notNegative, words: /iteration/i},

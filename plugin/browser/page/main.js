@@ -3,8 +3,10 @@ import {Plot} from './plot.js';
 import {Runs} from './run.js';
 import {Stage} from './stage.js';
 
-const FORMATS =
-    ['obj', 'glb', 'gltf', 'ply', 'svg', 'vtu', 'msh', 'inp', 'dxf', 'html', 'om', 'csv', 'txt'];
+const FORMATS = [
+    'obj', 'glb', 'gltf', 'ply', 'svg', 'png', 'vtu', 'msh', 'inp', 'nc', 'vti', 'dxf', 'html', 'om',
+    'csv', 'txt'
+];
 /** Above this number of sites the tile is shown on request alone. */
 const MOST_SITES_AT_ONCE = 20000;
 /** Between two runs while a period vector is dragged, in milliseconds. */

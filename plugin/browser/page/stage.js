@@ -1,4 +1,6 @@
 const MARGIN = 46;
+/** The height of the buttons above the picture. */
+const TOP = 40;
 const HANDLE = 7;
 const REACH = 22;
 /** Above this number of sites the pictures of a run leave out the images. */
@@ -47,14 +49,14 @@ export class Stage {
         const low = [Math.min(...xs), Math.min(...ys)], high = [Math.max(...xs), Math.max(...ys)];
         this.scale = Math.min(
             (this.width - 2 * MARGIN) / (high[0] - low[0]),
-            (this.height - 2 * MARGIN) / (high[1] - low[1]));
+            (this.height - TOP - 2 * MARGIN) / (high[1] - low[1]));
         this.middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
     }
 
     pixel(x, y) {
         return [
             (x - this.middle[0]) * this.scale + this.width / 2,
-            (this.middle[1] - y) * this.scale + this.height / 2,
+            (this.middle[1] - y) * this.scale + (this.height + TOP) / 2,
         ];
     }
 
@@ -181,7 +183,7 @@ export class Stage {
     drag(event) {
         const box = this.canvas.getBoundingClientRect();
         const x = this.middle[0] + (event.clientX - box.x - this.width / 2) / this.scale;
-        const y = this.middle[1] - (event.clientY - box.y - this.height / 2) / this.scale;
+        const y = this.middle[1] - (event.clientY - box.y - (this.height + TOP) / 2) / this.scale;
         const old = this.lattice, lattice = [...old];
         lattice[this.dragged.handle] = Number(x.toFixed(3));
         lattice[this.dragged.handle + 1] = Number(y.toFixed(3));

@@ -1,5 +1,5 @@
 // same_bytes.mjs PACKAGE PCVT: mesh() of the npm package in the folder PACKAGE gives the bytes of the command PCVT
-// in five formats. Exits with 1 where a byte differs.
+// in OBJ, GLB, PLY, SVG and VTU. Exits with 1 where a byte differs.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -9,9 +9,8 @@ import { argumentsOf, jobs } from './jobs.mjs';
 
 const [folder, pcvt] = process.argv.slice(2);
 const { mesh } = await import(pathToFileURL(resolve(folder, 'index.js')));
-const extensions = ['obj', 'glb', 'ply', 'svg', 'vtu'];
 
-function nativeFiles(args) {
+function nativeFiles(args, extensions) {
     const out = mkdtempSync(join(tmpdir(), 'pcvt_same_bytes_'));
     try {
         const outputs = extensions.flatMap((extension) => ['-o', `tile.${extension}`]);
@@ -24,9 +23,9 @@ function nativeFiles(args) {
     }
 }
 
-for (const [options, form = {}] of jobs) {
+for (const [options, form = {}, extensions = ['obj', 'glb', 'ply', 'svg', 'vtu']] of jobs) {
     const args = argumentsOf({ ...options, ...form });
-    const native = nativeFiles(args);
+    const native = nativeFiles(args, extensions);
     const begin = performance.now();
     const result = await mesh(options);
     const files = extensions.map((extension) => result.write(`tile.${extension}`, form));
