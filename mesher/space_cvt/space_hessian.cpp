@@ -107,7 +107,7 @@ void fill_rows(SiteId site, const Row& row, double unused, BlockMatrix& hessian)
     for (const auto& [neighbour, block] : row.blocks) {
         diagonal -= block.cast<float>().cast<double>();
     }
-    diagonal = (diagonal + diagonal.transpose().eval()) / 2;
+    diagonal = (0.5 * (diagonal + diagonal.transpose())).eval();
     for (int r = 0; r < 2; ++r) {
         int entry = hessian.row_begin[2 * site + r];
         hessian.column[entry] = 2 * site + 1 - r;

@@ -78,7 +78,7 @@ TEST(SpaceVtu, RefusesFilesThatAreDamaged) {
                 HasSubstr("another volume"));
     EXPECT_THAT(
         fault_of("Name=\"PeriodicPointIds\" format=\"ascii\">\n0", "Name=\"PeriodicPointIds\">\n1"),
-        HasSubstr("orbit"));
+        HasSubstr("point 0 is point 0 moved by (0, 0, 0)"));
     EXPECT_THAT(fault_of("Name=\"offsets\" format=\"ascii\">\n", "Name=\"offsets\">\n1"),
                 HasSubstr("another number"));
     EXPECT_THAT(fault_of("Name=\"faceoffsets\" format=\"ascii\">\n", "Name=\"faceoffsets\">\n1"),

@@ -77,7 +77,7 @@ TEST(SpaceHessian, IsTheDerivativeOfTheGradient) {
 /// Laws (2) and (3), ties included.
 TEST(SpaceHessian, IsSymmetricAndIgnoresTranslations) {
     for (const auto& [name, sites] : testing::space_site_families(5)) {
-        if (sites.n_sites() > 60) continue;
+        if (sites.n_sites() > 30) continue;
         SCOPED_TRACE(name);
         const Eigen::MatrixXd hessian = dense_hessian(sites);
         EXPECT_EQ(hessian, hessian.transpose());
@@ -85,7 +85,7 @@ TEST(SpaceHessian, IsSymmetricAndIgnoresTranslations) {
         for (int axis = 0; axis < 3; ++axis) {
             Eigen::VectorXd translation = Eigen::VectorXd::Zero(3 * n);
             for (Eigen::Index s = 0; s < n; ++s) translation[3 * s + axis] = 1;
-            EXPECT_LT((hessian * translation).norm(), 1e-6 * hessian.norm());
+            EXPECT_LE((hessian * translation).norm(), 1e-6 * hessian.norm());
         }
     }
 }

@@ -19,7 +19,7 @@ constexpr double kDifferences = 3e-5;
 
 Eigen::Matrix3d sheared_period() {
     Eigen::Matrix3d period;
-    period << 1, 0.3, 0.1, 0, 0.8, 0.2, 0, 0, 1.3;
+    period << 1, 0.3, 0.1, 0, 1.1, 0.2, 0, 0, 1.3;
     return period;
 }
 
