@@ -8,6 +8,9 @@ const kHash = 'sites=400&seed=3&lattice=1,0,0.3,0.9';
 
 async function save(address, out) {
     await withBrowser('chromium', async (browser) => {
+        await browser.send(
+            'Emulation.setDeviceMetricsOverride',
+            {width: 1280, height: 1080, deviceScaleFactor: 1, mobile: false});
         await browser.send('Page.navigate', {url: `${address}#${kHash}`});
         const viewer = `document.getElementById('tile').contentWindow?.viewer`;
         await browser.until(`window.page && ${viewer}?.shown && !${viewer}.painting`);

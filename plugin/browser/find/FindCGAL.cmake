@@ -1,10 +1,7 @@
 # CGAL's headers without GMP and MPFR: pcvt computes exactly with CGAL::MP_Float, which needs neither.
 pcvt_link_headers(CGAL boost)
-configure_file(${CMAKE_CURRENT_LIST_DIR}/Hilbert_sort_base.h.in
-  ${CMAKE_BINARY_DIR}/cgal/CGAL/Hilbert_sort_base.h COPYONLY)
 add_library(CGAL::CGAL INTERFACE IMPORTED)
-target_include_directories(CGAL::CGAL SYSTEM INTERFACE
-  ${CMAKE_BINARY_DIR}/cgal ${PCVT_SYSTEM_HEADERS})
+target_include_directories(CGAL::CGAL SYSTEM INTERFACE ${PCVT_SYSTEM_HEADERS})
 target_compile_definitions(CGAL::CGAL INTERFACE
   CGAL_DISABLE_GMP CGAL_DISABLE_MPFR CGAL_DO_NOT_USE_BOOST_MP NDEBUG)
 set(CGAL_FOUND TRUE)

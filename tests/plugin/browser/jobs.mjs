@@ -8,9 +8,8 @@ export function argumentsOf(options) {
     });
 }
 
-/** OBJ, PLY and VTU also hold the weights of power cells, VTU also the volumes of polyhedra, whose last digits differ. */
+/** OBJ, PLY and VTU also hold the weights of power cells, whose last digits differ. */
 const withoutWeights = ['glb', 'svg'];
-const withoutVolumes = ['obj', 'glb', 'ply', 'svg'];
 const ridge = '1 + 30 / (1 + 100 * (v - 0.5)^2)';
 const oblique = [1, 0, 0.3, 0.9];
 
@@ -41,6 +40,4 @@ export const jobs = [
     [{ sites: 2000, seed: 9, solver: 'newton' }],
     [{ sites: 5000, seed: 17, tolerance: 1e-4 }],
     [{ sites: 20000, seed: 18, tolerance: 1e-3 }],
-    [{ sites: 16, start: 'lattice', period: [1, 1, 1] }],
-    [{ sites: 60, seed: 19, period: [1, 1, 1] }, {}, withoutVolumes],
 ];
