@@ -7,56 +7,25 @@
 #include "io/space/seam_entities.hpp"
 #include "io/space/space_msh_reader.hpp"
 #include "io/space/space_msh_writer.hpp"
-#include "io/space_file_proof.hpp"
 #include "mesher/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
-#include "tests/support/polyhedra.hpp"
+#include "tests/support/tetrahedra_files.hpp"
 
 namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
 
-TetrahedralMesh tetrahedra_of(const testing::SpaceCase& c) {
-    return tetrahedral_mesh(space_delaunay(SpaceSites(c.lattice, c.points)));
-}
-
-/// The cases without flat tetrahedra.
-std::vector<std::pair<std::string, TetrahedralMesh>> meshes() {
-    std::vector<std::pair<std::string, TetrahedralMesh>> meshes;
-    for (const testing::SpaceCase& c : testing::space_cases()) {
-        TetrahedralMesh mesh = tetrahedra_of(c);
-        if (n_flat_tetrahedra(mesh, static_cast<int>(c.points.cols())) > 0) continue;
-        meshes.emplace_back(c.name, std::move(mesh));
-    }
-    return meshes;
-}
-
-TetrahedralMesh random_mesh(int n) {
-    const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
-    return tetrahedra_of({"random", oblique, uniform_points(oblique, n, 3)});
-}
-
 EncodedFile encoded(const TetrahedralMesh& mesh) { return encode_space_msh(mesh, "t.msh").front(); }
 
-/// The message of the proof; empty if it accepts the file.
-std::string fault_in(const EncodedFile& file) {
-    try {
-        prove_tetrahedral_file(file);
-    } catch (const InvalidInput& fault) {
-        return fault.what();
-    }
-    return "";
-}
-
 std::string fault_of(const std::string& piece, const std::string& other) {
-    EncodedFile file = encoded(random_mesh(8));
+    EncodedFile file = encoded(testing::random_tetrahedra(8));
     file.bytes = testing::exchanged(file.bytes, piece, other);
-    return fault_in(file);
+    return testing::fault_of_tetrahedra(file);
 }
 
 TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
-    const auto cases = meshes();
+    const auto cases = testing::tetrahedra_cases();
     EXPECT_GT(cases.size(), 45U);
     for (const auto& [name, mesh] : cases) {
         SCOPED_TRACE(name);
@@ -84,12 +53,12 @@ TEST(SpaceMsh, IsRefusedWhereItStatesSomethingElse) {
 }
 
 TEST(SpaceMsh, RefutesAMovedNode) {
-    TetrahedralMesh mesh = random_mesh(8);
+    TetrahedralMesh mesh = testing::random_tetrahedra(8);
     EncodedFile file = encoded(mesh);
     std::string word;
     append_number(word, mesh.points[0].x());
     file.bytes = testing::exchanged(file.bytes, "\n" + word + " ", "\n0.123 ");
-    EXPECT_NE(fault_in(file), "");
+    EXPECT_NE(testing::fault_of_tetrahedra(file), "");
 }
 
 /// Expects that one point is the image of another one by a translation.
@@ -99,7 +68,7 @@ void expect_image(const TetrahedralMesh& mesh, int v, int of, Offset3 offset) {
 }
 
 TEST(SeamEntities, PutEachPairOfTrianglesOnASurfaceAndItsPartner) {
-    for (const auto& [name, mesh] : meshes()) {
+    for (const auto& [name, mesh] : testing::tetrahedra_cases()) {
         SCOPED_TRACE(name);
         const TetrahedralProof proof = prove_tetrahedra(mesh);
         std::size_t n_triangles = 0;
@@ -121,7 +90,7 @@ TEST(SeamEntities, PutEachPairOfTrianglesOnASurfaceAndItsPartner) {
 }
 
 TEST(SeamEntities, PlaceEachPointOnceAndItsImagesAlike) {
-    for (const auto& [name, mesh] : meshes()) {
+    for (const auto& [name, mesh] : testing::tetrahedra_cases()) {
         SCOPED_TRACE(name);
         const SeamEntities entities = seam_entities(mesh, prove_tetrahedra(mesh));
         std::vector<int> places(mesh.points.size(), 0);
@@ -142,7 +111,7 @@ TEST(SeamEntities, PlaceEachPointOnceAndItsImagesAlike) {
 }
 
 TEST(SeamEntities, AreImagesOfTheirMasters) {
-    for (const auto& [name, mesh] : meshes()) {
+    for (const auto& [name, mesh] : testing::tetrahedra_cases()) {
         SCOPED_TRACE(name);
         const SeamEntities entities = seam_entities(mesh, prove_tetrahedra(mesh));
         for (const SeamCurve& curve : entities.curves) {

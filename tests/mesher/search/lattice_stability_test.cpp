@@ -2,10 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
-
 #include "tests/support/energy_at.hpp"
+#include "tests/support/hessian_by_differences.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
@@ -19,33 +17,13 @@ const Lattice kSquare = Lattice::rectangle(1, 1);
 /// The error of differences over 1e-5 h; the third derivative jumps at square lattices.
 constexpr double kDifferences = 2e-5;
 
-/// Computes the Hessian column by column from central differences of the gradient.
-Eigen::MatrixXd hessian_by_differences(const LatticePattern& pattern) {
-    const double step = 1e-5 * std::sqrt(pattern.basis.area());
-    Points points = pattern_points(pattern);
-    Eigen::MatrixXd hessian(points.size(), points.size());
-    for (Eigen::Index k = 0; k < points.size(); ++k) {
-        const double there = points.reshaped()[k];
-        points.reshaped()[k] = there + step;
-        const Points after = energy_at(pattern.period, points).gradient;
-        points.reshaped()[k] = there - step;
-        const Points before = energy_at(pattern.period, points).gradient;
-        points.reshaped()[k] = there;
-        hessian.col(k) = (after - before).reshaped() / (2 * step);
-    }
-    return (hessian + hessian.transpose()) / 2;
-}
-
-/// Returns the smallest eigenvalue over the largest, without the two nearest to zero, which are the
-/// translations.
 double smallest_by_differences(const LatticePattern& pattern) {
-    Eigen::VectorXd values =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hessian_by_differences(pattern))
-            .eigenvalues();
-    const double largest = values[values.size() - 1];
-    std::sort(values.begin(), values.end(),
-              [](double x, double y) { return std::abs(x) < std::abs(y); });
-    return values.tail(values.size() - 2).minCoeff() / largest;
+    const double step = 1e-5 * std::sqrt(pattern.basis.area());
+    const auto gradient = [&](const Points& points) -> Eigen::VectorXd {
+        return energy_at(pattern.period, points).gradient.reshaped();
+    };
+    return testing::smallest_eigenvalue(
+        testing::hessian_by_differences(pattern_points(pattern), step, gradient), 2);
 }
 
 /// Law (1), at minima, saddles and a lattice with elongated cells.

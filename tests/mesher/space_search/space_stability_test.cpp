@@ -2,12 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "mesher/space/moving_tetrahedra.hpp"
+#include "tests/support/hessian_by_differences.hpp"
 
 namespace pcvt {
 namespace {
@@ -39,33 +37,13 @@ Eigen::VectorXd gradient_at(const Eigen::Matrix3d& period, const Points3& points
     return gradient;
 }
 
-/// Computes the Hessian column by column from central differences of the gradient.
-Eigen::MatrixXd hessian_by_differences(const SpacePattern& pattern) {
-    const double step = 1e-5 * std::cbrt(pattern.basis.determinant());
-    Points3 points = pattern_points(pattern);
-    Eigen::MatrixXd hessian(points.size(), points.size());
-    for (Eigen::Index k = 0; k < points.size(); ++k) {
-        const double there = points.reshaped()[k];
-        points.reshaped()[k] = there + step;
-        const Eigen::VectorXd after = gradient_at(pattern.period, points);
-        points.reshaped()[k] = there - step;
-        const Eigen::VectorXd before = gradient_at(pattern.period, points);
-        points.reshaped()[k] = there;
-        hessian.col(k) = (after - before) / (2 * step);
-    }
-    return (hessian + hessian.transpose()) / 2;
-}
-
-/// Returns the smallest eigenvalue over the largest, without the three nearest to zero, which are
-/// the translations.
 double smallest_by_differences(const SpacePattern& pattern) {
-    Eigen::VectorXd values =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hessian_by_differences(pattern))
-            .eigenvalues();
-    const double largest = values[values.size() - 1];
-    std::sort(values.begin(), values.end(),
-              [](double x, double y) { return std::abs(x) < std::abs(y); });
-    return values.tail(values.size() - 3).minCoeff() / largest;
+    const double step = 1e-5 * std::cbrt(pattern.basis.determinant());
+    const auto gradient = [&](const Points3& points) {
+        return gradient_at(pattern.period, points);
+    };
+    return testing::smallest_eigenvalue(
+        testing::hessian_by_differences(pattern_points(pattern), step, gradient), 3);
 }
 
 /// Law (1), at minima, saddles and lattices whose cells have six to fourteen faces.

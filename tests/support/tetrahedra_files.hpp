@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/space_file_proof.hpp"
+#include "tests/support/polyhedra.hpp"
+
+namespace pcvt::testing {
+
+/// A name for messages and a tile of tetrahedra.
+using NamedTetrahedra = std::pair<std::string, TetrahedralMesh>;
+
+inline TetrahedralMesh tetrahedra_of(const SpaceCase& c) {
+    return tetrahedral_mesh(space_delaunay(SpaceSites(c.lattice, c.points)));
+}
+
+/// The cases without flat tetrahedra.
+inline std::vector<NamedTetrahedra> tetrahedra_cases() {
+    std::vector<NamedTetrahedra> meshes;
+    for (const SpaceCase& c : space_cases()) {
+        TetrahedralMesh mesh = tetrahedra_of(c);
+        if (n_flat_tetrahedra(mesh, static_cast<int>(c.points.cols())) > 0) continue;
+        meshes.emplace_back(c.name, std::move(mesh));
+    }
+    return meshes;
+}
+
+inline TetrahedralMesh random_tetrahedra(int n) {
+    const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
+    return tetrahedra_of({"random", oblique, uniform_points(oblique, n, 3)});
+}
+
+/// The message of the proof of a file of tetrahedra; empty if it accepts the file.
+inline std::string fault_of_tetrahedra(const EncodedFile& file) {
+    try {
+        prove_tetrahedral_file(file);
+    } catch (const InvalidInput& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+}  // namespace pcvt::testing
