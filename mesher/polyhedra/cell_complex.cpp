@@ -121,7 +121,9 @@ void PyramidSum::add(std::span<const Vec3> corners, double sign) {
         const Vec3 b = corners[k] - tip_;
         const Vec3 c = corners[k + 1] - tip_;
         const Vec3 sum = a + b + c;
-        const double part = sign * a.dot(b.cross(c));
+        const Vec3 n = b.cross(c);
+        // Files state volumes, and Eigen's dot() adds in another order on other platforms.
+        const double part = sign * (a.x() * n.x() + a.y() * n.y() + a.z() * n.z());
         volume_ += part;
         first_ += part * sum;
         // 1/2 ((a + b + c)^2 + a^2 + b^2 + c^2) is the sum of all products.
