@@ -1,17 +1,12 @@
 #include "io/space_file_proof.hpp"
 
-#include <algorithm>
-
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/extension.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
-#include "io/space/space_msh_reader.hpp"
 #include "io/space/space_vtu_reader.hpp"
 #include "io/space/space_vtu_writer.hpp"
-#include "io/space/tetrahedra_vtu_reader.hpp"
-#include "io/space/tetrahedra_vtu_writer.hpp"
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "io/surfaces/surface_obj_reader.hpp"
@@ -23,22 +18,6 @@
 
 namespace pcvt {
 namespace {
-
-/// Requires that files are, byte for byte, those that pcvt writes for what was read from them.
-/// Companions may be missing.
-void require_same_bytes(const std::vector<EncodedFile>& files,
-                        const std::vector<EncodedFile>& wanted) {
-    for (const EncodedFile& own : wanted) {
-        for (const EncodedFile& file : files) {
-            if (file.path != own.path || file.bytes == own.bytes) continue;
-            const auto [here, there] = std::mismatch(file.bytes.begin(), file.bytes.end(),
-                                                     own.bytes.begin(), own.bytes.end());
-            const auto line = 1 + std::count(file.bytes.begin(), here, '\n');
-            throw BadFile(file.path + ":" + std::to_string(line) +
-                          ": another line follows from the cells; write the file again with pcvt");
-        }
-    }
-}
 
 /// Reads an OBJ or a PLY.
 SurfaceContent decode_surfaces(const EncodedFile& file) {
@@ -74,8 +53,8 @@ bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
 bool is_vtu(const EncodedFile& file) { return lower_case_extension(file.path) == ".vtu"; }
 
 /// Whether a file is a VTU that pcvt wrote, whose tags and words follow from its tile.
-bool is_own_vtu(const EncodedFile& file, std::string_view mark) {
-    return is_vtu(file) && file.bytes.find(mark) != std::string::npos;
+bool is_own_vtu(const EncodedFile& file) {
+    return is_vtu(file) && file.bytes.find(kSpaceVtuMark) != std::string::npos;
 }
 
 SpaceTile decode(const std::vector<EncodedFile>& files) {
@@ -124,7 +103,7 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files) {
         const SurfaceList list = surface_list(tile, SurfaceForm::kCells);
         require_same_bytes(files, encode_again(list, files.front().path));
     }
-    if (is_own_vtu(files.front(), kSpaceVtuMark)) {
+    if (is_own_vtu(files.front())) {
         require_same_bytes(files, encode_space_vtu(tile, files.front().path));
     }
     return result;
@@ -147,13 +126,10 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
 }
 
 TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file) {
-    TetrahedralFileProof result{
-        .mesh = is_vtu(file) ? decode_tetrahedra_vtu(file) : decode_space_msh(file), .proof = {}};
+    const SpaceFormat& format = *find_space_format(file.path);
+    TetrahedralFileProof result{.mesh = format.decode_tetrahedra(file), .proof = {}};
     result.proof = prove_tetrahedra(result.mesh);
-    if (!is_vtu(file)) compare_space_msh(file, result.mesh);
-    if (is_own_vtu(file, kTetrahedraVtuMark)) {
-        require_same_bytes({file}, encode_tetrahedra_vtu(result.mesh, file.path));
-    }
+    format.compare_tetrahedra(file, result.mesh);
     return result;
 }
 

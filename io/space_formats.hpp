@@ -59,6 +59,10 @@ struct SpaceFormat {
     /// Returns what files of this extension hold, as `pcvt check` reads them; nothing if they hold
     /// no tile in space. Null for pictures and sites.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files);
+    /// Reads tetrahedra, and compares all that the file states beside them with what follows from
+    /// them. Not null where encode_tetrahedra is not.
+    TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
+    void (*compare_tetrahedra)(const EncodedFile& file, const TetrahedralMesh& mesh) = nullptr;
 
     /// Whether its files hold the tetrahedra.
     bool shows_tetrahedra(const SpaceFileOptions& options) const {

@@ -5,6 +5,7 @@
 #include "io/space/point_offsets.hpp"
 #include "io/space/space_vtu_parts.hpp"
 #include "io/space/space_vtu_reader.hpp"
+#include "io/space/tetrahedra_vtu_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -77,6 +78,11 @@ TetrahedralMesh decode_tetrahedra_vtu(const EncodedFile& vtu) {
     compare_images(vtu.path, arrays, first_points(mesh), mesh.point_offset);
     read_tetrahedra(vtu.path, arrays, mesh);
     return mesh;
+}
+
+void compare_tetrahedra_vtu(const EncodedFile& vtu, const TetrahedralMesh& mesh) {
+    if (vtu.bytes.find(kTetrahedraVtuMark) == std::string::npos) return;
+    require_same_bytes({vtu}, encode_tetrahedra_vtu(mesh, vtu.path));
 }
 
 }  // namespace pcvt

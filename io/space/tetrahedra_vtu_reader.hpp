@@ -19,4 +19,9 @@ bool holds_vtu_tetrahedra(const EncodedFile& vtu);
 /// @throws BadFile with the line.
 TetrahedralMesh decode_tetrahedra_vtu(const EncodedFile& vtu);
 
+/// Compares a file that pcvt wrote with the one that encode_tetrahedra_vtu() gives for its
+/// tetrahedra; accepts files of other programs.
+/// @throws BadFile  naming the line.
+void compare_tetrahedra_vtu(const EncodedFile& vtu, const TetrahedralMesh& mesh);
+
 }  // namespace pcvt

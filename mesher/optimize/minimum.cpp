@@ -1,5 +1,8 @@
 #include "mesher/optimize/minimum.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace pcvt {
 
 const char* minimum_name(Minimum minimum) {
@@ -20,6 +23,11 @@ LatticeStability decided_stability(double smallest, double largest) {
                             : ratio < -kCertainEigenvalue ? Minimum::kNo
                                                           : Minimum::kUnknown;
     return {minimum, ratio};
+}
+
+double one_minus_cosine(std::int64_t k, int n) {
+    const double sine = std::sin(std::numbers::pi * static_cast<double>(k % n) / n);
+    return 2 * sine * sine;
 }
 
 }  // namespace pcvt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 namespace pcvt {
@@ -31,5 +32,9 @@ struct LatticeStability {
 ///
 /// @pre largest > 0.
 LatticeStability decided_stability(double smallest, double largest);
+
+/// 1 - cos(2 pi k / n): the factor of a bond in the Hessian on a plane wave whose phase changes by
+/// k n-ths of a turn along the bond.
+double one_minus_cosine(std::int64_t k, int n);
 
 }  // namespace pcvt

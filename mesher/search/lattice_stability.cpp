@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 #include "mesher/base/checkpoint.hpp"
 
@@ -57,12 +56,6 @@ std::array<Bond, 3> bonds(const LatticePattern& pattern) {
     // The cell has area 1, so c is minus the scalar product of the other two vectors.
     return {Bond{s.i, s.j, stiffness(p, -q.dot(r))}, Bond{t.i, t.j, stiffness(q, -r.dot(p))},
             Bond{-(s + t).i, -(s + t).j, stiffness(r, -p.dot(q))}};
-}
-
-/// 1 - cos(2 pi k / n).
-double one_minus_cosine(std::int64_t k, int n) {
-    const double sine = std::sin(std::numbers::pi * static_cast<double>(k % n) / n);
-    return 2 * sine * sine;
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "mesher/base/checkpoint.hpp"
 
@@ -91,12 +90,6 @@ std::array<Bond, 7> bonds(const SpacePattern& pattern) {
                          stiffness(b.vectors.col(i) + b.vectors.col(3), facet)};
     }
     return around;
-}
-
-/// 1 - cos(2 pi k / n).
-double one_minus_cosine(std::int64_t k, int n) {
-    const double sine = std::sin(std::numbers::pi * static_cast<double>(k % n) / n);
-    return 2 * sine * sine;
 }
 
 /// The smallest and the largest eigenvalue of H(k), k in n-ths of the dual of the reduced periods.
