@@ -69,6 +69,11 @@ struct SpaceFormat {
         return encode_tetrahedra != nullptr &&
                (encode == nullptr || options.mesh == SpaceMesh::kDelaunay);
     }
+    /// Whether its files hold cells of which short edges were removed, or nothing of the cells'
+    /// faces.
+    bool takes_short_edges(const SpaceFileOptions& options) const {
+        return surfaces == FormatSurfaces::kNone && !shows_tetrahedra(options);
+    }
     /// Whether its files are written and never read back.
     bool is_picture() const { return encode != nullptr && kind == nullptr; }
     bool shows_boundary(const SpaceFileOptions& options) const {

@@ -211,7 +211,8 @@ typedef struct pcvt_options {
     int32_t rows;           /**< [1] */
     int32_t grain_order; /**< of the triangles of PCVT_GRAINS: 1, or 2 with mid-side nodes [0: 1] */
     double grain_size;   /**< edge length of these triangles [0: pcvt chooses] */
-    double short_edges;  /**< removes cell edges shorter than this times h [0: none] */
+    double short_edges;  /**< removes cell edges shorter than this times h; in three dimensions at
+                            most 0.1, and for files that state it (.vtu, .foam) [0: none] */
     int64_t budget;      /**< evaluations of PCVT_START_BEST [0: pcvt chooses] */
     const char* density_source; /**< expression in x, y, u, v, or the name of a .png file [NULL] */
     double density_range[2];    /**< of the image; 0, 0: pcvt chooses [0, 0] */

@@ -237,6 +237,7 @@ std::string encode_report(const SpaceReport& report) {
     add("rms_residual", report.rms_residual);
     add("minimum", report.minimum);
     add("faces", report.faces);
+    add("removed_edges", report.removed_edges);
     add("volume", report.volume);
     add("boundary_pairs", report.boundary_pairs);
     add("translations", report.translations);

@@ -206,6 +206,8 @@ struct SpaceReport {
     std::optional<std::string> minimum = {};
     /// The number of cells with each number of faces.
     std::map<int, int> faces;
+    /// Edges that were removed because they were short.
+    int removed_edges = 0;
     double volume = 0;
     int boundary_pairs = 0;
     int translations = 0;

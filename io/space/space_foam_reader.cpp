@@ -13,6 +13,7 @@
 #include "io/space/space_foam_writer.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/polyhedra/polyhedral_assembly.hpp"
+#include "mesher/polyhedra/short_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -133,6 +134,16 @@ SpaceLattice read_lattice(const EncodedFile& boundary) {
     }
 }
 
+/// PolyhedralMesh::short_edges, which a case without removed edges does not state.
+double read_short_edges(const EncodedFile& boundary) {
+    const std::vector<double> numbers = comment_numbers(boundary, "short_edges", 1);
+    if (numbers.empty()) return 0;
+    if (numbers.size() > 1 || !(numbers[0] >= 0 && numbers[0] <= kLongestSpaceShortEdge)) {
+        throw BadFile(boundary.path + ": " + kShortEdgesRange);
+    }
+    return numbers[0];
+}
+
 /// Refuses numbers of points and cells that do not exist.
 void require_numbers(const std::vector<EncodedFile>& files, PolyhedralMesh& mesh) {
     const auto refuse = [&files](const char* name, const char* complaint) {
@@ -174,6 +185,7 @@ SpaceTile decode_space_foam(const std::vector<EncodedFile>& files) {
     const EncodedFile& boundary = foam_mesh_file(files, "boundary");
     SpaceTile tile{.mesh = {.lattice = read_lattice(boundary)}};
     PolyhedralMesh& mesh = tile.mesh;
+    mesh.short_edges = read_short_edges(boundary);
     mesh.points = foam_points(foam_mesh_file(files, "points"));
     mesh.faces = foam_faces(foam_mesh_file(files, "faces"));
     mesh.owner = foam_labels(foam_mesh_file(files, "owner"));

@@ -87,6 +87,11 @@ std::string encode_boundary(const SpaceTile& tile) {
         kSpaceKind + "// pcvt lattice";
     for (const Vec3& period : mesh.lattice.periods()) append_numbers(text, period);
     text += '\n';
+    if (mesh.short_edges > 0) {
+        text += "// pcvt short_edges ";
+        append_number(text, mesh.short_edges);
+        text += '\n';
+    }
     for (const auto& site : tile.sites.colwise()) {
         text += "// pcvt site";
         append_numbers(text, site);

@@ -4,7 +4,9 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/vtk_text.hpp"
+#include "io/space/space_tile.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/polyhedra/short_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -22,7 +24,7 @@ std::string in_words(const Offset3& offset) {
 }  // namespace
 
 void open_space_vtu(std::string& text, std::string_view mark, const SpaceLattice& lattice,
-                    int n_points, int n_cells) {
+                    double short_edges, int n_points, int n_cells) {
     text += "<?xml version=\"1.0\"?>\n" + std::string(mark) +
             "\n"
             "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
@@ -31,6 +33,12 @@ void open_space_vtu(std::string& text, std::string_view mark, const SpaceLattice
                    " NumberOfTuples=\"3\" NumberOfComponents=\"3\"");
     for (const Vec3& period : lattice.periods()) append_space_vector(text, period);
     close_vtk_array(text);
+    if (short_edges > 0) {
+        open_vtk_array(text, "Float64", "ShortEdges", " NumberOfTuples=\"1\"");
+        append_vtk_word(text, short_edges);
+        end_vtk_line(text);
+        close_vtk_array(text);
+    }
     text += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(n_points) +
             "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n";
 }
@@ -67,6 +75,16 @@ SpaceLattice read_space_lattice(const std::string& name, const VtuArrays& arrays
     } catch (const InvalidInput& fault) {
         fail(name, array.line, fault.what());
     }
+}
+
+double read_short_edges(const std::string& name, const VtuArrays& arrays) {
+    if (arrays.find("FieldData/ShortEdges") == nullptr) return 0;
+    const VtuArray& array = arrays.get("FieldData/ShortEdges", 1, 1, false);
+    const double length = array.values[0];
+    if (!(length >= 0 && length <= kLongestSpaceShortEdge)) {
+        fail(name, array.line, kShortEdgesRange);
+    }
+    return length;
 }
 
 std::vector<Vec3> read_space_points(const std::string& name, const VtuArrays& arrays) {

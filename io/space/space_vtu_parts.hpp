@@ -15,9 +15,11 @@ namespace pcvt {
 //     append_space_points(text, mesh.points);
 //     text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 
-/// Appends all that comes before the first array of the piece. `mark` is a comment.
+/// Appends all that comes before the first array of the piece.
+/// @param mark         a comment.
+/// @param short_edges  as PolyhedralMesh::short_edges.
 void open_space_vtu(std::string& text, std::string_view mark, const SpaceLattice& lattice,
-                    int n_points, int n_cells);
+                    double short_edges, int n_points, int n_cells);
 
 /// Appends x, y and z as a line of an array.
 void append_space_vector(std::string& text, const Vec3& vector);
@@ -33,6 +35,10 @@ void append_space_points(std::string& text, const std::vector<Vec3>& points);
 /// Returns the lattice of a file.
 /// @throws BadFile  there are not three independent vectors.
 SpaceLattice read_space_lattice(const std::string& name, const VtuArrays& arrays);
+
+/// Returns PolyhedralMesh::short_edges, which a file without removed edges does not state.
+/// @throws BadFile  it is not from 0 to kLongestSpaceShortEdge.
+double read_short_edges(const std::string& name, const VtuArrays& arrays);
 
 /// Returns the points of a file.
 /// @throws BadFile  there are none in double precision.

@@ -70,6 +70,7 @@ class VtuCells {
         const PolyhedronList cells = read_cells();
         compare_connectivity(cells);
         SpaceTile tile{.mesh = assembled_mesh(read_space_lattice(name_, arrays_), cells)};
+        tile.mesh.short_edges = read_short_edges(name_, arrays_);
         compare_images(name_, arrays_, tile.mesh.point_orbit, tile.mesh.point_offset);
         compare_cells(tile.mesh, cells);
         if (arrays_.find("CellData/Site") != nullptr) {

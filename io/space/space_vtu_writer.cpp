@@ -93,7 +93,8 @@ std::vector<int> cell_points(const PolyhedronList& cells, int cell) {
 std::vector<EncodedFile> encode_space_vtu(const SpaceTile& tile, const std::string& path) {
     const PolyhedronList cells = polyhedron_list(tile.mesh);
     std::string text;
-    open_space_vtu(text, kSpaceVtuMark, tile.mesh.lattice, tile.mesh.n_points(), cells.n_cells());
+    open_space_vtu(text, kSpaceVtuMark, tile.mesh.lattice, tile.mesh.short_edges,
+                   tile.mesh.n_points(), cells.n_cells());
     text += "<PointData>\n";
     append_images(text, tile.mesh.point_orbit, tile.mesh.point_offset);
     text += "</PointData>\n";

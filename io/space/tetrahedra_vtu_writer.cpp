@@ -33,7 +33,7 @@ void append_cells(std::string& text, const TetrahedralMesh& mesh) {
 std::vector<EncodedFile> encode_tetrahedra_vtu(const TetrahedralMesh& mesh,
                                                const std::string& path) {
     std::string text;
-    open_space_vtu(text, kTetrahedraVtuMark, mesh.lattice, mesh.n_points(), mesh.n_tetrahedra());
+    open_space_vtu(text, kTetrahedraVtuMark, mesh.lattice, 0, mesh.n_points(), mesh.n_tetrahedra());
     text += "<PointData>\n";
     append_images(text, first_points(mesh), mesh.point_offset);
     append_vtk_integers(text, "Int32", "CellId", mesh.point_site);

@@ -42,6 +42,9 @@ struct CellFace {
 struct CellComplex {
     SpaceLattice reduced;
     int n_cells = 0;
+    /// Edges shorter than this part of h were removed (short_edges.hpp), and with them (3): faces
+    /// are plane within this length. 0: none.
+    double short_edges = 0;
     /// The positions of the vertices, length units.
     std::vector<Vec3> vertices = {};
     std::vector<CellFace> faces = {};

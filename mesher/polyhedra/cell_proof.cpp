@@ -165,7 +165,8 @@ void prove_face_order(const PolyhedralMesh& mesh) {
 double prove_cells(const PolyhedralMesh& mesh, double tolerance) {
     const CellFaces cells(mesh);
     const std::vector<CellBody> bodies = cell_bodies(mesh);
-    const double error = tolerance + kMerged * std::cbrt(mesh.lattice.volume() / mesh.n_cells);
+    const double h = std::cbrt(mesh.lattice.volume() / mesh.n_cells);
+    const double error = tolerance + std::max(kMerged, mesh.short_edges) * h;
     double sum = 0;
     for (int s = 0; s < mesh.n_cells; ++s) {
         checkpoint_each(s, 64);

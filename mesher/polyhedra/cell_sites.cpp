@@ -48,7 +48,7 @@ class BisectorProof {
         const Vec3 middle = (site + other) / 2;
         for (const int v : mesh_.faces[face]) {
             const double off = std::abs((mesh_.points[v] - middle).dot(direction)) / spacing_;
-            if (!(off <= kBisectorTolerance)) {
+            if (!(off <= kBisectorTolerance + mesh_.short_edges)) {
                 refuse_cell(cell,
                             "has a corner off the plane between its site and a neighbour by " +
                                 in_words(off) + " h");

@@ -152,7 +152,8 @@ PolyhedralMesh polyhedral_mesh(const SpaceSites& sites, const CellComplex& compl
     const std::vector<Offset3> images =
         chosen_images(complex, cell_bodies(complex), domain_corner(sites.lattice(), reduction));
     const PlacedFaces placed = placed_faces(complex, images, reduction);
-    PolyhedralMesh mesh{.lattice = sites.lattice(), .n_cells = sites.n_sites()};
+    PolyhedralMesh mesh{
+        .lattice = sites.lattice(), .n_cells = sites.n_sites(), .short_edges = complex.short_edges};
     MeshBuilder builder(complex, reduction, mesh);
     for (const PlacedFace& face : placed.inner) builder.add_inner(face);
     const std::span<const PlacedFace> masters(placed.masters);

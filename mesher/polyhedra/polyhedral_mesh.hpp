@@ -52,6 +52,8 @@ struct PolyhedralMesh {
     std::vector<PolyhedralPatch> patches = {};
     /// The number of cells.
     int n_cells = 0;
+    /// As CellComplex::short_edges: the cells are convex within this part of h.
+    double short_edges = 0;
 
     int n_points() const { return static_cast<int>(points.size()); }
     int n_faces() const { return static_cast<int>(owner.size()); }

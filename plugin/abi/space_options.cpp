@@ -37,7 +37,6 @@ void refuse_plane_shapes(const UnusedFields<pcvt_options>& plane) {
     plane.refuse("grain_order", &pcvt_options::grain_order);
     plane.refuse("grain_size", &pcvt_options::grain_size);
     plane.refuse("grain_per_edge", &pcvt_options::grain_per_edge);
-    plane.refuse("short_edges", &pcvt_options::short_edges);
     plane.refuse("walls", &pcvt_options::walls);
     plane.refuse("wall_cells", &pcvt_options::wall_cells);
     plane.refuse("inclusions", &pcvt_options::inclusions);
@@ -138,6 +137,8 @@ SpaceJob make_space_job(const pcvt_options& options) {
     job.max_iterations = options.max_iterations;
     job.n_threads = thread_count(options.n_threads);
     job.points = space_sites(options);
+    require_finite("short_edges", &options.short_edges, 1);
+    job.short_edges = options.short_edges;
     return job;
 }
 

@@ -24,10 +24,10 @@ namespace pcvt::cli {
 namespace {
 
 /// The options of `pcvt mesh` that apply in space.
-constexpr std::array<std::string_view, 20> kOptions{
+constexpr std::array<std::string_view, 21> kOptions{
     "--help",   "--sites",  "--seed",    "--input",  "--period", "--lattice",   "--start",
     "--solver", "--strict", "--threads", "-o",       "--force",  "--tolerance", "--max-iterations",
-    "--quiet",  "-h",       "--surface", "--report", "--mesh",   "--stability"};
+    "--quiet",  "-h",       "--surface", "--report", "--mesh",   "--stability", "--short-edges"};
 
 template <class Table>
 const auto& space_row(const char* option, const std::string& word, const Table& table) {
@@ -185,6 +185,13 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
     job.force = options.force;
     job.report = report_file(options.report);
     job.stability = options.stability;
+    if (app.count("--short-edges") > 0) {
+        job.short_edges = positive_number("--short-edges", options.short_edges);
+        if (job.short_edges > kLongestSpaceShortEdge) {
+            throw InvalidInput("--short-edges " + options.short_edges +
+                               ": such edges are not short in space; take at most 0.1");
+        }
+    }
     read_mesh(app, options, job);
     plan_space_files(job);
     read_file_options(app, options, job);
@@ -206,6 +213,10 @@ std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary)
     text += summary_line("residual", figure(summary.run.residual));
     if (job.stability) text += minimum_line(summary.minimum);
     text += summary_line("faces", face_text(summary));
+    if (job.short_edges > 0) {
+        text += summary_line("edges", std::to_string(summary.n_removed_edges) + " under " +
+                                          figure(job.short_edges) + " h removed");
+    }
     text += summary_line("seam", seam_text(summary.proof));
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
     for (const std::string& file : summary.files) text += summary_line("file", file);

@@ -41,23 +41,23 @@ constexpr std::array<FormatMemory, 17> kFormats{{
     {".glb", 985, 280, 240},
     {".gltf", 1200, 490, 380},
     {".om", 1230, 560, 460},
-    {".msh", 0, 1950, 525},
+    {".msh", 0, 2030, 540},
     {".inp", 0, 1180, 800},
-    {".vtu", 1180, 470, 425},
+    {".vtu", 1180, 470, 440},
     {".svg", 710, 285, 395},
     {".png", 930, 510, 520},
     {".dxf", 1180, 580, 465},
     {".html", 1190, 320, 305},
     {".foam", 1900, 1080, 815},
     {".nc", 5400, 0, 0},
-    {".vti", 400, 0, 0},
+    {".vti", 440, 0, 0},
     {".csv", 815, 0, 0},
     {".txt", 0, 0, 0},
 }};
 
 /// A run that builds its tile for the figures alone.
 constexpr FormatMemory kBuilt{"", 600, 0, 230};
-constexpr FormatMemory kBuiltBox{"", 870, 0, 230};
+constexpr FormatMemory kBuiltBox{"", 930, 0, 230};
 /// A tile that is held while others are built and written.
 constexpr FormatMemory kHeld{"", 160, 60, 60};
 /// A tile that is mapped to the round space of its aspect for its proof.
@@ -71,7 +71,7 @@ constexpr double kMappedGrains = 1.3;
 /// The part of its own run that a file adds while another one is written.
 constexpr double kBesideAnother = 0.5;
 /// A pixel of a picture that one colours.
-constexpr double kPixel = 3;
+constexpr double kPixel = 3.2;
 /// A voxel of an image of cells.
 constexpr double kVoxel = 11;
 /// The number of pixels of a side where the job gives none.

@@ -12,7 +12,8 @@
 namespace pcvt {
 namespace {
 
-SpaceJobFile plan_file(std::string path, const SpaceFileOptions& options) {
+SpaceJobFile plan_file(std::string path, const SpaceJob& job) {
+    const SpaceFileOptions& options = job.file_options;
     if (path.ends_with(".foam/")) path.pop_back();
     const SpaceFormat* const format = find_space_format(path);
     if (format == nullptr) {
@@ -23,6 +24,11 @@ SpaceJobFile plan_file(std::string path, const SpaceFileOptions& options) {
         format->encode_tetrahedra == nullptr) {
         throw InvalidInput("-o " + path + ": the format holds no tetrahedra; take " +
                            tetrahedra_extensions() + ", or write the cells in a run of their own");
+    }
+    if (job.short_edges > 0 && !format->takes_short_edges(options)) {
+        throw InvalidInput("-o " + path +
+                           ": such files cannot say that short edges were removed; " +
+                           "take .vtu or .foam with the cells");
     }
     return {path, format};
 }
@@ -64,7 +70,7 @@ std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job) {
     std::vector<SpaceJobFile> files;
     DistinctPaths paths;
     for (const std::string& path : job.inputs) paths.add_input(path);
-    for (const std::string& path : job.outputs) files.push_back(plan_file(path, job.file_options));
+    for (const std::string& path : job.outputs) files.push_back(plan_file(path, job));
     for (const SpaceJobFile& file : files) {
         for (const std::string& path : file.format->paths(file.path)) paths.add_output(path);
     }

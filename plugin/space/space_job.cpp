@@ -50,6 +50,11 @@ Points3 coarse_points(const SpaceJob& job, JobMonitor& monitor) {
     return points;
 }
 
+void check_short_edges(double length) {
+    if (length >= 0 && length <= kLongestSpaceShortEdge) return;
+    throw InvalidInput("the length under which edges are removed is not between 0 and 0.1 h");
+}
+
 void check_stability(const SpaceJob& job) {
     const auto n = std::max(job.n_sites, static_cast<int>(job.points.cols()));
     if (!job.stability || n <= kMostSpaceSitesForMinimum) return;
@@ -95,11 +100,15 @@ SpaceComputation compute(const SpaceJob& job, JobMonitor& monitor) {
     return computation;
 }
 
-SpaceTile build_tile(const SpaceDelaunay& delaunay, JobMonitor& monitor) {
+/// The tile, not yet proved.
+ProvedSpaceTile build_tile(const SpaceDelaunay& delaunay, double short_edges, JobMonitor& monitor) {
     monitor.begin(Phase::kBuilding, "building the cells");
-    SpaceTile tile{
-        .mesh = polyhedral_mesh(delaunay.sites, cell_complex(delaunay.sites, delaunay.tetrahedra))};
-    tile.sites = sites_in_cells(delaunay.sites, tile.mesh);
+    CellComplex complex = cell_complex(delaunay.sites, delaunay.tetrahedra);
+    const std::size_t n_vertices = complex.vertices.size();
+    if (short_edges > 0) complex = without_short_edges(complex, short_edges);
+    ProvedSpaceTile tile{.tile = {.mesh = polyhedral_mesh(delaunay.sites, complex)},
+                         .n_removed_edges = static_cast<int>(n_vertices - complex.vertices.size())};
+    tile.tile.sites = sites_in_cells(delaunay.sites, tile.tile.mesh);
     return tile;
 }
 
@@ -155,6 +164,7 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         const SpaceContent content{proved.tile, std::move(points), std::move(tetrahedra)};
         summary.proof = proved.proof;
         summary.face_counts = proved.face_counts;
+        summary.n_removed_edges = proved.n_removed_edges;
         require_closed_boundary(job, files, summary.proof);
         stage_space_files(files, content, job.file_options, monitor, outputs);
         summary.run = computation.cvt.run;
@@ -176,7 +186,7 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     const SpaceComputation computation = compute(job, monitor);
     std::optional<ProvedSpaceTile> tile;
     const SpaceTileSource make_tile = [&](JobMonitor&) -> const ProvedSpaceTile& {
-        return tile.emplace(prove_space_tile(computation, monitor));
+        return tile.emplace(prove_space_tile(job, computation, monitor));
     };
     return finish(job, files, computation, make_tile, monitor);
 }
@@ -207,8 +217,9 @@ Points3 wrapped_sites(const SpaceComputation& computation) {
     return points;
 }
 
-ProvedSpaceTile prove_space_tile(const SpaceComputation& computation, JobMonitor& monitor) {
-    ProvedSpaceTile proved{.tile = build_tile(computation.cvt.delaunay, monitor)};
+ProvedSpaceTile prove_space_tile(const SpaceJob& job, const SpaceComputation& computation,
+                                 JobMonitor& monitor) {
+    ProvedSpaceTile proved = build_tile(computation.cvt.delaunay, job.short_edges, monitor);
     const SpaceTile& tile = proved.tile;
     monitor.begin(Phase::kProving, "proving the cells");
     try {
@@ -226,6 +237,7 @@ ProvedSpaceTile prove_space_tile(const SpaceComputation& computation, JobMonitor
 
 std::optional<SpaceComputation> compute_space_job(const SpaceJob& job,
                                                   const JobCallback& callback) {
+    check_short_edges(job.short_edges);
     require_available("the run takes", estimated_memory(job, {}), "take fewer sites");
     JobMonitor monitor(callback, target_of(job));
     try {
@@ -254,6 +266,7 @@ SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& comput
 SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     const Clock::time_point begin = Clock::now();
     check_stability(job);
+    check_short_edges(job.short_edges);
     const std::vector<SpaceJobFile> files = plan_space_files(job);
     std::vector<std::string> recovered = require_space_files_writable(job, files);
     require_available("the run takes", estimated_memory(job, files), kFewerOutputs);

@@ -10,6 +10,7 @@
 
 #include "io/space_formats.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
+#include "mesher/polyhedra/short_edges.hpp"
 #include "mesher/space_cvt/space_cvt.hpp"
 #include "mesher/space_cvt/space_minimum.hpp"
 #include "mesher/space_search/space_stability.hpp"
@@ -61,6 +62,9 @@ struct SpaceJob {
     /// Files to write. The extension selects the format (io/space_formats.hpp).
     std::vector<std::string> outputs;
     SpaceFileOptions file_options = {};
+    /// Edges of cells shorter than this times h are removed; 0: none. At most
+    /// kLongestSpaceShortEdge.
+    double short_edges = 0;
     /// Whether the summary and the report say if the result is a minimum. At most
     /// kMostSpaceSitesForMinimum sites.
     bool stability = false;
@@ -92,6 +96,7 @@ struct ProvedSpaceTile {
     PolyhedralProof proof = {};
     /// Cells by their number of faces.
     std::map<int, int> face_counts = {};
+    int n_removed_edges = 0;
 };
 
 /// The summary of a run, besides its files.
@@ -107,6 +112,7 @@ struct SpaceSummary {
     std::optional<SpacePatternOutcome> pattern = {};
     /// Cells by their number of faces.
     std::map<int, int> face_counts = {};
+    int n_removed_edges = 0;
     PolyhedralProof proof = {};
     /// The files and folders that were written, in the order of the outputs.
     std::vector<std::string> files = {};
@@ -142,8 +148,9 @@ std::optional<Minimum> minimum_of(const SpaceComputation& computation);
 /// Optimises the sites; `nullopt` after a cancelled run.
 std::optional<SpaceComputation> compute_space_job(const SpaceJob& job, const JobCallback& callback);
 
-/// Lays out the cells as one tile and proves it. Refuses no memory.
-ProvedSpaceTile prove_space_tile(const SpaceComputation& computation, JobMonitor& monitor);
+/// Lays out the cells as one tile, without their short edges, and proves it. Refuses no memory.
+ProvedSpaceTile prove_space_tile(const SpaceJob& job, const SpaceComputation& computation,
+                                 JobMonitor& monitor);
 
 /// Returns the tile of a job, which must outlive the call.
 using SpaceTileSource = std::function<const ProvedSpaceTile&(JobMonitor&)>;

@@ -12,7 +12,7 @@ constexpr double kBuilding = 5600;
 /// A SpaceComputation, and not the heap that its run leaves.
 constexpr double kComputed = 400;
 /// Tetrahedra that are held while other files are written.
-constexpr double kHeldTetrahedra = 800;
+constexpr double kHeldTetrahedra = 1100;
 
 /// Bytes a site of the largest part of a run with these files.
 double largest_bytes(const std::vector<SpaceJobFile>& files, const SpaceFileOptions& options) {

@@ -53,6 +53,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     report.rms_residual = summary.run.rms_residual;
     if (summary.minimum) report.minimum = minimum_name(*summary.minimum);
     report.faces = summary.face_counts;
+    report.removed_edges = summary.n_removed_edges;
     report.volume = summary.proof.volume;
     report.boundary_pairs = summary.proof.n_boundary_pairs;
     report.translations = summary.proof.n_translations;

@@ -34,6 +34,13 @@ void add_tile(const SpaceFormat& format, const SpaceCase& c, const std::string& 
     }
 }
 
+void add_without_short_edges(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
+                             std::vector<BaseFile>& bases) {
+    if (!format.takes_short_edges({}) || format.encode == nullptr || format.is_picture()) return;
+    bases.push_back(
+        {"short " + c.name, MeshKind::kVoronoi, format.encode(tile_of(c, 0.05), {}, path)});
+}
+
 void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
                     std::vector<BaseFile>& bases) {
     const SpaceDelaunay delaunay = space_delaunay(SpaceSites(c.lattice, c.points));
@@ -41,7 +48,7 @@ void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::st
     // Some tetrahedra of exact lattices are flat.
     if (n_flat_tetrahedra(mesh, delaunay.sites.n_sites()) > 0) return;
     bases.push_back(
-        {c.name + " tetrahedra", MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
+        {"tetrahedra " + c.name, MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
 }
 
 void prove(SpaceFileKind kind, const Files& files) {
@@ -72,6 +79,7 @@ std::vector<BaseFile> space_base_files(std::string_view extension) {
     std::vector<BaseFile> bases;
     for (const SpaceCase& c : cases()) {
         if (format.encode != nullptr) add_tile(format, c, path, bases);
+        if (c.name == "oblique") add_without_short_edges(format, c, path, bases);
         if (format.encode_tetrahedra != nullptr) add_tetrahedra(format, c, path, bases);
     }
     return bases;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/space_file_proof.hpp"
+#include "mesher/polyhedra/short_edges.hpp"
 #include "tests/support/polyhedra.hpp"
 
 namespace pcvt::testing {
@@ -9,6 +10,14 @@ namespace pcvt::testing {
 inline SpaceTile tile_of(const SpaceCase& c) {
     SpaceTile tile{.mesh = mesh_of(c)};
     tile.sites = sites_in_cells(SpaceSites(c.lattice, c.points), tile.mesh);
+    return tile;
+}
+
+/// The same without edges shorter than `shortest` h.
+inline SpaceTile tile_of(const SpaceCase& c, double shortest) {
+    const SpaceSites sites(c.lattice, c.points);
+    SpaceTile tile{.mesh = polyhedral_mesh(sites, without_short_edges(complex_of(c), shortest))};
+    tile.sites = sites_in_cells(sites, tile.mesh);
     return tile;
 }
 

@@ -67,6 +67,9 @@ std::string prove_cells(const std::string& path, const std::vector<EncodedFile>&
                        " pairs by " + counted(proof.n_translations, "translation") + ", boundary " +
                        (proof.boundary_is_manifold ? "a manifold" : "touches itself") +
                        ", Euler characteristic 0 after gluing, volume " + figure(proof.volume);
+    if (found.tile.mesh.short_edges > 0) {
+        line += ", edges under " + figure(found.tile.mesh.short_edges) + " h removed";
+    }
     line += found.sites ? ", Voronoi cells of " + counted(proof.n_cells, "site") + " within " +
                               figure(found.sites->from_bisector) + " h"
                         : ", no sites stored";

@@ -35,6 +35,22 @@ TEST(SpaceFoam, GivesBackTheMesh) {
     }
 }
 
+TEST(SpaceFoam, StatesTheLengthOfRemovedEdges) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const SpaceTile tile = testing::tile_of({"", cube, uniform_points(cube, 200, 2)}, 0.05);
+    const std::vector<EncodedFile> files = encode_space_foam(tile, "t.foam");
+    EXPECT_EQ(prove_space_files(files).tile.mesh.short_edges, 0.05);
+    const auto stating = [&](const std::string& words) {
+        return testing::exchanged(files, "boundary", "// pcvt short_edges 0.05\n", words);
+    };
+    EXPECT_THROW(prove_space_files(stating("")), NotATile);
+    for (const char* words : {"// pcvt short_edges 0.2\n", "// pcvt short_edges -1\n",
+                              "// pcvt short_edges 0.05\n// pcvt short_edges 0.05\n"}) {
+        EXPECT_THAT(testing::fault_in([&] { prove_space_files(stating(words)); }),
+                    HasSubstr("not one number from 0 to 0.1"));
+    }
+}
+
 TEST(SpaceFoam, NamesItsFilesInTheirOrder) {
     const auto files = encode_space_foam(testing::random_space_tile(6), "a/t.foam");
     const std::vector<std::string> paths = space_foam_paths("a/t.foam");

@@ -47,6 +47,20 @@ TEST(SpaceVtu, IsProvedFromItsBytes) {
     }
 }
 
+TEST(SpaceVtu, StatesTheLengthOfRemovedEdges) {
+    for (const testing::SpaceCase& c : testing::space_cases()) {
+        SCOPED_TRACE(c.name);
+        const SpaceTile tile = testing::tile_of(c, 0.05);
+        EncodedFile file = encoded(tile);
+        const SpaceTile found = prove_space_files({file}).tile;
+        EXPECT_EQ(found.mesh.short_edges, 0.05);
+        EXPECT_EQ(found.mesh.points, tile.mesh.points);
+        if (c.points.cols() != 200) continue;
+        file.bytes = testing::exchanged(file.bytes, "\"ShortEdges\"", "\"OtherEdges\"");
+        EXPECT_THROW(prove_space_files({file}), NotATile);
+    }
+}
+
 TEST(SpaceVtu, HasTheSameBytesOnEachRun) {
     const SpaceTile tile = testing::random_space_tile(20);
     EXPECT_EQ(encoded(tile).bytes, encoded(tile).bytes);

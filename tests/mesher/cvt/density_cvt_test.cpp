@@ -212,7 +212,7 @@ TEST(DensityCvt, ProgressCountsOverAllRoundsAndCancels) {
     EXPECT_EQ(limited.run.iterations, 30);
 }
 
-TEST(DensityCvt, LloydsIterationEndsAtTheCentroids) {
+TEST(DensityCvt, SlowLloydsIterationEndsAtTheCentroids) {
     CvtOptions options;
     options.solver = Solver::kLloyd;
     options.tolerance = 1e-5;

@@ -100,7 +100,7 @@ TEST(FixedSites, StayWithEverySolver) {
     }
 }
 
-TEST(FixedSites, StayWithADensity) {
+TEST(FixedSites, SlowStayWithADensity) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     for (const SolverRow& row : kSolvers) {
         for (const int n : {5, row.solver == Solver::kLbfgs ? 600 : 60}) {

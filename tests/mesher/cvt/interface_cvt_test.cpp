@@ -262,7 +262,7 @@ TEST(InterfaceCvt, KeepsItsLawsBetweenWallsSlow) {
     }
 }
 
-TEST(InterfaceCvt, HasHalfCellsOrSaysThatAWallIsTooNear) {
+TEST(InterfaceCvt, SlowHasHalfCellsOrSaysThatAWallIsTooNear) {
     int n_refused = 0;
     for (int k = 0; k < 12; ++k) {
         std::mt19937_64 random(k);

@@ -83,7 +83,7 @@ TEST(SymmetricCoarseStart, HasTheOrbitsOfThePlanInEveryGroup) {
 }
 
 // Missing or repeated midpoints leave holes or close pairs, whose cells have a large energy.
-TEST(SymmetricCoarseStart, IsEvenInEveryGroup) {
+TEST(SymmetricCoarseStart, SlowIsEvenInEveryGroup) {
     for (const PlaneGroupRow& row : kPlaneGroups) {
         const PlaneGroup group = example(row.name);
         const OrbitPlan plan = general_plan(group, 256);
@@ -100,7 +100,7 @@ TEST(SymmetricCoarseStart, IsEvenInEveryGroup) {
 // The limits lie between the shares of the code and those with one fault: 0.0006 and 0.004 where an
 // edge round a centre of rotation adds its site twice, 0.019 and 0.038 where a site is added at the
 // middle of an edge across a mirror, 0.004 and 0.009 where sites on mirrors are put back wrongly.
-TEST(SymmetricCoarseStart, HasFewClosePairs) {
+TEST(SymmetricCoarseStart, SlowHasFewClosePairs) {
     double round_centres = 0;
     for (const auto name : {PlaneGroupName::kP3, PlaneGroupName::kP4, PlaneGroupName::kP6}) {
         round_centres += mean_share_of_close_pairs(example(name), 0, 8) / 3;
@@ -118,7 +118,7 @@ TEST(SymmetricCoarseStart, HasFewClosePairs) {
     EXPECT_LT(mean_share_of_close_pairs(example(PlaneGroupName::kP3m1), 12, 8), 0.0065);
 }
 
-TEST(SymmetricCoarseStart, LeadsToLowerMinima) {
+TEST(SymmetricCoarseStart, SlowLeadsToLowerMinima) {
     CvtOptions options;
     options.tolerance = 1e-4;
     for (const PlaneGroupName name :

@@ -163,7 +163,7 @@ double farthest_beyond_walls(const WalledAreaCvt& result) {
     return farthest;
 }
 
-TEST(WalledAreaCvt, RandomJobsGiveTheCellsOfHalfPlanesInTheWishedAreas) {
+TEST(WalledAreaCvt, SlowRandomJobsGiveTheCellsOfHalfPlanesInTheWishedAreas) {
     const char* const n_cases = std::getenv("PCVT_AREA_CASES");
     const int n = n_cases == nullptr ? 200 : std::atoi(n_cases);
     int n_rounding = 0;
@@ -212,7 +212,7 @@ TEST(WalledAreaCvt, ImagesHaveTheSameWeightsToTheLastBit) {
     }
 }
 
-TEST(WalledAreaCvt, HalvesHaveTheirAreasBetweenTheWalls) {
+TEST(WalledAreaCvt, SlowHalvesHaveTheirAreasBetweenTheWalls) {
     int n_refused = 0;
     for (int k = 0; k < 60; ++k) {
         SCOPED_TRACE("case " + std::to_string(k));
@@ -288,7 +288,7 @@ TEST(WalledAreaCvt, NarrowHalvesKeepTheirSidesWithoutShortEdges) {
     }
 }
 
-TEST(WalledAreaCvt, AreasAreMeasuredFromSitesAndWeightsAlone) {
+TEST(WalledAreaCvt, SlowAreasAreMeasuredFromSitesAndWeightsAlone) {
     for (int k = 0; k < 60; ++k) {
         const WalledJob job = random_job(k);
         const WalledAreaCvt result = computed(job);
@@ -309,7 +309,7 @@ TEST(WalledAreaCvt, AreasAreMeasuredFromSitesAndWeightsAlone) {
 }
 
 // Law 3.
-TEST(WalledAreaCvt, EveryBitIsTheSameForAnyNumberOfThreads) {
+TEST(WalledAreaCvt, SlowEveryBitIsTheSameForAnyNumberOfThreads) {
     std::mt19937_64 random(1);
     const Lattice lattice = Lattice::rectangle(2, 1);
     WalledJob job{lattice, Walls::kXY, WallCells::kWhole, uniform_points(lattice, 9000, 1), {}};
@@ -359,7 +359,7 @@ TEST(WalledAreaCvt, FiguresCountTheWorkOfAllRounds) {
 }
 
 // Cells in narrow boxes touch several walls and hold two corners, of which one may have a site.
-TEST(WalledAreaCvt, HalvesInNarrowBoxesShareNoCorner) {
+TEST(WalledAreaCvt, SlowHalvesInNarrowBoxesShareNoCorner) {
     int n_made = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         const double ratio = 1.0 + static_cast<double>(seed % 10);

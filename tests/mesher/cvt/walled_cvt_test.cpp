@@ -174,7 +174,7 @@ TEST(WalledCvt, HalfCellsThatReachTheOppositeWallAreRefusedWithANumberThatSuffic
     EXPECT_NO_THROW(walled(channel, Walls::kY, 24, to_tolerance(1e-6), WallCells::kHalf));
 }
 
-TEST(WalledCvt, ResultsDoNotDependOnTheNumberOfThreads) {
+TEST(WalledCvt, SlowResultsDoNotDependOnTheNumberOfThreads) {
     CvtOptions options = to_tolerance(1e-6);
     const Lattice box = Lattice::rectangle(1, 2);
     const WalledCvt one = walled(box, Walls::kX, 3000, options);

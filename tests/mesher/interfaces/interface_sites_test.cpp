@@ -35,7 +35,7 @@ InterfaceSites place(const Case& one) {
 constexpr int kCases = 100;
 
 // Law (1), against all seeds and their nearest images.
-TEST(InterfaceSites, CirclesHoldTheSeedsOfTheirChordsAndNoOther) {
+TEST(InterfaceSites, SlowCirclesHoldTheSeedsOfTheirChordsAndNoOther) {
     for (int seed = 0; seed < kCases; ++seed) {
         const Case one = random_case(seed);
         const InterfaceSites pairs = place(one);
@@ -59,7 +59,7 @@ TEST(InterfaceSites, CirclesHoldTheSeedsOfTheirChordsAndNoOther) {
 }
 
 // Law (2): whatever the other sites are.
-TEST(InterfaceSites, ChordsAreEdgesAmongAnySitesOutsideOfTheCircles) {
+TEST(InterfaceSites, SlowChordsAreEdgesAmongAnySitesOutsideOfTheCircles) {
     for (int seed = 0; seed < kCases; ++seed) {
         const Case one = random_case(seed);
         const InterfaceSites pairs = place(one);
@@ -83,7 +83,7 @@ TEST(InterfaceSites, ChordsAreEdgesAmongAnySitesOutsideOfTheCircles) {
 }
 
 // Law (3).
-TEST(InterfaceSites, PolygonsOfChordsHaveTheAreasOfTheirShapes) {
+TEST(InterfaceSites, SlowPolygonsOfChordsHaveTheAreasOfTheirShapes) {
     for (int seed = 0; seed < kCases; ++seed) {
         const Case one = random_case(seed);
         const InterfaceSites pairs = place(one);

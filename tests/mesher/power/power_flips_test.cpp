@@ -41,7 +41,7 @@ void expect_regular(const TorusTriangulation& t, const Sites& sites,
 }
 
 // Laws 1 and 2.
-TEST(PowerFlips, EndRegularOrNameASiteThatIsHidden) {
+TEST(PowerFlips, SlowEndRegularOrNameASiteThatIsHidden) {
     std::mt19937_64 random(1);
     const auto named = lattices();
     int n_regular = 0;

@@ -118,7 +118,7 @@ TEST(SymmetricCvt, IsTheSameForAnyNumberOfThreads) {
     expect_sound(start, one);
 }
 
-TEST(SymmetricCvt, FollowsAFoldedDensity) {
+TEST(SymmetricCvt, SlowFollowsAFoldedDensity) {
     for (const PlaneGroupRow& row : kPlaneGroups) {
         if (row.system == LatticeSystem::kHexagonal) continue;
         const PlaneGroup group(row.name, fitting_lattice(row.name));

@@ -85,7 +85,7 @@ std::pair<double, double> holes_in(const Case& made) {
 }
 
 // The edges of holes are the chords of the interfaces.
-TEST(TileHoles, RandomTilesAreProvedAndLackTheAreaOfTheirHoles) {
+TEST(TileHoles, SlowRandomTilesAreProvedAndLackTheAreaOfTheirHoles) {
     std::mt19937_64 random(11);
     const auto draw = [&](int to) { return std::uniform_int_distribution<int>(0, to)(random); };
     for (int k = 0; k < n_cases(30); ++k) {

@@ -49,7 +49,7 @@ double length_on(const Tile& tile, WallSide side) {
     return length;
 }
 
-TEST(WalledTile, RandomTilesBetweenWallsAreProved) {
+TEST(WalledTile, SlowRandomTilesBetweenWallsAreProved) {
     std::mt19937_64 random(7);
     const auto draw = [&](int from, int to) {
         return std::uniform_int_distribution<int>(from, to)(random);

@@ -30,7 +30,6 @@ static void each_field_of_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(grain_order, "grain_order", 1);
     PLANE_FIELD(grain_size, "grain_size", 0.1);
     PLANE_FIELD(grain_per_edge, "grain_per_edge", 2);
-    PLANE_FIELD(short_edges, "short_edges", 0.1);
     PLANE_FIELD(walls, "walls", PCVT_WALLS_Y);
     PLANE_FIELD(wall_cells, "wall_cells", PCVT_WALL_CELLS_HALF);
     PLANE_FIELD(inclusions, "inclusions", "circle a 0.5 0.5 0.1");

@@ -134,6 +134,24 @@ static void each_boundary_face_has_a_partner_by_a_translation(void) {
     }
 }
 
+static void short_edges_are_removed(void) {
+    pcvt_options options = space_options_for(60);
+    options.max_iterations = 0;
+    pcvt_result* plain = generated(&options);
+    options.short_edges = 0.05;
+    pcvt_result* smooth = generated(&options);
+    const pcvt_cells before = cells_of(plain), after = cells_of(smooth);
+    CHECK(after.n_cells == 60 && after.n_face_points < before.n_face_points - 60);
+    check_seam(&after);
+    check_volumes(&after, 1);
+    pcvt_free(plain);
+    pcvt_free(smooth);
+    pcvt_result* result = NULL;
+    options.short_edges = 0.2;
+    CHECK(pcvt_generate(&options, &result) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "not between 0 and 0.1 h") != NULL);
+}
+
 static void body_centred_lattices_have_the_energy_of_truncated_octahedra(void) {
     const int32_t numbers[3] = {2, 16, 54};
     for (int k = 0; k < 3; ++k) {
@@ -331,6 +349,7 @@ static void existing_files_are_kept_unless_replaced(void) {
 
 int main(void) {
     each_boundary_face_has_a_partner_by_a_translation();
+    short_edges_are_removed();
     body_centred_lattices_have_the_energy_of_truncated_octahedra();
     minima_and_saddles_are_known();
     statistics_describe_the_run();

@@ -77,8 +77,9 @@ class Large(CliTest):
                 self.assertLess(estimate, 1.5 * peak)
 
     def test_a_run_in_space_that_cannot_fit_is_refused_before_it_begins(self):
+        small = limit(resource.RLIMIT_AS, 4 << 30)
         self.refuse(4, r"^pcvt: the run takes about \S+ GB of memory, and \S+ GB are available; take fewer sites",
-                    "mesh", "--sites", 60_000_000, "--period", "1,1,1", "-o", "t.vtu")
+                    "mesh", "--sites", 60_000_000, "--period", "1,1,1", "-o", "t.vtu", preexec_fn=small)
 
     def test_a_run_that_cannot_fit_is_refused_before_it_begins(self):
         small = limit(resource.RLIMIT_AS, 4 << 30)

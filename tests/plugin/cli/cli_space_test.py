@@ -53,7 +53,7 @@ class Runs(CliTest):
         report = json.loads(self.path("r.json").read_text())
         self.assertEqual(list(report), [
             "version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations", "evaluations", "energy",
-            "energy_bound", "residual", "rms_residual", "minimum", "faces", "volume", "boundary_pairs", "translations",
+            "energy_bound", "residual", "rms_residual", "minimum", "faces", "removed_edges", "volume", "boundary_pairs", "translations",
             "boundary_is_manifold", "threads", "seconds", "files"])
         self.assertEqual(report["lattice"], [[1, 0, 0], [0.37, 0.81, 0], [0.2, 0.4, 0.9]])
         self.assertEqual([report[key] for key in ("sites", "seed", "solver", "start", "stop", "threads", "files")],
@@ -134,6 +134,37 @@ class Runs(CliTest):
         self.write("cubes.txt", "".join(f"{i / 2} {j / 2} {k / 2}\n" for i in (0, 1) for j in (0, 1) for k in (0, 1)))
         self.assertRegex(self.succeed("mesh", *CUBE, "--input", "cubes.txt", "--stability"), r"\nminimum +no\n")
         self.refuse(2, "the stability is known of at most 2000 sites in space", *run, "--sites", 2001, "--stability")
+
+    def test_short_edges_are_removed_and_stated(self):
+        run = ("mesh", "--sites", 200, *CUBE, "--max-iterations", 0, "--force", "-o", "t.vtu", "-o", "t.foam",
+               "--report", "r.json")
+        self.assertNotIn("edges", figures(self.succeed(*run)))
+        before = json.loads(self.path("r.json").read_text())
+        found = figures(self.succeed(*run, "--short-edges", "0.02"))
+        report = json.loads(self.path("r.json").read_text())
+        self.assertEqual(found["edges"], f"{report['removed_edges']} under 0.02 h removed")
+        self.assertEqual(before["removed_edges"], 0)
+        self.assertGreater(report["removed_edges"], 20)
+        self.assertAlmostEqual(report["volume"], 1, 12)
+        for line in self.succeed("check", "t.vtu", "t.foam").splitlines():
+            self.assertIn(", edges under 0.02 h removed, Voronoi cells of 200 sites within 0.0", line)
+        # Without their statement the faces are not plane enough.
+        case = self.path("t.foam/constant/polyMesh/boundary")
+        case.write_text(case.read_text().replace("// pcvt short_edges 0.02\n", ""))
+        self.refuse(2, "is not convex|off the plane", "check", "t.foam")
+        grid = self.path("t.vtu").read_text()
+        self.write("t.vtu", grid.replace('"ShortEdges" NumberOfTuples="1" format="ascii">\n0.02',
+                                         '"ShortEdges" NumberOfTuples="1" format="ascii">\n0.2'))
+        self.refuse(2, "the length of removed edges is not one number from 0 to 0.1", "check", "t.vtu")
+
+    def test_short_edges_are_of_cells_and_short(self):
+        run = ("mesh", "--sites", 20, *CUBE, "--short-edges")
+        for name in ("t.obj", "t.ply", "t.glb", "t.om", "t.msh"):
+            self.refuse(2, f"-o {name}: such files cannot say that short edges were removed; take .vtu or .foam",
+                        *run, "0.01", "-o", name)
+        self.refuse(2, "--short-edges 0.11: such edges are not short in space; take at most 0.1", *run, "0.11")
+        self.refuse(2, "--short-edges", *run, "-1")
+        self.assertEqual(self.contents(), {})
 
     def test_lloyd_lowers_the_energy(self):
         one, ten = (float(figures(self.succeed("mesh", "--sites", 40, *CUBE, "--solver", "lloyd",
@@ -264,7 +295,7 @@ class Refusals(CliTest):
         for words in (("--density", "1"), ("--symmetry", "p4"), ("--repeat", "2x1"),
                       ("--outline", "box"), ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--origin", "0,0"),
                       ("--cells", "t.csv"), ("--budget", "5"),
-                      ("--float32",), ("--phases", "a:1"), ("--aspect", "2:0"), ("--short-edges", "0.1")):
+                      ("--float32",), ("--phases", "a:1"), ("--aspect", "2:0")):
             self.refuse(2, rf"^pcvt: {words[0]} is not for three dimensions; leave it out, or give two period vectors$",
                         "mesh", "--sites", 8, *CUBE, *words)
 

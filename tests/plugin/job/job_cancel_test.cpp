@@ -140,7 +140,7 @@ TEST(Cancelling, IsNoticedInPatternsAndSearches) {
     expect_short_pauses(job);
 }
 
-TEST(Cancelling, IsNoticedWithDensities) {
+TEST(Cancelling, SlowIsNoticedWithDensities) {
     const TemporaryFolder folder;
     Job job = job_of(kSites, 10, folder, {"t.txt"});
     job.density = shared_density([](const DensityPoint& p) { return 1 + 9 * p.u * p.v; });

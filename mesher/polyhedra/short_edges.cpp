@@ -1,0 +1,294 @@
+#include "mesher/polyhedra/short_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/polyhedra/polyhedron_graph.hpp"
+
+namespace pcvt {
+namespace {
+
+/// A cell keeps this part of its volume.
+constexpr double kLeastVolume = 0.5;
+
+/// An edge from vertex `from` in the domain to an image of vertex `to`.
+struct Edge {
+    double length;
+    int from;
+    VertexImage to;
+};
+
+/// Returns the corners of a face when an edge is shrunk to its first end: an image of `to` becomes
+/// one of `from`. Fewer than three are left of a face that vanishes.
+Corners shrunk(Corners corners, const Edge& edge) {
+    for (VertexImage& corner : corners) {
+        if (corner.vertex == edge.to.vertex) {
+            corner = {edge.from, corner.offset - edge.to.offset};
+        }
+    }
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+    return corners;
+}
+
+/// A diagram that loses edges.
+class ShrinkingComplex {
+   public:
+    ShrinkingComplex(const CellComplex& complex, double shortest)
+        : complex_(complex),
+          part_(shortest),
+          shortest_(shortest * std::cbrt(complex.reduced.volume() / complex.n_cells)),
+          positions_(complex.vertices),
+          moved_(complex.vertices.size(), 0),
+          is_left_(complex.vertices.size(), true),
+          uses_(static_cast<std::size_t>(complex.n_cells)),
+          cells_(complex.vertices.size()) {
+        for (int f = 0; f < complex.n_faces(); ++f) {
+            checkpoint_each(f);
+            const auto corners = complex.corners_of(f);
+            faces_.emplace_back(corners.begin(), corners.end());
+            const CellFace& face = complex.faces[f];
+            uses_[face.cell].push_back({f, false, {}});
+            uses_[face.neighbour].push_back({f, true, -face.offset});
+            for (const VertexImage& corner : corners) {
+                cells_[corner.vertex].push_back(face.cell);
+                cells_[corner.vertex].push_back(face.neighbour);
+            }
+        }
+        for (std::vector<SiteId>& cells : cells_) keep_once(cells);
+        for (const CellBody& body : cell_bodies(complex)) volumes_.push_back(body.volume);
+    }
+
+    /// Removes what may be removed of the edges that are short now.
+    /// @returns whether it was anything.
+    bool remove_edges() {
+        bool any = false;
+        for (const Edge& edge : short_edges()) {
+            if (!is_left_[edge.from] || !is_left_[edge.to.vertex]) continue;
+            if (!(length(edge) < shortest_) || !may_remove(edge)) continue;
+            remove(edge);
+            any = true;
+        }
+        return any;
+    }
+
+    CellComplex result() const {
+        CellComplex left{
+            .reduced = complex_.reduced, .n_cells = complex_.n_cells, .short_edges = part_};
+        std::vector<int> number(positions_.size());
+        for (std::size_t v = 0; v < positions_.size(); ++v) {
+            number[v] = static_cast<int>(left.vertices.size());
+            if (is_left_[v]) left.vertices.push_back(positions_[v]);
+        }
+        for (std::size_t f = 0; f < faces_.size(); ++f) {
+            if (faces_[f].empty()) continue;
+            left.faces.push_back(complex_.faces[f]);
+            for (const VertexImage& corner : faces_[f]) {
+                left.corners.push_back({number[corner.vertex], corner.offset});
+            }
+            left.begin.push_back(static_cast<int>(left.corners.size()));
+        }
+        return left;
+    }
+
+   private:
+    /// A face of a cell: translated by `shift` it is in the frame of the cell.
+    struct Use {
+        int face;
+        bool reversed;
+        Offset3 shift;
+    };
+
+    template <class T>
+    static void keep_once(std::vector<T>& items) {
+        std::sort(items.begin(), items.end());
+        items.erase(std::unique(items.begin(), items.end()), items.end());
+    }
+
+    Vec3 position(const VertexImage& image) const {
+        return positions_[image.vertex] + complex_.reduced.translation(image.offset);
+    }
+    Vec3 middle(const Edge& edge) const { return (positions_[edge.from] + position(edge.to)) / 2; }
+    double length(const Edge& edge) const {
+        return (position(edge.to) - positions_[edge.from]).norm();
+    }
+    /// How far the middle of an edge is from the vertices of the diagram that would lie there.
+    double would_move(const Edge& edge) const {
+        return length(edge) / 2 + std::max(moved_[edge.from], moved_[edge.to.vertex]);
+    }
+
+    /// Edges between different vertices, each once, the shortest first.
+    std::vector<Edge> short_edges() const {
+        std::vector<Edge> edges;
+        for (std::size_t f = 0; f < faces_.size(); ++f) {
+            checkpoint_each(static_cast<long>(f));
+            for (std::size_t k = 0; k < faces_[f].size(); ++k) {
+                const VertexImage& a = faces_[f][k];
+                const VertexImage& b = faces_[f][(k + 1) % faces_[f].size()];
+                // The neighbours of the face see the edge the other way round.
+                const bool forwards = a.vertex < b.vertex;
+                if (a.vertex == b.vertex) continue;
+                const auto& [from, to] = forwards ? std::tie(a, b) : std::tie(b, a);
+                Edge edge{0, from.vertex, {to.vertex, to.offset - from.offset}};
+                edge.length = length(edge);
+                if (edge.length < shortest_) edges.push_back(edge);
+            }
+        }
+        const auto key = [](const Edge& e) { return std::tie(e.length, e.from, e.to); };
+        std::sort(edges.begin(), edges.end(),
+                  [&](const Edge& s, const Edge& t) { return key(s) < key(t); });
+        edges.erase(std::unique(edges.begin(), edges.end(),
+                                [&](const Edge& s, const Edge& t) { return key(s) == key(t); }),
+                    edges.end());
+        return edges;
+    }
+
+    std::vector<SiteId> cells_at(const Edge& edge) const {
+        std::vector<SiteId> cells = cells_[edge.from];
+        const std::vector<SiteId>& others = cells_[edge.to.vertex];
+        cells.insert(cells.end(), others.begin(), others.end());
+        keep_once(cells);
+        return cells;
+    }
+
+    /// The vertices at the other ends of the edges from a vertex, relative to it.
+    Corners neighbours(int vertex) const {
+        Corners found;
+        for (const SiteId cell : cells_[vertex]) {
+            for (const Use& use : uses_[cell]) {
+                const Corners& face = faces_[use.face];
+                for (std::size_t k = 0; k < face.size(); ++k) {
+                    if (face[k].vertex != vertex) continue;
+                    for (const std::size_t step : {std::size_t{1}, face.size() - 1}) {
+                        const VertexImage& other = face[(k + step) % face.size()];
+                        found.push_back({other.vertex, other.offset - face[k].offset});
+                    }
+                }
+            }
+        }
+        keep_once(found);
+        return found;
+    }
+
+    /// Whether the only edges that become one are the two sides of a triangle on the edge.
+    bool joins_triangles_alone(const Edge& edge) const {
+        const Corners here = neighbours(edge.from);
+        if (!has_corner(here, edge.to)) return false;
+        Corners common;
+        for (const VertexImage& other : neighbours(edge.to.vertex)) {
+            const VertexImage seen{other.vertex, other.offset + edge.to.offset};
+            if (has_corner(here, seen)) common.push_back(seen);
+        }
+        // Other edges between the ends would become loops.
+        const auto joins_ends = [&](const VertexImage& other) {
+            return other.vertex == edge.from ||
+                   (other.vertex == edge.to.vertex && other.offset != edge.to.offset);
+        };
+        if (std::any_of(here.begin(), here.end(), joins_ends)) return false;
+        return std::all_of(common.begin(), common.end(),
+                           [&](const VertexImage& corner) { return has_triangle(edge, corner); });
+    }
+
+    bool has_triangle(const Edge& edge, const VertexImage& third) const {
+        for (const SiteId cell : cells_[edge.from]) {
+            for (const Use& use : uses_[cell]) {
+                const Corners& face = faces_[use.face];
+                if (face.size() != 3) continue;
+                for (const VertexImage& corner : face) {
+                    if (corner.vertex != edge.from) continue;
+                    const Offset3 frame = corner.offset;
+                    if (has_corner(face, {edge.to.vertex, edge.to.offset + frame}) &&
+                        has_corner(face, {third.vertex, third.offset + frame})) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /// The faces that a cell has without an edge, seen from outside, in its frame.
+    std::vector<Corners> faces_without(const Edge& edge, SiteId cell) const {
+        std::vector<Corners> faces;
+        for (const Use& use : uses_[cell]) {
+            Corners corners = shrunk(faces_[use.face], edge);
+            if (corners.size() < 3) continue;
+            for (VertexImage& corner : corners) corner.offset = corner.offset + use.shift;
+            if (use.reversed) std::reverse(corners.begin(), corners.end());
+            faces.push_back(std::move(corners));
+        }
+        return faces;
+    }
+
+    double volume(const std::vector<Corners>& faces, const Edge& edge) const {
+        const Vec3 end = middle(edge);
+        std::vector<Vec3> points;
+        const auto place = [&](const VertexImage& corner) {
+            if (corner.vertex != edge.from) return position(corner);
+            return Vec3(end + complex_.reduced.translation(corner.offset));
+        };
+        PyramidSum sum(place(faces[0][0]));
+        for (const Corners& face : faces) {
+            points.clear();
+            for (const VertexImage& corner : face) points.push_back(place(corner));
+            sum.add(points);
+        }
+        return sum.body().volume;
+    }
+
+    bool may_remove(const Edge& edge) const {
+        if (would_move(edge) > shortest_ || !joins_triangles_alone(edge)) return false;
+        for (const SiteId cell : cells_at(edge)) {
+            const std::vector<Corners> faces = faces_without(edge, cell);
+            if (!is_polyhedron(faces)) return false;
+            if (!(volume(faces, edge) >= kLeastVolume * volumes_[cell])) return false;
+        }
+        return true;
+    }
+
+    void remove(const Edge& edge) {
+        const Vec3 end = middle(edge);
+        const double moved = would_move(edge);
+        const std::vector<SiteId> cells = cells_at(edge);
+        for (const SiteId cell : cells) {
+            for (const Use& use : uses_[cell]) {
+                Corners& face = faces_[use.face];
+                face = shrunk(std::move(face), edge);
+                if (face.size() < 3) face.clear();
+            }
+        }
+        positions_[edge.from] = end;
+        moved_[edge.from] = moved;
+        cells_[edge.from] = cells;
+        is_left_[edge.to.vertex] = false;
+    }
+
+    const CellComplex& complex_;
+    double part_;
+    double shortest_;
+    std::vector<Vec3> positions_;
+    /// The largest distance between a vertex and those of the diagram that lie there now.
+    std::vector<double> moved_;
+    std::vector<bool> is_left_;
+    /// A face that has vanished has no corners.
+    std::vector<Corners> faces_;
+    std::vector<std::vector<Use>> uses_;
+    /// Of each vertex.
+    std::vector<std::vector<SiteId>> cells_;
+    /// Of the cells of the diagram.
+    std::vector<double> volumes_;
+};
+
+}  // namespace
+
+CellComplex without_short_edges(const CellComplex& complex, double shortest) {
+    if (shortest == 0) return complex;
+    ShrinkingComplex shrinking(complex, shortest);
+    while (shrinking.remove_edges()) {
+    }
+    return shrinking.result();
+}
+
+}  // namespace pcvt

@@ -1,0 +1,132 @@
+#include "mesher/polyhedra/short_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "mesher/polyhedra/polyhedral_proof.hpp"
+#include "tests/support/polyhedra.hpp"
+
+namespace pcvt {
+namespace {
+
+using testing::complex_of;
+using testing::space_cases;
+using testing::SpaceCase;
+
+constexpr double kShortest[] = {1e-4, 1e-2, 0.1};
+
+double spacing(const CellComplex& complex) {
+    return std::cbrt(complex.reduced.volume() / complex.n_cells);
+}
+
+double shortest_edge(const CellComplex& complex) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < complex.n_faces(); ++f) {
+        Vec3 from = complex.position(complex.corners_of(f).back());
+        for (const VertexImage& corner : complex.corners_of(f)) {
+            const Vec3 to = complex.position(corner);
+            shortest = std::min(shortest, (to - from).norm());
+            from = to;
+        }
+    }
+    return shortest;
+}
+
+/// The distance from a point to the nearest image of a vertex.
+double distance_to_vertices(const CellComplex& complex, const Vec3& point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3& vertex : complex.vertices) {
+        const Vec3 apart = complex.reduced.to_lattice(point - vertex);
+        const Vec3 wrapped = apart.array() - apart.array().round();
+        nearest = std::min(nearest, complex.reduced.to_space(wrapped).norm());
+    }
+    return nearest;
+}
+
+/// Law (1).
+TEST(ShortSpaceEdges, LeaveCellsThatFillTheTorus) {
+    int n_removed = 0;
+    for (const SpaceCase& c : space_cases()) {
+        const CellComplex complex = complex_of(c);
+        for (const double shortest : kShortest) {
+            SCOPED_TRACE(c.name + ", " + std::to_string(shortest));
+            const CellComplex left = without_short_edges(complex, shortest);
+            EXPECT_EQ(left.short_edges, shortest);
+            n_removed += static_cast<int>(complex.vertices.size() - left.vertices.size());
+            const PolyhedralMesh mesh = polyhedral_mesh(SpaceSites(c.lattice, c.points), left);
+            EXPECT_NO_THROW(prove_polyhedra(mesh));
+            std::set<std::tuple<SiteId, SiteId, Offset3>> pairs;
+            for (const CellFace& face : complex.faces) {
+                pairs.emplace(face.cell, face.neighbour, face.offset);
+            }
+            for (const CellFace& face : left.faces) {
+                EXPECT_TRUE(pairs.contains({face.cell, face.neighbour, face.offset}));
+            }
+        }
+    }
+    EXPECT_GT(n_removed, 1000);
+}
+
+/// Law (2).
+TEST(ShortSpaceEdges, AreRemovedUntilNoneMayBe) {
+    int n_left = 0;
+    for (const SpaceCase& c : space_cases()) {
+        const CellComplex complex = complex_of(c);
+        for (const double shortest : kShortest) {
+            const CellComplex left = without_short_edges(complex, shortest);
+            n_left += shortest_edge(left) < shortest * spacing(complex) ? 1 : 0;
+            if (shortest < 0.1) continue;
+            // Vertices that have moved far enough may move again in a second call, all others not.
+            const CellComplex again = without_short_edges(left, shortest / 100);
+            EXPECT_LE(left.vertices.size() - again.vertices.size(), left.vertices.size() / 50)
+                << c.name;
+        }
+    }
+    EXPECT_LT(n_left, 30);
+}
+
+TEST(ShortSpaceEdges, AreAllRemovedWhereTheyAreFarFromEachOther) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const CellComplex complex = complex_of({"", cube, uniform_points(cube, 500, 5)});
+    const double shortest = 2e-3;
+    ASSERT_LT(shortest_edge(complex), shortest / 10 * spacing(complex));
+    const CellComplex left = without_short_edges(complex, shortest);
+    EXPECT_GE(shortest_edge(left), shortest * spacing(complex));
+    // Only a few: random cells have 6.8 vertices a site.
+    EXPECT_LT(left.vertices.size(), complex.vertices.size());
+    EXPECT_GT(static_cast<double>(left.vertices.size()),
+              0.97 * static_cast<double>(complex.vertices.size()));
+}
+
+/// Law (3).
+TEST(ShortSpaceEdges, MoveVerticesByAtMostTheirLength) {
+    for (const SpaceCase& c : space_cases()) {
+        const CellComplex complex = complex_of(c);
+        if (complex.n_cells > 30) continue;
+        for (const double shortest : kShortest) {
+            const CellComplex left = without_short_edges(complex, shortest);
+            const double most = shortest * spacing(complex) * (1 + 1e-9);
+            for (const Vec3& vertex : complex.vertices) {
+                EXPECT_LE(distance_to_vertices(left, vertex), most) << c.name;
+            }
+            for (const Vec3& vertex : left.vertices) {
+                EXPECT_LE(distance_to_vertices(complex, vertex), most) << c.name;
+            }
+        }
+    }
+}
+
+TEST(ShortSpaceEdges, OfLatticesAreNotShort) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const CellComplex octahedra = complex_of({"", cube, testing::lattice_points(16)});
+    const CellComplex left = without_short_edges(octahedra, kLongestSpaceShortEdge);
+    EXPECT_EQ(left.vertices, octahedra.vertices);
+    EXPECT_EQ(left.corners, octahedra.corners);
+    EXPECT_EQ(without_short_edges(octahedra, 0).short_edges, 0);
+}
+
+}  // namespace
+}  // namespace pcvt
