@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::string_view kLongerBound =
     "another bound of the removed edges, which the proof alone reads";
+constexpr std::string_view kMovedCorners = "less than the distance by which corners were moved";
 
 }  // namespace
 
@@ -25,6 +26,10 @@ std::span<const Harmless> harmless_in_space() {
         Harmless{"connectivity row", "swap", "the order of the tetrahedra", "tetrahedra"},
         Harmless{"ShortEdges value", "", kLongerBound, "short"},
         Harmless{"pcvt short_edges", "", kLongerBound, "short"},
+        Harmless{"Site value", "digit", kMovedCorners, "short"},
+        Harmless{"pcvt site", "digit", kMovedCorners, "short"},
+        // The third coordinate, where sites of the plane have their weight.
+        Harmless{"pcvt weight", "digit", kMovedCorners, "short"},
         Harmless{"pcvt kind row", "duplicate", "says the same twice"},
         Harmless{"pcvt lattice row", "duplicate", "says the same twice"},
         Harmless{"pcvt", "", "without its only line the case states no site", "one"},
