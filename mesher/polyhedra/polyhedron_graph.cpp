@@ -5,18 +5,16 @@
 namespace pcvt {
 namespace {
 
-/// Whether the corners that a face shares with another one follow each other, and it has others.
+/// Whether the corners that a face shares with another one follow each other.
 bool meets_in_one_chain(const Corners& face, const Corners& other) {
-    std::size_t n_shared = 0;
-    std::size_t n_chains = 0;
+    int n_chains = 0;
     bool before = has_corner(other, face.back());
     for (const VertexImage& corner : face) {
         const bool here = has_corner(other, corner);
-        if (here) ++n_shared;
         if (here && !before) ++n_chains;
         before = here;
     }
-    return n_shared < face.size() && n_chains <= 1;
+    return n_chains <= 1;
 }
 
 }  // namespace

@@ -216,7 +216,8 @@ class ShrinkingComplex {
             Corners corners = shrunk(faces_[use.face], edge);
             if (corners.size() < 3) continue;
             for (VertexImage& corner : corners) corner.offset = corner.offset + use.shift;
-            if (use.reversed) std::reverse(corners.begin(), corners.end());
+            // The first corner stays, so that the fan of the face does.
+            if (use.reversed) std::reverse(corners.begin() + 1, corners.end());
             faces.push_back(std::move(corners));
         }
         return faces;
