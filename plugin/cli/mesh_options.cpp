@@ -144,7 +144,8 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     add(app, "--order", options.order, "1|2",
         "2: grains with nodes in the middle of edges, in formats that hold them [1]");
     add(app, "--short-edges", options.short_edges, "L",
-        "remove Voronoi edges under L h from the cells, for finite volumes;\nin space at most 0.1, for .vtu and .foam [0]");
+        "remove Voronoi edges under L h from the cells, for finite volumes;\nin space at most 0.1, "
+        "for .vtu and .foam [0]");
     add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
     app.add_option("-o", options.outputs,
                    "repeatable; none: only the summary; the extension decides:\n" +
