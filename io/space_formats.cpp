@@ -85,7 +85,8 @@ constexpr std::array kFormats{
                 .encode_tetrahedra = encode_tetrahedra_vtu,
                 .kind = vtu_kind,
                 .decode_tetrahedra = decode_tetrahedra_vtu,
-                .compare_tetrahedra = compare_tetrahedra_vtu},
+                .compare_tetrahedra = compare_tetrahedra_vtu,
+                .states_short_edges = true},
     SpaceFormat{.extension = ".foam",
                 .is_folder = true,
                 .surfaces = FormatSurfaces::kNone,
@@ -93,7 +94,8 @@ constexpr std::array kFormats{
                 .paths = space_foam_paths,
                 .encode = encode_volumes<encode_space_foam>,
                 .encode_tetrahedra = nullptr,
-                .kind = case_kind},
+                .kind = case_kind,
+                .states_short_edges = true},
     SpaceFormat{.extension = ".msh",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kNone,
@@ -193,6 +195,10 @@ std::string space_extensions() {
 std::string tetrahedra_extensions() {
     return listed_extensions(
         [](const SpaceFormat& format) { return format.encode_tetrahedra != nullptr; });
+}
+
+std::string short_edges_extensions() {
+    return listed_extensions([](const SpaceFormat& format) { return format.states_short_edges; });
 }
 
 std::string surface_extensions() {

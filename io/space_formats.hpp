@@ -63,19 +63,22 @@ struct SpaceFormat {
     /// them. Not null where encode_tetrahedra is not.
     TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
     void (*compare_tetrahedra)(const EncodedFile& file, const TetrahedralMesh& mesh) = nullptr;
+    /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
+    /// lost edges.
+    bool states_short_edges = false;
 
     /// Whether its files hold the tetrahedra.
     bool shows_tetrahedra(const SpaceFileOptions& options) const {
         return encode_tetrahedra != nullptr &&
                (encode == nullptr || options.mesh == SpaceMesh::kDelaunay);
     }
-    /// Whether its files hold cells of which short edges were removed, or nothing of the cells'
-    /// faces.
-    bool takes_short_edges(const SpaceFileOptions& options) const {
-        return surfaces == FormatSurfaces::kNone && !shows_tetrahedra(options);
-    }
     /// Whether its files are written and never read back.
     bool is_picture() const { return encode != nullptr && kind == nullptr; }
+    /// Whether it takes a tile that lost edges: a picture, a list of sites, or cells that state it.
+    bool takes_short_edges(const SpaceFileOptions& options) const {
+        if (shows_tetrahedra(options)) return false;
+        return states_short_edges || encode == nullptr || is_picture();
+    }
     bool shows_boundary(const SpaceFileOptions& options) const {
         return surfaces == FormatSurfaces::kBoundary ||
                (surfaces == FormatSurfaces::kChosen && options.surfaces == SurfaceForm::kBoundary);
@@ -89,6 +92,8 @@ const SpaceFormat* find_space_format(const std::string& path);
 std::string space_extensions();
 /// Returns those that show tetrahedra with SpaceMesh::kDelaunay, ".vtu or .msh".
 std::string tetrahedra_extensions();
+/// Returns those that state PolyhedralMesh::short_edges, ".vtu or .foam".
+std::string short_edges_extensions();
 /// Returns those whose form SpaceFileOptions::surfaces chooses, ".obj, .ply or .glb".
 std::string surface_extensions();
 

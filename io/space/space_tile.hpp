@@ -12,7 +12,7 @@ struct SpaceTile {
     Points3 sites = Points3(3, 0);
 };
 
-/// What a file is told that states another PolyhedralMesh::short_edges than a run can have.
+/// The complaint about a file in which PolyhedralMesh::short_edges is out of its range.
 inline constexpr const char* kShortEdgesRange =
     "the length of removed edges is not one number from 0 to 0.1; write the file again with pcvt";
 

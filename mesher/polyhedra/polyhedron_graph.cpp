@@ -5,6 +5,10 @@
 namespace pcvt {
 namespace {
 
+bool has_corner(const Corners& face, const VertexImage& corner) {
+    return std::find(face.begin(), face.end(), corner) != face.end();
+}
+
 /// Whether the corners that a face shares with another one follow each other.
 bool meets_in_one_chain(const Corners& face, const Corners& other) {
     int n_chains = 0;
@@ -18,10 +22,6 @@ bool meets_in_one_chain(const Corners& face, const Corners& other) {
 }
 
 }  // namespace
-
-bool has_corner(const Corners& face, const VertexImage& corner) {
-    return std::find(face.begin(), face.end(), corner) != face.end();
-}
 
 bool is_polyhedron(const std::vector<Corners>& faces) {
     if (faces.size() < 4) return false;

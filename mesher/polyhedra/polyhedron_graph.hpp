@@ -9,8 +9,6 @@ namespace pcvt {
 /// The corners of a face in the order of its boundary.
 using Corners = std::vector<VertexImage>;
 
-bool has_corner(const Corners& face, const VertexImage& corner);
-
 /// Whether faces are those of a polyhedron: they bound a ball, and any two of them share nothing, a
 /// corner, or a chain of edges. Without the inner corners of chains, which lie on straight edges of
 /// the polyhedron, any two share at most one edge, as those of a convex polyhedron do.

@@ -65,7 +65,9 @@ class ShrinkingComplex {
     /// @returns whether it was anything.
     bool remove_edges() {
         bool any = false;
+        long n_seen = 0;
         for (const Edge& edge : short_edges()) {
+            checkpoint_each(n_seen++, 64);
             if (!is_left_[edge.from] || !is_left_[edge.to.vertex]) continue;
             if (!(length(edge) < shortest_) || !may_remove(edge)) continue;
             remove(edge);
@@ -153,62 +155,6 @@ class ShrinkingComplex {
         return cells;
     }
 
-    /// The vertices at the other ends of the edges from a vertex, relative to it.
-    Corners neighbours(int vertex) const {
-        Corners found;
-        for (const SiteId cell : cells_[vertex]) {
-            for (const Use& use : uses_[cell]) {
-                const Corners& face = faces_[use.face];
-                for (std::size_t k = 0; k < face.size(); ++k) {
-                    if (face[k].vertex != vertex) continue;
-                    for (const std::size_t step : {std::size_t{1}, face.size() - 1}) {
-                        const VertexImage& other = face[(k + step) % face.size()];
-                        found.push_back({other.vertex, other.offset - face[k].offset});
-                    }
-                }
-            }
-        }
-        keep_once(found);
-        return found;
-    }
-
-    /// Whether the only edges that become one are the two sides of a triangle on the edge.
-    bool joins_triangles_alone(const Edge& edge) const {
-        const Corners here = neighbours(edge.from);
-        if (!has_corner(here, edge.to)) return false;
-        Corners common;
-        for (const VertexImage& other : neighbours(edge.to.vertex)) {
-            const VertexImage seen{other.vertex, other.offset + edge.to.offset};
-            if (has_corner(here, seen)) common.push_back(seen);
-        }
-        // Other edges between the ends would become loops.
-        const auto joins_ends = [&](const VertexImage& other) {
-            return other.vertex == edge.from ||
-                   (other.vertex == edge.to.vertex && other.offset != edge.to.offset);
-        };
-        if (std::any_of(here.begin(), here.end(), joins_ends)) return false;
-        return std::all_of(common.begin(), common.end(),
-                           [&](const VertexImage& corner) { return has_triangle(edge, corner); });
-    }
-
-    bool has_triangle(const Edge& edge, const VertexImage& third) const {
-        for (const SiteId cell : cells_[edge.from]) {
-            for (const Use& use : uses_[cell]) {
-                const Corners& face = faces_[use.face];
-                if (face.size() != 3) continue;
-                for (const VertexImage& corner : face) {
-                    if (corner.vertex != edge.from) continue;
-                    const Offset3 frame = corner.offset;
-                    if (has_corner(face, {edge.to.vertex, edge.to.offset + frame}) &&
-                        has_corner(face, {third.vertex, third.offset + frame})) {
-                        return true;
-                    }
-                }
-            }
-        }
-        return false;
-    }
-
     /// The faces that a cell has without an edge, seen from outside, in its frame.
     std::vector<Corners> faces_without(const Edge& edge, SiteId cell) const {
         std::vector<Corners> faces;
@@ -240,7 +186,7 @@ class ShrinkingComplex {
     }
 
     bool may_remove(const Edge& edge) const {
-        if (would_move(edge) > shortest_ || !joins_triangles_alone(edge)) return false;
+        if (would_move(edge) > shortest_) return false;
         for (const SiteId cell : cells_at(edge)) {
             const std::vector<Corners> faces = faces_without(edge, cell);
             if (!is_polyhedron(faces)) return false;
@@ -284,7 +230,7 @@ class ShrinkingComplex {
 
 }  // namespace
 
-CellComplex without_short_edges(const CellComplex& complex, double shortest) {
+CellComplex without_short_edges(CellComplex complex, double shortest) {
     if (shortest == 0) return complex;
     ShrinkingComplex shrinking(complex, shortest);
     while (shrinking.remove_edges()) {

@@ -4,7 +4,7 @@
 
 namespace pcvt {
 
-/// The largest CellComplex::short_edges: an edge of a truncated octahedron has 0.45 h.
+/// The largest CellComplex::short_edges of a run: an edge of a truncated octahedron has 0.45 h.
 inline constexpr double kLongestSpaceShortEdge = 0.1;
 
 /// Removes short edges from a Voronoi diagram of the 3-torus: shrinks each edge shorter than
@@ -25,6 +25,6 @@ inline constexpr double kLongestSpaceShortEdge = 0.1;
 ///
 /// @param shortest  a part of h, the mean spacing of the sites, at most kLongestSpaceShortEdge; 0
 ///                  leaves the diagram as it is.
-CellComplex without_short_edges(const CellComplex& complex, double shortest);
+CellComplex without_short_edges(CellComplex complex, double shortest);
 
 }  // namespace pcvt

@@ -65,7 +65,8 @@ double SpaceResult::energy_bound() const { return pcvt::energy_bound(job_); }
 
 const ProvedSpaceTile& SpaceResult::tile(JobMonitor& monitor) const {
     return tile_.get([&] {
-        require_available("the cells take", memory_of_cells(job_.n_sites), "take fewer sites");
+        require_available("the cells take", memory_of_cells(job_, job_.n_sites),
+                          "take fewer sites");
         return prove_space_tile(job_, computed_, monitor);
     });
 }

@@ -108,6 +108,14 @@ SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
     });
 }
 
+void read_short_edges(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+    if (app.count("--short-edges") == 0) return;
+    job.short_edges = positive_number("--short-edges", options.short_edges);
+    if (job.short_edges <= kLongestSpaceShortEdge) return;
+    throw InvalidInput("--short-edges " + options.short_edges +
+                       ": such edges are not short in space; take at most 0.1");
+}
+
 /// Requires that no file holds another mesh than the one that --mesh names.
 void read_mesh(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
     if (app.count("--mesh") == 0) return;
@@ -185,13 +193,7 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
     job.force = options.force;
     job.report = report_file(options.report);
     job.stability = options.stability;
-    if (app.count("--short-edges") > 0) {
-        job.short_edges = positive_number("--short-edges", options.short_edges);
-        if (job.short_edges > kLongestSpaceShortEdge) {
-            throw InvalidInput("--short-edges " + options.short_edges +
-                               ": such edges are not short in space; take at most 0.1");
-        }
-    }
+    read_short_edges(app, options, job);
     read_mesh(app, options, job);
     plan_space_files(job);
     read_file_options(app, options, job);

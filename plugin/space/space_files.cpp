@@ -27,8 +27,8 @@ SpaceJobFile plan_file(std::string path, const SpaceJob& job) {
     }
     if (job.short_edges > 0 && !format->takes_short_edges(options)) {
         throw InvalidInput("-o " + path +
-                           ": such files cannot say that short edges were removed; " +
-                           "take .vtu or .foam with the cells");
+                           ": such files cannot say that short edges were removed; take " +
+                           short_edges_extensions() + " with the cells");
     }
     return {path, format};
 }

@@ -105,7 +105,7 @@ ProvedSpaceTile build_tile(const SpaceDelaunay& delaunay, double short_edges, Jo
     monitor.begin(Phase::kBuilding, "building the cells");
     CellComplex complex = cell_complex(delaunay.sites, delaunay.tetrahedra);
     const std::size_t n_vertices = complex.vertices.size();
-    if (short_edges > 0) complex = without_short_edges(complex, short_edges);
+    complex = without_short_edges(std::move(complex), short_edges);
     ProvedSpaceTile tile{.tile = {.mesh = polyhedral_mesh(delaunay.sites, complex)},
                          .n_removed_edges = static_cast<int>(n_vertices - complex.vertices.size())};
     tile.tile.sites = sites_in_cells(delaunay.sites, tile.tile.mesh);
@@ -251,10 +251,9 @@ SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& comput
                              const SpaceTileSource& tile, const JobCallback& callback) {
     const std::vector<SpaceJobFile> files = plan_space_files(job);
     require_space_files_writable(job, files);
-    require_available(
-        "the files take",
-        memory_to_write(computation.cvt.delaunay.sites.n_sites(), files, job.file_options),
-        kFewerOutputs);
+    require_available("the files take",
+                      memory_to_write(job, computation.cvt.delaunay.sites.n_sites(), files),
+                      kFewerOutputs);
     JobMonitor monitor(callback, target_of(job));
     try {
         return finish(job, files, computation, tile, monitor);

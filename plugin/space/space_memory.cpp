@@ -14,13 +14,18 @@ constexpr double kComputed = 400;
 /// Tetrahedra that are held while other files are written.
 constexpr double kHeldTetrahedra = 1100;
 
+/// Cells that lose short edges, and the heap that this leaves for the rest of the run.
+constexpr double kRemovingEdges = 7600;
+constexpr double kRemovedEdges = 800;
+
 /// Bytes a site of the largest part of a run with these files.
-double largest_bytes(const std::vector<SpaceJobFile>& files, const SpaceFileOptions& options) {
-    double a_site = kBuilding;
+double largest_bytes(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {
+    const double left = job.short_edges > 0 ? kRemovedEdges : 0;
+    double a_site = job.short_edges > 0 ? kRemovingEdges : kBuilding;
     double held = 0;
     for (const SpaceJobFile& file : files) {
-        a_site = std::max(a_site, file.format->memory);
-        if (file.format->shows_tetrahedra(options)) held = kHeldTetrahedra;
+        a_site = std::max(a_site, file.format->memory + left);
+        if (file.format->shows_tetrahedra(job.file_options)) held = kHeldTetrahedra;
     }
     return a_site + held;
 }
@@ -29,15 +34,15 @@ double largest_bytes(const std::vector<SpaceJobFile>& files, const SpaceFileOpti
 
 double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
-    return kCommandBytes + kThreadBytes * job.n_threads +
-           n * largest_bytes(files, job.file_options);
+    return kCommandBytes + kThreadBytes * job.n_threads + n * largest_bytes(job, files);
 }
 
-double memory_of_cells(int n_sites) { return memory_to_write(n_sites, {}, {}); }
+double memory_of_cells(const SpaceJob& job, int n_sites) {
+    return memory_to_write(job, n_sites, {});
+}
 
-double memory_to_write(int n_sites, const std::vector<SpaceJobFile>& files,
-                       const SpaceFileOptions& options) {
-    return n_sites * (largest_bytes(files, options) - kComputed);
+double memory_to_write(const SpaceJob& job, int n_sites, const std::vector<SpaceJobFile>& files) {
+    return n_sites * (largest_bytes(job, files) - kComputed);
 }
 
 }  // namespace pcvt

@@ -15,8 +15,8 @@ double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& fi
 
 /// The memory that cells, or files with their cells, take beside a SpaceComputation that is in
 /// memory: the same figures less that of the sites, their triangulation and the command.
-double memory_of_cells(int n_sites);
-double memory_to_write(int n_sites, const std::vector<SpaceJobFile>& files,
-                       const SpaceFileOptions& options);
+/// @param job  its short edges and its form of files.
+double memory_of_cells(const SpaceJob& job, int n_sites);
+double memory_to_write(const SpaceJob& job, int n_sites, const std::vector<SpaceJobFile>& files);
 
 }  // namespace pcvt

@@ -6,15 +6,8 @@
 
 namespace pcvt::testing {
 
-/// The tile of sites, with the sites in their cells.
-inline SpaceTile tile_of(const SpaceCase& c) {
-    SpaceTile tile{.mesh = mesh_of(c)};
-    tile.sites = sites_in_cells(SpaceSites(c.lattice, c.points), tile.mesh);
-    return tile;
-}
-
-/// The same without edges shorter than `shortest` h.
-inline SpaceTile tile_of(const SpaceCase& c, double shortest) {
+/// The tile of sites without edges shorter than `shortest` h, with the sites in their cells.
+inline SpaceTile tile_of(const SpaceCase& c, double shortest = 0) {
     const SpaceSites sites(c.lattice, c.points);
     SpaceTile tile{.mesh = polyhedral_mesh(sites, without_short_edges(complex_of(c), shortest))};
     tile.sites = sites_in_cells(sites, tile.mesh);

@@ -34,7 +34,7 @@ def _number(name, value, words, numbers):
 
 
 def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="default", tolerance=1e-6,
-          max_iterations=-1, threads=0, progress=None):
+          max_iterations=-1, threads=0, short_edges=0.0, progress=None):
     """Generates a periodic centroidal Voronoi tessellation of space, whose cells are polyhedra. The
     same arguments give the same result to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -55,6 +55,8 @@ def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="
                     root of volume / n
     max_iterations  negative: no limit; 0: the periodic Voronoi diagram of the sites as given
     threads         0: as many as there are cores
+    short_edges     edges shorter than this times h are removed from the cells, at most 0.1; files of such cells
+                    are .vtu and .foam
     progress        called with a Progress once an iteration; a true return value cancels. Its energy
                     has the unit length^5
 
@@ -70,6 +72,7 @@ def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="
                  solver=_number("solver", solver, _SOLVERS, SOLVERS))
     set_doubles(options, lattice3=doubles("lattice", _period_vectors(lattice, period), 3, 3).ravel())
     options.tolerance = tolerance
+    options.short_edges = short_edges
     return SpaceResult(generated(options, None, progress))
 
 

@@ -86,7 +86,7 @@ TEST(ShortSpaceEdges, AreRemovedUntilNoneMayBe) {
             if (shortest > kLongestSpaceShortEdge) continue;
             n_left += shortest_edge(left) < shortest * spacing(complex) ? 1 : 0;
             if (shortest != 0.1) continue;
-            // Vertices that have moved far enough may move again in a second call, all others not.
+            // A second call may move vertices again that moved in the first, and no others.
             const CellComplex again = without_short_edges(left, shortest / 100);
             EXPECT_LE(left.vertices.size() - again.vertices.size(), left.vertices.size() / 50)
                 << c.name;

@@ -53,8 +53,8 @@ class Runs(CliTest):
         report = json.loads(self.path("r.json").read_text())
         self.assertEqual(list(report), [
             "version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations", "evaluations", "energy",
-            "energy_bound", "residual", "rms_residual", "minimum", "faces", "removed_edges", "volume", "boundary_pairs", "translations",
-            "boundary_is_manifold", "threads", "seconds", "files"])
+            "energy_bound", "residual", "rms_residual", "minimum", "faces", "removed_edges", "volume", "boundary_pairs",
+            "translations", "boundary_is_manifold", "threads", "seconds", "files"])
         self.assertEqual(report["lattice"], [[1, 0, 0], [0.37, 0.81, 0], [0.2, 0.4, 0.9]])
         self.assertEqual([report[key] for key in ("sites", "seed", "solver", "start", "stop", "threads", "files")],
                          [30, 7, "lbfgs", "random", "converged", 1, ["t.vtu", "t.obj"]])

@@ -97,6 +97,16 @@ class Files(CliTest):
         self.assertGreater(len(folders["command"]), 10)
         self.assertEqual(folders["python"], folders["command"])
 
+    def test_short_edges_are_removed_as_by_the_command(self):
+        self.succeed("mesh", "--sites", 60, "--period", "1,1,1", "--max-iterations", 0, "--short-edges", "0.05",
+                     "--quiet", "-o", "a.vtu")
+        result = pcvt.space(60, max_iterations=0, short_edges=0.05)
+        self.assertLess(len(result.tile().points), len(pcvt.space(60, max_iterations=0).tile().points))
+        result.write(self.path("b.vtu"))
+        self.assertEqual(self.path("b.vtu").read_bytes(), self.path("a.vtu").read_bytes())
+        with self.assertRaisesRegex(pcvt.ArgumentError, "cannot say that short edges were removed; take .vtu or .foam"):
+            result.write(self.path("b.obj"))
+
     def test_boundaries_are_those_of_the_command(self):
         names = [f"a.{extension}" for extension in ("obj", "ply", "glb")]
         self.succeed("mesh", "--sites", 12, "--period", "1,1,1", "--surface", "boundary", "--quiet",
