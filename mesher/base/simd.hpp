@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace pcvt {
 
 /// Doubles that are processed side by side (vector extension of GCC and Clang), for loops that the
@@ -20,5 +22,18 @@ using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 /// A DensityPoint.
 using Quad = double __attribute__((vector_size(4 * sizeof(double))));
+
+/// Turns the rows of a matrix into its columns.
+[[gnu::always_inline]] inline void transpose(std::array<Quad, 4>& rows) {
+    const auto& [a, b, c, d] = rows;
+    const Quad ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Quad ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Quad cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Quad cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    rows = {__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5),
+            __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
+            __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7),
+            __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7)};
+}
 
 }  // namespace pcvt

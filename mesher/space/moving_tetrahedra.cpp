@@ -19,6 +19,10 @@ constexpr std::size_t kMostHeldAtLeast = 16;
 /// Corrections for more tetrahedra than this share cost more than another pass.
 constexpr double kMostCorrectedShare = 0.1;
 
+/// After flips of this share of the tetrahedra, most of them lie far from their neighbours in
+/// memory.
+constexpr double kFlipsUntilSorting = 0.1;
+
 double unit_near(double length) {
     int exponent = 0;
     std::frexp(length, &exponent);
@@ -91,8 +95,7 @@ void MovingTetrahedra::keep_in_range() {
 
 bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
     const auto find_violations = [&] {
-        return violations(
-            evaluate_space_energy(tetrahedra_, coordinates_, frame_, workers, energy));
+        return violations(pass_.run(tetrahedra_, coordinates_, frame_, workers, energy));
     };
     SpaceSuspects wrong = find_violations();
     if (!is_empty(wrong)) {
@@ -107,9 +110,17 @@ bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
                 throw InternalError("a new build in space is not Delaunay");
             }
         }
+        keep_sorted();
     }
     valid_ = coordinates_;
     return true;
+}
+
+void MovingTetrahedra::keep_sorted() {
+    const auto limit = static_cast<std::int64_t>(kFlipsUntilSorting * tetrahedra_.n_tetrahedra());
+    if (n_flips_ - n_flips_sorted_ <= limit) return;
+    tetrahedra_.sort();
+    n_flips_sorted_ = n_flips_;
 }
 
 SpaceSuspects MovingTetrahedra::violations(SpaceSuspects suspects) const {
@@ -161,6 +172,7 @@ bool MovingTetrahedra::rebuild() {
     if (!settled_) before_ -= coordinates_ - sites.coordinates();
     coordinates_ = sites.coordinates();
     tetrahedra_ = space_tetrahedra(sites);
+    n_flips_sorted_ = n_flips_;
     ++n_rebuilds_;
     return true;
 }

@@ -7,9 +7,10 @@ namespace pcvt {
 
 /// The periodic Delaunay triangulation of moving sites in space, and their energy.
 ///
-/// The class renumbers the sites along a Hilbert curve, so that neighbours are close in memory.
-/// Coordinates in the reduced basis are wrapped only when they leave [-1, 2), and remain multiples
-/// of 2^-50. All lengths are in `unit()`, a power of two near h, and in the SpaceFrame.
+/// The class renumbers the sites along a Hilbert curve, and sorts the tetrahedra by their sites
+/// when flips have scattered them, so that neighbours are close in memory. Coordinates in the
+/// reduced basis are wrapped only when they leave [-1, 2), and remain multiples of 2^-50. All
+/// lengths are in `unit()`, a power of two near h, and in the SpaceFrame.
 ///
 /// `step()` moves the sites to a trial position. Then either `settle()` accepts the position, or
 /// `step_back()` returns to the old one.
@@ -84,6 +85,7 @@ class MovingTetrahedra {
     Restored restore_by_flips(const std::vector<int>& facets, SpaceEnergy& energy);
     bool untangle(const std::vector<int>& inverted, std::vector<int> facets);
     bool rebuild();
+    void keep_sorted();
     void keep_in_range();
     SpaceSites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
 
@@ -101,9 +103,12 @@ class MovingTetrahedra {
     /// columns if unknown.
     Points3 valid_;
     TorusTetrahedra tetrahedra_;
+    SpaceEnergyPass pass_;
     bool settled_ = true;
     int n_rebuilds_ = 0;
     std::int64_t n_flips_ = 0;
+    /// n_flips_ when the tetrahedra were sorted last.
+    std::int64_t n_flips_sorted_ = 0;
 };
 
 }  // namespace pcvt

@@ -23,8 +23,7 @@ struct SpaceEnergy {
 struct SpaceSuspects {
     /// Tetrahedra that are not certified to be positively oriented.
     std::vector<int> tetrahedra;
-    /// Facets that are not certified to separate their tetrahedron from its circumcentre's outside:
-    /// where both sides of a facet are certified, it is locally Delaunay.
+    /// Facets that are not certified to be locally Delaunay; at least one side of each.
     std::vector<int> facets;
 };
 
@@ -44,14 +43,14 @@ struct SpaceSuspects {
 ///   a^2 = l^2 / 4,  b^2 = l^2 D^2 / (4 |N|^2),  h^2 = q^2 |N|^2,  a b h = w = l^2 D q / 4
 ///   l^2 = |p_j - p_i|^2,  D = (p_i - p_k).(p_j - p_k),  q = (C - p_i).N / |N|^2
 ///
-/// A facet is Delaunay iff the heights q |N| of its two tetrahedra have a sum >= 0, so that the
-/// pass certifies the triangulation too.
+/// A facet is locally Delaunay iff the heights q |N| of its two tetrahedra have a sum >= 0, so that
+/// the pass certifies the triangulation too. The object keeps its memory from call to call.
 ///
 /// Example usage:
 ///
+///     SpaceEnergyPass pass;
 ///     SpaceEnergy energy;
-///     const SpaceSuspects suspects =
-///         evaluate_space_energy(tetrahedra, coordinates, frame, workers, energy);
+///     const SpaceSuspects suspects = pass.run(tetrahedra, coordinates, frame, workers, energy);
 ///
 /// Laws, tested by number:
 ///   (1) F is unchanged when any site moves by a lattice translation.
@@ -59,10 +58,26 @@ struct SpaceSuspects {
 ///   (3) The volumes sum to the volume of the domain.
 ///   (4) F / n is at least that of a ball of the volume V / n.
 ///   (5) Every bit is the same for any number of workers.
-///
-/// @param coordinates  3 x n, reduced basis.
-SpaceSuspects evaluate_space_energy(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
-                                    const SpaceFrame& frame, Workers& workers, SpaceEnergy& energy);
+class SpaceEnergyPass {
+   public:
+    SpaceEnergyPass();
+    ~SpaceEnergyPass();
+    SpaceEnergyPass(const SpaceEnergyPass&);
+    SpaceEnergyPass& operator=(const SpaceEnergyPass&);
+
+    /// @param coordinates  3 x n, reduced basis.
+    SpaceSuspects run(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
+                      const SpaceFrame& frame, Workers& workers, SpaceEnergy& energy);
+
+   private:
+    struct Slab;
+    void divide(int n_tetrahedra);
+    void add_up(int n_sites, Workers& workers, SpaceEnergy& energy) const;
+
+    std::vector<Slab> slabs_;
+    /// TetrahedronBlock::height of all tetrahedra, a number a facet.
+    std::vector<float> heights_;
+};
 
 /// Tetrahedra that were replaced by others which fill the same polyhedra.
 struct ExchangedTetrahedra {

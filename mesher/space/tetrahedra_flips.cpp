@@ -68,7 +68,7 @@ bool TetrahedraFlips::try_flip(int facet) {
     const auto& [a, b, c] = triangle;
     return replace(
         {{facet / 4, {}}, {tetrahedra_.opposite(facet) / 4, tetrahedra_.frame_across(facet)}},
-        {{a, b, e, d}, {b, c, e, d}, {c, a, e, d}});
+        {{a, b, e, d}, {b, c, e, d}, {c, a, e, d}}, {2, 3});
 }
 
 /// 3-2, or 4-4 where the edge a b is coplanar with d and e.
@@ -92,14 +92,14 @@ bool TetrahedraFlips::flip_edge(int facet, int edge, bool is_flat) {
     if (!is_flat) {
         if (x != e) return false;
         return replace({{facet / 4, {}}, {across / 4, frame}, beyond_above},
-                       {{c, d, e, b}, {d, c, e, a}});
+                       {{c, d, e, b}, {d, c, e, a}}, {0, 1, 2});
     }
     if (x != y) return false;
     return replace({{facet / 4, {}},
                     {across / 4, frame},
                     beyond_above,
                     {tetrahedra_.opposite(below) / 4, tetrahedra_.frame_across(below) + frame}},
-                   {{b, c, e, d}, {c, a, e, d}, {x, b, e, d}, {a, x, e, d}});
+                   {{b, c, e, d}, {c, a, e, d}, {x, b, e, d}, {a, x, e, d}}, {0, 1, 2, 3});
 }
 
 int TetrahedraFlips::facet_opposite_to(int tetrahedron, const Corner3& corner,
@@ -123,8 +123,10 @@ void TetrahedraFlips::note_exchanged(const std::vector<Tetrahedron>& removed,
     }
 }
 
+/// Of five points, a facet between new tetrahedra is locally Delaunay because the old one was not.
 bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
-                              const std::vector<Tetrahedron>& fresh) {
+                              const std::vector<Tetrahedron>& fresh,
+                              std::initializer_list<int> suspects) {
     for (const auto& [p, q, r, s] : fresh) {
         if (turn(p, q, r, s) <= 0) return false;
     }
@@ -133,8 +135,14 @@ bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
     const auto changed = tetrahedra_.replace(old, fresh);
     if (changed.empty()) return false;
     note_exchanged(removed, fresh);
-    for (const int t : changed)
-        queue_.insert(queue_.end(), {4 * t, 4 * t + 1, 4 * t + 2, 4 * t + 3});
+    for (std::size_t k = 0; k < changed.size(); ++k) {
+        const int t = changed[k];
+        if (k < fresh.size()) {
+            for (const int f : suspects) queue_.push_back(4 * t + f);
+        } else {
+            queue_.insert(queue_.end(), {4 * t, 4 * t + 1, 4 * t + 2, 4 * t + 3});
+        }
+    }
     ++n_flips_;
     if (after_flip_) after_flip_(changed);
     return true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <utility>
 
 #include "mesher/space/space_delaunay.hpp"
@@ -50,8 +51,9 @@ class TetrahedraFlips {
     int turn(const Corner3& p, const Corner3& q, const Corner3& r, const Corner3& s) const;
     void note_exchanged(const std::vector<Tetrahedron>& removed,
                         const std::vector<Tetrahedron>& added);
+    /// @param suspects  the facets of each new tetrahedron that may not be locally Delaunay.
     bool replace(const std::vector<TorusTetrahedra::Placed>& old,
-                 const std::vector<Tetrahedron>& fresh);
+                 const std::vector<Tetrahedron>& fresh, std::initializer_list<int> suspects);
 
     TorusTetrahedra& tetrahedra_;
     const Points3& coordinates_;

@@ -47,16 +47,15 @@ struct TetrahedronBlock {
 
     /// Input: corners 1, 2 and 3 relative to corner 0, coordinates of the reduced basis.
     std::array<std::array<Row, 3>, 3> corner;
-    /// Output: x, y and z of the gradient at each corner, the volumes at each corner, the value.
-    std::array<std::array<Row, 3>, 4> gradient;
-    std::array<Row, 4> volume;
+    /// Output: x, y and z of the gradient at a corner, and the volume there; for each corner.
+    std::array<std::array<Row, 4>, 4> terms;
     Row value;
-    /// Positive where the circumcentre certainly lies on the same side of the facet as the
-    /// tetrahedron does.
-    std::array<Row, 4> inside;
+    /// Lower bounds of the heights of the circumcentre above the facets, each times twice the area
+    /// of its facet; minus infinity if the tetrahedron is not thick.
+    std::array<Row, 4> height;
     /// Positive where the tetrahedron is certainly positively oriented and not thin.
     Row thick;
-    /// Positive where all five are, which they are for nearly all tetrahedra.
+    /// Positive where the heights and `thick` are, which they are for most tetrahedra.
     Row certain;
 
     void compute(const SpaceFrame& frame);

@@ -223,6 +223,35 @@ void TorusTetrahedra::move_last_to(int t) {
     opposite_.resize(opposite_.size() - 4);
 }
 
+void TorusTetrahedra::sort() {
+    std::vector<int> order;
+    order.reserve(offsets_.size());
+    for_each_bucket(
+        n_tetrahedra(), n_sites_,
+        [&](int t) {
+            const auto corners = corner_sites().subspan(4 * std::size_t(t), 4);
+            return *std::min_element(corners.begin(), corners.end());
+        },
+        [&](std::span<const int> same) { order.insert(order.end(), same.begin(), same.end()); });
+    std::vector<int> number(offsets_.size());
+    for (int t = 0; t < n_tetrahedra(); ++t) number[order[t]] = t;
+    std::vector<SiteId> sites(sites_.size());
+    std::vector<int> opposite(opposite_.size());
+    std::vector<TetrahedronOffsets> offsets(offsets_.size());
+    for (int t = 0; t < n_tetrahedra(); ++t) {
+        checkpoint_each(t);
+        for (int k = 0; k < 4; ++k) {
+            const int before = 4 * order[t] + k;
+            sites[4 * t + k] = sites_[before];
+            opposite[4 * t + k] = 4 * number[opposite_[before] / 4] + opposite_[before] % 4;
+        }
+        offsets[t] = offsets_[order[t]];
+    }
+    sites_ = std::move(sites);
+    opposite_ = std::move(opposite);
+    offsets_ = std::move(offsets);
+}
+
 void TorusTetrahedra::add_to_offsets(const std::vector<Offset3>& change) {
     for (int t = 0; t < n_tetrahedra(); ++t) {
         checkpoint_each(t);

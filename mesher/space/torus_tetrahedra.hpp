@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "mesher/base/prefetch.hpp"
 #include "mesher/space/space_predicates.hpp"
 
 namespace pcvt {
@@ -69,6 +70,7 @@ class TorusTetrahedra {
         {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 
     int opposite(int f) const { return opposite_[f]; }
+    void fetch_opposite(int f) const { prefetch(&opposite_[f]); }
     /// Corner f % 4 of tetrahedron f / 4.
     Corner3 corner(int f) const { return {sites_[f], offset(f)}; }
     Tetrahedron tetrahedron(int t) const {
@@ -101,6 +103,9 @@ class TorusTetrahedra {
     ///          none if an old tetrahedron occurs twice, so that nothing was replaced.
     std::vector<int> replace(const std::vector<Placed>& old, const std::vector<Tetrahedron>& fresh);
 
+    /// Renumbers the tetrahedra by their smallest sites. Where neighbouring sites have close
+    /// numbers, so have neighbouring tetrahedra then, which replacements scatter.
+    void sort();
     /// Adds change[s] to the offset of every corner at site s.
     void add_to_offsets(const std::vector<Offset3>& change);
     /// Renumbers site s as number[s], a permutation of 0 ... n - 1.

@@ -36,11 +36,39 @@ TEST(MovingTetrahedra, EqualsANewBuildAfterJumps) {
             const SpaceSites sites(lattice, reduce(lattice), moving.coordinates());
             const SpaceDelaunay fresh = space_delaunay(sites);
             SpaceEnergy expected;
-            evaluate_space_energy(fresh.tetrahedra, sites.coordinates(), moving.frame(), workers,
+            SpaceEnergyPass().run(fresh.tetrahedra, sites.coordinates(), moving.frame(), workers,
                                   expected);
             EXPECT_NEAR(energy.value, expected.value, 1e-12 * expected.value);
         }
     }
+}
+
+/// Flips append tetrahedra wherever there is room; sorted again, neighbours stay close in memory.
+TEST(MovingTetrahedra, KeepNeighboursCloseInMemory) {
+    Workers workers(1);
+    const int n = 3000;
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    MovingTetrahedra moving(SpaceSites(cube, uniform_points(cube, n, 1)));
+    SpaceEnergy energy;
+    ASSERT_TRUE(moving.evaluate(workers, energy));
+    const auto share_of_far_neighbours = [&] {
+        const TorusTetrahedra& tetrahedra = moving.tetrahedra();
+        int n_far = 0;
+        for (int f = 0; f < tetrahedra.n_facets(); ++f) {
+            if (std::abs(tetrahedra.opposite(f) - f) > tetrahedra.n_facets() / 10) ++n_far;
+        }
+        return double(n_far) / tetrahedra.n_facets();
+    };
+    const double at_first = share_of_far_neighbours();
+    std::mt19937_64 random(3);
+    const double size = 0.03 * moving.spacing();
+    for (int k = 0; k < 60; ++k) {
+        ASSERT_TRUE(moving.step(random_direction(n, size, random), 1));
+        ASSERT_TRUE(moving.evaluate(workers, energy));
+        moving.settle();
+    }
+    EXPECT_GT(moving.n_flips(), moving.tetrahedra().n_tetrahedra());
+    EXPECT_LT(share_of_far_neighbours(), 1.5 * at_first);
 }
 
 /// Lloyd's method from random sites inverts tetrahedra in its first steps; flips and local repairs

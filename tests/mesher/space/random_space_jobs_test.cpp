@@ -27,7 +27,7 @@ std::uint64_t setting(const char* name, std::uint64_t usual) {
 SpaceEnergy energy_of(const SpaceDelaunay& delaunay, const SpaceFrame& frame) {
     Workers workers(1);
     SpaceEnergy energy;
-    evaluate_space_energy(delaunay.tetrahedra, delaunay.sites.coordinates(), frame, workers,
+    SpaceEnergyPass().run(delaunay.tetrahedra, delaunay.sites.coordinates(), frame, workers,
                           energy);
     return energy;
 }

@@ -20,7 +20,7 @@ struct Evaluated {
 Evaluated evaluated(const SpaceDelaunay& delaunay, int n_threads = 1) {
     Workers workers(n_threads);
     Evaluated result;
-    result.suspects = evaluate_space_energy(delaunay.tetrahedra, delaunay.sites.coordinates(),
+    result.suspects = SpaceEnergyPass().run(delaunay.tetrahedra, delaunay.sites.coordinates(),
                                             SpaceFrame(delaunay.sites.reduction().reduced, 1),
                                             workers, result.energy);
     return result;
@@ -181,7 +181,7 @@ TEST(SpaceSuspects, SlowContainEverythingThatIsWrong) {
         }
         Workers workers(1);
         SpaceEnergy energy;
-        const SpaceSuspects suspects = evaluate_space_energy(
+        const SpaceSuspects suspects = SpaceEnergyPass().run(
             delaunay.tetrahedra, u, SpaceFrame(sites.reduction().reduced, 1), workers, energy);
         const std::set<int> facets(suspects.facets.begin(), suspects.facets.end());
         const std::set<int> thin(suspects.tetrahedra.begin(), suspects.tetrahedra.end());
@@ -195,6 +195,38 @@ TEST(SpaceSuspects, SlowContainEverythingThatIsWrong) {
             if (is_locally_delaunay(delaunay.tetrahedra, u, gram, f)) continue;
             EXPECT_TRUE(facets.contains(f) || facets.contains(o));
         }
+    }
+}
+
+/// The sum of the heights on both sides certifies the facets that one height alone leaves open.
+TEST(SpaceSuspects, AreFewOfADelaunayTriangulation) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    for (const int n : {100, 3000}) {
+        SCOPED_TRACE(n);
+        const SpaceDelaunay delaunay = space_delaunay(SpaceSites(cube, uniform_points(cube, n, 4)));
+        const SpaceSuspects suspects = evaluated(delaunay).suspects;
+        EXPECT_LE(suspects.facets.size(), std::size_t(delaunay.tetrahedra.n_facets()) / 5000);
+        EXPECT_TRUE(suspects.tetrahedra.empty());
+    }
+}
+
+/// A pass that ran before, on more or on fewer sites, leaves nothing in the next.
+TEST(SpaceEnergy, APassKeepsNothingOfTheOneBefore) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    SpaceEnergyPass pass;
+    Workers workers(1);
+    for (const int n : {300, 9000, 10, 3000}) {
+        SCOPED_TRACE(n);
+        const SpaceDelaunay delaunay = space_delaunay(SpaceSites(cube, uniform_points(cube, n, 5)));
+        const Evaluated fresh = evaluated(delaunay);
+        SpaceEnergy energy;
+        const SpaceSuspects suspects =
+            pass.run(delaunay.tetrahedra, delaunay.sites.coordinates(),
+                     SpaceFrame(delaunay.sites.reduction().reduced, 1), workers, energy);
+        EXPECT_EQ(energy.value, fresh.energy.value);
+        EXPECT_EQ(energy.gradient, fresh.energy.gradient);
+        EXPECT_EQ(energy.volume, fresh.energy.volume);
+        EXPECT_EQ(suspects.facets, fresh.suspects.facets);
     }
 }
 

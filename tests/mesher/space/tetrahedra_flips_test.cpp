@@ -65,14 +65,14 @@ TEST(TetrahedraFlips, SlowAllowToCorrectTheEnergy) {
         const SpaceFrame frame(sites.reduction().reduced, sites.spacing());
         SpaceEnergy corrected;
         const auto suspects =
-            evaluate_space_energy(delaunay.tetrahedra, moved, frame, workers, corrected);
+            SpaceEnergyPass().run(delaunay.tetrahedra, moved, frame, workers, corrected);
         const Gram3 gram = gram_of(sites.reduction().reduced);
         TetrahedraFlips flips(delaunay.tetrahedra, moved, gram);
         if (!flips.flip(suspects.facets) || flips.n_flips() == 0) continue;
         if (!correct_space_energy(flips.take_exchanged(), moved, frame, corrected)) continue;
         ++n_corrected;
         SpaceEnergy expected;
-        evaluate_space_energy(delaunay.tetrahedra, moved, frame, workers, expected);
+        SpaceEnergyPass().run(delaunay.tetrahedra, moved, frame, workers, expected);
         EXPECT_NEAR(corrected.value, expected.value, 1e-13 * expected.value);
         const double cell = frame.volume() / sites.n_sites();
         EXPECT_LT((corrected.volume - expected.volume).cwiseAbs().maxCoeff(), 1e-12 * cell);

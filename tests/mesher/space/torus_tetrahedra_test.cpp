@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
+#include <random>
 
 #include "mesher/base/error.hpp"
 #include "tests/support/space_families.hpp"
@@ -78,6 +80,35 @@ TEST(TorusTetrahedra, RenumberingKeepsTheComplex) {
     std::iota(number.rbegin(), number.rend(), 0);
     delaunay.tetrahedra.renumber_sites(number);
     testing::expect_torus(delaunay.tetrahedra, delaunay.sites.coordinates().rowwise().reverse());
+}
+
+TEST(TorusTetrahedra, SortingOrdersThemByTheirSmallestSite) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    for (const int n : {1, 2, 5, 200}) {
+        SCOPED_TRACE(n);
+        SpaceDelaunay delaunay = space_delaunay(SpaceSites(cube, uniform_points(cube, n, 2)));
+        std::vector<SiteId> number(static_cast<std::size_t>(n));
+        std::iota(number.begin(), number.end(), 0);
+        std::shuffle(number.begin(), number.end(), std::mt19937_64(3));
+        TorusTetrahedra& tetrahedra = delaunay.tetrahedra;
+        tetrahedra.renumber_sites(number);
+        const auto smallest_sites = [&] {
+            std::vector<SiteId> sites;
+            for (int t = 0; t < tetrahedra.n_tetrahedra(); ++t) {
+                const Tetrahedron corners = tetrahedra.tetrahedron(t);
+                sites.push_back(std::min_element(corners.begin(), corners.end())->site);
+            }
+            return sites;
+        };
+        const std::vector<Tetrahedron> before = canonical_tetrahedra(tetrahedra);
+        EXPECT_EQ(std::ranges::is_sorted(smallest_sites()), n < 5);
+        tetrahedra.sort();
+        EXPECT_TRUE(std::ranges::is_sorted(smallest_sites()));
+        EXPECT_EQ(canonical_tetrahedra(tetrahedra), before);
+        Points3 moved = delaunay.sites.coordinates();
+        for (SiteId s = 0; s < n; ++s) moved.col(number[s]) = delaunay.sites.coordinates().col(s);
+        testing::expect_torus(tetrahedra, moved);
+    }
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ Eigen::VectorXd gradient_at(const SpaceSites& sites, const Points3& coordinates)
     const SpaceSites moved(sites.lattice(), sites.reduction(), coordinates);
     Workers workers(1);
     SpaceEnergy energy;
-    evaluate_space_energy(space_delaunay(moved).tetrahedra, moved.coordinates(), frame_of(sites),
+    SpaceEnergyPass().run(space_delaunay(moved).tetrahedra, moved.coordinates(), frame_of(sites),
                           workers, energy);
     return energy.gradient;
 }
