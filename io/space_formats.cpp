@@ -79,7 +79,7 @@ constexpr std::array kFormats{
     SpaceFormat{.extension = ".vtu",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kNone,
-                .memory = 10300,
+                .memory = 11300,
                 .paths = itself,
                 .encode = encode_volumes<encode_space_vtu>,
                 .encode_tetrahedra = encode_tetrahedra_vtu,

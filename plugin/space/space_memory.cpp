@@ -16,7 +16,7 @@ constexpr double kHeldTetrahedra = 1100;
 
 /// Cells that lose short edges, and the heap that this leaves for the rest of the run.
 constexpr double kRemovingEdges = 7600;
-constexpr double kRemovedEdges = 800;
+constexpr double kRemovedEdges = 1200;
 
 /// Bytes a site of the largest part of a run with these files.
 double largest_bytes(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mesher/space/space_delaunay.hpp"
+#include "mesher/space/tetrahedron_terms.hpp"
 #include "tests/support/space_cells.hpp"
 #include "tests/support/space_families.hpp"
 #include "tests/support/space_laws.hpp"
@@ -166,35 +167,77 @@ TEST(SpaceEnergy, IsAccurateWhereTetrahedraAreFlat) {
     }
 }
 
-/// The certificate: facets that are not locally Delaunay are among the suspects, on both or either
-/// side, and so are tetrahedra that are not positive.
+/// The certificate: a tetrahedron that is not positive is among the suspects, and so is, on both or
+/// either side, a facet between positive tetrahedra that is not locally Delaunay.
+void expect_suspects(const SpaceDelaunay& delaunay, const Points3& u) {
+    const SpaceLattice& reduced = delaunay.sites.reduction().reduced;
+    const TorusTetrahedra& tetrahedra = delaunay.tetrahedra;
+    Workers workers(1);
+    SpaceEnergy energy;
+    const SpaceSuspects suspects =
+        SpaceEnergyPass().run(tetrahedra, u, SpaceFrame(reduced, 1), workers, energy);
+    const std::set<int> facets(suspects.facets.begin(), suspects.facets.end());
+    const std::set<int> thin(suspects.tetrahedra.begin(), suspects.tetrahedra.end());
+    const Gram3 gram = gram_of(reduced);
+    std::vector<bool> positive;
+    for (int t = 0; t < tetrahedra.n_tetrahedra(); ++t) {
+        positive.push_back(is_positive(tetrahedra, u, t));
+        EXPECT_TRUE(positive[t] || thin.contains(t));
+    }
+    for (int f = 0; f < tetrahedra.n_facets(); ++f) {
+        const int o = tetrahedra.opposite(f);
+        if (!positive[f / 4] || !positive[o / 4]) continue;
+        if (is_locally_delaunay(tetrahedra, u, gram, f)) continue;
+        EXPECT_TRUE(facets.contains(f) || facets.contains(o));
+    }
+}
+
 TEST(SpaceSuspects, SlowContainEverythingThatIsWrong) {
     std::mt19937_64 random(10);
     std::normal_distribution<double> normal;
     for (auto& [name, sites] : testing::space_site_families(11)) {
         SCOPED_TRACE(name);
-        const SpaceDelaunay delaunay = space_delaunay(sites);
         Points3 u = sites.coordinates();
         const double noise = 0.2 * sites.spacing() / sites.reduction().reduced.c().norm();
         for (double& x : u.reshaped()) {
             x = std::nearbyint((x + noise * normal(random)) * kGrid3) / kGrid3;
         }
-        Workers workers(1);
-        SpaceEnergy energy;
-        const SpaceSuspects suspects = SpaceEnergyPass().run(
-            delaunay.tetrahedra, u, SpaceFrame(sites.reduction().reduced, 1), workers, energy);
-        const std::set<int> facets(suspects.facets.begin(), suspects.facets.end());
-        const std::set<int> thin(suspects.tetrahedra.begin(), suspects.tetrahedra.end());
-        const Gram3 gram = gram_of(sites.reduction().reduced);
-        for (int t = 0; t < delaunay.tetrahedra.n_tetrahedra(); ++t) {
-            EXPECT_TRUE(is_positive(delaunay.tetrahedra, u, t) || thin.contains(t));
+        expect_suspects(space_delaunay(sites), u);
+    }
+}
+
+/// A step of one unit of the grid decides about the facets of cospherical sites, many of whose
+/// tetrahedra are flat.
+TEST(SpaceSuspects, ContainWhatTheLeastStepMakesWrong) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    std::mt19937_64 random(13);
+    for (const Cubic kind : {Cubic::kSimple, Cubic::kBodyCentred, Cubic::kFaceCentred}) {
+        for (const int m : {2, 3, 5}) {
+            const SpaceSites sites(cube, testing::cubic_points(kind, m));
+            SCOPED_TRACE(sites.n_sites());
+            Points3 u = sites.coordinates();
+            for (double& x : u.reshaped()) x += (double(random() % 3) - 1) / kGrid3;
+            expect_suspects(space_delaunay(sites), u);
         }
-        for (int f = 0; f < delaunay.tetrahedra.n_facets(); ++f) {
-            const int o = delaunay.tetrahedra.opposite(f);
-            if (thin.contains(f / 4) || thin.contains(o / 4)) continue;
-            if (is_locally_delaunay(delaunay.tetrahedra, u, gram, f)) continue;
-            EXPECT_TRUE(facets.contains(f) || facets.contains(o));
-        }
+    }
+}
+
+/// The volume of a flat tetrahedron is all rounding, and with it the size of its heights, which
+/// must not outweigh those beyond its facets.
+TEST(TetrahedronBlock, AFlatTetrahedronCertifiesNoFacet) {
+    TetrahedronBlock block;
+    const std::array<Vec3, 3> edges{Vec3(1, 0, 0), Vec3(0.25, 1, 0), Vec3(0.25, 0.5, 0x1p-30)};
+    for (int k = 0; k < TetrahedronBlock::kSize; ++k) {
+        for (int c = 0; c < 9; ++c) block.corner[c / 3][c % 3][k] = edges[c / 3][c % 3];
+    }
+    SpaceFrame frame;
+    frame.gram = gram_of(SpaceLattice::box(1, 1, 1));
+    block.compute(frame);
+    EXPECT_FALSE(block.thick[5] > 0);
+    EXPECT_GT(block.height[0][5], 0);
+    block.correct(5, frame);
+    for (const auto& row : block.height) {
+        EXPECT_EQ(row[5], -std::numeric_limits<double>::infinity());
     }
 }
 
