@@ -11,6 +11,7 @@
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/valence.hpp"
 #include "mesher/portable/decimal_text.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
@@ -159,7 +160,7 @@ TileColours colours_by_size(const Tile& tile, const SiteQuantities&) {
     std::map<SiteId, double> octaves = site_areas(tile);
     const double mean = tile.lattice.area() / static_cast<double>(octaves.size());
     for (auto& [site, octave] : octaves) {
-        octave = std::log2(std::max(octave / mean, kLeastShare)) / 2;
+        octave = portable_log2(std::max(octave / mean, kLeastShare)) / 2;
     }
     TileColours colours = colours_by_value(tile, octaves, {"size", 2, " h"});
     colours.explanation = " by size; h = sqrt(area / n)";
@@ -178,7 +179,7 @@ TileColours colours_by_density(const Tile& tile, const SiteQuantities& quantitie
     const std::span<const double> densities = quantities.densities;
     std::map<SiteId, double> octaves;
     for (const SiteId site : owners(tile)) {
-        octaves[site] = std::log2(densities[static_cast<std::size_t>(site) % densities.size()]);
+        octaves[site] = portable_log2(densities[static_cast<std::size_t>(site) % densities.size()]);
     }
     TileColours colours = colours_by_value(tile, octaves, {"density", 3, ""});
     colours.explanation = " by density";

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesher/portable/portable_functions.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -38,7 +40,8 @@ constexpr std::array<Colour, kSeamColours> kSeams{
 
 /// The decoding curve of IEC 61966-2-1.
 double linear_light(double component) {
-    return component <= 0.04045 ? component / 12.92 : std::pow((component + 0.055) / 1.055, 2.4);
+    return component <= 0.04045 ? component / 12.92
+                                : portable_exp(2.4 * portable_log((component + 0.055) / 1.055));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "io/pictures/plot_ticks.hpp"
 #include "io/pictures/svg_canvas.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
@@ -52,7 +53,7 @@ class Scale {
     TickLabels labels() const { return tick_labels(ticks(), logarithmic_); }
 
    private:
-    double place(double value) const { return logarithmic_ ? std::log10(value) : value; }
+    double place(double value) const { return logarithmic_ ? portable_log10(value) : value; }
 
     bool logarithmic_;
     double from_;

@@ -12,6 +12,7 @@
 #include "io/pictures/svg_legend.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
@@ -98,7 +99,7 @@ SpacePicture picture_of(const SpaceTile& tile) {
         points.insert(points.end(), face.corners.begin(), face.corners.end());
     }
     const SvgFrame frame(points);
-    const double spacing = std::cbrt(tile.mesh.lattice.volume() / tile.mesh.n_cells);
+    const double spacing = portable_cbrt(tile.mesh.lattice.volume() / tile.mesh.n_cells);
     return {std::move(faces), frame, std::clamp(0.014 * spacing * frame.scale(), 0.1, 1.4)};
 }
 

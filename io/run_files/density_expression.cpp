@@ -3,9 +3,14 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <numbers>
 #include <string_view>
+#include <utility>
+
+#include "mesher/portable/portable_angles.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
@@ -55,6 +60,29 @@ void refuse_double_asterisk(const std::string& text) {
     throw_bad_file(place + 1, "** is no operator; write ^ for a power");
 }
 
+using Function = double (*)(double);
+
+/// muParser takes these functions from the system's library, whose last digits differ between
+/// machines.
+constexpr std::array<std::pair<const char*, Function>, 17> kFunctions{
+    {{"sin", portable_sin},
+     {"cos", portable_cos},
+     {"tan", portable_tan},
+     {"asin", portable_asin},
+     {"acos", portable_acos},
+     {"atan", portable_atan},
+     {"sinh", portable_sinh},
+     {"cosh", portable_cosh},
+     {"tanh", portable_tanh},
+     {"asinh", portable_asinh},
+     {"acosh", portable_acosh},
+     {"atanh", portable_atanh},
+     {"log2", portable_log2},
+     {"log10", portable_log10},
+     {"log", portable_log},
+     {"ln", portable_log},
+     {"exp", portable_exp} {"sqrt", std::sqrt}}};
+
 /// A formula that one thread evaluates.
 class Formula {
    public:
@@ -64,6 +92,8 @@ class Formula {
         refuse_double_asterisk(text);
         try {
             parser_.DefineConst("pi", std::numbers::pi);
+            for (const auto& [name, function] : kFunctions) parser_.DefineFun(name, function);
+            parser_.DefineFun("atan2", portable_atan2);
             parser_.DefineVar("x", &point_.x);
             parser_.DefineVar("y", &point_.y);
             parser_.DefineVar("u", &point_.u);

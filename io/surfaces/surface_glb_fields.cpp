@@ -16,6 +16,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/polyhedra/cell_sites.hpp"
 #include "mesher/polyhedra/polyhedral_mesh.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
@@ -198,7 +199,7 @@ void compare_sites(const SurfaceGlb& glb, double largest) {
     const SiteImages images(glb.lattice, glb.sites);
     // Proved corners lie at most this far off the planes between sites.
     const double off =
-        kBisectorTolerance * std::cbrt(glb.lattice.volume() / double(glb.parts.size()));
+        kBisectorTolerance * portable_cbrt(glb.lattice.volume() / double(glb.parts.size()));
     for (std::size_t s = 0; s < glb.parts.size(); ++s) {
         checkpoint();
         const Vec3 site = glb.sites.col(static_cast<Eigen::Index>(s));

@@ -6,7 +6,7 @@
 
 #include "io/bytes/text.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/base/portable_angles.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {

@@ -7,9 +7,9 @@
 #include <random>
 #include <string_view>
 
-#include "mesher/areas/portable_functions.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/portable/decimal_text.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {

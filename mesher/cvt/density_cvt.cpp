@@ -181,7 +181,7 @@ void DensityObjective::begin_round(double accuracy) {
     pass_.choose_orders(accuracy, true);
     pass_.evaluate(energy_);
     // Normalise the scales so that the sum of (h / scale_i)^2 is the area of the domain.
-    scale_ = (energy_.mass.array() / pass_.areas().array()).pow(0.25);
+    scale_ = (energy_.mass.array() / pass_.areas().array()).sqrt().sqrt();
     scale_ *= std::sqrt(scale_.array().square().inverse().mean());
     const double h = delaunay_.spacing();
     stiffness_ = (energy_.mass.array() / scale_.array().square()).mean() / (h * h);

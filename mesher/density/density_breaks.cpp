@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
@@ -32,13 +33,13 @@ class ProbeLine {
 
     double operator()(double along) const {
         *probe_.reserve(1) = point(along);
-        return std::log(probe_.evaluate_reserved()[0]);
+        return portable_log(probe_.evaluate_reserved()[0]);
     }
     /// Returns log(rho) at the ends of the intervals.
     std::vector<double> survey() const {
         for (int k = 0; k <= kIntervals; ++k) *probe_.reserve(1) = point(double(k) / kIntervals);
         std::vector<double> value;
-        for (const double rho : probe_.evaluate_reserved()) value.push_back(std::log(rho));
+        for (const double rho : probe_.evaluate_reserved()) value.push_back(portable_log(rho));
         return value;
     }
 

@@ -1,11 +1,11 @@
 #include "mesher/energy/fourier_transform.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "mesher/base/error.hpp"
 #include "mesher/base/target_clones.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {
@@ -186,8 +186,8 @@ FourierTransform::FourierTransform(int length) : length_(length) {
             for (int p = 0; p < stage.n_groups; ++p) {
                 for (int k = 1; k < row.radix; ++k) {
                     const double angle = 2 * std::numbers::pi * double(p) * k / rest;
-                    stage.factors.push_back({static_cast<float>(std::cos(angle)),
-                                             -static_cast<float>(std::sin(angle))});
+                    const auto [cos, sin] = cos_sin(angle);
+                    stage.factors.push_back({static_cast<float>(cos), -static_cast<float>(sin)});
                 }
             }
         }

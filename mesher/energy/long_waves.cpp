@@ -170,7 +170,7 @@ LongWaves::LongWaves(const MovingDelaunay& delaunay, Workers& workers)
     const auto n_nodes = [&](double length) {
         return FourierTransform::good_length(static_cast<int>(std::ceil(per_length * length)));
     };
-    grid_ = std::make_unique<Grid>(n_nodes(frame_.ax), n_nodes(std::hypot(frame_.bx, frame_.by)));
+    grid_ = std::make_unique<Grid>(n_nodes(frame_.ax), n_nodes(Vec2(frame_.bx, frame_.by).norm()));
     place_sites(delaunay);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/portable/portable_angles.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -47,21 +49,21 @@ void DecayingFlow::choose_between(const Lattice& domain, Walls walls) {
 Vec2 DecayingFlow::velocity(const Vec2& p) const {
     const double first = g1_.dot(p);
     const double second = g2_.dot(p);
-    Vec2 gradient = -std::sin(second) * g2_;
+    Vec2 gradient = -portable_sin(second) * g2_;
     if (shape_ == Shape::kVortices) {
-        gradient =
-            -std::sin(first) * std::cos(second) * g1_ - std::cos(first) * std::sin(second) * g2_;
+        gradient = -portable_sin(first) * portable_cos(second) * g1_ -
+                   portable_cos(first) * portable_sin(second) * g2_;
     } else if (shape_ == Shape::kBox) {
-        gradient = std::sin(2 * first) * square(std::sin(second)) * g1_ +
-                   square(std::sin(first)) * std::sin(2 * second) * g2_;
+        gradient = portable_sin(2 * first) * square(portable_sin(second)) * g1_ +
+                   square(portable_sin(first)) * portable_sin(2 * second) * g2_;
     }
     return sign_ * Vec2(gradient.y(), -gradient.x()) / fastest_;
 }
 
 double DecayingFlow::stream(const Vec2& p) const {
-    double value = std::cos(g2_.dot(p));
-    if (shape_ == Shape::kVortices) value *= std::cos(g1_.dot(p));
-    if (shape_ == Shape::kBox) value = square(std::sin(g1_.dot(p)) * std::sin(g2_.dot(p)));
+    double value = portable_cos(g2_.dot(p));
+    if (shape_ == Shape::kVortices) value *= portable_cos(g1_.dot(p));
+    if (shape_ == Shape::kBox) value = square(portable_sin(g1_.dot(p)) * portable_sin(g2_.dot(p)));
     return sign_ * value / fastest_;
 }
 

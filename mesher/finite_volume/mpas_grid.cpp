@@ -9,6 +9,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {
@@ -58,7 +59,7 @@ class Halfedges {
 };
 
 std::string degrees(double cosine) {
-    const long tenths = std::lround(std::acos(cosine) * 1800 / std::numbers::pi);
+    const long tenths = std::lround(portable_acos(cosine) * 1800 / std::numbers::pi);
     return to_string(tenths / 10) + "." + to_string(tenths % 10);
 }
 
@@ -158,7 +159,7 @@ void fill_edges(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& gri
                                      {edges.vertex(h), edges.vertex(across)});
         grid.dc_edge.push_back(normal.norm());
         grid.dv_edge.push_back(edges.along(h).norm());
-        grid.angle_edge.push_back(std::atan2(normal.y(), normal.x()));
+        grid.angle_edge.push_back(portable_atan2(normal.y(), normal.x()));
     }
 }
 

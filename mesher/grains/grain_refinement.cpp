@@ -10,6 +10,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {
@@ -46,8 +47,8 @@ class Refiner {
           progress_(progress),
           n_before_(grains.n_vertices()),
           n_expected_(kUsualASquare * squares()),
-          wanted_sine_(std::sin(kWantedAngle * M_PI / 180)),
-          off_centre_(0.5 / std::tan(kWantedAngle * M_PI / 360)),
+          wanted_sine_(cos_sin_of_degrees(kWantedAngle).sin),
+          off_centre_(0.5 / portable_tan(kWantedAngle * M_PI / 360)),
           most_vertices_(kMostAVertex * grains.n_vertices() + kMostASquare * squares()) {}
 
     RefinementLeft run() {
@@ -306,7 +307,7 @@ class Refiner {
     double n_before_;
     double n_expected_;
     double wanted_sine_;
-    double smallest_sine_ = std::sin(kSmallestAngle * M_PI / 180);
+    double smallest_sine_ = cos_sin_of_degrees(kSmallestAngle).sin;
     /// The distance of the off-centre from the shortest edge, relative to the length of that edge.
     double off_centre_;
     double most_vertices_;

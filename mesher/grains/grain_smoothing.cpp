@@ -5,6 +5,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {
@@ -24,7 +25,7 @@ constexpr double kBetter = 1.01;
 class Smoother {
    public:
     Smoother(GrainTriangulation& grains, double wanted)
-        : grains_(grains), wanted_sine_(std::sin(wanted * M_PI / 180)) {}
+        : grains_(grains), wanted_sine_(cos_sin_of_degrees(wanted).sin) {}
 
     void run() {
         for (int round = 0; round < kRounds; ++round) {
@@ -79,8 +80,8 @@ class Smoother {
         for (double step = kFirstStep; step > kLastStep; step /= 2) {
             const Vec2 centre = best;
             for (int k = 0; k < kDirections; ++k) {
-                const double angle = 2 * M_PI * k / kDirections;
-                const Vec2 p = centre + step * shortest * Vec2(std::cos(angle), std::sin(angle));
+                const auto [cos, sin] = cos_sin_of_degrees(360.0 * k / kDirections);
+                const Vec2 p = centre + step * shortest * Vec2(cos, sin);
                 const double here = worst_round(star, p);
                 if (here <= worst) continue;
                 worst = here;

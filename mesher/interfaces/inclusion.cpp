@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mesher/base/portable_angles.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {

@@ -35,7 +35,7 @@ void require_period(const Vec2& period) {
     if (!period.allFinite()) {
         throw InvalidInput("a period vector is not finite; give finite numbers");
     }
-    const double length = std::hypot(period.x(), period.y());
+    const double length = period.norm();
     if (!(length >= kShortestPeriod && length <= kLongestPeriod)) {
         throw InvalidInput(
             "a period vector is shorter than 1e-60 or longer than 1e60; choose another unit of "

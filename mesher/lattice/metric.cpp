@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "mesher/base/error.hpp"
-#include "mesher/base/portable_angles.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesher/lattice/polygon.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 
@@ -24,7 +25,7 @@ double angle_at(const std::array<Vec2, 3>& triangle, int k) {
     const Vec2& corner = triangle[static_cast<std::size_t>(k)];
     const Vec2 to_next = triangle[static_cast<std::size_t>((k + 1) % 3)] - corner;
     const Vec2 to_previous = triangle[static_cast<std::size_t>((k + 2) % 3)] - corner;
-    return std::atan2(cross(to_next, to_previous), to_next.dot(to_previous)) * 180 / M_PI;
+    return portable_atan2(cross(to_next, to_previous), to_next.dot(to_previous)) * 180 / M_PI;
 }
 
 Vec2 circumcentre(const std::array<Vec2, 3>& triangle) {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/base/portable_angles.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {

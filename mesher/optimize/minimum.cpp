@@ -1,7 +1,8 @@
 #include "mesher/optimize/minimum.hpp"
 
-#include <cmath>
 #include <numbers>
+
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 
@@ -26,7 +27,7 @@ LatticeStability decided_stability(double smallest, double largest) {
 }
 
 double one_minus_cosine(std::int64_t k, int n) {
-    const double sine = std::sin(std::numbers::pi * static_cast<double>(k % n) / n);
+    const double sine = portable_sin(std::numbers::pi * static_cast<double>(k % n) / n);
     return 2 * sine * sine;
 }
 

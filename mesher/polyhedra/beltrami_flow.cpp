@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
 namespace {
@@ -33,8 +34,8 @@ BeltramiFlow::BeltramiFlow(const SpaceLattice& lattice) {
 Vec3 BeltramiFlow::velocity(const Vec3& p) const {
     Vec3 sum = Vec3::Zero();
     for (const Wave& wave : waves_) {
-        const double phase = wave.k.dot(p);
-        sum += wave.e * std::cos(phase) + wave.f * std::sin(phase);
+        const auto [cos, sin] = cos_sin(wave.k.dot(p));
+        sum += wave.e * cos + wave.f * sin;
     }
     return sum / static_cast<double>(waves_.size());
 }

@@ -2,13 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
@@ -165,7 +165,7 @@ void prove_face_order(const PolyhedralMesh& mesh) {
 double prove_cells(const PolyhedralMesh& mesh, double tolerance) {
     const CellFaces cells(mesh);
     const std::vector<CellBody> bodies = cell_bodies(mesh);
-    const double h = std::cbrt(mesh.lattice.volume() / mesh.n_cells);
+    const double h = portable_cbrt(mesh.lattice.volume() / mesh.n_cells);
     const double error = tolerance + std::max(kMerged, mesh.short_edges) * h;
     double sum = 0;
     for (int s = 0; s < mesh.n_cells; ++s) {

@@ -5,6 +5,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
@@ -95,7 +96,7 @@ CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points3& site
         throw_violation(kSiteLaw, "there are " + std::to_string(sites.cols()) + " sites of " +
                                       std::to_string(mesh.n_cells) + " cells");
     }
-    const double spacing = std::cbrt(mesh.lattice.volume() / mesh.n_cells);
+    const double spacing = portable_cbrt(mesh.lattice.volume() / mesh.n_cells);
     BisectorProof proof(mesh, sites, spacing);
     for (int f = 0; f < mesh.n_inner_faces(); ++f) {
         checkpoint_each(f);

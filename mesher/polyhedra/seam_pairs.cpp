@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
@@ -15,7 +16,7 @@ class FaceBoxes {
    public:
     FaceBoxes(const PolyhedralMesh& mesh, double tolerance) : mesh_(mesh) {
         const int n = mesh.n_faces() - mesh.n_inner_faces();
-        n_boxes_ = std::max(1, static_cast<int>(std::cbrt(double(n))));
+        n_boxes_ = std::max(1, static_cast<int>(portable_cbrt(double(n))));
         // The means of partners differ by less than the boxes are wide.
         margin_ = 4 * tolerance / mesh.lattice.heights().minCoeff();
         for (int f = mesh.n_inner_faces(); f < mesh.n_faces(); ++f) {

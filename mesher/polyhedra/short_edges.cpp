@@ -1,11 +1,11 @@
 #include "mesher/polyhedra/short_edges.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/polyhedra/polyhedron_graph.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
@@ -39,7 +39,7 @@ class ShrinkingComplex {
     ShrinkingComplex(const CellComplex& complex, double shortest)
         : complex_(complex),
           part_(shortest),
-          shortest_(shortest * std::cbrt(complex.reduced.volume() / complex.n_cells)),
+          shortest_(shortest * portable_cbrt(complex.reduced.volume() / complex.n_cells)),
           positions_(complex.vertices),
           moved_(complex.vertices.size(), 0),
           is_left_(complex.vertices.size(), true),

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/lattice/lattice.hpp"
 
 namespace pcvt {
 namespace {
@@ -25,7 +25,7 @@ struct Symmetric {
     /// Returns the smaller and the larger eigenvalue.
     std::pair<double, double> eigenvalues() const {
         const double middle = (xx + yy) / 2;
-        const double radius = std::hypot((xx - yy) / 2, xy);
+        const double radius = Vec2((xx - yy) / 2, xy).norm();
         return {middle - radius, middle + radius};
     }
 };

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mesher/base/error.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 
@@ -40,7 +41,7 @@ Vec3 SpaceSites::position(SiteId site) const {
     return reduction_.reduced.to_space(coordinates_.col(site));
 }
 
-double SpaceSites::spacing() const { return std::cbrt(lattice_.volume() / n_sites()); }
+double SpaceSites::spacing() const { return portable_cbrt(lattice_.volume() / n_sites()); }
 
 std::pair<SiteId, SiteId> SpaceSites::duplicates() const { return first_equal_sites(coordinates_); }
 

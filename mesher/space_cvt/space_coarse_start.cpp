@@ -10,6 +10,7 @@
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/optimize/level_share.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
@@ -89,7 +90,7 @@ void shake(const SpaceLattice& lattice, std::uint64_t seed, Points3& points) {
     std::mt19937_64 generator(seed);
     const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -52) - 1; };
     const double longest =
-        kShake * std::cbrt(lattice.volume() / static_cast<double>(points.cols()));
+        kShake * portable_cbrt(lattice.volume() / static_cast<double>(points.cols()));
     for (double& x : points.reshaped()) x += longest * uniform();
 }
 
@@ -114,7 +115,8 @@ Points3 space_coarse_start(const SpaceLattice& lattice, int n,
     for (; sites.size() > 1; sites.pop_back()) {
         const int n_finer = sites[sites.size() - 2];
         // F is in proportion to n^(-2/3).
-        const double scale = std::pow(double(sites.back()) / n, 2.0 / 3);
+        const double length = portable_cbrt(double(sites.back()) / n);
+        const double scale = length * length;
         SpaceCvtOptions level;
         level.tolerance = 0;
         level.n_threads = options.n_threads;

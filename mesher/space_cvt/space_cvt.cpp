@@ -4,6 +4,7 @@
 
 #include "mesher/optimize/lbfgs.hpp"
 #include "mesher/optimize/lloyd.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/space/moving_tetrahedra.hpp"
 
 namespace pcvt {
@@ -90,7 +91,8 @@ SpaceCvtResult compute_space_cvt(const SpaceLattice& lattice, const Points3& poi
 
 double body_centred_energy(double volume, int n_sites) {
     const double n = n_sites;
-    return 3 * 19.0 / (192.0 * std::cbrt(2.0)) * std::pow(volume, 5.0 / 3) / std::cbrt(n * n);
+    const double root = portable_cbrt(volume);
+    return 3 * 19.0 / (192.0 * portable_cbrt(2.0)) * (volume * root * root) / portable_cbrt(n * n);
 }
 
 }  // namespace pcvt

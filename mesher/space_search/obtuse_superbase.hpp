@@ -17,7 +17,7 @@ using LatticeVector = Eigen::Matrix<std::int64_t, 3, 1>;
 ///   const Eigen::Matrix3d metric = basis.transpose() * basis;
 ///   const auto vectors = obtuse_superbase({LatticeVector::UnitX(), LatticeVector::UnitY(),
 ///                                          LatticeVector::UnitZ()}, metric);
-///   const double g = second_moment(vectors, metric / std::cbrt(metric.determinant()));
+///   const double g = second_moment(vectors, metric / portable_cbrt(metric.determinant()));
 ///
 /// Law, tested by number:
 ///   (1) No scalar product exceeds 1e-12 of the longest square.

@@ -9,6 +9,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/space_search/obtuse_superbase.hpp"
 
 namespace pcvt {
@@ -58,8 +59,8 @@ Eigen::Matrix3d reduced_periods(const Eigen::Matrix3d& period) {
 
 /// Returns the metric of n-ths of period vectors, for which a cell has the volume 1.
 Eigen::Matrix3d metric_of(const Eigen::Matrix3d& reduced, int n) {
-    const Eigen::Matrix3d scaled = reduced / std::cbrt(std::abs(reduced.determinant()));
-    return std::cbrt(double(n)) * std::cbrt(double(n)) / (double(n) * n) *
+    const Eigen::Matrix3d scaled = reduced / portable_cbrt(std::abs(reduced.determinant()));
+    return portable_cbrt(double(n)) * portable_cbrt(double(n)) / (double(n) * n) *
            (scaled.transpose() * scaled);
 }
 
@@ -113,7 +114,7 @@ void try_diagonal(SpaceForm form, Best& best) {
 
 double space_energy(double moment, double volume, int n) {
     const double cell = std::abs(volume) / n;
-    const double width = std::cbrt(cell);
+    const double width = portable_cbrt(cell);
     return 3 * n * moment * cell * width * width;
 }
 

@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
@@ -30,7 +30,7 @@ struct Superbase {
     Matrix3d dual;
 
     explicit Superbase(const SpacePattern& pattern) {
-        const Matrix3d basis = pattern.basis / std::cbrt(pattern.basis.determinant());
+        const Matrix3d basis = pattern.basis / portable_cbrt(pattern.basis.determinant());
         std::copy(pattern.steps.begin(), pattern.steps.end(), steps.begin());
         steps[3] = -(steps[0] + steps[1] + steps[2]);
         vectors << basis, -basis.rowwise().sum();

@@ -12,6 +12,7 @@
 #include "mesher/base/disjoint_sets.hpp"
 #include "mesher/polyhedra/cell_sites.hpp"
 #include "mesher/polyhedra/seam_pairs.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
@@ -165,7 +166,7 @@ double enclosed_volume(const TileSurface& surface) {
 double require_sites(const TileSurface& surface) {
     const auto n = static_cast<int>(surface.sites.cols());
     if (n == 0) return 0;
-    const double spacing = std::cbrt(surface.lattice.volume() / n);
+    const double spacing = portable_cbrt(surface.lattice.volume() / n);
     double largest = 0;
     for (int f = 0; f < surface.n_faces(); ++f) {
         checkpoint_each(f);

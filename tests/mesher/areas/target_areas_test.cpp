@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "mesher/areas/portable_functions.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -44,15 +43,6 @@ TEST(TargetAreas, ASeedGivesTheSameBitsOnEveryMachine) {
     EXPECT_NE(lognormal, draw_areas(parse_area_law("lognormal:0.42"), 3, 8));
     EXPECT_EQ(lognormal[2], 0x1.1d31faf60c96ep+1);
     EXPECT_EQ(gamma[2], 0x1.e7d129b3af932p+4);
-}
-
-TEST(TargetAreas, PortableFunctionsAreThoseOfTheLibrary) {
-    for (double x = -300; x < 300; x += 0.37) {
-        EXPECT_NEAR(portable_exp(x) / std::exp(x), 1, 4e-15 * (1 + std::abs(x) / 100)) << x;
-        EXPECT_NEAR(portable_log(std::exp(x)), std::log(std::exp(x)), 1e-15 * (1 + std::abs(x)));
-    }
-    EXPECT_EQ(portable_log(1), 0);
-    EXPECT_EQ(portable_exp(0), 1);
 }
 
 TEST(TargetAreas, AreScaledToTheDomain) {

@@ -6,47 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "mesher/base/portable_angles.hpp"
-
 namespace pcvt {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-
-TEST(PortableAngles, AgreeWithTheLibrary) {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> angle(-1000, 1000);
-    for (int k = 0; k < 100'000; ++k) {
-        const double degrees = k < 2000 ? k - 1000 : angle(random);
-        const auto [cos, sin] = cos_sin_of_degrees(degrees);
-        const double radians = std::fmod(degrees, 360) * kDegree;
-        EXPECT_NEAR(cos, std::cos(radians), 2e-15) << degrees;
-        EXPECT_NEAR(sin, std::sin(radians), 2e-15) << degrees;
-        EXPECT_NEAR(cos * cos + sin * sin, 1, 1e-15) << degrees;
-    }
-}
-
-TEST(PortableAngles, RightAnglesAreExact) {
-    for (int k = -8; k <= 8; ++k) {
-        const auto [cos, sin] = cos_sin_of_degrees(90.0 * k);
-        EXPECT_EQ(cos, (k + 8) % 4 == 0 ? 1 : ((k + 8) % 4 == 2 ? -1 : 0)) << k;
-        EXPECT_EQ(sin, (k + 8) % 4 == 1 ? 1 : ((k + 8) % 4 == 3 ? -1 : 0)) << k;
-    }
-    EXPECT_NEAR(cos_sin_of_degrees(60).cos, 0.5, 1.2e-16);
-}
-
-TEST(PortableAngles, ArcCosineAgreesWithTheLibrary) {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> exponent(-50, -1);
-    for (int k = 0; k < 100'000; ++k) {
-        double u = std::exp2(exponent(random));
-        if (k % 2 == 1) u = 1 - u;
-        const double wanted = 2 * std::asin(std::sqrt(u)) / kDegree;
-        EXPECT_NEAR(degrees_of_cosine(u) / wanted, 1, k % 2 == 1 ? 1e-7 : 1e-15) << u;
-        EXPECT_NEAR(cos_sin_of_degrees(degrees_of_cosine(u)).cos, 1 - 2 * u, 1e-15) << u;
-    }
-    EXPECT_EQ(degrees_of_cosine(0.5), 90);
-}
 
 TEST(Orientations, Law1RowsAreOrthonormalAndRightHanded) {
     for (const BungeAngles& angles : random_orientations(1000, 3)) {
