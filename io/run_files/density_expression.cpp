@@ -64,24 +64,23 @@ using Function = double (*)(double);
 
 /// muParser takes these functions from the system's library, whose last digits differ between
 /// machines.
-constexpr std::array<std::pair<const char*, Function>, 17> kFunctions{
-    {{"sin", portable_sin},
-     {"cos", portable_cos},
-     {"tan", portable_tan},
-     {"asin", portable_asin},
-     {"acos", portable_acos},
-     {"atan", portable_atan},
-     {"sinh", portable_sinh},
-     {"cosh", portable_cosh},
-     {"tanh", portable_tanh},
-     {"asinh", portable_asinh},
-     {"acosh", portable_acosh},
-     {"atanh", portable_atanh},
-     {"log2", portable_log2},
-     {"log10", portable_log10},
-     {"log", portable_log},
-     {"ln", portable_log},
-     {"exp", portable_exp} {"sqrt", std::sqrt}}};
+constexpr std::array<std::pair<const char*, Function>, 17> kFunctions{{{"sin", portable_sin},
+                                                                       {"cos", portable_cos},
+                                                                       {"tan", portable_tan},
+                                                                       {"asin", portable_asin},
+                                                                       {"acos", portable_acos},
+                                                                       {"atan", portable_atan},
+                                                                       {"sinh", portable_sinh},
+                                                                       {"cosh", portable_cosh},
+                                                                       {"tanh", portable_tanh},
+                                                                       {"asinh", portable_asinh},
+                                                                       {"acosh", portable_acosh},
+                                                                       {"atanh", portable_atanh},
+                                                                       {"log2", portable_log2},
+                                                                       {"log10", portable_log10},
+                                                                       {"log", portable_log},
+                                                                       {"ln", portable_log},
+                                                                       {"exp", portable_exp}}};
 
 /// A formula that one thread evaluates.
 class Formula {

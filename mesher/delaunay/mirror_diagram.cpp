@@ -180,6 +180,7 @@ class Flooding {
         return static_cast<int>(shrunk.size());
     }
 
+    /// Returns the triangles in the order of their corners, the least corner of each first.
     std::vector<Triangle> triangles_of_domain() const {
         std::vector<Triangle> triangles;
         for (const auto face : euclidean_.finite_face_handles()) {
@@ -187,10 +188,14 @@ class Flooding {
             const Image& q = face->vertex(1)->point();
             const Image& r = face->vertex(2)->point();
             if (circumcentre_in_domain(gram_, p, q, r)) {
-                triangles.push_back(
-                    {Corner{p.site, p.offset}, Corner{q.site, q.offset}, Corner{r.site, r.offset}});
+                Triangle& corners = triangles.emplace_back(Triangle{
+                    Corner{p.site, p.offset}, Corner{q.site, q.offset}, Corner{r.site, r.offset}});
+                std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
+                            corners.end());
             }
         }
+        // The order of CGAL's faces follows that of the standard library's partial sorts.
+        std::sort(triangles.begin(), triangles.end());
         return triangles;
     }
 

@@ -27,7 +27,8 @@ struct Piece {
 ///     const MirrorDiagram diagram = mirror_diagram(sites, WithPieces::kYes);
 ///     for (const Piece& piece : diagram.pieces) draw(piece.site, piece.polygon);
 struct MirrorDiagram {
-    /// The 2 n Delaunay triangles with circumcentres in D_0: one of each orbit.
+    /// The 2 n Delaunay triangles with circumcentres in D_0: one of each orbit, in an order that
+    /// the platform does not change.
     std::vector<Triangle> triangles;
     /// Sorted by (site, offset); empty without WithPieces::kYes.
     std::vector<Piece> pieces;

@@ -92,9 +92,7 @@ void MovingDelaunay::build(const SpatialSort& columns) {
         LawsonFlips(triangulation_, coordinates_, gram_).flip_all();
         return;
     }
-    MirrorDiagram diagram = mirror_diagram(wrapped_sites());
-    std::sort(diagram.triangles.begin(), diagram.triangles.end(),
-              [](const Triangle& s, const Triangle& t) { return s[0].site < t[0].site; });
+    const MirrorDiagram diagram = mirror_diagram(wrapped_sites());
     triangulation_ = TorusTriangulation(n_sites(), diagram.triangles);
     counts_.n_mirrors = diagram.n_mirrors;
 }

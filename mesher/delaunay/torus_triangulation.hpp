@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,6 +16,8 @@ namespace pcvt {
 struct Corner {
     SiteId site;
     Offset offset;
+
+    friend auto operator<=>(const Corner&, const Corner&) = default;
 };
 using Triangle = std::array<Corner, 3>;
 

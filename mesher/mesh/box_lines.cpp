@@ -114,8 +114,8 @@ BoxPolygon BoxLines::nodes_on_line(const BoxPolygon& polygon, const Line& line) 
     for (const BoxNode& node : polygon) {
         if (side(node, line.axis, line.k) == 0) on_line.push_back(node);
     }
-    std::sort(on_line.begin(), on_line.end(),
-              [&](const BoxNode& p, const BoxNode& q) { return comes_before(p, q, line); });
+    std::stable_sort(on_line.begin(), on_line.end(),
+                     [&](const BoxNode& p, const BoxNode& q) { return comes_before(p, q, line); });
     BoxPolygon all;
     for (const BoxNode& node : on_line) {
         if (!all.empty()) {

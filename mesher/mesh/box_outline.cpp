@@ -169,7 +169,7 @@ class BoxCutter {
         // The edge bends at the box corners near it, and is straight between them. From here on,
         // the fraction t counts the straight parts.
         std::vector<Crossing> crossings = corners_between(c, p, q, from, to);
-        std::sort(crossings.begin(), crossings.end(), comes_first);
+        std::stable_sort(crossings.begin(), crossings.end(), comes_first);
         std::vector<Vec2> path{p};
         for (Crossing& corner : crossings) {
             snaps_.bends.push_back({c, corner.node.offset});
@@ -187,7 +187,7 @@ class BoxCutter {
                 if (!at_corner) crossings.push_back(cross_line(path, axis, k));
             }
         }
-        std::sort(crossings.begin(), crossings.end(), comes_first);
+        std::stable_sort(crossings.begin(), crossings.end(), comes_first);
         BoxPolygon nodes;
         for (const Crossing& crossing : crossings) nodes.push_back(crossing.node);
         return nodes;
