@@ -66,7 +66,10 @@ TEST(ObtuseSuperbase, HasNoAcuteAngleAndSpansTheLattice) {
         EXPECT_NEAR(std::abs(columns.determinant()), 1, 1e-6);
         for (int i = 0; i < 4; ++i) {
             for (int j = 0; j < i; ++j) {
-                EXPECT_LE(v[i].cast<double>().dot(metric * v[j].cast<double>()), 1e-12 * longest);
+                const Eigen::Vector3d p = v[i].cast<double>();
+                const Eigen::Vector3d q = v[j].cast<double>();
+                const double rounding = 1e-15 * p.cwiseAbs().dot(metric.cwiseAbs() * q.cwiseAbs());
+                EXPECT_LE(p.dot(metric * q), 1e-12 * longest + rounding);
             }
         }
     }

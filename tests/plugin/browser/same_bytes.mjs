@@ -10,7 +10,9 @@ import { argumentsOf, jobs } from './jobs.mjs';
 const [folder, pcvt] = process.argv.slice(2);
 const { mesh } = await import(pathToFileURL(resolve(folder, 'index.js')));
 
-function nativeFiles(args, extensions) {
+const extensions = ['obj', 'glb', 'ply', 'svg', 'vtu'];
+
+function nativeFiles(args) {
     const out = mkdtempSync(join(tmpdir(), 'pcvt_same_bytes_'));
     try {
         const outputs = extensions.flatMap((extension) => ['-o', `tile.${extension}`]);
@@ -23,9 +25,9 @@ function nativeFiles(args, extensions) {
     }
 }
 
-for (const [options, form = {}, extensions = ['obj', 'glb', 'ply', 'svg', 'vtu']] of jobs) {
+for (const [options, form = {}] of jobs) {
     const args = argumentsOf({ ...options, ...form });
-    const native = nativeFiles(args, extensions);
+    const native = nativeFiles(args);
     const begin = performance.now();
     const result = await mesh(options);
     const files = extensions.map((extension) => result.write(`tile.${extension}`, form));
