@@ -122,6 +122,17 @@ constexpr double kNeighbours = 2;
 
 bool in_domain(const Corner3& corner) { return corner.offset == Offset3{}; }
 
+/// Writes the least corner first and the least of the others second; the orientation stays.
+void put_in_order(Tetrahedron& t) {
+    const auto least = std::min_element(t.begin(), t.end()) - t.begin();
+    if (least != 0) {
+        // Two exchanges keep the orientation.
+        std::swap(t[0], t[least]);
+        std::swap(t[least % 3 + 1], t[(least + 1) % 3 + 1]);
+    }
+    std::rotate(t.begin() + 1, std::min_element(t.begin() + 1, t.end()), t.end());
+}
+
 /// The Euclidean triangulation of the sites and a growing set of their images.
 class Flooding {
    public:
@@ -173,13 +184,11 @@ class Flooding {
         for (const Cell cell : euclidean_.finite_cell_handles()) {
             Tetrahedron corners;
             for (int k = 0; k < 4; ++k) corners[k] = cell->vertex(k)->point().name;
-            if (in_domain(*std::min_element(corners.begin(), corners.end()))) {
-                tetrahedra.push_back(corners);
-            }
+            put_in_order(corners);
+            if (in_domain(corners[0])) tetrahedra.push_back(corners);
         }
-        bucket_sort(tetrahedra, sites_.n_sites(), [](const Tetrahedron& t) {
-            return std::min_element(t.begin(), t.end())->site;
-        });
+        // The order of CGAL's cells follows that of the standard library's partial sorts.
+        bucket_sort(tetrahedra, sites_.n_sites(), [](const Tetrahedron& t) { return t[0].site; });
         return tetrahedra;
     }
 
