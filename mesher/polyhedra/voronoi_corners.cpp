@@ -7,6 +7,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/lattice/offset_disjoint_sets.hpp"
+#include "mesher/portable/wide_double.hpp"
 
 namespace pcvt {
 namespace {
@@ -16,10 +17,10 @@ constexpr double kMerged = 1e-9;
 /// The volume of a tetrahedron over the product of its edges at a corner below which it is flat.
 /// Sites of exact lattices are rounded to 2^-50 of a period, which makes flat tetrahedra of volumes
 /// near 1e-13; ten million random sites have none below this.
-constexpr long double kFlat = 1e-11L;
+constexpr double kFlat = 1e-11;
 
-using WideVector = Eigen::Matrix<long double, 3, 1>;
-using WideMatrix = Eigen::Matrix<long double, 3, 3>;
+using WideVector = Eigen::Matrix<WideDouble, 3, 1>;
+using WideMatrix = Eigen::Matrix<WideDouble, 3, 3>;
 
 struct Centre {
     Vec3 position;
@@ -28,11 +29,11 @@ struct Centre {
 
 WideMatrix wide_periods(const SpaceLattice& lattice) {
     WideMatrix periods;
-    for (int k = 0; k < 3; ++k) periods.col(k) = lattice.periods()[k].cast<long double>();
+    for (int k = 0; k < 3; ++k) periods.col(k) = lattice.periods()[k].cast<WideDouble>();
     return periods;
 }
 
-/// Computes in the wide format from differences of lattice coordinates, which are exact: nearly
+/// Computes in wide numbers from differences of lattice coordinates, which are exact: nearly
 /// flat tetrahedra lose half of the digits.
 Centre circumcentre(const SpaceSites& sites, const WideMatrix& periods,
                     const Tetrahedron& corners) {
@@ -40,23 +41,23 @@ Centre circumcentre(const SpaceSites& sites, const WideMatrix& periods,
     const auto first = u.col(corners[0].site);
     WideMatrix edges;
     WideVector halves;
-    long double product = 1;
+    double product = 1;
     for (int k = 0; k < 3; ++k) {
         const Offset3 offset = corners[k + 1].offset - corners[0].offset;
         const Vec3 step = (u.col(corners[k + 1].site) - first) + offset.vector();
-        const WideVector edge = periods * step.cast<long double>();
+        const WideVector edge = periods * step.cast<WideDouble>();
         edges.row(k) = edge.transpose();
         halves[k] = edge.squaredNorm() / 2;
-        product *= edge.norm();
+        product *= std::sqrt(static_cast<double>(edge.squaredNorm()));
     }
-    const long double volume = edges.determinant();
-    if (!(std::abs(volume) > kFlat * product)) return {Vec3::Zero(), false};
+    const WideDouble volume = edges.determinant();
+    if (!(std::abs(static_cast<double>(volume)) > kFlat * product)) return {Vec3::Zero(), false};
     const WideVector a = edges.row(0);
     const WideVector b = edges.row(1);
     const WideVector c = edges.row(2);
     const WideVector centre =
         (halves[0] * b.cross(c) + halves[1] * c.cross(a) + halves[2] * a.cross(b)) / volume;
-    const WideVector origin = periods * (first + corners[0].offset.vector()).cast<long double>();
+    const WideVector origin = periods * (first + corners[0].offset.vector()).cast<WideDouble>();
     return {(origin + centre).cast<double>(), true};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesher/delaunay/predicates.hpp"
+#include "mesher/portable/wide_double.hpp"
 
 namespace pcvt {
 namespace {
@@ -62,7 +63,7 @@ void measure_triangle(const std::array<Vec2, 3>& side, const ReducedFrame& frame
     for (int k = 0; k < 3; ++k) mass[k] = static_cast<double>(at_begin[k] + at_end[(k + 2) % 3]);
 }
 
-/// Measures a triangle, in extended precision if it is thin: its heights are quotients of small
+/// Measures a triangle, in wide numbers if it is thin: its heights are quotients of small
 /// differences, because the terms of the weights nearly cancel and their rounding errors are
 /// divided by the area.
 void measure_triangle(const WeightedTriangulation& regular, int triangle, double* height,
@@ -74,7 +75,7 @@ void measure_triangle(const WeightedTriangulation& regular, int triangle, double
     if (detail::cross(side[0], side[1]) > kThin * detail::cross_bound(side[0], side[1])) {
         measure_triangle<double>(side, regular.frame, weight, height, mass);
     } else {
-        measure_triangle<long double>(side, regular.frame, weight, height, mass);
+        measure_triangle<WideDouble>(side, regular.frame, weight, height, mass);
     }
 }
 
