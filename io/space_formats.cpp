@@ -99,7 +99,7 @@ constexpr std::array kFormats{
     SpaceFormat{.extension = ".msh",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kNone,
-                .memory = 8600,
+                .memory = 7900,
                 .paths = itself,
                 .encode = nullptr,
                 .encode_tetrahedra = encode_space_msh,

@@ -42,7 +42,10 @@ double distance_to_vertices(const CellComplex& complex, const Vec3& point) {
     for (const Vec3& vertex : complex.vertices) {
         const Vec3 apart = complex.reduced.to_lattice(point - vertex);
         const Vec3 wrapped = apart.array() - apart.array().round();
-        nearest = std::min(nearest, complex.reduced.to_space(wrapped).norm());
+        for (int k = 0; k < 27; ++k) {
+            const Vec3 image = wrapped + Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+            nearest = std::min(nearest, complex.reduced.to_space(image).norm());
+        }
     }
     return nearest;
 }
