@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-
 namespace pcvt {
 
 /// A number of twice the digits of a double: the sum of two doubles, with a relative error below
@@ -67,17 +65,3 @@ class WideDouble {
 };
 
 }  // namespace pcvt
-
-/// What Eigen must know of the numbers of a matrix.
-template <>
-struct Eigen::NumTraits<pcvt::WideDouble> : Eigen::GenericNumTraits<pcvt::WideDouble> {
-    enum {
-        IsInteger = 0,
-        IsSigned = 1,
-        IsComplex = 0,
-        RequireInitialization = 1,
-        ReadCost = 2,
-        AddCost = 10,
-        MulCost = 20
-    };
-};
