@@ -3,11 +3,9 @@
 #include <muParser.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <numbers>
 #include <string_view>
-#include <utility>
 
 #include "mesher/portable/portable_angles.hpp"
 #include "mesher/portable/portable_functions.hpp"
@@ -60,27 +58,21 @@ void refuse_double_asterisk(const std::string& text) {
     throw_bad_file(place + 1, "** is no operator; write ^ for a power");
 }
 
-using Function = double (*)(double);
+struct NamedFunction {
+    const char* name;
+    double (*function)(double);
+};
 
-/// muParser takes these functions from the system's library, whose last digits differ between
-/// machines.
-constexpr std::array<std::pair<const char*, Function>, 17> kFunctions{{{"sin", portable_sin},
-                                                                       {"cos", portable_cos},
-                                                                       {"tan", portable_tan},
-                                                                       {"asin", portable_asin},
-                                                                       {"acos", portable_acos},
-                                                                       {"atan", portable_atan},
-                                                                       {"sinh", portable_sinh},
-                                                                       {"cosh", portable_cosh},
-                                                                       {"tanh", portable_tanh},
-                                                                       {"asinh", portable_asinh},
-                                                                       {"acosh", portable_acosh},
-                                                                       {"atanh", portable_atanh},
-                                                                       {"log2", portable_log2},
-                                                                       {"log10", portable_log10},
-                                                                       {"log", portable_log},
-                                                                       {"ln", portable_log},
-                                                                       {"exp", portable_exp}}};
+/// What formulas call in place of muParser's functions, which are those of the system's library:
+/// their last digits differ between machines.
+constexpr NamedFunction kFunctions[] = {
+    {"sin", portable_sin},     {"cos", portable_cos},     {"tan", portable_tan},
+    {"asin", portable_asin},   {"acos", portable_acos},   {"atan", portable_atan},
+    {"sinh", portable_sinh},   {"cosh", portable_cosh},   {"tanh", portable_tanh},
+    {"asinh", portable_asinh}, {"acosh", portable_acosh}, {"atanh", portable_atanh},
+    {"log2", portable_log2},   {"log10", portable_log10}, {"log", portable_log},
+    {"ln", portable_log},      {"exp", portable_exp},
+};
 
 /// A formula that one thread evaluates.
 class Formula {

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <thread>
 
+#include "mesher/portable/portable_angles.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "tests/support/densities.hpp"
 
 namespace pcvt {
@@ -29,6 +31,34 @@ TEST(DensityExpression, KnowsItsVariablesFunctionsAndConstants) {
     EXPECT_EQ(value("max(x, y)^2 - abs(-1)", p), 24);
     EXPECT_EQ(value("x == 3", p), 1);
     EXPECT_EQ(value("x != 3 || y <= 5", p), 1);
+}
+
+TEST(DensityExpression, CallsThePortableFunctions) {
+    // Among so many values some differ in the last digit from those of another library.
+    const auto expect = [](const std::string& name, double (*function)(double), double low) {
+        for (int k = 0; k < 400; ++k) {
+            const double x = low + k / 450.0;
+            EXPECT_EQ(value(name + "(x)", {x, 0, 0, 0}), function(x)) << name << " " << x;
+        }
+    };
+    expect("sin", portable_sin, 0.1);
+    expect("cos", portable_cos, 0.1);
+    expect("tan", portable_tan, 0.1);
+    expect("asin", portable_asin, 0.1);
+    expect("acos", portable_acos, 0.1);
+    expect("atan", portable_atan, 0.1);
+    expect("sinh", portable_sinh, 0.1);
+    expect("cosh", portable_cosh, 0.1);
+    expect("tanh", portable_tanh, 0.1);
+    expect("asinh", portable_asinh, 0.1);
+    expect("acosh", portable_acosh, 1.1);
+    expect("atanh", portable_atanh, 0.1);
+    expect("exp", portable_exp, 0.1);
+    expect("log", portable_log, 1.1);
+    expect("ln", portable_log, 1.1);
+    expect("log2", portable_log2, 1.1);
+    expect("log10", portable_log10, 1.1);
+    EXPECT_EQ(value("atan2(x, y)", {0.3, -0.7, 0, 0}), portable_atan2(0.3, -0.7));
 }
 
 TEST(DensityExpression, HasNoMemory) {

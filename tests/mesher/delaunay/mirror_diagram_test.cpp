@@ -134,6 +134,16 @@ TEST(MirrorDiagram, EqualsTheFullCopiesWhereSitesAreCocircularOrOnTheSeam) {
     }
 }
 
+/// CGAL lists the faces of both in different orders.
+TEST(MirrorDiagram, HasAnOrderOfItsOwn) {
+    std::mt19937_64 random(7);
+    for (int k = 0; k < 100; ++k) {
+        const Lattice lattice = random_lattice(random);
+        const Sites sites(lattice, uniform_points(lattice, 1 + k % 40, random()));
+        EXPECT_EQ(mirror_diagram(sites).triangles, full_copies_diagram(sites).triangles) << k;
+    }
+}
+
 TEST(MirrorDiagram, EqualsClippingByAllBisectors) {
     std::mt19937_64 random(2);
     for (int k = 0; k < 60; ++k) {

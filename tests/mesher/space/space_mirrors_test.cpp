@@ -25,6 +25,14 @@ TEST(SpaceMirrors, SlowEqualFullCopies) {
     }
 }
 
+/// CGAL lists the cells of both in different orders.
+TEST(SpaceMirrors, HaveAnOrderOfTheirOwn) {
+    for (const auto& [name, sites] : space_site_families(1)) {
+        if (sites.n_sites() > 9) continue;
+        EXPECT_EQ(space_mirrors(sites).tetrahedra, space_full_copies(sites).tetrahedra) << name;
+    }
+}
+
 /// The exact checker: no image within two periods lies inside of a circumsphere, nor on it against
 /// the rule.
 TEST(SpaceMirrors, SlowSpheresAreEmpty) {
