@@ -113,8 +113,8 @@ void read_tile(const TileFormat& format, const std::string& bytes) {
     if (file.tile.kind != MeshKind::kGrains) prove_voronoi(file.tile, proof, 1e-6);
 }
 
-/// The files of a tile in space with three cells in each form, and of their tetrahedra, as far as
-/// the format holds them.
+/// The files of a tile in space with three cells in each form, of one without its short edges, and
+/// of tetrahedra, as far as the format holds them.
 std::vector<std::vector<EncodedFile>> space_files(const char* path) {
     const SpaceFormat& format = *find_space_format(path);
     std::vector<std::vector<EncodedFile>> sets;
@@ -123,6 +123,7 @@ std::vector<std::vector<EncodedFile>> space_files(const char* path) {
             sets.push_back(format.encode(random_space_tile(3), {.surfaces = form}, path));
             if (format.surfaces != FormatSurfaces::kChosen) break;
         }
+        sets.push_back(format.encode(random_space_tile(5, kLongestSpaceShortEdge), {}, path));
     }
     if (format.encode_tetrahedra != nullptr) {
         const SpaceLattice cube = SpaceLattice::box(1, 1, 1);

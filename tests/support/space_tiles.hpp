@@ -14,9 +14,9 @@ inline SpaceTile tile_of(const SpaceCase& c, double shortest = 0) {
     return tile;
 }
 
-inline SpaceTile random_space_tile(int n) {
+inline SpaceTile random_space_tile(int n, double shortest = 0) {
     const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
-    return tile_of({"random", oblique, uniform_points(oblique, n, 3)});
+    return tile_of({"random", oblique, uniform_points(oblique, n, 3)}, shortest);
 }
 
 }  // namespace pcvt::testing
