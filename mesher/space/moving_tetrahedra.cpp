@@ -16,6 +16,10 @@ namespace {
 constexpr double kMostHeldShare = 0.2;
 constexpr std::size_t kMostHeldAtLeast = 16;
 
+/// A local repair costs more than a new build where more facets than this, for each site, may not
+/// be locally Delaunay.
+constexpr double kMostSuspectFacets = 1.5;
+
 /// Corrections for more tetrahedra than this share cost more than another pass.
 constexpr double kMostCorrectedShare = 0.1;
 
@@ -55,42 +59,41 @@ MovingTetrahedra::MovingTetrahedra(const SpaceSites& sites)
 
 bool MovingTetrahedra::step(const Eigen::VectorXf& direction, double t) {
     constexpr double kFarthest = 2;
-    Points3 moved(3, n_sites());
+    before_.resize(3, n_sites());
     bool valid = true;
     for (SiteId s = 0; s < n_sites(); ++s) {
         checkpoint_each(s);
         const auto d = direction.segment<3>(kNumbersPerSite * Eigen::Index{s}).cast<double>();
         const Vec3 move = frame_.to_lattice(t * d);
         valid = valid && move.cwiseAbs().maxCoeff() <= kFarthest;
-        moved.col(s) = coordinates_.col(s) + snapped_displacement(move);
+        before_.col(s) = coordinates_.col(s) + snapped_displacement(move);
     }
     if (!valid) return false;
-    before_ = std::move(coordinates_);
-    coordinates_ = std::move(moved);
+    before_.swap(coordinates_);
     settled_ = false;
     keep_in_range();
     return true;
 }
 
 void MovingTetrahedra::step_back() {
-    coordinates_ = std::move(before_);
+    coordinates_.swap(before_);
     settled_ = true;
     keep_in_range();
 }
 
 void MovingTetrahedra::keep_in_range() {
-    std::vector<Offset3> change(static_cast<std::size_t>(n_sites()));
-    bool changes = false;
+    std::vector<Offset3> change;
     for (SiteId s = 0; s < n_sites(); ++s) {
-        const Vec3 whole = coordinates_.col(s).array().floor();
-        if (whole.minCoeff() >= -1 && whole.maxCoeff() <= 1) continue;
+        const Vec3 at = coordinates_.col(s);
+        if (at.minCoeff() >= -1 && at.maxCoeff() < 2) continue;
+        const Vec3 whole = at.array().floor();
         coordinates_.col(s) -= whole;
         if (!settled_) before_.col(s) -= whole;
         if (valid_.cols() > 0) valid_.col(s) -= whole;
+        change.resize(static_cast<std::size_t>(n_sites()));
         change[s] = {int(whole.x()), int(whole.y()), int(whole.z())};
-        changes = true;
     }
-    if (changes) tetrahedra_.add_to_offsets(change);
+    if (!change.empty()) tetrahedra_.add_to_offsets(change);
 }
 
 bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
@@ -99,10 +102,9 @@ bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
     };
     SpaceSuspects wrong = find_violations();
     if (!is_empty(wrong)) {
-        const Restored restored = restore(std::move(wrong), energy);
+        std::optional<ExchangedTetrahedra> exchanged = restore(std::move(wrong));
         const bool certified =
-            restored == Restored::kEnergy ||
-            (restored == Restored::kTriangulation && is_empty(find_violations()));
+            exchanged && (corrects(std::move(*exchanged), energy) || is_empty(find_violations()));
         if (!certified) {
             valid_.resize(3, 0);
             if (!rebuild()) return false;
@@ -134,35 +136,36 @@ SpaceSuspects MovingTetrahedra::violations(SpaceSuspects suspects) const {
     return suspects;
 }
 
-MovingTetrahedra::Restored MovingTetrahedra::restore(SpaceSuspects wrong, SpaceEnergy& energy) {
-    if (wrong.tetrahedra.empty()) return restore_by_flips(wrong.facets, energy);
-    const bool done = untangle(wrong.tetrahedra, std::move(wrong.facets));
-    return done ? Restored::kTriangulation : Restored::kNothing;
+std::optional<ExchangedTetrahedra> MovingTetrahedra::restore(SpaceSuspects wrong) {
+    if (double(wrong.facets.size()) > kMostSuspectFacets * n_sites()) return std::nullopt;
+    return wrong.tetrahedra.empty() ? flip(wrong.facets)
+                                    : untangle(wrong.tetrahedra, std::move(wrong.facets));
 }
 
-/// The flips test all facets of the tetrahedra that they add, and the pass certified the others.
-MovingTetrahedra::Restored MovingTetrahedra::restore_by_flips(const std::vector<int>& facets,
-                                                              SpaceEnergy& energy) {
+std::optional<ExchangedTetrahedra> MovingTetrahedra::flip(const std::vector<int>& facets) {
     TetrahedraFlips flips(tetrahedra_, coordinates_, gram_);
     const bool done = flips.flip(facets);
     n_flips_ += flips.n_flips();
-    if (!done) return Restored::kNothing;
-    ExchangedTetrahedra exchanged = flips.take_exchanged();
-    const bool pays =
-        double(exchanged.added.size()) < kMostCorrectedShare * tetrahedra_.n_tetrahedra();
-    return pays && correct_space_energy(std::move(exchanged), coordinates_, frame_, energy)
-               ? Restored::kEnergy
-               : Restored::kTriangulation;
+    if (!done) return std::nullopt;
+    return flips.take_exchanged();
 }
 
-bool MovingTetrahedra::untangle(const std::vector<int>& inverted, std::vector<int> facets) {
-    if (valid_.cols() == 0) return false;
+std::optional<ExchangedTetrahedra> MovingTetrahedra::untangle(const std::vector<int>& inverted,
+                                                              std::vector<int> facets) {
+    if (valid_.cols() == 0) return std::nullopt;
     const auto share = static_cast<std::size_t>(kMostHeldShare * n_sites());
     TetrahedraUntangling untangling(tetrahedra_, valid_, coordinates_, gram_);
     const bool done =
         untangling.run(inverted, std::move(facets), std::max(share, kMostHeldAtLeast));
     n_flips_ += untangling.n_flips();
-    return done;
+    if (!done) return std::nullopt;
+    return untangling.take_exchanged();
+}
+
+bool MovingTetrahedra::corrects(ExchangedTetrahedra exchanged, SpaceEnergy& energy) const {
+    const bool pays =
+        double(exchanged.added.size()) < kMostCorrectedShare * tetrahedra_.n_tetrahedra();
+    return pays && correct_space_energy(std::move(exchanged), coordinates_, frame_, energy);
 }
 
 bool MovingTetrahedra::rebuild() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "mesher/space/space_delaunay.hpp"
 #include "mesher/space/space_energy.hpp"
 
@@ -63,10 +65,10 @@ class MovingTetrahedra {
     bool settled() const { return settled_; }
 
     /// Evaluates, and certifies the triangulation in the same pass. Where a facet is no longer
-    /// Delaunay, it restores the triangulation by flips and corrects the energy for the tetrahedra
-    /// that they exchange; where a tetrahedron is inverted, it untangles the triangulation
-    /// (tetrahedra_untangling.hpp) and evaluates again. It builds the triangulation from scratch if
-    /// flips get stuck, or if too many sites would have to move back.
+    /// Delaunay, it restores the triangulation by flips; where a tetrahedron is inverted, it
+    /// untangles the triangulation (tetrahedra_untangling.hpp). Then it corrects the energy for the
+    /// tetrahedra that were exchanged. It builds the triangulation from scratch if too many facets
+    /// are not Delaunay, if flips get stuck, or if too many sites would have to move back.
     /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool evaluate(Workers& workers, SpaceEnergy& energy);
 
@@ -78,12 +80,18 @@ class MovingTetrahedra {
     /// The suspects that break law (1): all inverted tetrahedra; without these, all facets that are
     /// not locally Delaunay, else all facets that may not be.
     SpaceSuspects violations(SpaceSuspects suspects) const;
-    /// What a local repair restored: nothing, so that the triangulation must be built from scratch,
-    /// or the triangulation, or its energy as well.
-    enum class Restored { kNothing, kTriangulation, kEnergy };
-    Restored restore(SpaceSuspects wrong, SpaceEnergy& energy);
-    Restored restore_by_flips(const std::vector<int>& facets, SpaceEnergy& energy);
-    bool untangle(const std::vector<int>& inverted, std::vector<int> facets);
+    /// Local repairs: after them every tetrahedron is positive and every facet locally Delaunay.
+    /// Flips test all facets of the tetrahedra that they add, untangling tests those of the sites
+    /// that it moves as well, and the pass certified the others.
+    /// @returns the tetrahedra that the repair exchanged, or nullopt if the triangulation must be
+    ///          built from scratch.
+    std::optional<ExchangedTetrahedra> restore(SpaceSuspects wrong);
+    std::optional<ExchangedTetrahedra> flip(const std::vector<int>& facets);
+    std::optional<ExchangedTetrahedra> untangle(const std::vector<int>& inverted,
+                                                std::vector<int> facets);
+    /// Corrects the energy for exchanged tetrahedra.
+    /// @returns false if another pass must compute it.
+    bool corrects(ExchangedTetrahedra exchanged, SpaceEnergy& energy) const;
     bool rebuild();
     void keep_sorted();
     void keep_in_range();

@@ -34,7 +34,10 @@ bool TetrahedraFlips::flip(const std::vector<int>& facets) {
             if (f >= tetrahedra_.n_facets()) continue;
             if (is_locally_delaunay(tetrahedra_, coordinates_, gram_, f)) continue;
             if (!try_flip(f)) stuck.push_back(f);
-            if (n_flips_ > most) return false;
+            if (n_flips_ > most) {
+                queue_.insert(queue_.end(), stuck.begin(), stuck.end());
+                return false;
+            }
         }
         if (stuck.empty()) return true;
         queue_ = std::move(stuck);

@@ -32,6 +32,8 @@ class TetrahedraUntangling {
     /// @returns false if it gave up; the triangulation must then be built from scratch.
     bool run(const std::vector<int>& inverted, std::vector<int> facets, std::size_t most_held);
     std::int64_t n_flips() const { return flips_.n_flips(); }
+    /// The tetrahedra that the repair replaced; this object forgets them.
+    ExchangedTetrahedra take_exchanged() { return flips_.take_exchanged(); }
 
    private:
     struct Held {

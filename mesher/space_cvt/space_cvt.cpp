@@ -28,7 +28,7 @@ class SpaceObjective final : public Objective {
         if (t != 0 && !moving_.step(direction, t)) return false;
         if (!moving_.evaluate(workers_, energy_)) return false;
         evaluation.value = energy_.value;
-        evaluation.gradient.setZero(n_variables());
+        if (evaluation.gradient.size() != n_variables()) evaluation.gradient.setZero(n_variables());
         double largest = 0;
         double sum = 0;
         for (Eigen::Index s = 0; s < moving_.n_sites(); ++s) {

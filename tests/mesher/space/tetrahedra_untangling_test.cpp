@@ -55,12 +55,30 @@ struct Tangle {
         return found;
     }
 
+    std::vector<Tetrahedron> all_tetrahedra() const {
+        std::vector<Tetrahedron> all;
+        for (int t = 0; t < delaunay.tetrahedra.n_tetrahedra(); ++t) {
+            all.push_back(delaunay.tetrahedra.tetrahedron(t));
+        }
+        return all;
+    }
+
+    /// Untangles, and proves the list of exchanged tetrahedra.
     bool untangle(std::size_t most_held) {
         std::vector<int> all(static_cast<std::size_t>(delaunay.tetrahedra.n_facets()));
         std::iota(all.begin(), all.end(), 0);
+        std::vector<Tetrahedron> before = all_tetrahedra();
         TetrahedraUntangling untangling(delaunay.tetrahedra, delaunay.sites.coordinates(), moved,
                                         gram);
-        return untangling.run(inverted(), all, most_held);
+        const bool done = untangling.run(inverted(), all, most_held);
+        const auto [removed, added] = untangling.take_exchanged();
+        std::vector<Tetrahedron> after = all_tetrahedra();
+        before.insert(before.end(), added.begin(), added.end());
+        after.insert(after.end(), removed.begin(), removed.end());
+        std::sort(before.begin(), before.end());
+        std::sort(after.begin(), after.end());
+        EXPECT_TRUE(before == after);
+        return done;
     }
 };
 
@@ -89,6 +107,18 @@ TEST(TetrahedraUntangling, EqualsANewBuild) {
     EXPECT_GT(n_done, 0.8 * n_tangled);
     RecordProperty("tangled", n_tangled);
     RecordProperty("done", n_done);
+}
+
+/// Where a site cannot make half of its remaining move, or a quarter, it makes a short one.
+TEST(TetrahedraUntangling, SucceedsAmongSitesInTheCube) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    int n_failed = 0;
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        const int n = 300;
+        Tangle tangle(SpaceSites(cube, uniform_points(cube, n, seed)), 0.2 / std::cbrt(n), seed);
+        if (!tangle.untangle(std::size_t(n))) ++n_failed;
+    }
+    EXPECT_EQ(n_failed, 0);
 }
 
 TEST(TetrahedraUntangling, GivesUpWhereTooManySitesMoveBack) {
