@@ -16,8 +16,8 @@ namespace {
 constexpr double kMostHeldShare = 0.2;
 constexpr std::size_t kMostHeldAtLeast = 16;
 
-/// A local repair costs more than a new build where more facets than this, for each site, may not
-/// be locally Delaunay.
+/// Where more facets than this for each site may not be locally Delaunay, a local repair costs more
+/// than a new build.
 constexpr double kMostSuspectFacets = 1.5;
 
 /// Corrections for more tetrahedra than this share cost more than another pass.
@@ -103,8 +103,8 @@ bool MovingTetrahedra::evaluate(Workers& workers, SpaceEnergy& energy) {
     SpaceSuspects wrong = find_violations();
     if (!is_empty(wrong)) {
         std::optional<ExchangedTetrahedra> exchanged = restore(std::move(wrong));
-        const bool certified =
-            exchanged && (corrects(std::move(*exchanged), energy) || is_empty(find_violations()));
+        const bool certified = exchanged && (correct_energy(std::move(*exchanged), energy) ||
+                                             is_empty(find_violations()));
         if (!certified) {
             valid_.resize(3, 0);
             if (!rebuild()) return false;
@@ -162,7 +162,7 @@ std::optional<ExchangedTetrahedra> MovingTetrahedra::untangle(const std::vector<
     return untangling.take_exchanged();
 }
 
-bool MovingTetrahedra::corrects(ExchangedTetrahedra exchanged, SpaceEnergy& energy) const {
+bool MovingTetrahedra::correct_energy(ExchangedTetrahedra exchanged, SpaceEnergy& energy) const {
     const bool pays =
         double(exchanged.added.size()) < kMostCorrectedShare * tetrahedra_.n_tetrahedra();
     return pays && correct_space_energy(std::move(exchanged), coordinates_, frame_, energy);

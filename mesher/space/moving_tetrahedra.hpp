@@ -68,7 +68,7 @@ class MovingTetrahedra {
     /// Delaunay, it restores the triangulation by flips; where a tetrahedron is inverted, it
     /// untangles the triangulation (tetrahedra_untangling.hpp). Then it corrects the energy for the
     /// tetrahedra that were exchanged. It builds the triangulation from scratch if too many facets
-    /// are not Delaunay, if flips get stuck, or if too many sites would have to move back.
+    /// may not be Delaunay, if flips get stuck, or if too many sites would have to move back.
     /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool evaluate(Workers& workers, SpaceEnergy& energy);
 
@@ -80,18 +80,18 @@ class MovingTetrahedra {
     /// The suspects that break law (1): all inverted tetrahedra; without these, all facets that are
     /// not locally Delaunay, else all facets that may not be.
     SpaceSuspects violations(SpaceSuspects suspects) const;
-    /// Local repairs: after them every tetrahedron is positive and every facet locally Delaunay.
-    /// Flips test all facets of the tetrahedra that they add, untangling tests those of the sites
-    /// that it moves as well, and the pass certified the others.
+    /// Local repairs. After one of them, every tetrahedron is positive and every facet is locally
+    /// Delaunay: flips test all facets of the tetrahedra that they add, untangling also tests the
+    /// facets around the sites that it moves, and the pass has certified all others.
     /// @returns the tetrahedra that the repair exchanged, or nullopt if the triangulation must be
     ///          built from scratch.
     std::optional<ExchangedTetrahedra> restore(SpaceSuspects wrong);
     std::optional<ExchangedTetrahedra> flip(const std::vector<int>& facets);
     std::optional<ExchangedTetrahedra> untangle(const std::vector<int>& inverted,
                                                 std::vector<int> facets);
-    /// Corrects the energy for exchanged tetrahedra.
+    /// Corrects the energy for exchanged tetrahedra if this costs less than another pass.
     /// @returns false if another pass must compute it.
-    bool corrects(ExchangedTetrahedra exchanged, SpaceEnergy& energy) const;
+    bool correct_energy(ExchangedTetrahedra exchanged, SpaceEnergy& energy) const;
     bool rebuild();
     void keep_sorted();
     void keep_in_range();

@@ -8,8 +8,8 @@ namespace pcvt {
 namespace {
 
 constexpr int kRounds = 20;
-/// A site tries its whole remaining move, then half of it, and so on. A short move always succeeds
-/// where the tetrahedra around the site are not almost flat.
+/// A site tries its whole remaining move, then half of it, and so on. A short move succeeds
+/// unless a tetrahedron around the site is almost flat.
 constexpr int kHalvings = 10;
 
 }  // namespace

@@ -28,6 +28,7 @@ class SpaceObjective final : public Objective {
         if (t != 0 && !moving_.step(direction, t)) return false;
         if (!moving_.evaluate(workers_, energy_)) return false;
         evaluation.value = energy_.value;
+        // The number of each site that is not used stays zero.
         if (evaluation.gradient.size() != n_variables()) evaluation.gradient.setZero(n_variables());
         double largest = 0;
         double sum = 0;

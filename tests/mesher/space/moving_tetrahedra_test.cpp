@@ -79,9 +79,9 @@ TEST(MovingTetrahedra, KeepNeighboursCloseInMemory) {
     EXPECT_LT(share_of_far_neighbours(), 1.5 * at_first);
 }
 
-/// Lloyd's method from random sites inverts tetrahedra in its first steps. After the longest two,
-/// which exchange so many tetrahedra that a new build is faster, local repairs restore all of them.
-TEST(MovingTetrahedra, NeedsANewBuildOnlyAfterTheLongestSteps) {
+/// Lloyd's method from random sites inverts tetrahedra in its first steps. The first two steps may
+/// break so many facets that a new build is faster; after each later step, a local repair suffices.
+TEST(MovingTetrahedra, NeedsANewBuildOnlyAfterTheFirstSteps) {
     Workers workers(1);
     const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
