@@ -75,7 +75,7 @@ Kind ply_kind(const std::vector<EncodedFile>& files) {
     return kind_of(decode_surface_ply(files.front()));
 }
 
-constexpr std::array kFormats{
+constexpr std::array kSpaceFormats{
     SpaceFormat{.extension = ".vtu",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kNone,
@@ -167,7 +167,7 @@ constexpr std::array kFormats{
 template <class Chosen>
 std::string listed_extensions(const Chosen& chosen) {
     std::vector<std::string_view> extensions;
-    for (const SpaceFormat& format : kFormats) {
+    for (const SpaceFormat& format : kSpaceFormats) {
         if (chosen(format)) extensions.push_back(format.extension);
     }
     std::string text;
@@ -183,9 +183,9 @@ std::string listed_extensions(const Chosen& chosen) {
 const SpaceFormat* find_space_format(const std::string& path) {
     const std::string extension = lower_case_extension(path);
     const auto* const found = std::find_if(
-        kFormats.begin(), kFormats.end(),
+        kSpaceFormats.begin(), kSpaceFormats.end(),
         [&extension](const SpaceFormat& format) { return format.extension == extension; });
-    return found == kFormats.end() ? nullptr : found;
+    return found == kSpaceFormats.end() ? nullptr : found;
 }
 
 std::string space_extensions() {

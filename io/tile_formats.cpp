@@ -163,7 +163,7 @@ std::vector<EncodedFile> write_foam(const Tile& tile, const FileOptions& options
     return encode_foam(tile, path, options.thickness, options.materials);
 }
 
-constexpr std::array<TileFormat, 17> kFormats{{
+constexpr std::array<TileFormat, 17> kTileFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
      .write = encode_obj,
@@ -307,7 +307,7 @@ VoxelCounts requested_voxels(const FormatRequest& request) {
 
 std::vector<std::string> single_path(const std::string& path) { return {path}; }
 
-std::span<const TileFormat> tile_formats() { return kFormats; }
+std::span<const TileFormat> tile_formats() { return kTileFormats; }
 
 std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
                                      const std::string& path, const FileOptions& options) {
@@ -323,9 +323,9 @@ TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& f
 const TileFormat* find_tile_format(const std::string& path) {
     const std::string extension = lower_case_extension(path);
     const auto found =
-        std::find_if(kFormats.begin(), kFormats.end(),
+        std::find_if(kTileFormats.begin(), kTileFormats.end(),
                      [&](const TileFormat& format) { return format.extension == extension; });
-    return found == kFormats.end() ? nullptr : &*found;
+    return found == kTileFormats.end() ? nullptr : &*found;
 }
 
 }  // namespace pcvt

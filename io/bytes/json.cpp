@@ -4,6 +4,7 @@
 #include <charconv>
 #include <functional>
 
+#include "io/bytes/text.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/portable/decimal_text.hpp"
 
@@ -15,7 +16,6 @@ void Json::MembersDeleter::operator()(std::vector<JsonMember>* members) const no
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 /// The escapes of one letter, and the characters that they mean.

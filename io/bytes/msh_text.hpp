@@ -9,6 +9,14 @@
 
 namespace pcvt {
 
+/// The dimensions of Gmsh's entities.
+inline constexpr int kMshPoints = 0;
+inline constexpr int kMshCurves = 1;
+inline constexpr int kMshSurfaces = 2;
+
+/// Gmsh's number of the element type of a tetrahedron of order 1.
+inline constexpr int kMshTetrahedron = 4;
+
 /// Appends numbers, each with a blank after it.
 template <class Number>
 void append_msh_words(std::string& text, std::initializer_list<Number> numbers) {

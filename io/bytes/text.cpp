@@ -17,7 +17,6 @@ constexpr std::size_t kMostQuoted = 40;
 constexpr CharSet kBlanks(" \t\v\f");
 constexpr CharSet kLineEnds("\r\n");
 constexpr CharSet kWordEnds(" \t\v\f\r\n");
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::array<std::string_view, 2> kUtf16Marks{"\xFF\xFE", "\xFE\xFF"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

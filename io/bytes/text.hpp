@@ -8,6 +8,9 @@
 
 namespace pcvt {
 
+/// May begin a text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// Appends the shortest decimal number that reads back as `value`, in every locale; -0.0 is written
 /// as 0.
 ///

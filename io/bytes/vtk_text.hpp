@@ -7,6 +7,13 @@
 
 namespace pcvt {
 
+/// VTK's numbers of the cell types.
+inline constexpr int kVtkTriangle = 5;
+inline constexpr int kVtkPolygon = 7;
+inline constexpr int kVtkTetra = 10;
+inline constexpr int kVtkQuadraticTriangle = 22;
+inline constexpr int kVtkPolyhedron = 42;
+
 // Arrays of VTK's XML files in ASCII:
 //
 //     open_vtk_array(text, "Int32", "PeriodicOffset", " NumberOfComponents=\"2\"");

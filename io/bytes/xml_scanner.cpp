@@ -7,10 +7,10 @@
 namespace pcvt {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kXmlBlanks = " \t\r\n";
 
 std::string_view without_blanks_before(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of(kXmlBlanks), text.size()));
     return text;
 }
 
@@ -71,7 +71,7 @@ XmlScanner::Event XmlScanner::next() {
 XmlScanner::Event XmlScanner::begin(std::string_view tag) {
     ends_at_once_ = tag.ends_with("/");
     if (ends_at_once_) tag.remove_suffix(1);
-    const std::size_t length = std::min(tag.find_first_of(kBlanks), tag.size());
+    const std::size_t length = std::min(tag.find_first_of(kXmlBlanks), tag.size());
     element_ = tag.substr(0, length);
     if (element_.empty()) throw_bad_file(line_, "a tag has no name; give an XML file");
     read_attributes(tag.substr(length));
@@ -80,7 +80,7 @@ XmlScanner::Event XmlScanner::begin(std::string_view tag) {
 }
 
 XmlScanner::Event XmlScanner::end(std::string_view tag) {
-    element_ = tag.substr(0, std::min(tag.find_first_of(kBlanks), tag.size()));
+    element_ = tag.substr(0, std::min(tag.find_first_of(kXmlBlanks), tag.size()));
     if (open_.empty() || open_.back() != element_) {
         throw_bad_file(line_, in_quotes(element_) + " ends, but is not open; give the whole file");
     }

@@ -28,6 +28,9 @@ struct ColourClass {
     std::string label;
 };
 
+/// The name of the class of cells with six sides, whose sites pictures mark by a small dot only.
+inline constexpr const char* kRegularClass = "sides_6";
+
 /// The colours of a tile. Cells, pieces of cells and grains are coloured by their site, and the
 /// vertices of Delaunay triangles are their sites.
 struct TileColours {

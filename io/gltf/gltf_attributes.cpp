@@ -12,7 +12,7 @@ namespace pcvt {
 namespace {
 
 /// Texture coordinates are compared within this many ulps of the largest.
-constexpr float kUlps = 4;
+constexpr float kTextureUlps = 4;
 /// Lines this many ulps of the largest coordinate long may be missing.
 constexpr double kShortUlps = 64;
 
@@ -55,7 +55,7 @@ void require_texture(const GltfDocument& document, const Json& primitive, const 
     const std::vector<TextureCoordinate> wanted = texture_coordinates(tile);
     float largest = 1;
     for (const auto& [u, v] : wanted) largest = std::max({largest, std::abs(u), std::abs(v)});
-    const float allowed = kUlps * std::numeric_limits<float>::epsilon() * largest;
+    const float allowed = kTextureUlps * std::numeric_limits<float>::epsilon() * largest;
     for (std::size_t v = 0; v < wanted.size(); ++v) {
         checkpoint_each(v);
         if (std::abs(numbers[2 * v] - wanted[v][0]) <= allowed &&

@@ -5,9 +5,6 @@
 namespace pcvt {
 namespace {
 
-constexpr std::size_t kHeaderSize = 12;
-constexpr std::size_t kChunkHeaderSize = 8;
-constexpr std::uint32_t kVersion = 2;
 constexpr std::string_view kUriHead = "data:application/octet-stream;base64,";
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
 
@@ -27,11 +24,11 @@ void append_chunk(std::string& bytes, std::string_view type, std::string_view co
 std::string glb_bytes(std::string_view json, const std::vector<unsigned char>& buffer) {
     const std::string_view binary(reinterpret_cast<const char*>(buffer.data()), buffer.size());
     const std::size_t size =
-        kHeaderSize + 2 * kChunkHeaderSize + padded(json.size()) + padded(binary.size());
+        kGlbHeaderSize + 2 * kGlbChunkHeaderSize + padded(json.size()) + padded(binary.size());
     std::string bytes;
     bytes.reserve(size);
     bytes += "glTF";
-    append_word(bytes, kVersion);
+    append_word(bytes, kGlbVersion);
     append_word(bytes, size);
     append_chunk(bytes, "JSON", json, ' ');
     append_chunk(bytes, std::string_view("BIN\0", 4), binary, '\0');

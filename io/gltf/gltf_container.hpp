@@ -1,10 +1,17 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace pcvt {
+
+/// The version of the container, and the bytes before its first chunk and before each chunk's data.
+inline constexpr std::uint32_t kGlbVersion = 2;
+inline constexpr std::size_t kGlbHeaderSize = 12;
+inline constexpr std::size_t kGlbChunkHeaderSize = 8;
 
 /// Returns a .glb file with its JSON and its one buffer; both chunks are padded to a multiple of
 /// four bytes.

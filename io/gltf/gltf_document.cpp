@@ -8,16 +8,14 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/base64.hpp"
+#include "io/gltf/gltf_container.hpp"
 
 namespace pcvt {
 namespace {
 
 constexpr std::string_view kMagic = "glTF";
-constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
-constexpr std::size_t kHeaderSize = 12;
-constexpr std::size_t kChunkHeaderSize = 8;
 /// Keeps sums and products of two counts far below 2^64.
 constexpr std::size_t kMaxCount = std::numeric_limits<std::uint32_t>::max() / 2;
 
@@ -194,22 +192,22 @@ void GltfDocument::parse_json(std::string_view text) {
 std::string_view GltfDocument::split_binary(std::string_view bytes) {
     // The header holds version and length of the file.
     const auto number = [&](std::size_t at) { return little_endian(bytes.data() + at, 4); };
-    if (bytes.size() < kHeaderSize || number(4) != kVersion || number(8) != bytes.size()) {
+    if (bytes.size() < kGlbHeaderSize || number(4) != kGlbVersion || number(8) != bytes.size()) {
         throw_bad_file("not a complete GLB file of version 2; copy or export it again");
     }
     // The JSON is the first chunk, the buffer is the first binary chunk after it.
     std::string_view json;
     std::string_view binary;
-    for (std::size_t at = kHeaderSize; at < bytes.size();) {
-        if (bytes.size() - at < kChunkHeaderSize ||
-            bytes.size() - at - kChunkHeaderSize < number(at)) {
+    for (std::size_t at = kGlbHeaderSize; at < bytes.size();) {
+        if (bytes.size() - at < kGlbChunkHeaderSize ||
+            bytes.size() - at - kGlbChunkHeaderSize < number(at)) {
             throw_bad_file("a GLB chunk leaves the file; copy or export it again");
         }
-        const bool first = at == kHeaderSize;
-        const std::string_view chunk = bytes.substr(at + kChunkHeaderSize, number(at));
+        const bool first = at == kGlbHeaderSize;
+        const std::string_view chunk = bytes.substr(at + kGlbChunkHeaderSize, number(at));
         if (first && number(at + 4) == kJsonChunk) json = chunk;
         if (!first && binary.empty() && number(at + 4) == kBinaryChunk) binary = chunk;
-        at += kChunkHeaderSize + chunk.size();
+        at += kGlbChunkHeaderSize + chunk.size();
     }
     if (json.empty()) throw_bad_file("the first GLB chunk is not JSON; copy or export it again");
     parse_json(json);

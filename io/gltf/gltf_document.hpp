@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <string>
@@ -10,6 +11,10 @@
 #include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
+
+/// The mode of a primitive of triangles. Points and lines have smaller modes, strips and fans of
+/// triangles have larger ones.
+inline constexpr std::size_t kGltfTriangles = 4;
 
 /// A glTF 2.0 file with embedded buffers, `.gltf` or `.glb`: its JSON and its numbers, without
 /// their meaning for a tile.

@@ -9,14 +9,13 @@
 namespace pcvt {
 namespace {
 
-constexpr std::size_t kFloat = 5126;
-constexpr std::size_t kShort = 5123;
+constexpr std::size_t kFloatComponent = 5126;
+constexpr std::size_t kShortComponent = 5123;
 constexpr std::size_t kAttributeTarget = 34962;
 constexpr std::size_t kIndexTarget = 34963;
 constexpr std::size_t kLines = 1;
-constexpr std::size_t kTriangles = 4;
 /// Bounds are compared within this many ulps of the largest.
-constexpr double kUlps = 4;
+constexpr double kBoundUlps = 4;
 
 class LayoutProof {
    public:
@@ -94,8 +93,9 @@ class LayoutProof {
         const std::size_t component = document_.count_in(accessor, "componentType");
         const std::string type = text(accessor, "type");
         const std::size_t n = type == "SCALAR" ? 1 : type == "VEC2" ? 2 : 3;
-        view.filled += document_.count_in(accessor, "count") * n * (component == kShort ? 2 : 4);
-        require_equal(view.target, component == kFloat ? kAttributeTarget : kIndexTarget,
+        view.filled +=
+            document_.count_in(accessor, "count") * n * (component == kShortComponent ? 2 : 4);
+        require_equal(view.target, component == kFloatComponent ? kAttributeTarget : kIndexTarget,
                       name + " has a view with another target");
         used_.push_back(0);
         has_bounds_.push_back(accessor.contains("min") || accessor.contains("max"));
@@ -136,8 +136,8 @@ class LayoutProof {
         const bool is_cell = name.starts_with("cell_");
         if (is_cell || is_last) require_equal(primitives.size(), 1, name + " is more than one");
         for (const Json& primitive : primitives) {
-            require_equal(document_.count_in(primitive, "mode", kTriangles),
-                          is_last ? kLines : kTriangles, name + " has another mode");
+            require_equal(document_.count_in(primitive, "mode", kGltfTriangles),
+                          is_last ? kLines : kGltfTriangles, name + " has another mode");
             require_primitive(primitive, is_cell ? name : "");
         }
     }
@@ -178,7 +178,7 @@ class LayoutProof {
             most[k % 3] = std::max<double>(most[k % 3], numbers[k]);
             largest = std::max(largest, std::abs(double(numbers[k])));
         }
-        const double allowed = kUlps * double(std::numeric_limits<float>::epsilon()) * largest;
+        const double allowed = kBoundUlps * double(std::numeric_limits<float>::epsilon()) * largest;
         const Json& object = document_.entry("accessors", accessor);
         require_bound(accessor, GltfDocument::member(object, "min"), least, allowed);
         require_bound(accessor, GltfDocument::member(object, "max"), most, allowed);

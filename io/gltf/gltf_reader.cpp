@@ -15,9 +15,6 @@
 namespace pcvt {
 namespace {
 
-/// The mode of a primitive of triangles. Points and lines have smaller modes, strips and fans of
-/// triangles have larger ones.
-constexpr std::size_t kTriangles = 4;
 constexpr std::string_view kCellPrefix = "cell_";
 constexpr SiteId kMaxSite = 1 << 28;
 /// The largest number of vertices, and of corners; far below the largest int.
@@ -143,9 +140,9 @@ void add_mesh(const Json& node, Finding& finding) {
     const Json& primitives = GltfDocument::member(mesh, "primitives");
     if (!primitives.is_array()) document.throw_bad_file("a mesh has no list of primitives");
     for (const Json& primitive : primitives) {
-        const std::size_t mode = document.count_in(primitive, "mode", kTriangles);
-        if (mode == kTriangles) add_triangles(node, primitive, finding);
-        if (mode > kTriangles)
+        const std::size_t mode = document.count_in(primitive, "mode", kGltfTriangles);
+        if (mode == kGltfTriangles) add_triangles(node, primitive, finding);
+        if (mode > kGltfTriangles)
             document.throw_bad_file("triangle strips and fans; export triangles");
     }
 }

@@ -26,7 +26,7 @@ namespace {
 /// tinygltf stores offsets as int.
 constexpr std::size_t kMaxBytes = std::numeric_limits<int>::max();
 /// float32, the type of attributes, represents all integers up to here.
-constexpr SiteId kMaxSite = 1 << 24;
+constexpr SiteId kMaxFloatSite = 1 << 24;
 constexpr double kLift = 0.002;
 constexpr Colour kLineColour{0.16, 0.17, 0.20};
 constexpr Colour kWhite{1, 1, 1};
@@ -249,7 +249,7 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
     require_finite(tile);
     const std::vector<SiteId>& sites =
         faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
-    if (*std::max_element(sites.begin(), sites.end()) >= kMaxSite) {
+    if (*std::max_element(sites.begin(), sites.end()) >= kMaxFloatSite) {
         throw LimitExceeded(path + ": too many sites for glTF; write another format");
     }
     const TileColours colours =

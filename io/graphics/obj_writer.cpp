@@ -18,7 +18,6 @@
 namespace pcvt {
 namespace {
 
-constexpr std::size_t kSitesALine = 16;
 /// The longest texts of numbers, with a blank before them: -2147483648 and
 /// -2.2250738585072014e-308.
 constexpr std::size_t kLongestInteger = 12;

@@ -9,7 +9,7 @@ namespace pcvt {
 namespace {
 
 /// The format of OpenMesh 9, and the chunk headers of each part of our files.
-constexpr char kVersion = 'B';
+constexpr char kOmVersion = 'B';
 constexpr unsigned kPositions = 0x5600;
 constexpr unsigned kEnd = 0x001c;
 constexpr unsigned kKindMask = 0x01ff;
@@ -36,7 +36,7 @@ bool OmMesh::has_entries(std::string_view name) const {
 void OmMesh::read_header() {
     const std::string_view magic = take(4);
     const bool known = magic.substr(0, 2) == "OM" && (magic[2] == 'P' || magic[2] == 'T');
-    if (!known || magic[3] != kVersion) throw_bad_file("is not a mesh as OpenMesh 9 writes it");
+    if (!known || magic[3] != kOmVersion) throw_bad_file("is not a mesh as OpenMesh 9 writes it");
     has_triangles_ = magic[2] == 'T';
     n_vertices_ = read_count();
     n_faces_ = read_count();

@@ -7,12 +7,12 @@
 
 #include "io/bytes/json.hpp"
 #include "io/bytes/text.hpp"
+#include "io/tiles/site_orbits.hpp"
 
 namespace pcvt {
 namespace {
 
-constexpr int kVersion = 1;
-constexpr std::size_t kSitesALine = 16;
+constexpr int kSeamVersion = 1;
 
 /// Appends `values` as a JSON list without line breaks.
 template <class Values>
@@ -138,7 +138,7 @@ std::string encode_seam(const Tile& tile) {
     const Vec2& a = tile.lattice.a();
     const Vec2& b = tile.lattice.b();
     std::string text = "{\n  \"format\": \"pcvt seam\",\n  \"version\": ";
-    append_number(text, kVersion);
+    append_number(text, kSeamVersion);
     text += ",\n  \"kind\": \"" + file_word(tile.kind) + "\",\n  \"lattice\": [";
     append_list(text, a);
     text += ", ";
@@ -159,7 +159,7 @@ Seam decode_seam(const std::string& name, std::string_view text) {
     const Json json = parse_json(name, text);
     const SeamDecoder decoder(name, json);
     if (decoder.at("format") != "pcvt seam") decoder.throw_bad_file("it is not a pcvt seam file");
-    if (decoder.at("version") != kVersion) decoder.throw_bad_file("its version is not 1");
+    if (decoder.at("version") != kSeamVersion) decoder.throw_bad_file("its version is not 1");
     if (decoder.at("index_base") != 0) decoder.throw_bad_file("its index base is not 0");
     // Kind and lattice.
     const Json& word = decoder.at("kind");

@@ -6,11 +6,11 @@ namespace pcvt {
 namespace {
 
 constexpr std::string_view kMagic = "CDF\x02";
-constexpr std::size_t kPadding = 4;
+constexpr std::size_t kTextPadding = 4;
 /// Begin the lists of a header.
-constexpr std::uint32_t kDimensions = 10;
-constexpr std::uint32_t kVariables = 11;
-constexpr std::uint32_t kAttributes = 12;
+constexpr std::uint32_t kDimensionList = 10;
+constexpr std::uint32_t kVariableList = 11;
+constexpr std::uint32_t kAttributeList = 12;
 
 /// Appends a number, big-endian.
 template <class Number>
@@ -24,7 +24,7 @@ void append_number(std::string& bytes, Number number) {
 void append_text(std::string& bytes, std::string_view text) {
     append_number(bytes, static_cast<std::uint32_t>(text.size()));
     bytes += text;
-    bytes.append((kPadding - text.size() % kPadding) % kPadding, '\0');
+    bytes.append((kTextPadding - text.size() % kTextPadding) % kTextPadding, '\0');
 }
 
 /// Appends the head of a list.
@@ -63,7 +63,7 @@ void NetcdfEncoder::add_variable(std::string_view name, NetcdfType type,
     append_text(definition, name);
     append_number(definition, static_cast<std::uint32_t>(dimensions.size()));
     for (const std::uint32_t dimension : dimensions) append_number(definition, dimension);
-    append_list(definition, kAttributes, 0);
+    append_list(definition, kAttributeList, 0);
     append_number(definition, static_cast<std::uint32_t>(type));
     append_number(definition, static_cast<std::uint32_t>(n_bytes));
     variables_.push_back({std::move(definition), n_bytes});
@@ -81,11 +81,11 @@ void NetcdfEncoder::append(const std::vector<double>& values) {
 std::string NetcdfEncoder::bytes() && {
     std::string bytes(kMagic);
     append_number(bytes, std::uint32_t{0});  // records
-    append_list(bytes, kDimensions, n_dimensions_);
+    append_list(bytes, kDimensionList, n_dimensions_);
     bytes += dimensions_;
-    append_list(bytes, kAttributes, n_attributes_);
+    append_list(bytes, kAttributeList, n_attributes_);
     bytes += attributes_;
-    append_list(bytes, kVariables, variables_.size());
+    append_list(bytes, kVariableList, variables_.size());
     // The values begin behind the header, which holds 64 bits for the beginning of each variable.
     std::uint64_t begin = bytes.size();
     for (const Variable& variable : variables_) begin += variable.definition.size() + sizeof begin;

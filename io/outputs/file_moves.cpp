@@ -11,7 +11,7 @@ namespace pcvt {
 namespace {
 
 /// How often a move back is tried.
-constexpr int kAttempts = 4;
+constexpr int kMoveAttempts = 4;
 
 /// The state of the three names of a move.
 struct MoveStatus {
@@ -20,7 +20,7 @@ struct MoveStatus {
     NameStatus target;
 };
 
-int look_up(const FileMove& move, MoveStatus& status) {
+int look_up_names(const FileMove& move, MoveStatus& status) {
     int error = look_up(move.temporary.c_str(), status.temporary);
     if (error == 0) error = look_up(move.target.c_str(), status.target);
     if (error == 0 && !move.backup.empty()) error = look_up(move.backup.c_str(), status.backup);
@@ -45,7 +45,7 @@ int replace(const FileMove& move, const MoveStatus& status) {
 
 int put(const FileMove& move) {
     MoveStatus status;
-    if (const int error = look_up(move, status)) return error;
+    if (const int error = look_up_names(move, status)) return error;
     if (!status.temporary.exists) return 0;
     switch (move.kind) {
         case FileMove::Kind::kNewFile:
@@ -78,7 +78,7 @@ int restore(const FileMove& move, const MoveStatus& status) {
 
 int take_back(const FileMove& move) {
     MoveStatus status;
-    if (const int error = look_up(move, status)) return error;
+    if (const int error = look_up_names(move, status)) return error;
     if (move.kind == FileMove::Kind::kReplacement) return restore(move, status);
     if (status.temporary.exists) {
         return status.target.is_same_file(status.temporary) ? remove_name(move.target.c_str()) : 0;
@@ -93,7 +93,7 @@ int take_back(const FileMove& move) {
 
 bool can_be_put(const FileMove& move) {
     MoveStatus status;
-    if (look_up(move, status) != 0) return false;
+    if (look_up_names(move, status) != 0) return false;
     if (!status.temporary.exists) return true;
     const NameStatus& target = status.target;
     const bool is_free = !target.exists || target.is_same_file(status.temporary);
@@ -128,7 +128,7 @@ FileMoves::Fault FileMoves::put_all() noexcept {
 
 FileMoves::Fault FileMoves::take_all_back() noexcept {
     Fault fault;
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    for (int attempt = 0; attempt < kMoveAttempts; ++attempt) {
         fault = {};
         for (auto move = moves_.rbegin(); move != moves_.rend(); ++move) {
             if (const int error = take_back(*move)) fault = {error, move->target.c_str()};

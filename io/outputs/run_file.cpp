@@ -26,7 +26,7 @@ constexpr std::size_t kTokenLength = 8;
 /// More than the journal of a set of 100,000 files.
 constexpr off_t kMostBytes = off_t(1) << 26;
 /// How often a new token is taken, where a parallel run owns the name.
-constexpr int kAttempts = 100;
+constexpr int kTokenAttempts = 100;
 
 /// Returns letters and digits that differ from all recent results in this process, and almost
 /// surely from all others.
@@ -120,7 +120,7 @@ RunFile RunFile::create(const std::string& folder, const std::string& target) {
             if (error == 0 || lacks_locks(error)) return run;
             run.remove();
         }
-        if (attempt == kAttempts || (error != EEXIST && error != EWOULDBLOCK)) {
+        if (attempt == kTokenAttempts || (error != EEXIST && error != EWOULDBLOCK)) {
             throw OutputError(target + ": cannot write: " + reason_of(error));
         }
     }

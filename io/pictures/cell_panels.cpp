@@ -7,18 +7,18 @@
 namespace pcvt {
 namespace {
 
-constexpr double kMargin = 24;
-constexpr double kGap = 28;
+constexpr double kPanelMargin = 24;
+constexpr double kPanelGap = 28;
 constexpr double kHeading = 52;
-constexpr double kLine = 17;
+constexpr double kCaptionLine = 17;
 constexpr double kEntryHeight = 30;
 /// The width of an entry's mark and of the gap after its label.
 constexpr double kEntryGap = 40;
 /// Of the caption of all panels, in pixels.
 constexpr double kHeadingSize = 16;
 /// Below this spacing in pixels, dots would merge into grey.
-constexpr double kLeastDottedSpacing = 7;
-constexpr const char* kEdgeColour = "#565c68";
+constexpr double kLeastDottedPanelSpacing = 7;
+constexpr const char* kPanelEdgeColour = "#565c68";
 
 /// The positions of the panels, in pixels.
 struct Grid {
@@ -29,14 +29,16 @@ struct Grid {
     int rows() const { return (n_panels + layout.columns - 1) / layout.columns; }
     int columns() const { return std::min(layout.columns, n_panels); }
     double row_height() const {
-        return layout.size + kGap + kLine * static_cast<double>(n_lines) + 4;
+        return layout.size + kPanelGap + kCaptionLine * static_cast<double>(n_lines) + 4;
     }
     Vec2 corner(int panel) const {
         const int row = panel / layout.columns;
         const int column = panel % layout.columns;
-        return {kMargin + (layout.size + kGap) * column, kHeading + row_height() * row};
+        return {kPanelMargin + (layout.size + kPanelGap) * column, kHeading + row_height() * row};
     }
-    double width() const { return 2 * kMargin + columns() * (layout.size + kGap) - kGap; }
+    double width() const {
+        return 2 * kPanelMargin + columns() * (layout.size + kPanelGap) - kPanelGap;
+    }
     double height() const { return kHeading + rows() * row_height(); }
 };
 
@@ -95,7 +97,7 @@ std::string draw_sites(const CellPanel& panel, const PanelFrame& frame) {
     if (panel.sites.empty()) return "";
     const double spacing = frame.scale() * std::sqrt(std::abs(polygon_area(panel.outline)) /
                                                      static_cast<double>(panel.sites.size()));
-    if (spacing < kLeastDottedSpacing) return "";
+    if (spacing < kLeastDottedPanelSpacing) return "";
     std::string path;
     for (const Vec2& site : panel.sites) {
         const Vec2 pixel = frame.pixel(site);
@@ -114,21 +116,21 @@ std::string draw_panel(const CellPanel& panel, const Vec2& corner, double size) 
     const PanelFrame frame(panel.outline, corner, size);
     std::string outline;
     append_polygon(outline, panel.outline, frame);
-    std::string svg = std::string("<g stroke=\"") + kEdgeColour +
+    std::string svg = std::string("<g stroke=\"") + kPanelEdgeColour +
                       "\" stroke-width=\"0.7\" stroke-linejoin=\"round\">\n" +
                       draw_cells(panel, frame) + draw_sites(panel, frame) + "</g>\n";
     svg += std::string("<path") + kSvgLineClass + " fill=\"none\" stroke-width=\"1.2\" stroke=\"" +
            kSvgInk + "\" d=\"" + outline + "\"/>\n";
     double y = corner.y() + frame.height() + 5;
     for (std::size_t k = 0; k < panel.caption.size(); ++k) {
-        y += kLine;
+        y += kCaptionLine;
         svg += svg_text({corner.x(), y}, panel.caption[k], k == 0 ? R"( font-weight="bold")" : "");
     }
     return svg;
 }
 
 std::string draw_entries(const std::vector<LegendEntry>& entries, double y) {
-    double x = kMargin;
+    double x = kPanelMargin;
     std::string svg;
     for (const LegendEntry& entry : entries) {
         svg += legend_entry(x, y, entry);
@@ -138,7 +140,7 @@ std::string draw_entries(const std::vector<LegendEntry>& entries, double y) {
 }
 
 double entries_width(const std::vector<LegendEntry>& entries) {
-    double x = 2 * kMargin;
+    double x = 2 * kPanelMargin;
     for (const LegendEntry& entry : entries) {
         x += kEntryGap + svg_text_width(entry.label, kSvgFontSize);
     }
@@ -152,11 +154,11 @@ std::string encode_cell_panels(const Legend& legend, const std::vector<CellPanel
     Grid grid{layout, static_cast<int>(panels.size()), 0};
     for (const CellPanel& panel : panels)
         grid.n_lines = std::max(grid.n_lines, panel.caption.size());
-    const double heading = 2 * kMargin + svg_bold_text_width(legend.caption, kHeadingSize);
+    const double heading = 2 * kPanelMargin + svg_bold_text_width(legend.caption, kHeadingSize);
     const double width = std::max({grid.width(), heading, entries_width(legend.entries)});
     std::string svg = svg_head(legend.caption, width, grid.height() + kEntryHeight);
     svg += svg_text_group();
-    svg += svg_text({kMargin, 32}, legend.caption,
+    svg += svg_text({kPanelMargin, 32}, legend.caption,
                     R"( font-weight="bold")" + svg_attribute("font-size", kHeadingSize));
     for (int k = 0; k < grid.n_panels; ++k) {
         svg += draw_panel(panels[k], grid.corner(k), layout.size);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "mesher/base/checkpoint.hpp"
 
@@ -88,7 +89,7 @@ void fill_gaps(std::span<PackedColour> samples) {
 }
 
 /// Appends the mean colour of each pixel of a row.
-void append_pixels(std::span<const PackedColour> samples, std::vector<unsigned char>& rgb) {
+void append_means(std::span<const PackedColour> samples, std::vector<unsigned char>& rgb) {
     const std::size_t n = samples.size() / kSamples;
     for (std::size_t x = 0; x < n; x += kSamples) {
         std::array<unsigned, 3> sums{};
@@ -107,6 +108,10 @@ void append_pixels(std::span<const PackedColour> samples, std::vector<unsigned c
 }
 
 }  // namespace
+
+PackedColour packed(Colour colour) {
+    return static_cast<PackedColour>(std::stoul(hex(colour).substr(1), nullptr, 16));
+}
 
 PeriodicCanvas::PeriodicCanvas(int width, int height, Walls walls)
     : width_(width), height_(height), walls_(walls) {}
@@ -191,7 +196,7 @@ RgbImage PeriodicCanvas::render() const {
             }
             fill_gaps(painted);
         }
-        append_pixels(samples, image.rgb);
+        append_means(samples, image.rgb);
     }
     return image;
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "io/colours/palette.hpp"
 #include "mesher/lattice/walls.hpp"
 
 namespace pcvt {
@@ -17,6 +18,7 @@ struct RgbImage {
 
 /// A colour as 0xrrggbb.
 using PackedColour = std::uint32_t;
+PackedColour packed(Colour colour);
 
 /// A canvas whose left edge continues at its right edge, and its top at its bottom, unless these
 /// edges are walls.

@@ -23,7 +23,7 @@ constexpr const char* kFaint = "#e4e6ea";
 constexpr double kAir = 0.04;
 /// Ranges that are smaller than this part of their values are drawn as one value: ticks would
 /// differ by rounding alone.
-constexpr double kRounding = 1e-12;
+constexpr double kRangeRounding = 1e-12;
 /// Maps the values along one axis to pixels.
 class Scale {
    public:
@@ -36,7 +36,7 @@ class Scale {
         high_ = place(high);
         const double range = high_ - low_;
         const double size = std::max(std::abs(low_), std::abs(high_));
-        const double air = range > kRounding * size ? kAir * range : std::max(size, 1.0) / 10;
+        const double air = range > kRangeRounding * size ? kAir * range : std::max(size, 1.0) / 10;
         // Quantities that begin at zero are drawn from zero.
         const bool from_zero = !logarithmic_ && low >= 0 && low < 0.3 * high;
         low_ = from_zero ? 0 : low_ - air;
@@ -125,10 +125,6 @@ std::string straight(const Vec2& from, const Vec2& to, const std::string& attrib
            svg_attribute("x2", to.x()) + svg_attribute("y2", to.y()) + attributes + "/>\n";
 }
 
-std::string stroke(const std::string& colour, double width) {
-    return " stroke=\"" + colour + "\"" + svg_attribute("stroke-width", width);
-}
-
 std::string disc(const Vec2& centre, double radius, const std::string& colour) {
     return "<circle" + svg_attribute("cx", centre.x()) + svg_attribute("cy", centre.y()) +
            svg_attribute("r", radius) + " fill=\"" + colour + "\"/>\n";
@@ -142,7 +138,8 @@ bool has_dots(const PlotSeries& series) {
 
 std::string line_stroke(const PlotSeries& series) {
     const bool dashed = series.mark == PlotSeries::Mark::kDashes;
-    return stroke(series.colour, dashed ? 1.4 : 2) + (dashed ? " stroke-dasharray=\"6 4\"" : "");
+    return svg_stroke(series.colour, dashed ? 1.4 : 2) +
+           (dashed ? " stroke-dasharray=\"6 4\"" : "");
 }
 
 std::string Panel::legend() const {
@@ -168,11 +165,11 @@ std::string Panel::x_axis() const {
     std::string svg;
     for (std::size_t k = 0; k < ticks.size(); ++k) {
         const double x = x_.pixel(ticks[k]);
-        svg += straight({x, kTop}, {x, bottom()}, kSvgGridClass + stroke(kFaint, 1));
+        svg += straight({x, kTop}, {x, bottom()}, kSvgGridClass + svg_stroke(kFaint, 1));
         svg += svg_text({x, bottom() + 18}, labels.texts[k], R"( text-anchor="middle")");
     }
     svg += straight({left_ + kLeft, bottom()}, {right(), bottom()},
-                    kSvgLineClass + stroke(kSvgInk, 1));
+                    kSvgLineClass + svg_stroke(kSvgInk, 1));
     const std::string factor = labels.factor.empty() ? "" : " (" + labels.factor + ")";
     return svg + svg_text({(left_ + kLeft + right()) / 2, bottom() + 42}, plot_.x.label + factor,
                           R"( text-anchor="middle")");
@@ -184,7 +181,7 @@ std::string Panel::y_axis() const {
     std::string svg;
     for (std::size_t k = 0; k < ticks.size(); ++k) {
         const double y = y_.pixel(ticks[k]);
-        svg += straight({left_ + kLeft, y}, {right(), y}, kSvgGridClass + stroke(kFaint, 1));
+        svg += straight({left_ + kLeft, y}, {right(), y}, kSvgGridClass + svg_stroke(kFaint, 1));
         svg += svg_text({left_ + kLeft - 8, y + 4}, labels.texts[k], R"( text-anchor="end")");
     }
     const std::string factor = labels.factor.empty() ? "" : " (" + labels.factor + ")";
@@ -212,9 +209,9 @@ std::string Panel::bars(const PlotSeries& series) const {
         const double low = y_.pixel(point.y() - series.errors[k]);
         const double high = y_.pixel(point.y() + series.errors[k]);
         if (low - high < 1) continue;
-        svg += straight({x, low}, {x, high}, stroke(series.colour, 1.4));
+        svg += straight({x, low}, {x, high}, svg_stroke(series.colour, 1.4));
         for (const double y : {low, high}) {
-            svg += straight({x - 4, y}, {x + 4, y}, stroke(series.colour, 1.4));
+            svg += straight({x - 4, y}, {x + 4, y}, svg_stroke(series.colour, 1.4));
         }
     }
     return svg;

@@ -14,7 +14,7 @@ namespace {
 constexpr int kWantedTicks = 6;
 constexpr std::size_t kFewestTicks = 3;
 /// Relative rounding errors of this size do not remove a tick from its axis.
-constexpr double kRounding = 1e-9;
+constexpr double kTickRounding = 1e-9;
 
 /// Returns the step of 1, 2 or 5 times a power of ten that is nearest, by ratio, to the wanted one.
 double nice_step(double range) {
@@ -31,7 +31,7 @@ double nice_step(double range) {
 std::vector<double> linear_ticks(double low, double high) {
     const double step = nice_step(high - low);
     std::vector<double> ticks;
-    const double air = kRounding * (high - low);
+    const double air = kTickRounding * (high - low);
     for (double k = std::ceil((low - air) / step); k * step <= high + air; ++k) {
         ticks.push_back(k * step);
     }
@@ -44,7 +44,7 @@ std::vector<double> digit_ticks(double low, double high, const std::vector<int>&
          k <= static_cast<int>(std::ceil(std::log10(high))); ++k) {
         for (const int digit : digits) {
             const double tick = digit * std::pow(10.0, k);
-            if (tick >= low * (1 - kRounding) && tick <= high * (1 + kRounding)) {
+            if (tick >= low * (1 - kTickRounding) && tick <= high * (1 + kTickRounding)) {
                 ticks.push_back(tick);
             }
         }
@@ -69,7 +69,8 @@ std::string fixed(double value, int digits) {
 }
 
 int exponent_of(double value) {
-    return value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)) + kRounding));
+    return value == 0 ? 0
+                      : static_cast<int>(std::floor(std::log10(std::abs(value)) + kTickRounding));
 }
 
 TickLabels linear_labels(const std::vector<double>& ticks) {

@@ -19,19 +19,14 @@ namespace {
 
 // The colours and widths of svg_writer.cpp; widths are shares of h, with limits in pixels of a
 // picture of 800 x 800.
-constexpr PackedColour kEdgeColour = 0x565c68;
-constexpr PackedColour kGradedEdgeColour = 0x262a33;
-constexpr PackedColour kTriangleEdgeColour = 0x8b919c;
-constexpr PackedColour kHoleColour = 0xffffff;
-constexpr PackedColour kDotColour = 0x30343c;
+constexpr PackedColour kPackedEdge = 0x565c68;
+constexpr PackedColour kPackedGradedEdge = 0x262a33;
+constexpr PackedColour kPackedTriangleEdge = 0x8b919c;
+constexpr PackedColour kPackedHole = 0xffffff;
+constexpr PackedColour kPackedDot = 0x30343c;
 constexpr double kPictureSide = 800;
-constexpr double kLeastDottedSpacing = 9;
+constexpr double kLeastDottedPixels = 9;
 constexpr int kRegular = 6;
-constexpr const char* kRegularClass = "sides_6";
-
-PackedColour packed(Colour colour) {
-    return static_cast<PackedColour>(std::stoul(hex(colour).substr(1), nullptr, 16));
-}
 
 /// Returns the colours of the faces, or of the sites of Delaunay triangles.
 std::vector<Colour> colour_list(const TileColours& colours) {
@@ -78,7 +73,7 @@ class PeriodPainter {
 
     void draw_faces(const std::vector<Colour>& colour_of) {
         std::vector<Vec2> corners{pixel({0, 0}), pixel({1, 0}), pixel({1, 1}), pixel({0, 1})};
-        if (!tile_.holes.empty()) canvas_.add_polygon(corners, kHoleColour);
+        if (!tile_.holes.empty()) canvas_.add_polygon(corners, kPackedHole);
         for (int f = 0; f < tile_.n_faces(); ++f) {
             checkpoint_each(f);
             corners.clear();
@@ -96,22 +91,22 @@ class PeriodPainter {
     }
 
     void draw_dots() {
-        if (spacing_ < kLeastDottedSpacing) return;
+        if (spacing_ < kLeastDottedPixels) return;
         for (const Vec2& site : tile_.site_points) {
             const Vec2 place = pixel(tile_.lattice.to_lattice(site));
-            canvas_.add_stroke(place, place, scale_ * width(0.09, 0.6, 6), kDotColour);
+            canvas_.add_stroke(place, place, scale_ * width(0.09, 0.6, 6), kPackedDot);
         }
     }
 
     void draw_sites(const TileColours& colours) {
-        const bool dense = spacing_ < kLeastDottedSpacing;
+        const bool dense = spacing_ < kLeastDottedPixels;
         const double size = dense ? 0.7 * spacing_ : width(0.36, 3, 16);
         for (int v = 0; v < tile_.n_vertices(); ++v) {
             checkpoint_each(v);
             const ColourClass& mark = colours.classes[colours.class_of[v]];
             const bool regular = mark.name == kRegularClass;
             const double rim = regular ? width(0.09, 0.6, 6) : size + width(0.06, 0.3, 2);
-            if (!dense) canvas_.add_stroke(places_[v], places_[v], scale_ * rim, kDotColour);
+            if (!dense) canvas_.add_stroke(places_[v], places_[v], scale_ * rim, kPackedDot);
             if (regular) continue;
             canvas_.add_stroke(places_[v], places_[v], scale_ * size, packed(mark.colour));
         }
@@ -204,17 +199,17 @@ RgbImage draw_period(const Tile& tile, const FileOptions& options, int width) {
     if (!kind.faces_have_sites) {
         const std::size_t n_faces = tile.faces.begin.size() - 1;
         painter.draw_faces(std::vector<Colour>(n_faces, side_colour(kRegular)));
-        painter.draw_edges(is_edge, kTriangleEdgeColour, painter.width(0.03, 0.05, 1.6));
+        painter.draw_edges(is_edge, kPackedTriangleEdge, painter.width(0.03, 0.05, 1.6));
         painter.draw_sites(colours);
         return painter.render();
     }
     painter.draw_faces(colour_list(colours));
     if (kind.grain_size) {
-        painter.draw_edges(is_edge, kTriangleEdgeColour, painter.width(0.01, 0.03, 0.8));
-        painter.draw_edges(is_grain_boundary, kEdgeColour, painter.width(0.04, 0.08, 2));
+        painter.draw_edges(is_edge, kPackedTriangleEdge, painter.width(0.01, 0.03, 0.8));
+        painter.draw_edges(is_grain_boundary, kPackedEdge, painter.width(0.04, 0.08, 2));
         return painter.render();
     }
-    painter.draw_edges(is_cell_edge, graded ? kGradedEdgeColour : kEdgeColour,
+    painter.draw_edges(is_cell_edge, graded ? kPackedGradedEdge : kPackedEdge,
                        painter.width(0.03, 0.06, 1.6));
     if (!graded) painter.draw_dots();
     return painter.render();

@@ -114,10 +114,6 @@ Legend legend_of(const SpaceTile& tile) {
     return legend;
 }
 
-PackedColour packed(Colour colour) {
-    return static_cast<PackedColour>(std::stoul(hex(colour).substr(1), nullptr, 16));
-}
-
 }  // namespace
 
 std::vector<ShownFace> shown_faces(const SpaceTile& tile) {

@@ -10,7 +10,7 @@
 namespace pcvt {
 namespace {
 
-constexpr double kMargin = 20;
+constexpr double kCanvasMargin = 20;
 constexpr double kTypicalSide = 800;
 constexpr double kLongestSide = 1600;
 /// The longest attribute. libxml2, which librsvg and others use, refuses about 10 MB.
@@ -56,12 +56,12 @@ SvgFrame::SvgFrame(const std::vector<Vec2>& points) {
     const double shortest = std::max((high - low_).minCoeff(), 1e-6 * longest);
     const double typical = std::sqrt(shortest) * std::sqrt(longest);
     scale_ = std::min(kTypicalSide / typical, kLongestSide / longest);
-    size_ = (high - low_) * scale_ + Vec2::Constant(2 * kMargin);
+    size_ = (high - low_) * scale_ + Vec2::Constant(2 * kCanvasMargin);
 }
 
 Vec2 SvgFrame::pixel(const Vec2& point) const {
     const Vec2 from_low = (point - low_) * scale_;
-    return {kMargin + from_low.x(), size_.y() - kMargin - from_low.y()};
+    return {kCanvasMargin + from_low.x(), size_.y() - kCanvasMargin - from_low.y()};
 }
 
 void append_pixels(std::string& text, double value) {
@@ -118,6 +118,10 @@ std::string svg_attribute(const std::string& name, double pixels) {
     std::string text = " " + name + "=\"";
     append_pixels(text, pixels);
     return text + '"';
+}
+
+std::string svg_stroke(const std::string& colour, double width) {
+    return " stroke=\"" + colour + "\"" + svg_attribute("stroke-width", width);
 }
 
 std::string svg_head(const std::string& title, double width, double height,

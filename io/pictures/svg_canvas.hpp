@@ -58,6 +58,8 @@ class SvgPath {
 
 /// Returns ` name="value"` with a number of pixels.
 std::string svg_attribute(const std::string& name, double pixels);
+/// Returns the attributes of a line, the width in pixels.
+std::string svg_stroke(const std::string& colour, double width);
 
 /// The colour of text and of lines that are not part of a drawing, on a light background.
 inline constexpr const char* kSvgInk = "#1c1f26";

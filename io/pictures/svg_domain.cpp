@@ -11,7 +11,7 @@ namespace {
 /// factor.
 constexpr double kOblique = 1.5;
 /// Lattice coordinates that should agree differ by less than this.
-constexpr double kRounding = 1e-9;
+constexpr double kLatticeRounding = 1e-9;
 
 double longest_diagonal(const Lattice& lattice) {
     return std::max((lattice.a() + lattice.b()).norm(), (lattice.a() - lattice.b()).norm());
@@ -28,7 +28,7 @@ std::optional<Vec2> box_corner(const Tile& tile) {
         low = low.cwiseMin(u);
         high = high.cwiseMax(u);
     }
-    if ((high - low).maxCoeff() > 1 + kRounding) return std::nullopt;
+    if ((high - low).maxCoeff() > 1 + kLatticeRounding) return std::nullopt;
     return tile.lattice.to_plane(low);
 }
 

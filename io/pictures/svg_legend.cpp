@@ -5,17 +5,17 @@
 namespace pcvt {
 namespace {
 
-constexpr double kMargin = 20;
-constexpr double kLine = 22;
-constexpr double kMarkWidth = 22;
-constexpr double kGap = 18;
+constexpr double kLegendMargin = 20;
+constexpr double kLegendLine = 22;
+constexpr double kLegendMarkWidth = 22;
+constexpr double kLegendGap = 18;
 /// The least width of a row beneath the drawing.
 constexpr double kShortestRow = 400;
 /// The legend lies beside a drawing with a larger ratio of height to width.
 constexpr double kTall = 1.6;
 
 double entry_width(const LegendEntry& entry) {
-    return kMarkWidth + svg_text_width(entry.label, kSvgFontSize);
+    return kLegendMarkWidth + svg_text_width(entry.label, kSvgFontSize);
 }
 
 double caption_width(const Legend& legend) {
@@ -46,40 +46,40 @@ std::string mark_at(double x, double y, const LegendEntry& entry) {
 
 PlacedLegend beside(const Legend& legend, const SvgFrame& frame) {
     const double x = frame.width();
-    double y = kMargin + 12;
+    double y = kLegendMargin + 12;
     double widest = caption_width(legend);
     std::string svg = svg_text({x, y}, legend.caption, R"( font-weight="bold")");
     for (const LegendEntry& entry : legend.entries) {
-        y += kLine;
+        y += kLegendLine;
         svg += legend_entry(x, y, entry);
         widest = std::max(widest, entry_width(entry));
     }
-    return {svg, x + widest + kMargin, std::max(frame.height(), y + kMargin)};
+    return {svg, x + widest + kLegendMargin, std::max(frame.height(), y + kLegendMargin)};
 }
 
 PlacedLegend beneath(const Legend& legend, const SvgFrame& frame) {
-    const double row_end = std::max(frame.width() - kMargin, kMargin + kShortestRow);
-    double x = kMargin;
+    const double row_end = std::max(frame.width() - kLegendMargin, kLegendMargin + kShortestRow);
+    double x = kLegendMargin;
     double y = frame.height() + 12;
     double right = x + caption_width(legend);
     std::string svg = svg_text({x, y}, legend.caption, R"( font-weight="bold")");
-    y += kLine;
+    y += kLegendLine;
     for (const LegendEntry& entry : legend.entries) {
-        if (x > kMargin && x + entry_width(entry) > row_end) {
-            x = kMargin;
-            y += kLine;
+        if (x > kLegendMargin && x + entry_width(entry) > row_end) {
+            x = kLegendMargin;
+            y += kLegendLine;
         }
         svg += legend_entry(x, y, entry);
-        x += entry_width(entry) + kGap;
-        right = std::max(right, x - kGap);
+        x += entry_width(entry) + kLegendGap;
+        right = std::max(right, x - kLegendGap);
     }
-    return {svg, std::max(frame.width(), right + kMargin), y + kMargin};
+    return {svg, std::max(frame.width(), right + kLegendMargin), y + kLegendMargin};
 }
 
 }  // namespace
 
 std::string legend_entry(double x, double y, const LegendEntry& entry) {
-    return mark_at(x, y, entry) + svg_text({x + kMarkWidth, y}, entry.label, "");
+    return mark_at(x, y, entry) + svg_text({x + kLegendMarkWidth, y}, entry.label, "");
 }
 
 PlacedLegend place_legend(const Legend& legend, const SvgFrame& frame) {

@@ -34,8 +34,6 @@ constexpr const char* kWallColour = "#4a4f5c";
 constexpr const char* kDomainCasing = "#ffffff";
 /// Below this spacing in pixels, dots would merge into grey.
 constexpr double kLeastDottedSpacing = 9;
-/// Sites of this valence have a small dot in place of a mark.
-constexpr const char* kRegularClass = "sides_6";
 
 /// A tile with its colours, its position on the canvas, and the spacing h of its sites in pixels.
 struct Drawing {
@@ -52,7 +50,7 @@ struct Drawing {
 };
 
 /// Returns the number of sites; all pieces of one cell or grain count once.
-int count_sites(const Tile& tile) {
+int count_drawn_sites(const Tile& tile) {
     if (tile.kind == MeshKind::kDelaunay) {
         return tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());
     }
@@ -76,10 +74,6 @@ std::vector<std::pair<Offset, std::string>> seam_colours(const Tile& tile) {
         colours.emplace_back(-negative, hex(seam_colour(colours.size())));
     }
     return colours;
-}
-
-std::string stroke(const std::string& colour, double width) {
-    return " stroke=\"" + colour + "\"" + svg_attribute("stroke-width", width);
 }
 
 std::string fill(const std::string& colour) { return " fill=\"" + colour + "\""; }
@@ -122,14 +116,14 @@ std::string draw_cells(const Drawing& drawing, bool graded) {
     const Tile& tile = drawing.tile;
     const double edge_width = drawing.width(0.03, 0.06, 1.6);
     std::string svg =
-        draw_coloured(drawing, stroke(graded ? kGradedEdgeColour : kEdgeColour, edge_width));
+        draw_coloured(drawing, svg_stroke(graded ? kGradedEdgeColour : kEdgeColour, edge_width));
     if (graded || drawing.spacing < kLeastDottedSpacing) return svg;
     // Dots lie over the cells.
     SvgPath dots(drawing.frame);
     for (int f = 0; f < tile.n_faces() && !tile.site_points.empty(); ++f) {
         if (holds_site(tile, f)) dots.dot(tile.site_points[f]);
     }
-    return svg + dots.element(stroke(kDotColour, drawing.width(0.09, 0.6, 6)));
+    return svg + dots.element(svg_stroke(kDotColour, drawing.width(0.09, 0.6, 6)));
 }
 
 /// Returns the edges between triangles of different sites.
@@ -152,8 +146,8 @@ SvgPath grain_boundaries(const Drawing& drawing) {
 }
 
 std::string draw_grains(const Drawing& drawing) {
-    return draw_coloured(drawing, stroke(kTriangleEdgeColour, drawing.width(0.01, 0.03, 0.8))) +
-           grain_boundaries(drawing).element(stroke(kEdgeColour, drawing.width(0.04, 0.08, 2)));
+    return draw_coloured(drawing, svg_stroke(kTriangleEdgeColour, drawing.width(0.01, 0.03, 0.8))) +
+           grain_boundaries(drawing).element(svg_stroke(kEdgeColour, drawing.width(0.04, 0.08, 2)));
 }
 
 std::string draw_triangles(const Drawing& drawing) {
@@ -161,7 +155,7 @@ std::string draw_triangles(const Drawing& drawing) {
     SvgPath faces(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) add_face(tile, f, faces);
     return faces.element(fill(kPaleColour) +
-                         stroke(kTriangleEdgeColour, drawing.width(0.03, 0.05, 1.6)));
+                         svg_stroke(kTriangleEdgeColour, drawing.width(0.03, 0.05, 1.6)));
 }
 
 std::string draw_faces(const Drawing& drawing, bool graded) {
@@ -186,8 +180,8 @@ std::string draw_sites(const Drawing& drawing) {
     for (std::size_t k = 0; k < by_class.size(); ++k) {
         const ColourClass& mark = drawing.colours.classes[k];
         const bool regular = mark.name == kRegularClass;
-        if (!dense) svg += by_class[k].element(stroke(kDotColour, regular ? dot : size + rim));
-        if (!regular) svg += by_class[k].element(stroke(hex(mark.colour), size));
+        if (!dense) svg += by_class[k].element(svg_stroke(kDotColour, regular ? dot : size + rim));
+        if (!regular) svg += by_class[k].element(svg_stroke(hex(mark.colour), size));
     }
     return svg;
 }
@@ -196,8 +190,8 @@ std::string draw_domain(const std::vector<Vec2>& corners, const Drawing& drawing
     SvgPath path(drawing.frame);
     path.move(corners[0]).line(corners[1]).line(corners[2]).line(corners[3]).close();
     const double width = drawing.width(0.04, 0.8, 1.4);
-    return path.element(stroke(kDomainCasing, width + 0.8) + " stroke-opacity=\"0.75\"") +
-           path.element(" stroke-dasharray=\"6 4\"" + stroke(kDomainColour, width));
+    return path.element(svg_stroke(kDomainCasing, width + 0.8) + " stroke-opacity=\"0.75\"") +
+           path.element(" stroke-dasharray=\"6 4\"" + svg_stroke(kDomainColour, width));
 }
 
 std::string draw_seam(const Drawing& drawing) {
@@ -210,14 +204,14 @@ std::string draw_seam(const Drawing& drawing) {
             path.move(tile.points[pair.v0]).line(tile.points[pair.v1]);
             path.move(tile.points[pair.w0]).line(tile.points[pair.w1]);
         }
-        svg += path.element(stroke(colour, drawing.width(0.09, 1.1, 5)));
+        svg += path.element(svg_stroke(colour, drawing.width(0.09, 1.1, 5)));
     }
     if (tile.wall_edges.empty()) return svg;
     SvgPath walls(drawing.frame);
     for (const WallEdge& edge : tile.wall_edges) {
         walls.move(tile.points[edge.v0]).line(tile.points[edge.v1]);
     }
-    return svg + walls.element(stroke(kWallColour, drawing.width(0.13, 1.6, 7)));
+    return svg + walls.element(svg_stroke(kWallColour, drawing.width(0.13, 1.6, 7)));
 }
 
 /// The names of the walls without their prefix, and of the holes: "bottom, top, fibre".
@@ -237,7 +231,7 @@ std::string counted(int n, const std::string& noun) {
 }
 
 std::string caption(const Tile& tile) {
-    const int n = count_sites(tile);
+    const int n = count_drawn_sites(tile);
     const std::string triangles = counted(tile.n_faces(), "triangle");
     const MeshKindRow& kind = mesh_kind_row(tile.kind);
     const bool has_walls = tile.walls != Walls::kNone;
@@ -288,7 +282,7 @@ std::string encode(const Tile& tile, const FileOptions& options) {
     std::vector<Vec2> drawn = tile.points;
     drawn.insert(drawn.end(), domain.corners.begin(), domain.corners.end());
     const SvgFrame frame(drawn);
-    const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_sites(tile));
+    const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_drawn_sites(tile));
     // The legend explains the colours and determines the size of the canvas.
     const Colouring colouring =
         options.colouring.value_or(default_picture_colouring(tile, options.quantities()));

@@ -13,7 +13,7 @@
 namespace pcvt {
 namespace {
 
-[[noreturn]] void throw_bad_file(std::size_t character, const std::string& what) {
+[[noreturn]] void throw_bad_formula(std::size_t character, const std::string& what) {
     throw InvalidInput("character " + std::to_string(character) + ": " + what);
 }
 
@@ -33,9 +33,10 @@ void refuse_foreign_characters(const std::string& text) {
         const bool is_blank = std::string_view("\t\r\n").find(text[k]) != std::string_view::npos;
         if ((text[k] >= ' ' && text[k] <= '~') || is_blank) continue;
         const bool is_ascii = static_cast<unsigned char>(text[k]) <= 0x7F;
-        throw_bad_file(k + 1, is_ascii ? "a control character; remove it"
-                                       : "not a character of a formula; write - for a minus sign, "
-                                         "* for a product, ^2 for a square, pi");
+        throw_bad_formula(k + 1, is_ascii
+                                     ? "a control character; remove it"
+                                     : "not a character of a formula; write - for a minus sign, "
+                                       "* for a product, ^2 for a square, pi");
     }
 }
 
@@ -45,7 +46,7 @@ void refuse_assignment(const std::string& text) {
         if (text[k] != '=') continue;
         const bool compares = k > 0 && std::string("<>!").find(text[k - 1]) != std::string::npos;
         if (!compares && text[k + 1] != '=') {
-            throw_bad_file(k + 1, "an assignment; write == to compare");
+            throw_bad_formula(k + 1, "an assignment; write == to compare");
         }
         if (!compares) ++k;
     }
@@ -55,7 +56,7 @@ void refuse_assignment(const std::string& text) {
 void refuse_double_asterisk(const std::string& text) {
     const std::size_t place = text.find("**");
     if (place == std::string::npos) return;
-    throw_bad_file(place + 1, "** is no operator; write ^ for a power");
+    throw_bad_formula(place + 1, "** is no operator; write ^ for a power");
 }
 
 struct NamedFunction {
@@ -95,12 +96,13 @@ class Formula {
         } catch (const mu::ParserError& error) {
             const int place = error.GetPos();
             const std::size_t at = place < 0 ? text.size() : static_cast<std::size_t>(place);
-            throw_bad_file(std::min(at, text.size()) + 1,
-                           complaint(error) + "; write a formula in x, y, u and v");
+            throw_bad_formula(std::min(at, text.size()) + 1,
+                              complaint(error) + "; write a formula in x, y, u and v");
         }
         // A comma outside of a function separates formulas.
         if (parser_.GetNumResults() != 1) {
-            throw_bad_file(text.find(',') + 1, "several formulas; write one, with a decimal point");
+            throw_bad_formula(text.find(',') + 1,
+                              "several formulas; write one, with a decimal point");
         }
     }
     Formula(const Formula&) = delete;

@@ -26,7 +26,7 @@ constexpr std::size_t kHeaderLength = 13;
 constexpr std::size_t kPixelBytes = 8;
 constexpr std::size_t kIndexBytes = 1;
 
-[[noreturn]] void throw_bad_file(const std::string& name, const std::string& what) {
+[[noreturn]] void throw_bad_png(const std::string& name, const std::string& what) {
     throw BadFile(name + ": " + what + "; give a whole PNG");
 }
 
@@ -47,12 +47,12 @@ struct Outline {
 
 void read_header(const std::string& name, std::string_view chunk, Outline& outline) {
     if (chunk.substr(4, 4) != "IHDR" || big_endian(chunk.data()) != kHeaderLength) {
-        throw_bad_file(name, "does not begin with its header");
+        throw_bad_png(name, "does not begin with its header");
     }
     outline.width = big_endian(chunk.data() + 8);
     outline.height = big_endian(chunk.data() + 12);
     outline.wants_palette = chunk[17] == PNG_COLOR_TYPE_PALETTE;
-    if (outline.width == 0 || outline.height == 0) throw_bad_file(name, "has no pixels");
+    if (outline.width == 0 || outline.height == 0) throw_bad_png(name, "has no pixels");
     const std::string size = name + ": " + std::to_string(outline.width) + " x " +
                              std::to_string(outline.height) + " pixels are more than ";
     if (std::uint64_t{outline.width} * outline.height > kMostPixels) {
@@ -66,7 +66,7 @@ void read_header(const std::string& name, std::string_view chunk, Outline& outli
 
 /// Checks every chunk. Keeps the critical chunks and tRNS.
 Outline outline_of(const std::string& name, const std::string& bytes) {
-    if (!bytes.starts_with(kSignature)) throw_bad_file(name, "is not a PNG");
+    if (!bytes.starts_with(kSignature)) throw_bad_png(name, "is not a PNG");
     Outline outline;
     outline.bytes = kSignature;
     bool has_palette = false;
@@ -74,9 +74,9 @@ Outline outline_of(const std::string& name, const std::string& bytes) {
     // Walk over the chunks; the first one is the header.
     for (std::size_t at = kSignature.size();;) {
         const std::size_t left = bytes.size() - at;
-        if (left < kChunkFrame) throw_bad_file(name, "is truncated");
+        if (left < kChunkFrame) throw_bad_png(name, "is truncated");
         const std::size_t length = big_endian(bytes.data() + at);
-        if (length > left - kChunkFrame) throw_bad_file(name, "is truncated");
+        if (length > left - kChunkFrame) throw_bad_png(name, "is truncated");
         const std::string_view chunk = std::string_view(bytes).substr(at, length + kChunkFrame);
         const std::string_view type = chunk.substr(4, 4);
         if (outline.width == 0) read_header(name, chunk, outline);
@@ -84,7 +84,7 @@ Outline outline_of(const std::string& name, const std::string& bytes) {
         has_palette = has_palette || type == "PLTE";
         has_pixels = has_pixels || type == "IDAT";
         if (has_pixels && outline.wants_palette && !has_palette) {
-            throw_bad_file(name, "is a palette picture without its palette");
+            throw_bad_png(name, "is a palette picture without its palette");
         }
         // Drop chunks that decoders may ignore.
         const bool critical = (type[0] & 0x20) == 0;
@@ -92,7 +92,7 @@ Outline outline_of(const std::string& name, const std::string& bytes) {
         if (type == "IEND") break;
         at += chunk.size();
     }
-    if (!has_pixels) throw_bad_file(name, "holds no pixels");
+    if (!has_pixels) throw_bad_png(name, "holds no pixels");
     return outline;
 }
 
@@ -225,7 +225,7 @@ GreyImage decode_png(const std::string& name, const std::string& bytes) {
     if (decoder.info == nullptr) throw std::bad_alloc();
     if (!decode(decoder)) {
         if (decoder.is_out_of_memory) throw std::bad_alloc();
-        throw_bad_file(name, "is damaged: " + std::string(decoder.complaint.data()));
+        throw_bad_png(name, "is damaged: " + std::string(decoder.complaint.data()));
     }
     // Convert them to grey.
     GreyImage image{static_cast<int>(outline.width), static_cast<int>(outline.height), {}};

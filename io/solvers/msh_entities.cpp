@@ -22,11 +22,11 @@ struct CellEdge {
 };
 
 /// One side of an edge, under the name that both of its faces know.
-struct Side {
+struct NamedSide {
     int low;
     int high;
     int corner;
-    friend auto operator<=>(const Side&, const Side&) = default;
+    friend auto operator<=>(const NamedSide&, const NamedSide&) = default;
 };
 
 class EntityFinder {
@@ -80,12 +80,12 @@ class EntityFinder {
     void find_cell_edges() {
         const std::vector<bool> contact = contacts();
         const std::vector<int>& vertex = tile_.faces.corners;
-        std::vector<Side> sides;
+        std::vector<NamedSide> sides;
         for (int c = 0; c < static_cast<int>(vertex.size()); ++c) {
             const auto [low, high] = std::minmax({vertex[c], vertex[next(c)]});
             if (contact[low] && contact[high]) sides.push_back({low, high, c});
         }
-        bucket_sort(sides, n_vertices(), [](const Side& side) { return side.low; });
+        bucket_sort(sides, n_vertices(), [](const NamedSide& side) { return side.low; });
         for (std::size_t k = 1; k < sides.size(); ++k) {
             const auto& [low, high, d] = sides[k];
             const int c = sides[k - 1].corner;

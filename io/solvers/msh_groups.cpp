@@ -3,27 +3,28 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/bytes/msh_text.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 
 namespace pcvt {
 namespace {
 
-constexpr int kCurves = 1;
-constexpr int kSurfaces = 2;
 /// The words of a curve or a surface before its physical groups: its tag and its bounds.
 constexpr std::size_t kBeforeGroups = 7;
 
 /// One side of an edge, and the cell of its triangle.
-struct Side {
+struct TriangleSide {
     int low;
     int high;
     SiteId site;
     /// The line of its triangle.
     int line;
-    friend auto operator<=>(const Side&, const Side&) = default;
+    friend auto operator<=>(const TriangleSide&, const TriangleSide&) = default;
 };
 
-bool same_edge(const Side& s, const Side& t) { return s.low == t.low && s.high == t.high; }
+bool same_edge(const TriangleSide& s, const TriangleSide& t) {
+    return s.low == t.low && s.high == t.high;
+}
 
 /// The sites of the triangles by rising number.
 std::vector<NumberedItems::SiteOf> sorted_sites(const NumberedItems& items) {
@@ -42,9 +43,9 @@ std::optional<SiteId> site_of(const std::vector<NumberedItems::SiteOf>& sorted, 
 }
 
 /// @pre each triangle has a site.
-std::vector<Side> sorted_sides(const NumberedItems& items) {
+std::vector<TriangleSide> sorted_sides(const NumberedItems& items) {
     const std::vector<NumberedItems::SiteOf> stated = sorted_sites(items);
-    std::vector<Side> sides;
+    std::vector<TriangleSide> sides;
     sides.reserve(3 * items.triangles.size());
     for (const NumberedItems::Triangle& triangle : items.triangles) {
         const SiteId site = *site_of(stated, triangle.number);
@@ -67,8 +68,8 @@ void MshGroups::parse_names(MshRows& rows) {
             rows.throw_bad_file("the name of the group is not in quotes; correct it");
         }
         name = name.substr(1, name.size() - 2);
-        if (dimension < kCurves || dimension > kSurfaces) continue;
-        has_cells_ = has_cells_ || (dimension == kSurfaces && name.starts_with(kCellGroup));
+        if (dimension < kMshCurves || dimension > kMshSurfaces) continue;
+        has_cells_ = has_cells_ || (dimension == kMshSurfaces && name.starts_with(kCellGroup));
         names_[dimension - 1][rows.integer(1)] = name;
     }
 }
@@ -77,7 +78,7 @@ void MshGroups::parse_entities(MshRows& rows) {
     rows.next_row(4);
     const std::array<int, 3> n{rows.count(0), rows.count(1), rows.count(2)};
     for (int k = 0; k < n[0]; ++k) rows.next_row();
-    for (const int dimension : {kCurves, kSurfaces}) {
+    for (const int dimension : {kMshCurves, kMshSurfaces}) {
         for (int k = 0; k < n[dimension]; ++k) {
             if (rows.next_row().size() < kBeforeGroups + 2) {
                 rows.throw_bad_file("the entity has too few numbers; write the file again");
@@ -101,7 +102,7 @@ std::optional<std::string> MshGroups::fault_of_cells(const NumberedItems& items,
     const std::vector<NumberedItems::SiteOf> stated = sorted_sites(items);
     for (std::size_t f = 0; f < surfaces.size(); ++f) {
         const NumberedItems::Triangle& triangle = items.triangles[f];
-        const std::string& group = name_of(kSurfaces, surfaces[f]);
+        const std::string& group = name_of(kMshSurfaces, surfaces[f]);
         const std::optional<SiteId> site = site_of(stated, triangle.number);
         if (site && group == kCellGroup + std::to_string(*site)) continue;
         return std::to_string(triangle.line) + ": the triangle is in the physical group " +
@@ -113,13 +114,14 @@ std::optional<std::string> MshGroups::fault_of_cells(const NumberedItems& items,
 
 std::optional<std::string> MshGroups::fault_of_boundary(const NumberedItems& items,
                                                         const std::vector<MshLine>& lines) const {
-    const std::vector<Side> sides = sorted_sides(items);
+    const std::vector<TriangleSide> sides = sorted_sides(items);
     std::vector<std::pair<int, int>> boundary;
     for (const MshLine& line : lines) {
-        if (name_of(kCurves, line.curve) != kGrainBoundary) continue;
+        if (name_of(kMshCurves, line.curve) != kGrainBoundary) continue;
         const auto [low, high] = std::minmax(line.from, line.to);
         boundary.emplace_back(low, high);
-        const auto first = std::lower_bound(sides.begin(), sides.end(), Side{low, high, -1, 0});
+        const auto first =
+            std::lower_bound(sides.begin(), sides.end(), TriangleSide{low, high, -1, 0});
         if (sides.end() - first >= 2 && same_edge(first[0], {low, high, 0, 0}) &&
             same_edge(first[1], first[0]))
             continue;
@@ -128,7 +130,7 @@ std::optional<std::string> MshGroups::fault_of_boundary(const NumberedItems& ite
     }
     cancellable_sort(boundary.begin(), boundary.end());
     for (std::size_t k = 1; k < sides.size(); ++k) {
-        const Side& side = sides[k];
+        const TriangleSide& side = sides[k];
         if (!same_edge(sides[k - 1], side) || sides[k - 1].site == side.site) continue;
         const std::pair edge(side.low, side.high);
         if (std::binary_search(boundary.begin(), boundary.end(), edge)) continue;

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "io/bytes/msh_text.hpp"
 #include "io/bytes/text.hpp"
 #include "io/solvers/msh_groups.hpp"
 #include "io/tiles/file_tile_builder.hpp"
@@ -19,7 +20,7 @@ constexpr int kTriangle = 2;
 constexpr int kLine3 = 8;
 constexpr int kTriangle6 = 9;
 constexpr int kPoint = 15;
-constexpr int kCurves = 1;
+
 /// Returns the number of nodes of an element type; 0 for types that a tile cannot have.
 std::size_t n_nodes(int type) {
     switch (type) {
@@ -178,7 +179,7 @@ class MshParser {
             for (std::size_t k = 1; k <= n; ++k) nodes.push_back(rows_.integer(k));
             file_.numbered.triangles.push_back({rows_.integer(0), rows_.line(), std::move(nodes)});
             surfaces_.push_back(entity);
-        } else if (type != kPoint && dimension == kCurves) {
+        } else if (type != kPoint && dimension == kMshCurves) {
             std::optional<int> middle;
             if (type == kLine3) middle = rows_.integer(3);
             lines_.push_back({.curve = entity,
@@ -196,7 +197,7 @@ class MshParser {
 
     void parse_link() {
         rows_.next_row(3);
-        const bool of_curves = rows_.integer(0) == kCurves;
+        const bool of_curves = rows_.integer(0) == kMshCurves;
         const int slave = rows_.integer(1);
         const Vec2 translation = parse_translation();
         rows_.next_row(1);

@@ -18,11 +18,8 @@ namespace pcvt {
 namespace {
 
 /// Gmsh's element types by the order of the tile.
-constexpr int kLine[] = {0, 1, 8};
-constexpr int kTriangle[] = {0, 2, 9};
-constexpr int kPoints = 0;
-constexpr int kCurves = 1;
-constexpr int kSurfaces = 2;
+constexpr int kLineOfOrder[] = {0, 1, 8};
+constexpr int kTriangleOfOrder[] = {0, 2, 9};
 constexpr const char* kCellView = "cell_id";
 constexpr const char* kOrbitView = "orbit";
 
@@ -41,17 +38,17 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model,
                           model.entities.surfaces.size() + model.phases.size();
     append_msh_line(text, {static_cast<int>(n) + (model.has_boundary ? 1 : 0)});
     for (const auto& [offset, group] : model.seam_groups) {
-        append_msh_name(text, kCurves, group, seam_name(offset));
+        append_msh_name(text, kMshCurves, group, seam_name(offset));
     }
     for (const auto& [wall, group] : model.wall_groups) {
-        append_msh_name(text, kCurves, group, wall_name(tile, wall));
+        append_msh_name(text, kMshCurves, group, wall_name(tile, wall));
     }
-    if (model.has_boundary) append_msh_name(text, kCurves, model.boundary_group, kGrainBoundary);
+    if (model.has_boundary) append_msh_name(text, kMshCurves, model.boundary_group, kGrainBoundary);
     for (const MshSurface& cell : model.entities.surfaces) {
-        append_msh_name(text, kSurfaces, cell.site + 1, kCellGroup + std::to_string(cell.site));
+        append_msh_name(text, kMshSurfaces, cell.site + 1, kCellGroup + std::to_string(cell.site));
     }
     for (const int phase : model.phases) {
-        append_msh_name(text, kSurfaces, model.phase_group + phase,
+        append_msh_name(text, kMshSurfaces, model.phase_group + phase,
                         phase_group(model.materials.phase_names[phase]));
     }
     text += "$EndPhysicalNames\n";
@@ -155,13 +152,13 @@ void append_nodes(std::string& text, const SolverNodes& nodes, const MshModel& m
     text += "$Nodes\n";
     append_msh_line(text, {static_cast<int>(n_blocks), nodes.n_nodes(), 1, nodes.n_nodes()});
     for (std::size_t k = 0; k < entities.points.size(); ++k) {
-        append_block(text, nodes, kPoints, static_cast<int>(k) + 1, {entities.points[k]});
+        append_block(text, nodes, kMshPoints, static_cast<int>(k) + 1, {entities.points[k]});
     }
     for (int k = 0; k < model.n_curves(); ++k) {
-        append_block(text, nodes, kCurves, k + 1, inner_nodes(entities.curves[k]));
+        append_block(text, nodes, kMshCurves, k + 1, inner_nodes(entities.curves[k]));
     }
     for (const MshSurface& cell : entities.surfaces) {
-        append_block(text, nodes, kSurfaces, cell.site + 1, cell.nodes);
+        append_block(text, nodes, kMshSurfaces, cell.site + 1, cell.nodes);
     }
     text += "$EndNodes\n";
 }
@@ -184,7 +181,7 @@ void append_elements(std::string& text, const Tile& tile, const SolverNodes& nod
     for (int k = 0; k < model.n_curves(); ++k) {
         const MshCurve& curve = model.entities.curves[k];
         const std::size_t n = curve.vertices.size() - 1;
-        append_msh_line(text, {kCurves, k + 1, kLine[tile.order], static_cast<int>(n)});
+        append_msh_line(text, {kMshCurves, k + 1, kLineOfOrder[tile.order], static_cast<int>(n)});
         for (std::size_t e = 0; e < n; ++e) {
             append_msh_words(text, {++element, curve.vertices[e] + 1, curve.vertices[e + 1] + 1});
             if (!curve.middles.empty()) append_msh_words(text, {curve.middles[e] + 1});
@@ -193,7 +190,7 @@ void append_elements(std::string& text, const Tile& tile, const SolverNodes& nod
     }
     for (const MshSurface& cell : model.entities.surfaces) {
         const int n = static_cast<int>(cell.triangles.size());
-        append_msh_line(text, {kSurfaces, cell.site + 1, kTriangle[tile.order], n});
+        append_msh_line(text, {kMshSurfaces, cell.site + 1, kTriangleOfOrder[tile.order], n});
         for (const int f : cell.triangles) {
             append_msh_words(text, {f + 1});
             for (const int v : element_nodes(tile, nodes, f)) append_msh_words(text, {v + 1});
@@ -216,7 +213,7 @@ void append_curve_link(std::string& text, const Tile& tile, const MshModel& mode
             append_msh_line(text, {slaves[v] + 1, masters[slaves.size() - 1 - v] + 1});
         }
     };
-    append_msh_link(text, kCurves, k + 1, slave.partner + 1, translation(tile, master.offset),
+    append_msh_link(text, kMshCurves, k + 1, slave.partner + 1, translation(tile, master.offset),
                     slave.vertices.size() + slave.middles.size());
     append_pairs(slave.vertices, master.vertices);
     append_pairs(slave.middles, master.middles);
@@ -237,7 +234,7 @@ void append_periodic(std::string& text, const Tile& tile, const MshModel& model)
     text += "$Periodic\n";
     append_msh_line(text, {static_cast<int>(point_links.size() + slaves.size())});
     for (const auto& [point, pair] : point_links) {
-        append_msh_link(text, kPoints, point, model.point_tag[pair.v],
+        append_msh_link(text, kMshPoints, point, model.point_tag[pair.v],
                         translation(tile, pair.offset), 1);
         append_msh_line(text, {pair.w + 1, pair.v + 1});
     }

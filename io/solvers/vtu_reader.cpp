@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/bytes/vtk_text.hpp"
 #include "io/solvers/vtu_arrays.hpp"
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
@@ -13,10 +14,6 @@
 
 namespace pcvt {
 namespace {
-
-constexpr int kVtkTriangle = 5;
-constexpr int kVtkPolygon = 7;
-constexpr int kVtkQuadraticTriangle = 22;
 
 /// Turns the arrays into a tile.
 class VtuTile {

@@ -13,10 +13,6 @@
 namespace pcvt {
 namespace {
 
-constexpr int kVtkTriangle = 5;
-constexpr int kVtkPolygon = 7;
-constexpr int kVtkQuadraticTriangle = 22;
-
 /// Appends an array of the whole grid with two numbers a tuple.
 void append_vectors(std::string& text, const char* name, const std::vector<Vec2>& vectors) {
     open_vtk_array(

@@ -135,7 +135,7 @@ SpaceLattice read_lattice(const EncodedFile& boundary) {
 }
 
 /// PolyhedralMesh::short_edges, which a case without removed edges does not state.
-double read_short_edges(const EncodedFile& boundary) {
+double read_foam_short_edges(const EncodedFile& boundary) {
     const std::vector<double> numbers = comment_numbers(boundary, "short_edges", 1);
     if (numbers.empty()) return 0;
     if (numbers.size() > 1 || !(numbers[0] >= 0 && numbers[0] <= kLongestSpaceShortEdge)) {
@@ -185,7 +185,7 @@ SpaceTile decode_space_foam(const std::vector<EncodedFile>& files) {
     const EncodedFile& boundary = foam_mesh_file(files, "boundary");
     SpaceTile tile{.mesh = {.lattice = read_lattice(boundary)}};
     PolyhedralMesh& mesh = tile.mesh;
-    mesh.short_edges = read_short_edges(boundary);
+    mesh.short_edges = read_foam_short_edges(boundary);
     mesh.points = foam_points(foam_mesh_file(files, "points"));
     mesh.faces = foam_faces(foam_mesh_file(files, "faces"));
     mesh.owner = foam_labels(foam_mesh_file(files, "owner"));

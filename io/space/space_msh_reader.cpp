@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/bytes/msh_text.hpp"
 #include "io/solvers/msh_fields.hpp"
 #include "io/solvers/msh_rows.hpp"
 #include "io/space/point_offsets.hpp"
@@ -13,7 +14,6 @@
 namespace pcvt {
 namespace {
 
-constexpr int kTetrahedron = 4;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 class TetrahedraParser {
@@ -127,7 +127,7 @@ class TetrahedraParser {
             const int n = rows_.count(3);
             for (int k = 0; k < n; ++k) {
                 rows_.next_row();
-                if (type != kTetrahedron) continue;
+                if (type != kMshTetrahedron) continue;
                 constexpr std::size_t kWords = 5;
                 if (rows_.words().size() != kWords)
                     rows_.throw_bad_file("a tetrahedron has 4 nodes");

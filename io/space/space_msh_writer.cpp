@@ -18,7 +18,6 @@ constexpr int kVolumes = 3;
 /// Gmsh's element types.
 constexpr int kLine = 1;
 constexpr int kTriangle = 2;
-constexpr int kTetrahedron = 4;
 /// The tag of the volume.
 constexpr int kDomain = 1;
 
@@ -167,7 +166,7 @@ class MshText {
         append_msh_line(text_, {1 + count(entities_.surfaces) + count(entities_.curves), n_elements,
                                 1, n_elements});
         int last = 0;
-        append_elements_of(kVolumes, kDomain, kTetrahedron, mesh_.tetrahedra, last);
+        append_elements_of(kVolumes, kDomain, kMshTetrahedron, mesh_.tetrahedra, last);
         for (int k = 0; k < count(entities_.surfaces); ++k) {
             append_elements_of(kSurfaces, k + 1, kTriangle, entities_.surfaces[k].triangles, last);
         }

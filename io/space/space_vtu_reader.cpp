@@ -8,6 +8,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/text.hpp"
+#include "io/bytes/vtk_text.hpp"
 #include "io/solvers/vtu_arrays.hpp"
 #include "io/space/space_vtu_parts.hpp"
 #include "io/space/space_vtu_writer.hpp"
@@ -16,7 +17,6 @@
 namespace pcvt {
 namespace {
 
-constexpr int kVtkPolyhedron = 42;
 /// Volumes that a file states may differ by this part of the volume: by the order of summation.
 constexpr double kVolumeError = 1e-10;
 

@@ -12,8 +12,6 @@
 namespace pcvt {
 namespace {
 
-constexpr int kVtkPolyhedron = 42;
-
 void append_cell_data(std::string& text, const SpaceTile& tile, const PolyhedronList& cells) {
     std::vector<int> ids(static_cast<std::size_t>(cells.n_cells()));
     std::iota(ids.begin(), ids.end(), 0);

@@ -2,6 +2,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/text.hpp"
+#include "io/bytes/vtk_text.hpp"
 #include "io/space/point_offsets.hpp"
 #include "io/space/space_vtu_parts.hpp"
 #include "io/space/space_vtu_reader.hpp"
@@ -10,9 +11,7 @@
 namespace pcvt {
 namespace {
 
-constexpr int kVtkTetra = 10;
-
-[[noreturn]] void fail(const std::string& name, int line, const std::string& complaint) {
+[[noreturn]] void fail_at(const std::string& name, int line, const std::string& complaint) {
     throw BadFile(name + ":" + std::to_string(line) + ": " + complaint);
 }
 
@@ -20,9 +19,9 @@ constexpr int kVtkTetra = 10;
 int index(const std::string& name, const VtuArray& array, std::size_t k, int n) {
     const int number = array.integer(k);
     if (number < 0 || number >= n) {
-        fail(name, array.lines[k],
-             std::to_string(number) + " is not a number from 0 to " + std::to_string(n - 1) +
-                 "; correct it");
+        fail_at(name, array.lines[k],
+                std::to_string(number) + " is not a number from 0 to " + std::to_string(n - 1) +
+                    "; correct it");
     }
     return number;
 }
@@ -35,10 +34,10 @@ void read_tetrahedra(const std::string& name, const VtuArrays& arrays, Tetrahedr
     for (int t = 0; t < n; ++t) {
         const auto k = static_cast<std::size_t>(t);
         if (types.integer(k) != kVtkTetra) {
-            fail(name, types.lines[k], "a cell is no tetrahedron (type 10); leave it out");
+            fail_at(name, types.lines[k], "a cell is no tetrahedron (type 10); leave it out");
         }
         if (ends.values[k] != 4.0 * (t + 1) || corners.size() < 4 * (k + 1)) {
-            fail(name, ends.lines[k], "a tetrahedron has 4 points; give the whole file");
+            fail_at(name, ends.lines[k], "a tetrahedron has 4 points; give the whole file");
         }
         std::array<int, 4>& corner = mesh.tetrahedra.emplace_back();
         for (std::size_t i = 0; i < 4; ++i) {
@@ -46,7 +45,7 @@ void read_tetrahedra(const std::string& name, const VtuArrays& arrays, Tetrahedr
         }
     }
     if (corners.size() != 4 * mesh.tetrahedra.size()) {
-        fail(name, corners.line, "the array goes on after the last cell");
+        fail_at(name, corners.line, "the array goes on after the last cell");
     }
 }
 

@@ -10,8 +10,6 @@
 namespace pcvt {
 namespace {
 
-constexpr int kVtkTetra = 10;
-
 void append_cells(std::string& text, const TetrahedralMesh& mesh) {
     std::vector<int> ends;
     text += "<Cells>\n";

@@ -19,8 +19,8 @@ namespace {
 using Corner = std::array<float, 3>;
 
 /// The words of kinds stand in the JSON chunk, before the numbers.
-constexpr std::string_view kCellsMark = R"("kind":"polyhedra")";
-constexpr std::string_view kBoundaryMark = R"("kind":"boundary")";
+constexpr std::string_view kGlbCellsMark = R"("kind":"polyhedra")";
+constexpr std::string_view kGlbBoundaryMark = R"("kind":"boundary")";
 
 /// The JSON chunk of a GLB; empty if there is none.
 std::string_view json_chunk(std::string_view bytes) {
@@ -124,7 +124,7 @@ class GlbParser {
     GltfDocument document_;
 };
 
-Vec3 wide(const Corner& corner) { return {corner[0], corner[1], corner[2]}; }
+Vec3 widened(const Corner& corner) { return {corner[0], corner[1], corner[2]}; }
 
 /// An edge from its lower end to its higher one, and its sense: 1, or -1 for the reverse.
 struct Edge {
@@ -169,9 +169,9 @@ struct Extent {
 Extent extent_of(const GlbPart& part, const Vec3& origin) {
     Extent extent;
     for (std::size_t c = 0; c < part.corners.size(); c += 3) {
-        const Vec3 p = wide(part.corners[c]) - origin;
-        const Vec3 q = wide(part.corners[c + 1]) - origin;
-        const Vec3 r = wide(part.corners[c + 2]) - origin;
+        const Vec3 p = widened(part.corners[c]) - origin;
+        const Vec3 q = widened(part.corners[c + 1]) - origin;
+        const Vec3 r = widened(part.corners[c + 2]) - origin;
         extent.volume += p.cross(q).dot(r) / 6;
         extent.area += (q - p).cross(r - p).norm() / 2;
     }
@@ -212,8 +212,8 @@ std::vector<Triangle> sorted_triangles(const SurfaceList& list) {
 
 bool is_surface_glb(const EncodedFile& file) {
     const std::string_view json = json_chunk(file.bytes);
-    return json.find(kCellsMark) != std::string_view::npos ||
-           json.find(kBoundaryMark) != std::string_view::npos;
+    return json.find(kGlbCellsMark) != std::string_view::npos ||
+           json.find(kGlbBoundaryMark) != std::string_view::npos;
 }
 
 SurfaceGlb decode_surface_glb(const EncodedFile& glb) { return GlbParser(glb).parse(); }
@@ -234,13 +234,13 @@ SurfaceGlbProof prove_surface_glb(const SurfaceGlb& glb) {
     const bool is_boundary = glb.form == SurfaceForm::kBoundary;
     SurfaceGlbProof proof{.n_parts = static_cast<int>(glb.parts.size())};
     std::vector<Edge> boundary;
-    const Vec3 origin = wide(glb.parts.front().corners.front());
+    const Vec3 origin = widened(glb.parts.front().corners.front());
     double largest = 0;
     double area = 0;
     for (const GlbPart& part : glb.parts) {
         proof.n_triangles += static_cast<int>(part.corners.size() / 3);
         for (const Corner& corner : part.corners) {
-            largest = std::max(largest, wide(corner).cwiseAbs().maxCoeff());
+            largest = std::max(largest, widened(corner).cwiseAbs().maxCoeff());
         }
         const Extent extent = extent_of(part, origin);
         proof.volume += extent.volume;

@@ -21,7 +21,7 @@ namespace {
 /// tinygltf stores offsets as int.
 constexpr std::size_t kMostBytes = std::numeric_limits<int>::max();
 
-void append_vector(std::string& text, const Vec3& vector) {
+void append_json_vector(std::string& text, const Vec3& vector) {
     char before = '[';
     for (const double x : vector) {
         text += before;
@@ -36,14 +36,14 @@ std::string periodic_json(const SurfaceList& list) {
     std::string text =
         is_boundary ? R"({"kind":"boundary","lattice":[)" : R"({"kind":"polyhedra","lattice":[)";
     for (const Vec3& period : list.lattice.periods()) {
-        append_vector(text, period);
+        append_json_vector(text, period);
         text += ',';
     }
     text.back() = ']';
     if (list.sites.cols() == 0) return text + '}';
     text += ",\"sites\":[";
     for (const auto& site : list.sites.colwise()) {
-        append_vector(text, site);
+        append_json_vector(text, site);
         text += ',';
     }
     text.back() = ']';

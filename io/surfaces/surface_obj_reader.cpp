@@ -11,10 +11,10 @@
 namespace pcvt {
 namespace {
 
-constexpr std::string_view kCellsMark = "# pcvt kind polyhedra\n";
-constexpr std::string_view kBoundaryMark = "# pcvt kind boundary\n";
+constexpr std::string_view kObjCellsMark = "# pcvt kind polyhedra\n";
+constexpr std::string_view kObjBoundaryMark = "# pcvt kind boundary\n";
 /// The mark follows the explanation.
-constexpr std::size_t kHeadBytes = 1024;
+constexpr std::size_t kObjHeadBytes = 1024;
 
 /// Reads one OBJ line by line.
 class SurfaceObjParser {
@@ -151,9 +151,9 @@ class SurfaceObjParser {
 }  // namespace
 
 bool is_surface_obj(const EncodedFile& file) {
-    const std::string_view head = std::string_view(file.bytes).substr(0, kHeadBytes);
-    return head.find(kCellsMark) != std::string_view::npos ||
-           head.find(kBoundaryMark) != std::string_view::npos;
+    const std::string_view head = std::string_view(file.bytes).substr(0, kObjHeadBytes);
+    return head.find(kObjCellsMark) != std::string_view::npos ||
+           head.find(kObjBoundaryMark) != std::string_view::npos;
 }
 
 SurfaceList decode_surface_obj(const EncodedFile& obj) {

@@ -10,10 +10,10 @@
 namespace pcvt {
 namespace {
 
-constexpr std::string_view kCellsMark = "\ncomment pcvt kind polyhedra\n";
-constexpr std::string_view kBoundaryMark = "\ncomment pcvt kind boundary\n";
+constexpr std::string_view kPlyCellsMark = "\ncomment pcvt kind polyhedra\n";
+constexpr std::string_view kPlyBoundaryMark = "\ncomment pcvt kind boundary\n";
 /// The mark follows the first comment.
-constexpr std::size_t kHeadBytes = 1024;
+constexpr std::size_t kPlyHeadBytes = 1024;
 /// Words of a face after its corners: a colour and a cell, and of a boundary a partner and an
 /// offset.
 constexpr std::size_t kCellWords = 4;
@@ -143,9 +143,9 @@ class SurfacePlyParser {
 }  // namespace
 
 bool is_surface_ply(const EncodedFile& file) {
-    const std::string_view head = std::string_view(file.bytes).substr(0, kHeadBytes);
-    return head.starts_with("ply") && (head.find(kCellsMark) != std::string_view::npos ||
-                                       head.find(kBoundaryMark) != std::string_view::npos);
+    const std::string_view head = std::string_view(file.bytes).substr(0, kPlyHeadBytes);
+    return head.starts_with("ply") && (head.find(kPlyCellsMark) != std::string_view::npos ||
+                                       head.find(kPlyBoundaryMark) != std::string_view::npos);
 }
 
 SurfaceList decode_surface_ply(const EncodedFile& ply) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kRemedy = "; write the file again with pcvt";
 
-[[noreturn]] void throw_bad_file(const std::string& name, int line, const std::string& complaint) {
+[[noreturn]] void throw_bad_field(const std::string& name, int line, const std::string& complaint) {
     throw BadFile(name + (line > 0 ? ":" + std::to_string(line) : "") + ": " + complaint + kRemedy);
 }
 
@@ -32,12 +32,12 @@ void compare_part(const std::string& name, const std::string& part,
         std::mismatch(found.begin(), found.end(), expected.begin(), expected.end(), same_word);
     if (word == found.end() && wanted == expected.end()) return;
     if (word == found.end()) {
-        throw_bad_file(name, found.empty() ? 0 : found.back().line,
-                       part + " ends where its tile has " + in_quotes(wanted->text));
+        throw_bad_field(name, found.empty() ? 0 : found.back().line,
+                        part + " ends where its tile has " + in_quotes(wanted->text));
     }
-    throw_bad_file(name, word->line,
-                   part + " has " + in_quotes(word->text) + " where its tile has " +
-                       (wanted == expected.end() ? "nothing" : in_quotes(wanted->text)));
+    throw_bad_field(name, word->line,
+                    part + " has " + in_quotes(word->text) + " where its tile has " +
+                        (wanted == expected.end() ? "nothing" : in_quotes(wanted->text)));
 }
 
 }  // namespace
@@ -45,13 +45,13 @@ void compare_part(const std::string& name, const std::string& part,
 void compare_fields(const FileFields& found, const FileFields& expected) {
     for (const auto& [part, words] : expected.parts) {
         const auto same = found.parts.find(part);
-        if (same == found.parts.end()) throw_bad_file(found.name, 0, "lacks " + part);
+        if (same == found.parts.end()) throw_bad_field(found.name, 0, "lacks " + part);
         compare_part(found.name, part, same->second, words);
     }
     for (const auto& [part, words] : found.parts) {
         if (expected.parts.count(part) > 0) continue;
-        throw_bad_file(found.name, words.empty() ? 0 : words.front().line,
-                       part + " does not belong to its tile");
+        throw_bad_field(found.name, words.empty() ? 0 : words.front().line,
+                        part + " does not belong to its tile");
     }
 }
 

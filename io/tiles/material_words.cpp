@@ -2,13 +2,12 @@
 
 #include <utility>
 
+#include "io/tiles/site_orbits.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/materials/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
-
-constexpr std::size_t kSitesALine = 16;
 
 void take_names(const LineScanner& scanner, std::span<const std::string_view> words,
                 CellMaterials& materials) {

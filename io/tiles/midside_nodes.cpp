@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kCorners = 3;
 /// As the proof of a tile compares positions: a representative plus a translation is rounded.
-constexpr double kUlps = 4;
+constexpr double kMidsideUlps = 4;
 
 [[noreturn]] void throw_bad_file(const FileTileBuilder& file, int line,
                                  const std::string& complaint) {
@@ -36,7 +36,7 @@ double position_tolerance(const FileTileBuilder& file, Precision precision) {
     const double epsilon = precision == Precision::kDouble
                                ? std::numeric_limits<double>::epsilon()
                                : double{std::numeric_limits<float>::epsilon()};
-    return kUlps * epsilon * largest;
+    return kMidsideUlps * epsilon * largest;
 }
 
 /// Every middle node of every face, by rising ends.

@@ -13,7 +13,7 @@ namespace pcvt {
 namespace {
 
 /// A printed translation is rounded, and so are the period vectors.
-constexpr double kUlps = 4;
+constexpr double kTranslationUlps = 4;
 
 [[noreturn]] void throw_bad_file(const std::string& name, int line, const std::string& complaint) {
     throw BadFile(name + ":" + std::to_string(line) + ": " + complaint);
@@ -59,7 +59,8 @@ Offset offset_of(const Lattice& lattice, const Vec2& translation, const std::str
         const double largest = std::max({translation.cwiseAbs().maxCoeff(),
                                          std::abs(offset.i) * lattice.a().cwiseAbs().maxCoeff(),
                                          std::abs(offset.j) * lattice.b().cwiseAbs().maxCoeff()});
-        const double tolerance = kUlps * std::numeric_limits<double>::epsilon() * largest;
+        const double tolerance =
+            kTranslationUlps * std::numeric_limits<double>::epsilon() * largest;
         if ((exact - translation).cwiseAbs().maxCoeff() <= tolerance) return offset;
     }
     throw_bad_file(

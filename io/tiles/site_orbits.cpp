@@ -6,12 +6,6 @@
 #include "io/bytes/text.hpp"
 
 namespace pcvt {
-namespace {
-
-constexpr std::size_t kSitesALine = 16;
-
-}  // namespace
-
 void append_site_orbits(std::string& text, std::string_view mark,
                         std::span<const int> site_orbits) {
     for (std::size_t s = 0; s < site_orbits.size(); ++s) {

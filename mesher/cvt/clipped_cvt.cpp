@@ -11,7 +11,7 @@ namespace pcvt {
 namespace {
 
 /// The longest move of a site in one step, in units of h, as for the periodic energy.
-constexpr double kLargestMove = 0.5;
+constexpr double kLargestClippedMove = 0.5;
 
 /// A convex polygon around the origin. For each side (from corner k to k + 1) it stores whether the
 /// side lies on the border of the domain.
@@ -167,14 +167,14 @@ class CellCutter {
 };
 
 /// The area of a polygon and its first and second moments about the origin.
-struct Moments {
+struct PolygonMoments {
     double area = 0;
     Vec2 first = Vec2::Zero();
     double second = 0;
 };
 
-Moments moments(const Polygon& polygon) {
-    Moments sum;
+PolygonMoments moments(const Polygon& polygon) {
+    PolygonMoments sum;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vec2& p = polygon[k];
         const Vec2& q = polygon[(k + 1) % polygon.size()];
@@ -194,7 +194,7 @@ bool measure(const Polygon& domain, const Points& points, ClippedEnergy& energy)
     energy.mass.resize(points.cols());
     for (int s = 0; s < points.cols(); ++s) {
         if (!cutter.in_domain(s)) return false;
-        const Moments cell = moments(cutter.cut(s).corners);
+        const PolygonMoments cell = moments(cutter.cut(s).corners);
         if (!(cell.area > 0)) return false;
         energy.value += cell.second;
         energy.gradient.col(s) = -2 * cell.first;
@@ -305,7 +305,7 @@ ClippedCvt compute_clipped_cvt(const Lattice& lattice, const Points& points,
     ClippedObjective objective(domain_of(lattice, unit), points / unit, spacing);
     OptimizerOptions optimizer{.tolerance = options.tolerance,
                                .max_iterations = options.max_iterations,
-                               .max_move = kLargestMove * spacing};
+                               .max_move = kLargestClippedMove * spacing};
     if (options.progress) {
         optimizer.progress = [&](Progress progress) {
             progress.value *= value_unit;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -29,6 +30,9 @@ struct CoarseStartOptions {
 /// The longest random move of a coordinate between two levels, in units of h of the finer one.
 /// Without it, sites stay at their initial positions even where their neighbourhood is a poor one.
 inline constexpr double kShake = 0.25;
+
+/// The ratio of h to the distance between neighbours in a hexagonal arrangement.
+inline const double kSpacingPerEdge = std::sqrt(std::sqrt(3.0) / 2);
 
 /// The number of sites on each level of a coarse start.
 struct LevelSizes {

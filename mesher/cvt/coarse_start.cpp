@@ -12,9 +12,6 @@
 namespace pcvt {
 namespace {
 
-/// The ratio of h to the distance between neighbours in a hexagonal arrangement.
-const double kSpacingPerEdge = std::sqrt(std::sqrt(3.0) / 2);
-
 /// The sites of the finer problem before they are shaken.
 struct Refined {
     /// Length units.

@@ -13,8 +13,6 @@
 namespace pcvt {
 namespace {
 
-/// The ratio of h to the distance between neighbours in a hexagonal arrangement.
-const double kSpacingPerEdge = std::sqrt(std::sqrt(3.0) / 2);
 /// A Delaunay edge whose Voronoi edge is shorter than this part of its length joins sites that are
 /// cocircular with two others up to rounding.
 constexpr double kTie = 1e-6;

@@ -10,7 +10,7 @@ namespace pcvt {
 namespace {
 
 constexpr int kProbeLines = 12;
-constexpr int kIntervals = 512;
+constexpr int kBreakIntervals = 512;
 /// A jump is a change of log(rho) by more than kLeastJump, and by more than kOverNeighbours times
 /// the change in the neighbouring intervals.
 constexpr double kLeastJump = 1e-3;
@@ -37,7 +37,8 @@ class ProbeLine {
     }
     /// Returns log(rho) at the ends of the intervals.
     std::vector<double> survey() const {
-        for (int k = 0; k <= kIntervals; ++k) *probe_.reserve(1) = point(double(k) / kIntervals);
+        for (int k = 0; k <= kBreakIntervals; ++k)
+            *probe_.reserve(1) = point(double(k) / kBreakIntervals);
         std::vector<double> value;
         for (const double rho : probe_.evaluate_reserved()) value.push_back(portable_log(rho));
         return value;
@@ -73,12 +74,12 @@ void find_jumps(const ProbeLine& line, std::vector<double>& found) {
     checkpoint();
     const std::vector<double> value = line.survey();
     const auto change = [&](int k) {
-        return k < 0 || k >= kIntervals ? 0.0 : std::abs(value[k + 1] - value[k]);
+        return k < 0 || k >= kBreakIntervals ? 0.0 : std::abs(value[k + 1] - value[k]);
     };
-    for (int k = 0; k < kIntervals; ++k) {
+    for (int k = 0; k < kBreakIntervals; ++k) {
         const double beside = std::max(change(k - 1), change(k + 1));
         if (change(k) <= std::max(kLeastJump, kOverNeighbours * beside)) continue;
-        bisect(line, double(k) / kIntervals, double(k + 1) / kIntervals, found);
+        bisect(line, double(k) / kBreakIntervals, double(k + 1) / kBreakIntervals, found);
     }
 }
 

@@ -20,7 +20,7 @@ constexpr int kTrials = 1000;
 /// Candidates per evaluation.
 constexpr int kCandidates = 4096;
 /// Least number of intervals of the product rule along each direction.
-constexpr int kIntervals = 128;
+constexpr int kSurveyIntervals = 128;
 constexpr int kIntegralOrder = 4;
 
 /// A candidate for a site, accepted if rho^(1/2) exceeds the threshold.
@@ -30,8 +30,8 @@ struct Candidate {
     double threshold;
 };
 
-/// Splits [0, 1) at the breaks and into intervals of at most 1 / kIntervals; returns the nodes and
-/// weights of a Gauss rule on each interval.
+/// Splits [0, 1) at the breaks and into intervals of at most 1 / kSurveyIntervals; returns the
+/// nodes and weights of a Gauss rule on each interval.
 GaussRule composite_rule(std::vector<double> breaks) {
     breaks.push_back(0);
     breaks.push_back(1);
@@ -40,7 +40,7 @@ GaussRule composite_rule(std::vector<double> breaks) {
     GaussRule rule;
     for (std::size_t k = 1; k < breaks.size(); ++k) {
         const double length = breaks[k] - breaks[k - 1];
-        const int parts = std::max(1, static_cast<int>(std::ceil(length * kIntervals)));
+        const int parts = std::max(1, static_cast<int>(std::ceil(length * kSurveyIntervals)));
         for (int p = 0; p < parts; ++p) {
             for (int i = 0; i < kIntegralOrder; ++i) {
                 rule.nodes.push_back(breaks[k - 1] + (p + gauss.nodes[i]) * length / parts);

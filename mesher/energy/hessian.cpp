@@ -6,7 +6,7 @@ namespace pcvt {
 namespace {
 
 constexpr int kTrianglesPerTask = 1 << 14;
-constexpr int kSitesPerTask = 1 << 13;
+constexpr int kHessianRowsPerTask = 1 << 13;
 
 /// The vector from the origin of h to its target; coordinates of the reduced basis, exact.
 Vec2 edge(const MovingDelaunay& delaunay, int h) {
@@ -101,9 +101,9 @@ void assemble_hessian(const MovingDelaunay& delaunay, Workers& workers, BlockMat
     hessian.resize(stars.n_neighbours);
     hessian.annihilates_translations = true;
     const int n = delaunay.n_sites();
-    workers.for_each((n + kSitesPerTask - 1) / kSitesPerTask, [&](int task) {
-        const int end = std::min((task + 1) * kSitesPerTask, n);
-        for (SiteId s = task * kSitesPerTask; s < end; ++s) {
+    workers.for_each((n + kHessianRowsPerTask - 1) / kHessianRowsPerTask, [&](int task) {
+        const int end = std::min((task + 1) * kHessianRowsPerTask, n);
+        for (SiteId s = task * kHessianRowsPerTask; s < end; ++s) {
             fill_row(delaunay, cotangent, s, stars.first[s], hessian);
         }
     });

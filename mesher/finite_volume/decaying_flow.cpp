@@ -11,7 +11,7 @@ namespace {
 
 /// The largest cosine between period vectors that count as rectangular. It admits the rounding
 /// error of the reduction, which may magnify the error of a decimal input by 10^6.
-constexpr double kRightAngle = 1e-9;
+constexpr double kRectangular = 1e-9;
 
 double square(double value) { return value * value; }
 
@@ -32,7 +32,7 @@ void DecayingFlow::choose_periodic(const Lattice& lattice) {
     const double per_area = 2 * std::numbers::pi / basis.area();
     g1_ = per_area * Vec2(b.y(), -b.x());
     g2_ = per_area * Vec2(-a.y(), a.x());
-    const bool rectangular = std::abs(a.normalized().dot(b.normalized())) < kRightAngle;
+    const bool rectangular = std::abs(a.normalized().dot(b.normalized())) < kRectangular;
     shape_ = rectangular ? Shape::kVortices : Shape::kShear;
     fastest_ = rectangular ? g1_.norm() : g2_.norm();
 }

@@ -21,7 +21,7 @@ const char* const kSeams = "(3) of extruded meshes, seam";
 const char* const kWallPatches = "(4) of extruded meshes, walls";
 
 /// A stored translation must agree with the lattice up to this many ulps.
-constexpr double kUlps = 4;
+constexpr double kTranslationUlps = 4;
 
 void require_indices(const ExtrudedMesh& extruded) {
     // Check the points of the faces.
@@ -219,8 +219,8 @@ class CoveredSides {
 
 void require_translation(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
     const Vec2 translation = extruded.lattice.translation(patch.offset);
-    const double allowed =
-        kUlps * std::numeric_limits<double>::epsilon() * translation.cwiseAbs().maxCoeff();
+    const double allowed = kTranslationUlps * std::numeric_limits<double>::epsilon() *
+                           translation.cwiseAbs().maxCoeff();
     if (patch.name != seam_name(patch.offset) || patch.offset == Offset{} ||
         !((patch.separation - translation).cwiseAbs().maxCoeff() <= allowed)) {
         throw_violation(kSeams, "patch " + patch.name + " states a separation other than " +

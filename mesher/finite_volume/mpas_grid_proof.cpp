@@ -25,7 +25,7 @@ const char* const kDensity = "(5) of C-grids, density";
 constexpr double kTolerance = 1e-12;
 constexpr double kGeometryTolerance = 1e-10;
 /// Bounds the rounding errors of a coordinate that is wrapped, halved and subtracted, in ulps.
-constexpr double kUlps = 16;
+constexpr double kCoordinateUlps = 16;
 
 void require_finite_numbers(const MpasGrid& g) {
     for (const auto* table :
@@ -68,7 +68,7 @@ double require_geometry(const MpasGrid& g, const MpasRows& rows, double h) {
         for (const double x : *points) largest = std::max(largest, std::abs(x));
     }
     const double allowed =
-        kGeometryTolerance + kUlps * std::numeric_limits<double>::epsilon() * largest / h;
+        kGeometryTolerance + kCoordinateUlps * std::numeric_limits<double>::epsilon() * largest / h;
     double worst = 0;
     for (int e = 0; e < g.n_edges; ++e) {
         checkpoint_each(e);

@@ -10,7 +10,7 @@ namespace {
 /// The longest way, in units of the shorter chord beside the node.
 constexpr double kReach = 0.2;
 /// Each round reduces the error about tenfold.
-constexpr int kMostRounds = 40;
+constexpr int kMostNodeRounds = 40;
 /// In degrees.
 constexpr double kSettled = 1e-13;
 
@@ -29,7 +29,7 @@ class EllipseSlide {
     void run() {
         scale_ = scale_to_area(ellipse_, degrees_);
         const std::vector<Pin> pins = find_pins();
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < kMostNodeRounds; ++round) {
             double largest = 0;
             for (const Pin& pin : pins) {
                 const double step = step_to(pin);

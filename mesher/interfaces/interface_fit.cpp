@@ -13,7 +13,7 @@ constexpr double kLargestScale = 3;
 constexpr double kScaleStep = 1.25;
 constexpr int kBisections = 7;
 /// A number of sites that is named suffices with this reserve.
-constexpr double kReserve = 1.02;
+constexpr double kSiteReserve = 1.02;
 constexpr int kMostEstimates = 30;
 
 using Spacing = std::function<double(const Vec2&)>;
@@ -68,7 +68,7 @@ std::string sufficient_number(const InclusionSet& set, int n, const Spacing& spa
         const Spacing scaled = [&](const Vec2& p) { return finer * spacing(p); };
         const double needed = Fit(set, enough, scaled).place(kLargestScale);
         if (needed <= enough) return std::to_string(static_cast<long>(std::ceil(enough)));
-        enough = kReserve * needed;
+        enough = kSiteReserve * needed;
     }
     return "more than " + std::to_string(static_cast<long>(enough));
 }

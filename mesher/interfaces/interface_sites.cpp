@@ -17,7 +17,7 @@ constexpr double kMargin = 0.01;
 constexpr double kLeastHeight = 0.02;
 /// The factor by which chords become shorter where seeds do not fit.
 constexpr double kShorter = 0.75;
-constexpr int kMostRounds = 20;
+constexpr int kMostSiteRounds = 20;
 
 /// A point of the plane wrapped into the reduced domain.
 struct WrappedPoint {
@@ -64,7 +64,7 @@ class Placement {
     }
 
     InterfaceSites run() {
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < kMostSiteRounds; ++round) {
             divide();
             add_seeds();
             check_circles();

@@ -20,7 +20,7 @@ constexpr int kMostSweeps = 1500;
 constexpr int kMostStarts = 6;
 /// Circles repel each other up to a distance that is larger by this part than wanted, so that the
 /// wanted distance is reached after finitely many sweeps.
-constexpr double kReserve = 1e-3;
+constexpr double kDistanceReserve = 1e-3;
 /// Points in a grid of the sweep's begin are looked up this much farther away.
 constexpr double kStale = 1.3;
 /// The area fraction of touching circles in hexagonal order.
@@ -139,7 +139,7 @@ std::optional<std::vector<Vec2>> separated_points(const Lattice& reduced,
                             wanted.walls, distances.from_walls);
         for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
             const double grown = kFirstDiameter + (1 - kFirstDiameter) * sweep / kGrowth;
-            repulsion.sweep((1 + kReserve) * std::min(1.0, grown) * distance);
+            repulsion.sweep((1 + kDistanceReserve) * std::min(1.0, grown) * distance);
             if (sweep < kGrowth || !repulsion.are_apart(distance)) continue;
             std::vector<Vec2> points;
             for (const auto& place : repulsion.places().colwise()) {

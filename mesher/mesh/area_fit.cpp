@@ -31,7 +31,7 @@ constexpr int kMostVainSteps = 15;
 /// The cells are cut along the box at most this number of times.
 constexpr int kMostCuts = 6;
 /// The factor by which the snapping distance is reduced where no weights give the areas.
-constexpr double kLessSnap = 4;
+constexpr double kLessSnapForAreas = 4;
 /// Rounding adds at most this many times the error of the cells without a box.
 constexpr double kOverRounding = 4;
 /// Corners that move less far, in units of h, do not change the areas.
@@ -308,7 +308,7 @@ FittedCells fit_areas_in_box(const PeriodicMesh& cells, const PeriodicMesh& join
     const double enough = std::max(tolerance, kOverRounding * without_box);
     const double least_snap = kLeastSnap * std::sqrt(cells.lattice.area() / cells.n_faces());
     while (fitted.largest_relative_error > enough && box.snap > least_snap) {
-        box.snap /= kLessSnap;
+        box.snap /= kLessSnapForAreas;
         fitted = fit_with_snap(cells, joined, metric, weights, box);
     }
     return fitted;

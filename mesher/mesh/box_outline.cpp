@@ -19,9 +19,9 @@ namespace pcvt {
 namespace {
 
 /// A cell keeps at least this fraction of its area when vertices move onto the cut.
-constexpr double kKeptArea = 0.5;
+constexpr double kAreaBesideCut = 0.5;
 /// The factor by which the snapping distance is reduced if it would tear a cell.
-constexpr double kLessSnap = 4;
+constexpr double kLessSnapForCells = 4;
 
 /// Returns the smallest distance over which vertices and edges are moved, length units.
 double least_snap(const PeriodicMesh& cells) {
@@ -53,7 +53,7 @@ class BoxCutter {
             for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
                 after.push_back(lattice_.to_plane(lines_.coordinates(corner_node(c))));
             }
-            if (polygon_area(after) < kKeptArea * polygon_area(before)) return false;
+            if (polygon_area(after) < kAreaBesideCut * polygon_area(before)) return false;
             if (crosses_itself(after, 0)) return false;
         }
         return true;
@@ -320,7 +320,7 @@ bool are_polygons(const PeriodicMesh& mesh) {
 BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap,
                      const BoxSnaps& earlier) {
     const double least = least_snap(cells);
-    for (; snap > least; snap /= kLessSnap) {
+    for (; snap > least; snap /= kLessSnapForCells) {
         BoxCutter cutter(cells, origin, reach_after(earlier, snap, least), earlier);
         if (!cutter.keeps_cells()) continue;
         std::optional<BoxCut> box = cutter.cut();

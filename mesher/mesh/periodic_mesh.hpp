@@ -9,6 +9,13 @@
 
 namespace pcvt {
 
+/// A corner of a face, in the frame of the face: an image of a vertex.
+struct MeshCorner {
+    int vertex;
+    Offset offset;
+    friend auto operator<=>(const MeshCorner&, const MeshCorner&) = default;
+};
+
 /// A mesh of the whole torus that stores one face and one vertex per orbit.
 ///
 /// Example usage:

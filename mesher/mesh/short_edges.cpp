@@ -13,13 +13,7 @@ namespace pcvt {
 namespace {
 
 /// A cell keeps at least this fraction of its area when an edge is removed.
-constexpr double kKeptArea = 0.5;
-
-struct MeshCorner {
-    int vertex;
-    Offset offset;
-    friend auto operator<=>(const MeshCorner&, const MeshCorner&) = default;
-};
+constexpr double kAreaWithoutEdge = 0.5;
 
 /// The mesh while vertices are being joined. A corner of an old face lies at the root of its
 /// vertex.
@@ -213,7 +207,7 @@ class Shrinking {
         // Check that the corners are distinct and the polygon is simple and large enough.
         std::sort(after.begin(), after.end());
         return after.size() >= 3 && std::adjacent_find(after.begin(), after.end()) == after.end() &&
-               polygon_area(polygon) >= kKeptArea * polygon_area(old_polygon) &&
+               polygon_area(polygon) >= kAreaWithoutEdge * polygon_area(old_polygon) &&
                !crosses_itself(polygon, 0);
     }
 

@@ -88,12 +88,6 @@ DualVertices dual_vertices(const PeriodicDelaunay& delaunay) {
     return dual;
 }
 
-struct MeshCorner {
-    int vertex;
-    Offset offset;
-    friend auto operator<=>(const MeshCorner&, const MeshCorner&) = default;
-};
-
 /// Returns the corners of the cell of the site that h leaves, around the image of the site at
 /// offset (0, 0).
 std::vector<MeshCorner> cell_corners(const TorusTriangulation& t,

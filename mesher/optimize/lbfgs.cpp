@@ -15,8 +15,8 @@ namespace {
 constexpr double kDecrease = 1e-4;
 constexpr double kCurvature = 0.9;
 /// Values with a smaller relative difference count as equal (approximate Wolfe conditions).
-constexpr double kEqualValues = 1e-12;
-constexpr int kTrials = 25;
+constexpr double kEqualLineValues = 1e-12;
+constexpr int kLineTrials = 25;
 
 /// A trial step t along a line, with F(t) and F'(t).
 struct LinePoint {
@@ -31,7 +31,8 @@ Verdict judge(const LinePoint& start, const LinePoint& trial) {
     const bool decrease = trial.value <= start.value + kDecrease * trial.t * start.slope;
     const bool curvature = trial.slope >= kCurvature * start.slope;
     if (decrease) return curvature ? Verdict::kAccept : Verdict::kTooShort;
-    const bool equal = std::abs(trial.value - start.value) <= kEqualValues * std::abs(start.value);
+    const bool equal =
+        std::abs(trial.value - start.value) <= kEqualLineValues * std::abs(start.value);
     const bool approximate = trial.slope <= (2 * kDecrease - 1) * start.slope;
     if (equal && approximate) return curvature ? Verdict::kAccept : Verdict::kTooShort;
     return Verdict::kTooLong;
@@ -55,7 +56,7 @@ std::optional<double> search_line(OptimizerRun& run, LbfgsHistory& history, doub
     LinePoint low = start;
     std::optional<LinePoint> high;
     double t = std::min(1.0, longest);
-    for (int trial = 0; trial < kTrials; ++trial) {
+    for (int trial = 0; trial < kLineTrials; ++trial) {
         if (!run.evaluate(history.direction(), t, evaluation)) {
             high = LinePoint{t, std::numeric_limits<double>::infinity(), 0};
         } else {

@@ -27,8 +27,8 @@ constexpr double kGoodRatio = 0.6;
 constexpr double kShrink = 0.4;
 constexpr double kGrow = 1.5;
 /// Values with a smaller relative difference count as equal.
-constexpr double kEqualValues = 1e-12;
-constexpr int kTrials = 12;
+constexpr double kEqualStepValues = 1e-12;
+constexpr int kStepTrials = 12;
 
 class Newton {
    public:
@@ -81,7 +81,7 @@ ConjugateGradients::Outcome Newton::solve() {
 /// The actual over the predicted decrease at t along the step, or 0 if that point is not accepted.
 double Newton::accepted_ratio(double t, double slope, double model) const {
     const double change = there_.value - here_.value;
-    if (std::abs(change) <= kEqualValues * std::abs(here_.value) &&
+    if (std::abs(change) <= kEqualStepValues * std::abs(here_.value) &&
         there_.rms_residual < here_.rms_residual) {
         return 1;
     }
@@ -110,7 +110,7 @@ bool Newton::advance() {
     // Backtrack along the step until a trial is accepted.
     const double slope = here_.gradient.dot(cg_.solution());
     double t = std::min(1.0, options_.max_move / system.largest_move);
-    for (int trial = 0; trial < kTrials; ++trial, t *= kShrink) {
+    for (int trial = 0; trial < kStepTrials; ++trial, t *= kShrink) {
         if (!run_.evaluate(step_, t, there_)) continue;
         const double ratio = accepted_ratio(t, slope, system.model);
         if (ratio == 0) continue;

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kOrder = "(1), order of the faces";
 constexpr const char* kCells = "(2), cells";
 /// Corners within this part of h are one, so that faces are plane within it.
-constexpr double kMerged = 1e-9;
+constexpr double kMergedCorners = 1e-9;
 
 std::string words(const char* item, int number) {
     return std::string(item) + " " + std::to_string(number);
@@ -166,7 +166,7 @@ double prove_cells(const PolyhedralMesh& mesh, double tolerance) {
     const CellFaces cells(mesh);
     const std::vector<CellBody> bodies = cell_bodies(mesh);
     const double h = portable_cbrt(mesh.lattice.volume() / mesh.n_cells);
-    const double error = tolerance + std::max(kMerged, mesh.short_edges) * h;
+    const double error = tolerance + std::max(kMergedCorners, mesh.short_edges) * h;
     double sum = 0;
     for (int s = 0; s < mesh.n_cells; ++s) {
         checkpoint_each(s, 64);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastVolume = 0.5;
 
 /// An edge from vertex `from` in the domain to an image of vertex `to`.
-struct Edge {
+struct ShortEdge {
     double length;
     int from;
     VertexImage to;
@@ -22,7 +22,7 @@ struct Edge {
 
 /// Returns the corners of a face when an edge is shrunk to its first end: an image of `to` becomes
 /// one of `from`. Fewer than three are left of a face that vanishes.
-Corners shrunk(Corners corners, const Edge& edge) {
+Corners shrunk(Corners corners, const ShortEdge& edge) {
     for (VertexImage& corner : corners) {
         if (corner.vertex == edge.to.vertex) {
             corner = {edge.from, corner.offset - edge.to.offset};
@@ -66,7 +66,7 @@ class ShrinkingComplex {
     bool remove_edges() {
         bool any = false;
         long n_seen = 0;
-        for (const Edge& edge : short_edges()) {
+        for (const ShortEdge& edge : short_edges()) {
             checkpoint_each(n_seen++, 64);
             if (!is_left_[edge.from] || !is_left_[edge.to.vertex]) continue;
             if (!(length(edge) < shortest_) || !may_remove(edge)) continue;
@@ -112,18 +112,20 @@ class ShrinkingComplex {
     Vec3 position(const VertexImage& image) const {
         return positions_[image.vertex] + complex_.reduced.translation(image.offset);
     }
-    Vec3 middle(const Edge& edge) const { return (positions_[edge.from] + position(edge.to)) / 2; }
-    double length(const Edge& edge) const {
+    Vec3 middle(const ShortEdge& edge) const {
+        return (positions_[edge.from] + position(edge.to)) / 2;
+    }
+    double length(const ShortEdge& edge) const {
         return (position(edge.to) - positions_[edge.from]).norm();
     }
     /// How far the middle of an edge is from the vertices of the diagram that would lie there.
-    double would_move(const Edge& edge) const {
+    double would_move(const ShortEdge& edge) const {
         return length(edge) / 2 + std::max(moved_[edge.from], moved_[edge.to.vertex]);
     }
 
     /// Edges between different vertices, each once, the shortest first.
-    std::vector<Edge> short_edges() const {
-        std::vector<Edge> edges;
+    std::vector<ShortEdge> short_edges() const {
+        std::vector<ShortEdge> edges;
         for (std::size_t f = 0; f < faces_.size(); ++f) {
             checkpoint_each(static_cast<long>(f));
             for (std::size_t k = 0; k < faces_[f].size(); ++k) {
@@ -133,21 +135,22 @@ class ShrinkingComplex {
                 const bool forwards = a.vertex < b.vertex;
                 if (a.vertex == b.vertex) continue;
                 const auto& [from, to] = forwards ? std::tie(a, b) : std::tie(b, a);
-                Edge edge{0, from.vertex, {to.vertex, to.offset - from.offset}};
+                ShortEdge edge{0, from.vertex, {to.vertex, to.offset - from.offset}};
                 edge.length = length(edge);
                 if (edge.length < shortest_) edges.push_back(edge);
             }
         }
-        const auto key = [](const Edge& e) { return std::tie(e.length, e.from, e.to); };
+        const auto key = [](const ShortEdge& e) { return std::tie(e.length, e.from, e.to); };
         std::sort(edges.begin(), edges.end(),
-                  [&](const Edge& s, const Edge& t) { return key(s) < key(t); });
-        edges.erase(std::unique(edges.begin(), edges.end(),
-                                [&](const Edge& s, const Edge& t) { return key(s) == key(t); }),
-                    edges.end());
+                  [&](const ShortEdge& s, const ShortEdge& t) { return key(s) < key(t); });
+        edges.erase(
+            std::unique(edges.begin(), edges.end(),
+                        [&](const ShortEdge& s, const ShortEdge& t) { return key(s) == key(t); }),
+            edges.end());
         return edges;
     }
 
-    std::vector<SiteId> cells_at(const Edge& edge) const {
+    std::vector<SiteId> cells_at(const ShortEdge& edge) const {
         std::vector<SiteId> cells = cells_[edge.from];
         const std::vector<SiteId>& others = cells_[edge.to.vertex];
         cells.insert(cells.end(), others.begin(), others.end());
@@ -156,7 +159,7 @@ class ShrinkingComplex {
     }
 
     /// The faces that a cell has without an edge, seen from outside, in its frame.
-    std::vector<Corners> faces_without(const Edge& edge, SiteId cell) const {
+    std::vector<Corners> faces_without(const ShortEdge& edge, SiteId cell) const {
         std::vector<Corners> faces;
         for (const Use& use : uses_[cell]) {
             Corners corners = shrunk(faces_[use.face], edge);
@@ -169,7 +172,7 @@ class ShrinkingComplex {
         return faces;
     }
 
-    double volume(const std::vector<Corners>& faces, const Edge& edge) const {
+    double volume(const std::vector<Corners>& faces, const ShortEdge& edge) const {
         const Vec3 end = middle(edge);
         std::vector<Vec3> points;
         const auto place = [&](const VertexImage& corner) {
@@ -185,7 +188,7 @@ class ShrinkingComplex {
         return sum.body().volume;
     }
 
-    bool may_remove(const Edge& edge) const {
+    bool may_remove(const ShortEdge& edge) const {
         if (would_move(edge) > shortest_) return false;
         for (const SiteId cell : cells_at(edge)) {
             const std::vector<Corners> faces = faces_without(edge, cell);
@@ -195,7 +198,7 @@ class ShrinkingComplex {
         return true;
     }
 
-    void remove(const Edge& edge) {
+    void remove(const ShortEdge& edge) {
         const Vec3 end = middle(edge);
         const double moved = would_move(edge);
         const std::vector<SiteId> cells = cells_at(edge);

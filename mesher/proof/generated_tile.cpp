@@ -12,7 +12,7 @@ namespace pcvt {
 namespace {
 
 /// The proof compares positions within this many ulps of the largest coordinate.
-constexpr double kUlps = 4;
+constexpr double kPositionUlps = 4;
 /// A tile whose smallest feature is this many times that rounding keeps its laws.
 constexpr double kResolved = 1e3;
 
@@ -49,7 +49,8 @@ bool fits_single_precision(const Tile& tile) {
     for (const Vec2& point : tile.points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
     const double smallest = std::min({shortest_edge(tile), reduce(tile.lattice).reduced.a().norm(),
                                       std::sqrt(tile.lattice.area() / tile.n_faces())});
-    return kResolved * kUlps * largest * double(std::numeric_limits<float>::epsilon()) <= smallest;
+    return kResolved * kPositionUlps * largest * double(std::numeric_limits<float>::epsilon()) <=
+           smallest;
 }
 
 }  // namespace pcvt

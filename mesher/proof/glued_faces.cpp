@@ -16,7 +16,6 @@ namespace {
 
 using std::to_string;
 
-const char* const kFaceLaw = "(1), faces";
 const char* const kSeamLaw = "(2), seam";
 const char* const kHoleLaw = "(7), holes";
 

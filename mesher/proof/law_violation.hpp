@@ -6,6 +6,8 @@
 
 namespace pcvt {
 
+/// The name of law (1) of prove_tile() in messages.
+inline constexpr const char* kFaceLaw = "(1), faces";
 /// The name of the laws of prove_sites() in messages.
 inline constexpr const char* kSiteLaw = "of the sites";
 

@@ -19,7 +19,7 @@ using std::to_string;
 /// Corners agree with the mean of their Voronoi vertices within this, in units of h.
 constexpr double kOffMean = 1e-7;
 /// ... and within this many tolerances of positions.
-constexpr double kRoundings = 8;
+constexpr double kCornerRoundings = 8;
 /// A corner at which k cells meet lies within k - 3 removed edges of each of its Voronoi vertices;
 /// more cells than this meet nowhere, but for special lattices, whose corners are not moved.
 constexpr int kMostCells = 8;
@@ -73,7 +73,7 @@ class MovedCells {
           orbits_(proven_orbits(proof)),
           faces_(glue_faces(tile, orbits_, Precision::kSingle)),
           rounding_(proof.tolerance),
-          tolerance_(kOffMean * std::sqrt(images.cell_area()) + kRoundings * rounding_),
+          tolerance_(kOffMean * std::sqrt(images.cell_area()) + kCornerRoundings * rounding_),
           skew_(tile.lattice.a().norm() * tile.lattice.b().norm() / tile.lattice.area()) {}
 
     FaceImages prove() {

@@ -22,13 +22,13 @@ using std::to_string;
 /// The distances of a vertex from the sites of its cells agree within this, in units of h.
 constexpr double kOffBisector = 1e-7;
 /// ... and within this many tolerances of positions.
-constexpr double kRoundings = 8;
+constexpr double kDistanceRoundings = 8;
 /// The roundings of positions that are mapped to the round space of a metric and back.
 constexpr double kMappings = 2;
 /// The areas of the cells of an orbit agree within this, in units of their mean.
 constexpr double kSameArea = 1e-6;
 /// The ulps of each period vector's share.
-constexpr double kUlps = 2;
+constexpr double kShareUlps = 2;
 
 /// In grains, edges shorter than this are removed from cells, and corners nearer to the box than
 /// this are moved onto it, in units of h.
@@ -151,7 +151,7 @@ class Equidistance {
           orbits_(proven_orbits(proof)),
           images_(images),
           of_face_(std::move(of_face)),
-          rounding_(kRoundings * proof.tolerance),
+          rounding_(kDistanceRoundings * proof.tolerance),
           off_bisector_(kOffBisector * std::sqrt(images.cell_area())),
           meetings_(tile.points.size()) {}
 
@@ -253,7 +253,7 @@ double translation_rounding(const Lattice& lattice) {
     for (const int entry : reduce(lattice).m) {
         multiple = std::max(multiple, std::abs(double(entry)));
     }
-    return kUlps * std::numeric_limits<double>::epsilon() * multiple *
+    return kShareUlps * std::numeric_limits<double>::epsilon() * multiple *
            (lattice.a().norm() + lattice.b().norm());
 }
 
@@ -288,7 +288,7 @@ FaceImages prove_round_sites(const Tile& tile, const TileProof& proof, double st
     if (owned) {
         Equidistance(tile, proof, images, images_of_faces(tile, images)).require();
     } else {
-        require_sites_at_vertices(tile, images, kRoundings * proof.tolerance);
+        require_sites_at_vertices(tile, images, kDistanceRoundings * proof.tolerance);
     }
     return {};
 }

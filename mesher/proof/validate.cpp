@@ -17,7 +17,6 @@ namespace {
 
 using std::to_string;
 
-const char* const kFaceLaw = "(1), faces";
 const char* const kDiscLaw = "(3), disc";
 const char* const kTorusLaw = "(4), torus";
 const char* const kAreaLaw = "(5), areas";

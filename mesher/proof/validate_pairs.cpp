@@ -23,7 +23,7 @@ std::string stated(int v, int w, Offset offset) {
     return "vertex " + to_string(w) + " = vertex " + to_string(v) + " + " + in_words(offset);
 }
 
-std::string in_words(const Tile& tile, const WallEdge& edge) {
+std::string wall_edge_in_words(const Tile& tile, const WallEdge& edge) {
     return to_string(edge.v0) + " -> " + to_string(edge.v1) + " on " + wall_name(tile, edge.wall);
 }
 
@@ -52,9 +52,9 @@ EdgePair normal_form(const EdgePair& pair, const TileProof& proof) {
     return pair.offset >= Offset{} ? moved : moved.reversed();
 }
 
-std::string in_words(const EdgePair& pair) {
+std::string edge_pair_in_words(const EdgePair& pair) {
     return "edge " + edge_in_words(pair.w0, pair.w1) + " = edge " +
-           edge_in_words(pair.v0, pair.v1) + " + " + pcvt::in_words(pair.offset);
+           edge_in_words(pair.v0, pair.v1) + " + " + in_words(pair.offset);
 }
 
 EdgePair checked_edge_pair(const Tile& tile, const TileProof& proof, std::size_t index) {
@@ -64,7 +64,7 @@ EdgePair checked_edge_pair(const Tile& tile, const TileProof& proof, std::size_t
     for (const int v : {pair.v0, pair.v1, pair.w0, pair.w1}) require_vertex(v, name, n);
     const EdgePair normal = normal_form(pair, proof);
     if (!std::binary_search(proof.edge_pairs.begin(), proof.edge_pairs.end(), normal)) {
-        throw_violation(kPairs, name + " says " + in_words(pair) +
+        throw_violation(kPairs, name + " says " + edge_pair_in_words(pair) +
                                     "; no two boundary edges are glued in this way");
     }
     return normal;
@@ -96,7 +96,7 @@ void compare_edge_pairs(const Tile& tile, const TileProof& proof) {
     std::sort(stored.begin(), stored.end());
     for (const EdgePair& pair : proof.edge_pairs) {
         if (std::binary_search(stored.begin(), stored.end(), pair)) continue;
-        throw_violation(kPairs, "the stored edge pairs lack " + in_words(pair));
+        throw_violation(kPairs, "the stored edge pairs lack " + edge_pair_in_words(pair));
     }
 }
 
@@ -113,14 +113,14 @@ void compare_wall_edges(const Tile& tile, const TileProof& proof) {
         if (std::binary_search(proof.wall_edges.begin(), proof.wall_edges.end(), stored.back())) {
             continue;
         }
-        throw_violation(kPairs, name + " says " + in_words(tile, tile.wall_edges[k]) +
+        throw_violation(kPairs, name + " says " + wall_edge_in_words(tile, tile.wall_edges[k]) +
                                     (wall.is_hole() ? "; the boundary of no hole runs there"
                                                     : "; no edge of a face lies there"));
     }
     std::sort(stored.begin(), stored.end());
     for (const WallEdge& edge : proof.wall_edges) {
         if (std::binary_search(stored.begin(), stored.end(), edge)) continue;
-        throw_violation(kPairs, "the stored edges on walls lack " + in_words(tile, edge));
+        throw_violation(kPairs, "the stored edges on walls lack " + wall_edge_in_words(tile, edge));
     }
 }
 

@@ -19,7 +19,7 @@ using std::to_string;
 const char* const kWallLaw = "(6), walls";
 
 /// Bounds the rounding errors of the representative, of the period and of their sum, in ulps.
-constexpr double kUlps = 4;
+constexpr double kTranslationUlps = 4;
 
 /// The wall on which an edge of a proven tile between walls lies.
 WallSide wall_of(const Tile& tile, int v, int w) {
@@ -252,7 +252,7 @@ double position_tolerance(const Tile& tile, Precision precision) {
     std::frexp(largest, &exponent);
     const int digits = precision == Precision::kDouble ? std::numeric_limits<double>::digits
                                                        : std::numeric_limits<float>::digits;
-    return kUlps * std::ldexp(1.0, exponent - digits);
+    return kTranslationUlps * std::ldexp(1.0, exponent - digits);
 }
 
 void require_between_walls(const Tile& tile, Precision precision) {

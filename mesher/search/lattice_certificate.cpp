@@ -6,20 +6,13 @@
 #include <vector>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/search/lattice_steps.hpp"
 
 namespace pcvt {
 namespace {
 
-/// A vector in n-ths of the reduced period vectors.
-struct Step {
-    std::int64_t i;
-    std::int64_t j;
-};
-
-std::int64_t remainder_of(std::int64_t value, std::int64_t n) { return (value % n + n) % n; }
-
 /// Returns the lattice that two steps span, if its index is n.
-std::optional<HermiteForm> hermite_form(Step p, Step q, int n) {
+std::optional<HermiteForm> hermite_form(LatticeStep p, LatticeStep q, int n) {
     if (p.i * q.j - p.j * q.i != n) return std::nullopt;
     // Euclid's algorithm on the first coordinates leads to (d, -b) and (0, a).
     while (q.i != 0) {
@@ -33,7 +26,7 @@ std::optional<HermiteForm> hermite_form(Step p, Step q, int n) {
                        static_cast<int>(d)};
 }
 
-Step nearest_step(const Vec2& u, int n) {
+LatticeStep nearest_step(const Vec2& u, int n) {
     return {std::llround(n * u.x()), std::llround(n * u.y())};
 }
 

@@ -7,6 +7,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
+#include "mesher/search/lattice_steps.hpp"
 
 namespace pcvt {
 namespace {
@@ -17,14 +18,6 @@ constexpr double kEqualEnergies = 1e-12;
 /// Vectors whose squared lengths differ by less than this factor count as equally long.
 constexpr double kTie = 1 + 1e-12;
 
-std::int64_t remainder_of(std::int64_t value, std::int64_t n) { return (value % n + n) % n; }
-
-/// A vector in n-ths of the reduced period vectors.
-struct Step {
-    std::int64_t i;
-    std::int64_t j;
-};
-
 /// Scalar products of steps, in units of 1 / n^2. The period vectors are reduced, so squares do not
 /// suffer from cancellation: |a.b| is at most half of the smaller of |a|^2 and |b|^2.
 struct StepMetric {
@@ -33,7 +26,7 @@ struct StepMetric {
           ab(reduced.a().dot(reduced.b())),
           bb(reduced.b().squaredNorm()) {}
 
-    double dot(const Step& s, const Step& t) const {
+    double dot(const LatticeStep& s, const LatticeStep& t) const {
         const auto si = static_cast<double>(s.i);
         const auto sj = static_cast<double>(s.j);
         const auto ti = static_cast<double>(t.i);
@@ -47,8 +40,8 @@ struct StepMetric {
 };
 
 struct StepBasis {
-    Step s;
-    Step t;
+    LatticeStep s;
+    LatticeStep t;
 };
 
 /// Gauss's reduction: |s| <= |t| and |s.t| <= |s|^2 / 2, then turned so that s.t <= 0.
@@ -89,7 +82,9 @@ void require_form(const HermiteForm& form) {
     }
 }
 
-Offset to_offset(const Step& step) { return {static_cast<int>(step.i), static_cast<int>(step.j)}; }
+Offset to_offset(const LatticeStep& step) {
+    return {static_cast<int>(step.i), static_cast<int>(step.j)};
+}
 
 /// Returns the canonical form of a reduced basis: it is right-handed, and its first vector points
 /// to the right or along +y. If the vectors are equally long, the one nearer to the x axis comes

@@ -12,7 +12,7 @@ namespace {
 /// Relative to |a| |b|: a lattice fits a group if the Gram matrix changes by at most this.
 constexpr double kSameGram = 1e-12;
 
-using Matrix = std::array<int, 4>;
+using IntegerMatrix = std::array<int, 4>;
 using Halves = std::array<int, 2>;
 
 constexpr LatticeIsometry kHalfTurn{{-1, 0, 0, -1}, {0, 0}};
@@ -72,23 +72,23 @@ std::vector<LatticeIsometry> generators(PlaneGroupName name) {
 
 int wrapped_half(int half) { return ((half % 2) + 2) % 2; }
 
-Matrix product(const Matrix& p, const Matrix& q) {
+IntegerMatrix product(const IntegerMatrix& p, const IntegerMatrix& q) {
     return {p[0] * q[0] + p[1] * q[2], p[0] * q[1] + p[1] * q[3], p[2] * q[0] + p[3] * q[2],
             p[2] * q[1] + p[3] * q[3]};
 }
 
-Halves product(const Matrix& p, const Halves& t) {
+Halves product(const IntegerMatrix& p, const Halves& t) {
     return {wrapped_half(p[0] * t[0] + p[1] * t[1]), wrapped_half(p[2] * t[0] + p[3] * t[1])};
 }
 
 /// @pre the determinant is +1 or -1.
-Matrix inverse(const Matrix& p) {
+IntegerMatrix inverse(const IntegerMatrix& p) {
     const int det = p[0] * p[3] - p[1] * p[2];
     return {det * p[3], -det * p[1], -det * p[2], det * p[0]};
 }
 
 /// The same isometry in coordinates u' = change u.
-LatticeIsometry changed(const Matrix& change, const LatticeIsometry& g) {
+LatticeIsometry changed(const IntegerMatrix& change, const LatticeIsometry& g) {
     return {product(product(change, g.m), inverse(change)), product(change, g.halves)};
 }
 
@@ -103,7 +103,7 @@ std::vector<LatticeIsometry> closure(const std::vector<LatticeIsometry>& generat
     return group;
 }
 
-bool is_isometry(const Lattice& lattice, const Matrix& m) {
+bool is_isometry(const Lattice& lattice, const IntegerMatrix& m) {
     // Column k of m is the image of the period vector k.
     const Vec2 a = m[0] * lattice.a() + m[2] * lattice.b();
     const Vec2 b = m[1] * lattice.a() + m[3] * lattice.b();
@@ -159,7 +159,7 @@ PlaneGroup::PlaneGroup(PlaneGroupName name, const Lattice& lattice, MirrorAxis a
     : name_(name), lattice_(lattice), reduction_(reduce(lattice)) {
     // Change from the group's own setting to the basis given: exchanged period vectors, or 60
     // degrees, where u a + v (b - a) = (u - v) a + v b.
-    Matrix setting{1, 0, 0, 1};
+    IntegerMatrix setting{1, 0, 0, 1};
     if (axis == MirrorAxis::kAlongB) setting = {0, 1, 1, 0};
     const bool acute = lattice.a().dot(lattice.b()) > 0;
     if (row().system == LatticeSystem::kHexagonal && acute) {
@@ -175,7 +175,7 @@ PlaneGroup::PlaneGroup(PlaneGroupName name, const Lattice& lattice, MirrorAxis a
     }
     // u a + v b = u' a' + v' b' with (u, v) = m^T (u', v').
     const auto& m = reduction_.m;
-    const Matrix to_reduced = inverse({m[0], m[2], m[1], m[3]});
+    const IntegerMatrix to_reduced = inverse({m[0], m[2], m[1], m[3]});
     for (const LatticeIsometry& g : given_operations_) {
         operations_.push_back(changed(to_reduced, g));
     }

@@ -29,11 +29,11 @@ std::set<Pair> orbit(const PlaneGroup& group, const Pair& p) {
 
 /// A line modulo the periods: its direction, and n.p in twelfths with n the direction rotated by
 /// +90 degrees.
-struct Line {
+struct LatticeLine {
     Pair along;
     int at;
 
-    friend bool operator<(const Line& l, const Line& m) {
+    friend bool operator<(const LatticeLine& l, const LatticeLine& m) {
         return std::tie(l.along, l.at) < std::tie(m.along, m.at);
     }
 };
@@ -44,7 +44,7 @@ Pair upward(const Pair& along) {
     return down ? Pair{-along[0], -along[1]} : along;
 }
 
-Line line_through(const Pair& p, const Pair& along) {
+LatticeLine line_through(const Pair& p, const Pair& along) {
     return {along, wrapped(-along[1] * p[0] + along[0] * p[1])};
 }
 
@@ -69,7 +69,7 @@ std::vector<RotationCentre> rotation_centres(const PlaneGroup& group) {
 
 std::vector<MirrorLine> mirror_lines(const PlaneGroup& group) {
     std::vector<MirrorLine> mirrors;
-    std::set<Line> seen;
+    std::set<LatticeLine> seen;
     for (const LatticeIsometry& g : group.operations()) {
         if (g.determinant() > 0) continue;
         const Pair along = mirror_direction(g);

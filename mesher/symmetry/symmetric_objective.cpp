@@ -10,15 +10,16 @@
 namespace pcvt {
 namespace {
 
-using Matrix = Eigen::Matrix2d;
+using PlaneMatrix = Eigen::Matrix2d;
 
 /// The block of E of a site.
 /// @param to_frame  maps reduced coordinates to the frame.
-std::array<double, 4> block_of(const MoveTie& tie, const SiteOrbit& orbit, const Matrix& to_frame) {
-    Matrix m;
+std::array<double, 4> block_of(const MoveTie& tie, const SiteOrbit& orbit,
+                               const PlaneMatrix& to_frame) {
+    PlaneMatrix m;
     m << tie.matrix[0], tie.matrix[1], tie.matrix[2], tie.matrix[3];
     if (orbit.freedom == 2) {
-        const Matrix turn = to_frame * m * to_frame.inverse();
+        const PlaneMatrix turn = to_frame * m * to_frame.inverse();
         return {turn(0, 0), turn(0, 1), turn(1, 0), turn(1, 1)};
     }
     // The tie maps the direction of the representative to that of the site.
@@ -27,8 +28,8 @@ std::array<double, 4> block_of(const MoveTie& tie, const SiteOrbit& orbit, const
     return {scaled.x(), 0, scaled.y(), 0};
 }
 
-Matrix matrix(const std::array<double, 4>& block) {
-    return (Matrix() << block[0], block[1], block[2], block[3]).finished();
+PlaneMatrix matrix(const std::array<double, 4>& block) {
+    return (PlaneMatrix() << block[0], block[1], block[2], block[3]).finished();
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ OrbitEmbedding tie_orbits(const SymmetricSites& sites, MovingDelaunay& delaunay)
     }
     // Give each site its block and its tie.
     const ReducedFrame& frame = delaunay.frame();
-    const Matrix to_frame = (Matrix() << frame.ax, frame.bx, 0, frame.by).finished();
+    const PlaneMatrix to_frame = (PlaneMatrix() << frame.ax, frame.bx, 0, frame.by).finished();
     std::vector<MoveTie> ties(n);
     embedding.pair.resize(n);
     embedding.block.resize(n);
@@ -182,17 +183,17 @@ void SymmetricObjective::hessian(BlockMatrix& hessian) const {
     if (n_pairs == 0) hessian.diagonal[0] = {1, 0, 0, 1};
     for (std::size_t p = 0; p < n_pairs; ++p) {
         const SiteId a = embedding_.representative[p];
-        const Matrix from = embedding_.n_sites[p] * matrix(embedding_.block[a]).transpose();
+        const PlaneMatrix from = embedding_.n_sites[p] * matrix(embedding_.block[a]).transpose();
         const auto& own = all.diagonal[a];
-        Matrix diagonal = (Matrix() << own[0], own[2], own[1], own[3]).finished();
+        PlaneMatrix diagonal = (PlaneMatrix() << own[0], own[2], own[1], own[3]).finished();
         diagonal = from * diagonal * matrix(embedding_.block[a]);
         int next = hessian.row_begin[p];
         for (int k = all.row_begin[a]; k < all.row_begin[a + 1]; ++k) {
             const SiteId j = all.column[k];
             if (embedding_.pair[j] < 0) continue;
             const BlockMatrix::Block& h = all.block[k];
-            const Matrix folded = from * (Matrix() << h[0], h[2], h[1], h[3]).finished() *
-                                  matrix(embedding_.block[j]);
+            const PlaneMatrix folded = from * (PlaneMatrix() << h[0], h[2], h[1], h[3]).finished() *
+                                       matrix(embedding_.block[j]);
             if (!is_entry(p, k)) {
                 diagonal += folded;
                 continue;

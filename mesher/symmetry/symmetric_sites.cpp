@@ -135,7 +135,7 @@ void require_plan(const PlaneGroup& group, const SpecialPositions& special, cons
 }
 
 /// A line of the orbit of a mirror.
-struct Line {
+struct PlacedLine {
     Place through;
     std::array<int, 2> along;
 
@@ -151,7 +151,7 @@ struct Line {
 
 Place place_of(const std::array<int, 2>& twelfths) { return {twelfths[0], twelfths[1]}; }
 
-Line image(const LatticeIsometry& g, const MirrorLine& mirror) {
+PlacedLine image(const LatticeIsometry& g, const MirrorLine& mirror) {
     const auto& [u, v] = mirror.along;
     return {image(g, place_of(mirror.through), kTwelfths),
             {g.m[0] * u + g.m[1] * v, g.m[2] * u + g.m[3] * v}};
@@ -178,7 +178,7 @@ class Snapping {
         }
         for (const MirrorLine& mirror : special_.mirrors) {
             for (const LatticeIsometry& g : group_.operations()) {
-                const Line line = image(g, mirror);
+                const PlacedLine line = image(g, mirror);
                 const Vec2 along(line.along[0], line.along[1]);
                 const Vec2 difference = u - coordinates(line.through, kTwelfths);
                 // The images of the line lie where this is a whole number.
@@ -233,7 +233,7 @@ SymmetricSites sites_at(const PlaneGroup& group, const OrbitPlaces& places) {
         if (places.at_centres[k]) orbits.add(place_of(special.centres[k].place), kTwelfths);
     }
     for (std::size_t k = 0; k < special.mirrors.size(); ++k) {
-        const Line line{place_of(special.mirrors[k].through), special.mirrors[k].along};
+        const PlacedLine line{place_of(special.mirrors[k].through), special.mirrors[k].along};
         for (const double part : places.on_mirrors[k]) orbits.add(line.at(part), kGrid);
     }
     for (Eigen::Index s = 0; s < places.general.cols(); ++s) {

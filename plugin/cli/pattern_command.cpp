@@ -7,7 +7,7 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kPatternExamples =
     "Examples:\n"
     "  pcvt pattern --sites 56 -o pattern.svg\n"
     "      the lattice of 56 cells with the lowest energy on the unit square\n"
@@ -45,7 +45,7 @@ void add_pattern_options(CLI::App& app, MeshOptions& options) {
         ->description("any two independent period vectors; nine numbers: three, in space");
     app.get_option("--threads")->group("Output");
     for (const char* name : kForeign) app.get_option(name)->group("");
-    app.footer(kExamples);
+    app.footer(kPatternExamples);
 }
 
 Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {

@@ -89,7 +89,7 @@ void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJ
 }
 
 /// From this number of sites on, the estimate of the memory is printed when the run begins.
-constexpr int kFewestAnnounced = 200'000;
+constexpr int kFewestAnnouncedInSpace = 200'000;
 
 /// Runs the job under the signals and the progress display.
 SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
@@ -98,7 +98,7 @@ SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
     ProgressDisplay display(body_centred_energy(job.lattice.volume(), n), job.tolerance, !quiet);
     catch_cancel_signals();
     // The first progress follows the checks of the job, so that a refusal is one line.
-    bool announces = n >= kFewestAnnounced && !quiet;
+    bool announces = n >= kFewestAnnouncedInSpace && !quiet;
     return run_space_job(job, [&](const JobProgress& progress) {
         if (std::exchange(announces, false)) {
             announce_memory(estimated_memory(job, plan_space_files(job)), available);

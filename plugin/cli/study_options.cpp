@@ -19,7 +19,7 @@ constexpr int kMostShards = 1'000'000;
 /// Numbers of sites in the help.
 constexpr std::size_t kLongestList = 20;
 
-constexpr const char* kExamples =
+constexpr const char* kStudyExamples =
     "Examples:\n"
     "  pcvt study table1\n"
     "      the paper's Table I, printed; with -o table1.csv also as a file\n"
@@ -131,7 +131,7 @@ void add_study_options(CLI::App& app, StudyOptions& options) {
         ->allow_extra_args(false);
     app.add_flag("--force", options.force, "replace existing files");
     app.add_flag("--quiet", options.quiet, "no table and no progress");
-    app.footer(recipes_help() + "\n" + kExamples);
+    app.footer(recipes_help() + "\n" + kStudyExamples);
 }
 
 StudyRequest make_study_request(const CLI::App& app, const StudyOptions& options) {

@@ -13,7 +13,7 @@ namespace {
 /// The fewest sites that the fit takes: at n = 1 all eight neighbours are mirrors.
 constexpr int kFewestFitted = 100;
 
-std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+std::vector<StudyRow> run_fig10(int n, int /*run*/, std::uint64_t seed) {
     const MirrorDiagram diagram =
         mirror_diagram(Sites(unit_square(), uniform_points(unit_square(), n, seed)));
     return {{std::to_string(diagram.n_mirrors), std::to_string(diagram.n_boundary_sites),
@@ -51,7 +51,7 @@ double fit(const Study& study, const StudyTable& runs) {
     return count == 0 ? 0 : std::exp(sum / count);
 }
 
-StudyRow row_of(const StudyTable& runs, int n) {
+StudyRow fig10_row(const StudyTable& runs, int n) {
     const Spread mirrors = spread(runs, n, "mirrors");
     return {std::to_string(n),
             rounded(mirrors.mean, 6),
@@ -63,7 +63,7 @@ StudyRow row_of(const StudyTable& runs, int n) {
             rounded(spread(runs, n, "shrunk_inner_sites").mean, 6)};
 }
 
-StudyResult conclude(const Study& study, const StudyTable& runs) {
+StudyResult conclude_fig10(const Study& study, const StudyTable& runs) {
     StudyTable table;
     table.notes = {
         "means over " + std::to_string(study.runs) +
@@ -78,7 +78,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         .mark = PlotSeries::Mark::kDots, .label = "mirrors / n", .colour = kPlotBlue, .points = {}};
     std::vector<int> sites = study.sites;
     std::sort(sites.begin(), sites.end());
-    for (const int n : study.sites) table.rows.push_back(row_of(runs, n));
+    for (const int n : study.sites) table.rows.push_back(fig10_row(runs, n));
     for (const int n : sites) {
         const double mirrors = spread(runs, n, "mirrors").mean;
         if (!(mirrors > 0)) {
@@ -133,8 +133,8 @@ StudyRecipe fig10_recipe() {
             .tables = {""},
             .pictures = {""},
             .printed_columns = 8,
-            .run = run,
-            .conclude = conclude};
+            .run = run_fig10,
+            .conclude = conclude_fig10};
 }
 
 }  // namespace pcvt

@@ -13,16 +13,14 @@
 namespace pcvt {
 namespace {
 
-constexpr double kTolerance = 1e-8;
-/// Relative difference of energies of the same minimum. Of its runs the first one is reported.
-constexpr double kSameEnergy = 1e-9;
+constexpr double kFig11Tolerance = 1e-8;
 /// Panels for each n; the table has all patterns.
 constexpr std::size_t kMostPanels = 3;
 
-std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+std::vector<StudyRow> run_fig11(int n, int /*run*/, std::uint64_t seed) {
     const Lattice unit = unit_square();
     const CvtResult result =
-        compute_cvt(unit, uniform_points(unit, n, seed), plain_lbfgs(kTolerance));
+        compute_cvt(unit, uniform_points(unit, n, seed), plain_lbfgs(kFig11Tolerance));
     const int hexagons = count_hexagons(result);
     StudyRow row{stop_name(result.run.stop)};
     for (std::string& cell : run_cells(result.run)) row.push_back(std::move(cell));
@@ -58,7 +56,7 @@ struct Pattern {
 };
 
 /// Statistics of the runs of one n.
-struct Tally {
+struct PatternTally {
     int n = 0;
     int runs = 0;
     int all_hexagon = 0;
@@ -87,8 +85,8 @@ void count_pattern(const StudyTable& runs, const StudyRow& row,
     ++found->second.count;
 }
 
-Tally tally(const StudyTable& runs, int n) {
-    Tally tally;
+PatternTally tally_patterns(const StudyTable& runs, int n) {
+    PatternTally tally;
     tally.n = n;
     std::map<Shape, Pattern> patterns;
     for (const StudyRow& row : rows_of(runs, n)) {
@@ -115,7 +113,7 @@ Tally tally(const StudyTable& runs, int n) {
     return tally;
 }
 
-StudyTable share_table(const std::vector<Tally>& tallies) {
+StudyTable share_table(const std::vector<PatternTally>& tallies) {
     StudyTable table;
     table.notes = {
         "all_hexagon: runs whose cells all have six sides (edges under 1e-5 h not counted); "
@@ -125,7 +123,7 @@ StudyTable share_table(const std::vector<Tally>& tallies) {
     table.columns = {"n",         "runs",      "all_hexagon", "percent",   "standard_error",
                      "lattices",  "patterns",  "best_energy", "best_seed", "mean_energy",
                      "F_lattice", "best/F_hex"};
-    for (const Tally& tally : tallies) {
+    for (const PatternTally& tally : tallies) {
         const int exceptions = static_cast<int>(tally.exceptions.size());
         table.rows.push_back(
             {std::to_string(tally.n), std::to_string(tally.runs), std::to_string(tally.all_hexagon),
@@ -146,7 +144,7 @@ StudyTable share_table(const std::vector<Tally>& tallies) {
     return table;
 }
 
-StudyTable pattern_table(const std::vector<Tally>& tallies) {
+StudyTable pattern_table(const std::vector<PatternTally>& tallies) {
     StudyTable table;
     table.notes = {
         "the different lattices (up to congruence) that results with hexagons alone form",
@@ -155,7 +153,7 @@ StudyTable pattern_table(const std::vector<Tally>& tallies) {
         "reduced basis of it; first_seed: the first run that ended there"};
     table.columns = {"n",   "count",  "percent",      "a",         "b", "d", "v_x", "v_y", "w_x",
                      "w_y", "energy", "energy/F_hex", "first_seed"};
-    for (const Tally& tally : tallies) {
+    for (const PatternTally& tally : tallies) {
         for (const Pattern& pattern : tally.patterns) {
             const LatticePattern& lattice = pattern.lattice;
             StudyRow row{std::to_string(tally.n), std::to_string(pattern.count),
@@ -178,7 +176,7 @@ StudyTable pattern_table(const std::vector<Tally>& tallies) {
 
 std::string percent(double share) { return rounded(100 * share, 3) + " %"; }
 
-CellPanel pattern_panel(const Tally& tally, const Pattern& pattern) {
+CellPanel pattern_panel(const PatternTally& tally, const Pattern& pattern) {
     const double share = static_cast<double>(pattern.count) / tally.runs;
     // A site in the middle shows the symmetry best.
     const Points points = pattern_points(pattern.lattice).colwise() + Vec2(0.5, 0.5);
@@ -189,17 +187,18 @@ CellPanel pattern_panel(const Tally& tally, const Pattern& pattern) {
 }
 
 /// The panel of the best result where none has hexagons alone; repeats that run.
-CellPanel best_panel(const Tally& tally) {
+CellPanel best_panel(const PatternTally& tally) {
     const Points start = uniform_points(unit_square(), tally.n, std::stoull(tally.best_seed));
-    CellPanel panel = periodic_panel(compute_cvt(unit_square(), start, plain_lbfgs(kTolerance)));
+    CellPanel panel =
+        periodic_panel(compute_cvt(unit_square(), start, plain_lbfgs(kFig11Tolerance)));
     panel.caption = {"n = " + std::to_string(tally.n) + ": 0 %, the best",
                      "F / F_hex = " + rounded(tally.best_energy / f_hex(tally.n), 6)};
     return panel;
 }
 
-std::string gallery(const std::vector<Tally>& tallies) {
+std::string gallery(const std::vector<PatternTally>& tallies) {
     std::vector<CellPanel> panels;
-    for (const Tally& tally : tallies) {
+    for (const PatternTally& tally : tallies) {
         const std::size_t n_shown = std::min(tally.patterns.size(), kMostPanels);
         for (std::size_t k = 0; k < n_shown; ++k) {
             panels.push_back(pattern_panel(tally, tally.patterns[k]));
@@ -211,12 +210,12 @@ std::string gallery(const std::vector<Tally>& tallies) {
     return encode_cell_panels(legend, panels, {5, 190});
 }
 
-StudyPicture share_plot(std::vector<Tally> tallies) {
+StudyPicture share_plot(std::vector<PatternTally> tallies) {
     std::sort(tallies.begin(), tallies.end(),
-              [](const Tally& s, const Tally& t) { return s.n < t.n; });
+              [](const PatternTally& s, const PatternTally& t) { return s.n < t.n; });
     PlotSeries series{
         .mark = PlotSeries::Mark::kDots, .label = "", .colour = kPlotBlue, .points = {}};
-    for (const Tally& tally : tallies) {
+    for (const PatternTally& tally : tallies) {
         series.points.emplace_back(tally.n, 100 * tally.share());
         series.errors.push_back(100 * tally.standard_error());
     }
@@ -230,9 +229,9 @@ StudyPicture share_plot(std::vector<Tally> tallies) {
     return plot_picture("Results with hexagons alone", plots);
 }
 
-StudyResult conclude(const Study& study, const StudyTable& runs) {
-    std::vector<Tally> tallies;
-    for (const int n : study.sites) tallies.push_back(tally(runs, n));
+StudyResult conclude_fig11(const Study& study, const StudyTable& runs) {
+    std::vector<PatternTally> tallies;
+    for (const int n : study.sites) tallies.push_back(tally_patterns(runs, n));
     StudyResult result;
     result.tables.push_back(share_table(tallies));
     result.tables.push_back(pattern_table(tallies));
@@ -260,8 +259,8 @@ StudyRecipe fig11_recipe() {
             .tables = {"", "-patterns"},
             .pictures = {"", "-shares"},
             .printed_columns = 12,
-            .run = run,
-            .conclude = conclude};
+            .run = run_fig11,
+            .conclude = conclude_fig11};
 }
 
 }  // namespace pcvt

@@ -42,7 +42,7 @@ double seconds_of(const Method& method, const Sites& sites) {
     return seconds / builds;
 }
 
-std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+std::vector<StudyRow> run_fig7(int n, int /*run*/, std::uint64_t seed) {
     const Sites sites(unit_square(), uniform_points(unit_square(), n, seed));
     StudyRow row;
     for (const Method& method : kMethods) row.push_back(in_full(seconds_of(method, sites)));
@@ -57,7 +57,7 @@ double median(const StudyTable& runs, int n, const std::string& column) {
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-StudyResult conclude(const Study& study, const StudyTable& runs) {
+StudyResult conclude_fig7(const Study& study, const StudyTable& runs) {
     StudyTable table;
     table.notes = {
         "seconds of one processor, median of " + std::to_string(study.runs) +
@@ -111,8 +111,8 @@ StudyRecipe fig7_recipe() {
         .tables = {""},
         .pictures = {""},
         .printed_columns = 6,
-        .run = run,
-        .conclude = conclude};
+        .run = run_fig7,
+        .conclude = conclude_fig7};
     for (const Method& method : kMethods) recipe.columns.emplace_back(method.column);
     return recipe;
 }

@@ -35,7 +35,7 @@ Points parse_sites(const std::string& cell) {
     return sites;
 }
 
-StudyRow row_of(const std::string& panel, const RunStatistics& run, const Points& sites) {
+StudyRow fig8_row(const std::string& panel, const RunStatistics& run, const Points& sites) {
     StudyRow row{panel};
     for (std::string& cell : run_cells(run)) row.push_back(std::move(cell));
     row.push_back(site_cell(sites));
@@ -44,13 +44,13 @@ StudyRow row_of(const std::string& panel, const RunStatistics& run, const Points
 
 StudyRow periodic_row(const std::string& panel, const Points& start, const CvtOptions& options) {
     const CvtResult result = compute_cvt(unit_square(), start, options);
-    return row_of(
+    return fig8_row(
         panel, result.run,
         wrapped_sites({.delaunay = result.delaunay, .run = result.run, .counts = result.counts},
                       Vec2::Zero()));
 }
 
-std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+std::vector<StudyRow> run_fig8(int n, int /*run*/, std::uint64_t seed) {
     const Points start = uniform_points(unit_square(), n, seed);
     const ClippedCvt standard = compute_clipped_cvt(unit_square(), start, {kStandardTolerance});
     CvtOptions lloyd;
@@ -58,7 +58,7 @@ std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
     lloyd.tolerance = 0;
     lloyd.max_iterations = kLloydIterations;
     return {periodic_row("input", start, plain_lbfgs(0, 0)),
-            row_of("standard", standard.run, standard.sites), periodic_row("lloyd", start, lloyd),
+            fig8_row("standard", standard.run, standard.sites), periodic_row("lloyd", start, lloyd),
             periodic_row("lbfgs", start, plain_lbfgs(0, kLbfgsIterations))};
 }
 
@@ -74,7 +74,7 @@ CvtResult at_rest(const Points& sites) {
     return compute_cvt(unit_square(), sites, plain_lbfgs(0, 0));
 }
 
-StudyResult conclude(const Study& /*study*/, const StudyTable& runs) {
+StudyResult conclude_fig8(const Study& /*study*/, const StudyTable& runs) {
     StudyTable table;
     table.notes = {"hexagons: cells with six sides; of the standard CVT they are not counted"};
     table.columns = {"n",      "seed",         "panel",    "iterations", "evaluations",
@@ -124,8 +124,8 @@ StudyRecipe fig8_recipe() {
             .tables = {""},
             .pictures = {""},
             .printed_columns = 9,
-            .run = run,
-            .conclude = conclude};
+            .run = run_fig8,
+            .conclude = conclude_fig8};
 }
 
 }  // namespace pcvt

@@ -8,10 +8,10 @@
 namespace pcvt {
 namespace {
 
-constexpr double kTolerance = 1e-6;
+constexpr double kFig9Tolerance = 1e-6;
 constexpr int kMostIterations = 200;
 
-std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+std::vector<StudyRow> run_fig9(int n, int /*run*/, std::uint64_t seed) {
     const Lattice unit = unit_square();
     const Points start = uniform_points(unit, n, seed);
     std::vector<StudyRow> rows;
@@ -23,10 +23,10 @@ std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
             return true;
         };
     };
-    CvtOptions options = plain_lbfgs(kTolerance, kMostIterations);
+    CvtOptions options = plain_lbfgs(kFig9Tolerance, kMostIterations);
     options.progress = note("periodic");
     compute_cvt(unit, start, options);
-    compute_clipped_cvt(unit, start, {kTolerance, kMostIterations, note("standard")});
+    compute_clipped_cvt(unit, start, {kFig9Tolerance, kMostIterations, note("standard")});
     return rows;
 }
 
@@ -90,7 +90,7 @@ std::string comparison(int n, const PlotSeries& standard, const PlotSeries& peri
            std::to_string(below) + " of " + std::to_string(common) + " common iterations";
 }
 
-StudyResult conclude(const Study& study, const StudyTable& runs) {
+StudyResult conclude_fig9(const Study& study, const StudyTable& runs) {
     StudyTable table;
     table.notes = {"the ends of run 0 of each n; energies by iteration stand in the -runs table"};
     table.columns = {"n",      "method",       "iterations", "evaluations",
@@ -143,8 +143,8 @@ StudyRecipe fig9_recipe() {
             .tables = {""},
             .pictures = {"", "-excess"},
             .printed_columns = 7,
-            .run = run,
-            .conclude = conclude};
+            .run = run_fig9,
+            .conclude = conclude_fig9};
 }
 
 }  // namespace pcvt

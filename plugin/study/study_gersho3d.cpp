@@ -10,9 +10,7 @@
 namespace pcvt {
 namespace {
 
-constexpr double kTolerance = 1e-8;
-/// Relative difference of energies of the same minimum. Of its runs the first one is reported.
-constexpr double kSameEnergy = 1e-9;
+constexpr double kGersho3dTolerance = 1e-8;
 
 /// The second moment per dimension of the face-centred cubic lattice, and the mean of that of the
 /// A15 structure, for cells of the volume 1.
@@ -24,17 +22,17 @@ SpaceLattice unit_cube() { return SpaceLattice::box(1, 1, 1); }
 /// The energy over that of as many cells of the body-centred cubic lattice.
 double over_bound(double energy, int n) { return energy / body_centred_energy(1, n); }
 
-std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+std::vector<StudyRow> run_gersho3d(int n, int /*run*/, std::uint64_t seed) {
     const SpaceLattice cube = unit_cube();
     const SpaceCvtResult result =
-        compute_space_cvt(cube, uniform_points(cube, n, seed), {.tolerance = kTolerance});
+        compute_space_cvt(cube, uniform_points(cube, n, seed), {.tolerance = kGersho3dTolerance});
     StudyRow row{stop_name(result.run.stop)};
     for (std::string& cell : run_cells(result.run)) row.push_back(std::move(cell));
     return {row};
 }
 
 /// The runs of one n, and the best lattice of as many sites. Ratios are over_bound().
-struct Tally {
+struct EnergyTally {
     int n;
     int runs = 0;
     double best = 0;
@@ -49,8 +47,8 @@ struct Tally {
     }
 };
 
-Tally tally(const StudyTable& runs, int n) {
-    Tally tally{
+EnergyTally tally_energies(const StudyTable& runs, int n) {
+    EnergyTally tally{
         .n = n,
         .best_seed = {},
         .lattice = over_bound(best_space_pattern(Eigen::Matrix3d::Identity(), n).energy, n)};
@@ -69,7 +67,7 @@ Tally tally(const StudyTable& runs, int n) {
     return tally;
 }
 
-StudyTable energy_table(const std::vector<Tally>& tallies) {
+StudyTable energy_table(const std::vector<EnergyTally>& tallies) {
     StudyTable table;
     table.notes = {
         "F of periodic tessellations of the unit cube over F of as many truncated octahedra, the "
@@ -82,7 +80,7 @@ StudyTable energy_table(const std::vector<Tally>& tallies) {
             rounded(kA15Moment / kBodyCentredMoment, 7)};
     table.columns = {"n", "runs", "best", "best_seed", "times", "mean", "lattice", "winner"};
     int n_below = 0;
-    for (const Tally& tally : tallies) {
+    for (const EnergyTally& tally : tallies) {
         const bool is_below = std::min(tally.best, tally.lattice) < 1 - kSameEnergy;
         n_below += is_below ? 1 : 0;
         table.rows.push_back({std::to_string(tally.n), std::to_string(tally.runs),
@@ -101,9 +99,9 @@ StudyTable energy_table(const std::vector<Tally>& tallies) {
     return table;
 }
 
-StudyPicture energy_plot(std::vector<Tally> tallies) {
+StudyPicture energy_plot(std::vector<EnergyTally> tallies) {
     std::sort(tallies.begin(), tallies.end(),
-              [](const Tally& s, const Tally& t) { return s.n < t.n; });
+              [](const EnergyTally& s, const EnergyTally& t) { return s.n < t.n; });
     PlotSeries best{.mark = PlotSeries::Mark::kDots,
                     .label = "random starts",
                     .colour = kPlotBlue,
@@ -112,7 +110,7 @@ StudyPicture energy_plot(std::vector<Tally> tallies) {
                        .label = "best lattice",
                        .colour = kPlotOrange,
                        .points = {}};
-    for (const Tally& tally : tallies) {
+    for (const EnergyTally& tally : tallies) {
         best.points.emplace_back(tally.n, 100 * (tally.best - 1));
         lattice.points.emplace_back(tally.n, 100 * (tally.lattice - 1));
     }
@@ -137,9 +135,9 @@ StudyPicture energy_plot(std::vector<Tally> tallies) {
     return plot_picture("Periodic tessellations of the cube with the least energy", plots);
 }
 
-StudyResult conclude(const Study& study, const StudyTable& runs) {
-    std::vector<Tally> tallies;
-    for (const int n : study.sites) tallies.push_back(tally(runs, n));
+StudyResult conclude_gersho3d(const Study& study, const StudyTable& runs) {
+    std::vector<EnergyTally> tallies;
+    for (const int n : study.sites) tallies.push_back(tally_energies(runs, n));
     StudyResult result;
     result.tables.push_back(energy_table(tallies));
     result.pictures.push_back(energy_plot(tallies));
@@ -165,8 +163,8 @@ StudyRecipe gersho3d_recipe() {
             .tables = {""},
             .pictures = {""},
             .printed_columns = 8,
-            .run = run,
-            .conclude = conclude};
+            .run = run_gersho3d,
+            .conclude = conclude_gersho3d};
 }
 
 }  // namespace pcvt

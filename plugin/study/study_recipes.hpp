@@ -22,6 +22,9 @@ Lattice unit_square();
 /// 5 / (18 sqrt(3) n), the paper's F_hex.
 double f_hex(int n);
 
+/// Relative difference of energies of the same minimum. Of its runs the first one is reported.
+inline constexpr double kSameEnergy = 1e-9;
+
 /// The paper's solver: L-BFGS alone, so that the statistics of minima are comparable.
 CvtOptions plain_lbfgs(double tolerance, int max_iterations = -1);
 

@@ -67,7 +67,7 @@ std::vector<StudyRow> rows_of_law(const StudiedLaw& law, int n, std::uint64_t se
     return rows;
 }
 
-std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+std::vector<StudyRow> run_sizes(int n, int /*run*/, std::uint64_t seed) {
     std::vector<StudyRow> rows;
     for (const StudiedLaw& law : kLaws) {
         for (StudyRow& row : rows_of_law(law, n, seed)) rows.push_back(std::move(row));
@@ -151,7 +151,7 @@ void add_series(const Sizes& sizes, int n, const char* colour, Plot& plot) {
     plot.series.push_back(reached);
 }
 
-StudyResult conclude(const Study& study, const StudyTable& runs) {
+StudyResult conclude_sizes(const Study& study, const StudyTable& runs) {
     constexpr std::array kColours{kPlotBlue, kPlotOrange, kPlotGreen, kPlotGrey};
     StudyTable table;
     table.notes = {
@@ -204,8 +204,8 @@ StudyRecipe sizes_recipe() {
             .tables = {""},
             .pictures = {""},
             .printed_columns = 7,
-            .run = run,
-            .conclude = conclude};
+            .run = run_sizes,
+            .conclude = conclude_sizes};
 }
 
 }  // namespace pcvt

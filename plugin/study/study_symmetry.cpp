@@ -9,7 +9,7 @@
 namespace pcvt {
 namespace {
 
-constexpr double kTolerance = 1e-6;
+constexpr double kSymmetryTolerance = 1e-6;
 constexpr int kPanelColumns = 6;
 constexpr double kPanelSize = 150;
 
@@ -40,7 +40,7 @@ SymmetricRun symmetric_run(PlaneGroupName name, int n, bool centres, std::uint64
     const SpecialPositions special = special_positions(group);
     SymmetricSites start = random_sites(group, plan_of(group, special, n, centres), seed);
     CvtOptions options;
-    options.tolerance = kTolerance;
+    options.tolerance = kSymmetryTolerance;
     CvtResult result = compute_cvt(start, options);
     return {std::move(start), std::move(result)};
 }
@@ -49,7 +49,7 @@ bool has_centres(PlaneGroupName name) {
     return !special_positions(PlaneGroup(name, example_lattice(name))).centres.empty();
 }
 
-std::vector<StudyRow> run(int n, int /*run*/, std::uint64_t seed) {
+std::vector<StudyRow> run_symmetry(int n, int /*run*/, std::uint64_t seed) {
     std::vector<StudyRow> rows;
     for (const PlaneGroupRow& group : kPlaneGroups) {
         for (const Occupation& occupation : kOccupations) {
@@ -83,7 +83,7 @@ StudyRow energies(const StudyTable& runs, int n, const PlaneGroupRow& group,
 }
 
 /// One panel a group, with the centres occupied where there are some.
-StudyPicture picture(const Study& study) {
+StudyPicture symmetry_picture(const Study& study) {
     const int n = *std::min_element(study.sites.begin(), study.sites.end());
     std::vector<CellPanel> panels;
     for (const PlaneGroupRow& group : kPlaneGroups) {
@@ -100,7 +100,7 @@ StudyPicture picture(const Study& study) {
     return picture;
 }
 
-StudyResult conclude(const Study& study, const StudyTable& runs) {
+StudyResult conclude_symmetry(const Study& study, const StudyTable& runs) {
     StudyTable table;
     table.notes = {
         "energies over the hexagonal bound of the number of sites: the least and the mean of all "
@@ -120,7 +120,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
     }
     StudyResult result;
     result.tables.push_back(std::move(table));
-    result.pictures.push_back(picture(study));
+    result.pictures.push_back(symmetry_picture(study));
     return result;
 }
 
@@ -140,8 +140,8 @@ StudyRecipe symmetry_recipe() {
             .tables = {""},
             .pictures = {""},
             .printed_columns = 6,
-            .run = run,
-            .conclude = conclude};
+            .run = run_symmetry,
+            .conclude = conclude_symmetry};
 }
 
 }  // namespace pcvt

@@ -9,11 +9,9 @@
 namespace pcvt {
 namespace {
 
-constexpr double kTolerance = 1e-8;
+constexpr double kTable1Tolerance = 1e-8;
 /// The standard CVT is only a reference; the paper ran it once.
 constexpr int kStandardRuns = 10;
-/// Relative difference of energies of the same minimum. Of its runs the first one is reported.
-constexpr double kSameEnergy = 1e-9;
 constexpr int kDigits = 8;
 
 /// A row of the paper's Table I.
@@ -29,7 +27,7 @@ constexpr PaperRow kPaper[] = {
     {168, 9.7361e-4, 9.5464e-4, 9.5461e-4}, {224, 7.2769e-4, 7.1598e-4, 7.1596e-4},
     {300, 5.4255e-4, 5.3481e-4, 5.3458e-4}};
 
-StudyRow row_of(const char* kind, const RunStatistics& run) {
+StudyRow table1_run_row(const char* kind, const RunStatistics& run) {
     return {kind,
             stop_name(run.stop),
             in_full(run.energy),
@@ -38,14 +36,14 @@ StudyRow row_of(const char* kind, const RunStatistics& run) {
             std::to_string(run.evaluations)};
 }
 
-std::vector<StudyRow> run(int n, int run, std::uint64_t seed) {
+std::vector<StudyRow> run_table1(int n, int run, std::uint64_t seed) {
     const Lattice unit = unit_square();
     const Points start = uniform_points(unit, n, seed);
-    const CvtResult periodic = compute_cvt(unit, start, plain_lbfgs(kTolerance));
-    std::vector<StudyRow> rows{row_of("periodic", periodic.run)};
+    const CvtResult periodic = compute_cvt(unit, start, plain_lbfgs(kTable1Tolerance));
+    std::vector<StudyRow> rows{table1_run_row("periodic", periodic.run)};
     if (run < kStandardRuns) {
-        const ClippedCvt standard = compute_clipped_cvt(unit, start, {kTolerance});
-        rows.push_back(row_of("standard", standard.run));
+        const ClippedCvt standard = compute_clipped_cvt(unit, start, {kTable1Tolerance});
+        rows.push_back(table1_run_row("standard", standard.run));
     }
     return rows;
 }
@@ -72,7 +70,7 @@ std::string relative(double value, double reference) {
     return rounded((value - reference) / reference, 3);
 }
 
-StudyRow row_of(const StudyTable& runs, int n) {
+StudyRow table1_row(const StudyTable& runs, int n) {
     const Best standard = best_of(runs, n, "standard");
     const Best periodic = best_of(runs, n, "periodic");
     const LatticePattern lattice = best_lattice(unit_square(), n);
@@ -80,8 +78,8 @@ StudyRow row_of(const StudyTable& runs, int n) {
     double energy = periodic.energy;
     if (lattice.energy < energy * (1 - kSameEnergy)) {
         // No random start reached the lattice: start from the lattice itself.
-        energy =
-            compute_cvt(unit_square(), pattern_points(lattice), plain_lbfgs(kTolerance)).run.energy;
+        energy = compute_cvt(unit_square(), pattern_points(lattice), plain_lbfgs(kTable1Tolerance))
+                     .run.energy;
         reached = "lattice start";
     }
     StudyRow row{std::to_string(n),
@@ -105,7 +103,7 @@ StudyRow row_of(const StudyTable& runs, int n) {
     return row;
 }
 
-StudyResult conclude(const Study& study, const StudyTable& runs) {
+StudyResult conclude_table1(const Study& study, const StudyTable& runs) {
     StudyTable table;
     table.notes = {
         "F_CVT: the lowest of the first " + std::to_string(std::min(study.runs, kStandardRuns)) +
@@ -119,7 +117,7 @@ StudyResult conclude(const Study& study, const StudyTable& runs) {
         "n",         "F_CVT",     "F_PCVT",     "F_hex",     "F_PCVT/F_hex", "reached_from",
         "F_lattice", "paper_CVT", "paper_PCVT", "paper_hex", "CVT_diff",     "PCVT_diff",
         "hex_diff"};
-    for (const int n : study.sites) table.rows.push_back(row_of(runs, n));
+    for (const int n : study.sites) table.rows.push_back(table1_row(runs, n));
     StudyResult result;
     result.tables.push_back(std::move(table));
     return result;
@@ -139,8 +137,8 @@ StudyRecipe table1_recipe() {
         .tables = {""},
         .pictures = {},
         .printed_columns = 13,
-        .run = run,
-        .conclude = conclude};
+        .run = run_table1,
+        .conclude = conclude_table1};
 }
 
 }  // namespace pcvt
