@@ -9,7 +9,7 @@ namespace pcvt::bench {
 namespace {
 
 /// Far fewer than a run needs: the cost of the interface arises once per call.
-constexpr int kIterations = 100;
+constexpr int kAbiIterations = 100;
 /// Both variants alternate, and the fastest turn of each counts: other load on the machine costs
 /// more than the interface.
 constexpr int kTurns = 9;
@@ -25,7 +25,7 @@ Timed by_call(const Input& input, const Points& sites) {
     double energy = 0;
     {
         CvtOptions options;
-        options.max_iterations = kIterations;
+        options.max_iterations = kAbiIterations;
         energy = compute_cvt(input.lattice, sites, options).run.energy;
     }
     return {cpu_seconds() - start, energy};
@@ -38,7 +38,7 @@ Timed by_interface(const Input& input, const Points& sites) {
     options.sites = sites.data();
     options.n_sites = input.n;
     options.n_threads = 1;
-    options.max_iterations = kIterations;
+    options.max_iterations = kAbiIterations;
     pcvt_result* result = nullptr;
     pcvt_sites view{};
     pcvt_generate(&options, &result);

@@ -9,6 +9,10 @@
 
 namespace pcvt::bench {
 
+/// The RMS residuals at which "converging" begins, and at which a run from random sites ends.
+inline constexpr double kConverging = 1e-3;
+inline constexpr double kEnd = 1e-4;
+
 /// Random sites, the same for all cases: uniform in the fundamental domain.
 struct Input {
     std::string lattice_name;

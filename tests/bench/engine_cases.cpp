@@ -14,10 +14,6 @@
 namespace pcvt::bench {
 namespace {
 
-/// The RMS residuals at which "converging" begins, and at which a run from random sites ends.
-constexpr double kConverging = 1e-3;
-constexpr double kEnd = 1e-4;
-
 /// Runs until the RMS residual is at most `rms`.
 CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
     CvtOptions options;

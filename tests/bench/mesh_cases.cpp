@@ -10,11 +10,11 @@ namespace pcvt::bench {
 namespace {
 
 /// Cells after this number of iterations have about the valences of a converged run.
-constexpr int kIterations = 20;
+constexpr int kMeshIterations = 20;
 
 CvtResult some_cells(const Input& input) {
     CvtOptions options;
-    options.max_iterations = kIterations;
+    options.max_iterations = kMeshIterations;
     options.numbering = Numbering::kByColumns;
     return compute_cvt(input.lattice, input.sites(), options);
 }

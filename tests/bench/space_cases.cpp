@@ -9,10 +9,6 @@
 namespace pcvt::bench {
 namespace {
 
-/// The RMS residuals at which "converging" begins, and at which a run from random sites ends.
-constexpr double kConverging = 1e-3;
-constexpr double kEnd = 1e-4;
-
 SpaceLattice cube() { return SpaceLattice::box(1, 1, 1); }
 
 Points3 random_points(int n) { return uniform_points(cube(), n, 1); }
@@ -23,7 +19,7 @@ benchmark::internal::Benchmark* add_in_cube(const std::string& what, int n,
 }
 
 /// Runs until the RMS residual is at most `rms`.
-SpaceCvtResult run_to_rms(int n, double rms, const ProgressCallback& look = {}) {
+SpaceCvtResult run_space_to_rms(int n, double rms, const ProgressCallback& look = {}) {
     SpaceCvtOptions options;
     options.tolerance = 0;
     options.progress = [&](const Progress& progress) {
@@ -34,7 +30,7 @@ SpaceCvtResult run_to_rms(int n, double rms, const ProgressCallback& look = {}) 
 }
 
 /// Times the computation from points to triangulation, without its destruction.
-void add_peer(const std::string& what, SpacePeer* peer, int n) {
+void add_space_peer(const std::string& what, SpacePeer* peer, int n) {
     add_in_cube(what, n, [=](benchmark::State& state) {
         const Points3 points = random_points(n);
         for ([[maybe_unused]] auto _ : state) {
@@ -48,7 +44,7 @@ void add_peer(const std::string& what, SpacePeer* peer, int n) {
 }
 
 /// The first triangulation, from wrapped sites.
-void add_build(const std::string& what, int n, TorusTetrahedra (*build)(const SpaceSites&)) {
+void add_space_build(const std::string& what, int n, TorusTetrahedra (*build)(const SpaceSites&)) {
     add_in_cube(what, n, [=](benchmark::State& state) {
         const SpaceSites sites(cube(), random_points(n));
         for ([[maybe_unused]] auto _ : state) {
@@ -65,9 +61,9 @@ TorusTetrahedra by_mirrors(const SpaceSites& sites) {
 }
 
 /// F, gradient and certificate after a small step of the sites, in the converging regime.
-void add_evaluation(int n) {
+void add_space_evaluation(int n) {
     add_in_cube("space_evaluation", n, [=](benchmark::State& state) {
-        const SpaceCvtResult start = run_to_rms(n, kConverging);
+        const SpaceCvtResult start = run_space_to_rms(n, kConverging);
         Workers workers(1);
         MovingTetrahedra moving(start.delaunay.sites);
         SpaceEnergy energy;
@@ -88,14 +84,14 @@ void add_evaluation(int n) {
 }
 
 /// A whole run; reports the time per iteration.
-void add_iteration(int n) {
+void add_space_iteration(int n) {
     const auto body = [=](benchmark::State& state) {
         for ([[maybe_unused]] auto _ : state) {
             const double start = cpu_seconds();
             double first = 0;
             double last = 0;
             Progress end;
-            const SpaceCvtResult result = run_to_rms(n, kEnd, [&](const Progress& progress) {
+            const SpaceCvtResult result = run_space_to_rms(n, kEnd, [&](const Progress& progress) {
                 last = cpu_seconds();
                 if (progress.iteration == 0) first = last;
                 end = progress;
@@ -114,12 +110,12 @@ void add_iteration(int n) {
 }  // namespace
 
 void add_space_cases(int n) {
-    add_peer("cgal_plain_3", cgal_plain_in_space, n);
-    add_build("space_build", n, space_tetrahedra);
-    add_build("space_mirrors", n, by_mirrors);
-    add_peer("cgal_periodic_3", cgal_periodic_in_space, n);
-    add_evaluation(n);
-    add_iteration(n);
+    add_space_peer("cgal_plain_3", cgal_plain_in_space, n);
+    add_space_build("space_build", n, space_tetrahedra);
+    add_space_build("space_mirrors", n, by_mirrors);
+    add_space_peer("cgal_periodic_3", cgal_periodic_in_space, n);
+    add_space_evaluation(n);
+    add_space_iteration(n);
 }
 
 }  // namespace pcvt::bench

@@ -11,9 +11,9 @@ namespace pcvt::bench {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Plain = CGAL::Delaunay_triangulation_3<Kernel>;
-using PeriodicTraits = CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>;
-using Periodic = CGAL::Periodic_3_Delaunay_triangulation_3<PeriodicTraits>;
+using PlainSpace = CGAL::Delaunay_triangulation_3<Kernel>;
+using SpaceTraits = CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>;
+using PeriodicSpace = CGAL::Periodic_3_Delaunay_triangulation_3<SpaceTraits>;
 
 template <class Point>
 std::vector<Point> converted(const Points3& points) {
@@ -27,14 +27,14 @@ std::vector<Point> converted(const Points3& points) {
 
 SpaceTriangulation cgal_plain_in_space(const Points3& points) {
     const auto copy = converted<Kernel::Point_3>(points);
-    const auto plain = std::make_shared<Plain>(copy.begin(), copy.end());
+    const auto plain = std::make_shared<PlainSpace>(copy.begin(), copy.end());
     return {static_cast<std::int64_t>(plain->number_of_vertices()),
             static_cast<std::int64_t>(plain->number_of_finite_cells()), plain};
 }
 
 SpaceTriangulation cgal_periodic_in_space(const Points3& points) {
-    const auto copy = converted<Periodic::Point>(points);
-    const auto periodic = std::make_shared<Periodic>();
+    const auto copy = converted<PeriodicSpace::Point>(points);
+    const auto periodic = std::make_shared<PeriodicSpace>();
     periodic->insert(copy.begin(), copy.end(), true);
     return {static_cast<std::int64_t>(periodic->number_of_vertices()),
             static_cast<std::int64_t>(periodic->number_of_cells()), periodic};

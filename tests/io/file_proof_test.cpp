@@ -14,6 +14,7 @@
 #include "mesher/tile/site_positions.hpp"
 #include "mesher/tile/tile_builder.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 
 namespace pcvt {
@@ -21,6 +22,7 @@ namespace {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using testing::kSquare;
 
 Tile cells(const Lattice& lattice, int n) {
     const CvtResult result = compute_cvt(lattice, uniform_points(lattice, n, 0), {});
@@ -30,7 +32,7 @@ Tile cells(const Lattice& lattice, int n) {
 
 const TileFormat& glb() { return *find_tile_format("t.glb"); }
 
-std::string refusal(const Tile& tile, const Vec2& origin) {
+std::string glb_refusal(const Tile& tile, const Vec2& origin) {
     try {
         prove_tile_files(glb(), encode_glb(tile, {}, "t.glb"), tile, origin);
     } catch (const InvalidInput& error) {
@@ -57,7 +59,7 @@ TEST(FileProof, ABrokenFileOfATileThatFitsIsAFaultOfPcvt) {
                  InternalError);
 }
 
-void prove(const std::string& path, const Tile& written, const Tile& proved) {
+void prove_written(const std::string& path, const Tile& written, const Tile& proved) {
     const TileFormat& format = *find_tile_format(path);
     prove_tile_files(format, encode_tile(format, written, path), proved, Vec2::Zero());
 }
@@ -67,14 +69,14 @@ TEST(FileProof, AFileIsComparedInEveryNumberBeforeItsProofIsSkipped) {
     Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-12;
     for (const char* path : {"t.obj", "t.ply", "t.vtu", "t.foam"}) {
-        EXPECT_NO_THROW(prove(path, tile, tile)) << path;
-        EXPECT_THROW(prove(path, moved, tile), InternalError) << path;
+        EXPECT_NO_THROW(prove_written(path, tile, tile)) << path;
+        EXPECT_THROW(prove_written(path, moved, tile), InternalError) << path;
     }
     Tile turned = tile;
     std::reverse(turned.faces.corners.begin(),
                  turned.faces.corners.begin() + turned.faces.begin[1]);
     for (const char* path : {"t.obj", "t.ply", "t.vtu"}) {
-        EXPECT_THROW(prove(path, turned, tile), InternalError) << path;
+        EXPECT_THROW(prove_written(path, turned, tile), InternalError) << path;
     }
 }
 
@@ -82,11 +84,11 @@ TEST(FileProof, StoredPairsAreComparedToo) {
     const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
     Tile unpaired = tile;
     unpaired.edge_pairs.pop_back();
-    EXPECT_THROW(prove("t.obj", unpaired, tile), InternalError);
+    EXPECT_THROW(prove_written("t.obj", unpaired, tile), InternalError);
     unpaired = tile;
     unpaired.vertex_pairs.pop_back();
     for (const char* path : {"t.obj", "t.ply", "t.vtu"}) {
-        EXPECT_THROW(prove(path, unpaired, tile), InternalError) << path;
+        EXPECT_THROW(prove_written(path, unpaired, tile), InternalError) << path;
     }
 }
 
@@ -129,7 +131,7 @@ TEST(FileProof, NearlyCocircularSitesAreProvedInEveryFormat) {
             const std::string path = "t" + std::string(format.extension);
             const TileFile file = decode_tile(format, encode_tile(format, tile, path), {});
             EXPECT_NO_THROW(prove_tile_file(file)) << path;
-            EXPECT_NO_THROW(prove(path, tile, tile)) << path;
+            EXPECT_NO_THROW(prove_written(path, tile, tile)) << path;
         }
     }
 }
@@ -169,17 +171,17 @@ TEST(FileProof, TheSitesOfAFileAreThoseOfTheTileThatWasWritten) {
     std::swap(exchanged.face_site[2], exchanged.face_site[5]);
     exchanged.site_positions = site_positions(tile);
     for (const char* path : {"t.obj", "t.ply", "t.glb"}) {
-        EXPECT_NO_THROW(prove(path, tile, tile)) << path;
-        EXPECT_THROW(prove(path, exchanged, tile), InternalError) << path;
+        EXPECT_NO_THROW(prove_written(path, tile, tile)) << path;
+        EXPECT_THROW(prove_written(path, exchanged, tile), InternalError) << path;
     }
 }
 
 TEST(FileProof, ATileTooFineForFloatsIsRefusedWithTheAdviceThatHelps) {
     const Tile thin = cells(Lattice::rectangle(1, 1e-4), 1);
     EXPECT_NO_THROW(verify_generated_tile(thin));
-    EXPECT_THAT(refusal(thin, {0, 0}), EndsWith("take another format"));
-    EXPECT_THAT(refusal(thin, {1, 0}), EndsWith("or an origin nearer to 0,0"));
-    EXPECT_THAT(refusal(thin, {0, 0}), HasSubstr("t.glb: "));
+    EXPECT_THAT(glb_refusal(thin, {0, 0}), EndsWith("take another format"));
+    EXPECT_THAT(glb_refusal(thin, {1, 0}), EndsWith("or an origin nearer to 0,0"));
+    EXPECT_THAT(glb_refusal(thin, {0, 0}), HasSubstr("t.glb: "));
 }
 
 TEST(FileProof, SitesMustReadBackAsTheyWere) {
@@ -191,8 +193,6 @@ TEST(FileProof, SitesMustReadBackAsTheyWere) {
     others(0, 3) += 0x1p-40;
     EXPECT_THROW(prove_site_files(txt, files, others), InternalError);
 }
-
-const Lattice kSquare({1, 0}, {0, 1});
 
 /// Returns the refusal of the files of `tile` with `piece` replaced in the file that ends with
 /// `name`.

@@ -28,7 +28,7 @@ const std::vector<Tile>& tiles() {
     return tiles;
 }
 
-bool holds(const TileFormat& format, const Tile& tile) {
+bool holds_holed(const TileFormat& format, const Tile& tile) {
     if (!format.needs_tile() || !format.is_readable()) return false;
     if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) return false;
     const bool is_cut = tile.kind == MeshKind::kVoronoi && !tile.whole_sides.empty();
@@ -40,7 +40,7 @@ template <class Visit>
 void for_each_file(const Visit& visit) {
     for (const TileFormat& format : tile_formats()) {
         for (const Tile& tile : tiles()) {
-            if (!holds(format, tile)) continue;
+            if (!holds_holed(format, tile)) continue;
             const std::string path = "t" + std::string(format.extension);
             SCOPED_TRACE(path + " of " + mesh_kind_row(tile.kind).word + ", " +
                          std::to_string(tile.n_faces()) + " faces");

@@ -5,6 +5,7 @@
 #include "io/file_proof.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 
 namespace pcvt {
@@ -12,8 +13,8 @@ namespace {
 
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
+using testing::kSquare;
 
-const Lattice kSquare({1, 0}, {0, 1});
 constexpr std::array kOrbits{0, 1, 1, 0};
 
 /// The files of four sites that have these orbits.
@@ -21,15 +22,15 @@ std::vector<EncodedFile> encoded(const std::string& path, const Tile& tile) {
     return encode_tile(*find_tile_format(path), tile, path, {.site_orbits = kOrbits});
 }
 
-void prove(const std::vector<EncodedFile>& files) {
+void prove_orbit(const std::vector<EncodedFile>& files) {
     const TileFormat& format = *find_tile_format(files.front().path);
     prove_file(format, files, decode_tile(format, files, std::nullopt));
 }
 
 /// Returns the reason for which the files are refused; "" if they are proved.
-std::string refusal(const std::vector<EncodedFile>& files) {
+std::string orbit_refusal(const std::vector<EncodedFile>& files) {
     try {
-        prove(files);
+        prove_orbit(files);
     } catch (const InvalidInput& fault) {
         return fault.what();
     }
@@ -37,11 +38,11 @@ std::string refusal(const std::vector<EncodedFile>& files) {
 }
 
 /// Returns the refusal of the first file with `piece` replaced by `other`.
-std::string fault_with(std::vector<EncodedFile> files, const std::string& piece,
-                       const std::string& other) {
+std::string orbit_fault_with(std::vector<EncodedFile> files, const std::string& piece,
+                             const std::string& other) {
     std::string& text = files.front().bytes;
     text = testing::exchanged(text, piece, other);
-    return refusal(files);
+    return orbit_refusal(files);
 }
 
 TEST(OrbitFiles, OrbitsReadBackFromEveryFormatThatStatesThem) {
@@ -55,7 +56,7 @@ TEST(OrbitFiles, OrbitsReadBackFromEveryFormatThatStatesThem) {
             const auto files = encoded("t" + std::string(format.extension), tile);
             const TileFile file = decode_tile(format, files, std::nullopt);
             EXPECT_THAT(file.site_orbits, ElementsAreArray(kOrbits)) << format.extension;
-            EXPECT_NO_THROW(prove(files)) << format.extension;
+            EXPECT_NO_THROW(prove_orbit(files)) << format.extension;
         }
     }
     EXPECT_EQ(n_formats, 4);
@@ -67,7 +68,7 @@ TEST(OrbitFiles, TrianglesStateTheOrbitsOfAllSites) {
         const auto files = encoded(path, triangles);
         const TileFile file = decode_tile(*find_tile_format(path), files, std::nullopt);
         EXPECT_THAT(file.site_orbits, ElementsAreArray(kOrbits)) << path;
-        EXPECT_NO_THROW(prove(files)) << path;
+        EXPECT_NO_THROW(prove_orbit(files)) << path;
     }
 }
 
@@ -76,7 +77,7 @@ TEST(OrbitFiles, CommentsThatFitNoSitesAreRefused) {
     for (const char* path : {"t.obj", "t.msh", "t.inp"}) {
         const auto files = encoded(path, grains);
         const auto fault = [&](const std::string& other) {
-            return fault_with(files, "site_orbits 0 1 1 0\n", "site_orbits " + other + "\n");
+            return orbit_fault_with(files, "site_orbits 0 1 1 0\n", "site_orbits " + other + "\n");
         };
         EXPECT_THAT(fault("0 1 1"), HasSubstr("there are 3 orbits of 4 sites")) << path;
         EXPECT_THAT(fault("0 1 1 0 0"), HasSubstr("there are 5 orbits of 4 sites")) << path;
@@ -89,27 +90,27 @@ TEST(OrbitFiles, CommentsThatFitNoSitesAreRefused) {
 TEST(OrbitFiles, SetsAndViewsAgreeWithTheComment) {
     const Tile grains = testing::grain_grid_tile(kSquare, 2, 2);
     const auto inp = encoded("t.inp", grains);
-    EXPECT_NE(fault_with(inp, "site_orbits 0 1 1 0\n", "site_orbits 0 1 1 1\n"), "");
-    EXPECT_NE(fault_with(inp, "ORBIT_1\nCELL_1,CELL_2\n", "ORBIT_1\nCELL_1,CELL_3\n"), "");
-    EXPECT_NE(fault_with(inp, "ELSET=ORBIT_1\n", "ELSET=ORBIT_7\n"), "");
+    EXPECT_NE(orbit_fault_with(inp, "site_orbits 0 1 1 0\n", "site_orbits 0 1 1 1\n"), "");
+    EXPECT_NE(orbit_fault_with(inp, "ORBIT_1\nCELL_1,CELL_2\n", "ORBIT_1\nCELL_1,CELL_3\n"), "");
+    EXPECT_NE(orbit_fault_with(inp, "ELSET=ORBIT_1\n", "ELSET=ORBIT_7\n"), "");
     // A set of a user who has no symmetry.
     std::vector<EncodedFile> foreign =
         encode_tile(*find_tile_format("t.inp"), grains, "t.inp", FileOptions{});
     foreign.front().bytes += "*ELSET,ELSET=ORBIT_1\nCELL_1,CELL_3\n";
-    EXPECT_NO_THROW(prove(foreign));
+    EXPECT_NO_THROW(prove_orbit(foreign));
     const auto msh = encoded("t.msh", grains);
-    EXPECT_NE(fault_with(msh, "site_orbits 0 1 1 0\n", "site_orbits 0 1 1 1\n"), "");
+    EXPECT_NE(orbit_fault_with(msh, "site_orbits 0 1 1 0\n", "site_orbits 0 1 1 1\n"), "");
     const std::string& text = msh.front().bytes;
     const std::string view = text.substr(text.find("$ElementData\n1\n\"orbit\""));
     const std::string first = view.substr(0, view.find("\n1 ") + 3);
-    EXPECT_NE(fault_with(msh, first + "0\n", first + "1\n"), "");
+    EXPECT_NE(orbit_fault_with(msh, first + "0\n", first + "1\n"), "");
 }
 
 TEST(OrbitFiles, CellsOfOneOrbitHaveOneArea) {
     const PeriodicDelaunay delaunay(Sites(kSquare, uniform_points(kSquare, 4, 3)));
     const Tile cells = build_tile(delaunay, {}).tile;
     for (const char* path : {"t.obj", "t.vtu"}) {
-        EXPECT_THAT(refusal(encoded(path, cells)),
+        EXPECT_THAT(orbit_refusal(encoded(path, cells)),
                     HasSubstr("law of the orbits: the cells of sites "))
             << path;
     }

@@ -6,6 +6,7 @@
 #include "io/file_proof.hpp"
 #include "mesher/base/error.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/power_tiles.hpp"
 
@@ -15,11 +16,11 @@ namespace {
 
 using testing::CellShape;
 using ::testing::HasSubstr;
+using testing::kOblique;
 
 constexpr int kSites = 24;
-const Lattice kOblique({1, 0}, {0.37, 0.81});
 
-bool holds(const TileFormat& format, const Tile& tile, Outline outline) {
+bool holds_power_cells(const TileFormat& format, const Tile& tile, Outline outline) {
     if (!format.needs_tile() || !format.is_readable()) return false;
     if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) return false;
     return !format.is_folder || outline == Outline::kWhole || tile.kind != MeshKind::kVoronoi;
@@ -33,7 +34,7 @@ std::vector<FileOptions> forms(const TileFormat& format) {
 }
 
 /// The complaint of `pcvt check`; empty if it accepts the files.
-std::string refusal(const TileFormat& format, const std::vector<EncodedFile>& files) {
+std::string power_refusal(const TileFormat& format, const std::vector<EncodedFile>& files) {
     try {
         prove_file(format, files, decode_tile(format, files, std::nullopt));
         return "";
@@ -63,14 +64,14 @@ void expect_same_notes(const TileFile& file, const Tile& tile) {
 
 void expect_round_trips(const Tile& tile, Outline outline) {
     for (const TileFormat& format : tile_formats()) {
-        if (!holds(format, tile, outline) || !has_room(format, tile)) continue;
+        if (!holds_power_cells(format, tile, outline) || !has_room(format, tile)) continue;
         const std::string path = "t" + std::string(format.extension);
         SCOPED_TRACE(path);
         for (const FileOptions& options : forms(format)) {
             const std::vector<EncodedFile> files = encode_tile(format, tile, path, options);
             const TileFile file = decode_tile(format, files, std::nullopt);
             expect_same_notes(file, tile);
-            EXPECT_EQ(refusal(format, files), "");
+            EXPECT_EQ(power_refusal(format, files), "");
             EXPECT_NO_THROW(prove_tile_files(format, files, tile, Vec2::Zero()));
         }
     }
@@ -118,20 +119,20 @@ std::vector<const TileFormat*> cell_formats() {
 }
 
 /// The complaint of `pcvt check` about the files of `written`.
-std::string refusal(const TileFormat& format, const Tile& written) {
+std::string power_refusal(const TileFormat& format, const Tile& written) {
     const std::string path = "t" + std::string(format.extension);
     const std::vector<EncodedFile> files = encode_tile(format, written, path);
-    return refusal(format, files);
+    return power_refusal(format, files);
 }
 
 TEST(PowerFiles, ExchangedWeightsAreRefusedInEveryFormat) {
     const Tile tile = testing::power_tile(kOblique, kSites, 1, testing::cell_shapes()[0]);
     for (const TileFormat* format : cell_formats()) {
-        EXPECT_EQ(refusal(*format, tile), "");
+        EXPECT_EQ(power_refusal(*format, tile), "");
         for (int s = 0; s + 1 < kSites; ++s) {
             Tile changed = tile;
             std::swap(changed.site_weights[s], changed.site_weights[s + 1]);
-            EXPECT_THAT(refusal(*format, changed), HasSubstr("law of the sites"))
+            EXPECT_THAT(power_refusal(*format, changed), HasSubstr("law of the sites"))
                 << format->extension << ' ' << s;
         }
     }
@@ -152,7 +153,7 @@ TEST(PowerFiles, AWeightThatIsOffByAHundredThousandthIsRefused) {
             for (const double step : {1e-5 * scale, -1e-5 * scale, 1e-5 * squared}) {
                 Tile changed = tile;
                 changed.site_weights[s] += step;
-                EXPECT_THAT(refusal(*find_tile_format("t.obj"), changed),
+                EXPECT_THAT(power_refusal(*find_tile_format("t.obj"), changed),
                             HasSubstr("law of the sites"))
                     << s;
             }
@@ -165,7 +166,8 @@ TEST(PowerFiles, CellsWithoutTheirWeightsAreRefused) {
     Tile tile = testing::power_tile(kOblique, kSites, 3, testing::cell_shapes()[0]);
     tile.site_weights.clear();
     for (const TileFormat* format : cell_formats()) {
-        EXPECT_THAT(refusal(*format, tile), HasSubstr("law of the sites")) << format->extension;
+        EXPECT_THAT(power_refusal(*format, tile), HasSubstr("law of the sites"))
+            << format->extension;
     }
 }
 
@@ -180,30 +182,30 @@ TEST(PowerFiles, AnotherMetricIsRefused) {
             Tile changed = tile;
             changed.metric = metric;
             for (const char* path : {"t.obj", "t.ply", "t.om", "t.vtu", "t.foam"}) {
-                EXPECT_THAT(refusal(*find_tile_format(path), changed),
+                EXPECT_THAT(power_refusal(*find_tile_format(path), changed),
                             HasSubstr("law of the sites"))
                     << path << ' ' << metric.ratio() << ' ' << metric.degrees();
             }
         }
         Tile turned = tile;
         turned.metric = Metric(ratio, degrees + 180);
-        EXPECT_EQ(refusal(*find_tile_format("t.obj"), turned), "");
+        EXPECT_EQ(power_refusal(*find_tile_format("t.obj"), turned), "");
     }
 }
 
 /// The complaint about a text file with `piece` replaced.
-std::string fault_with(const Tile& tile, const std::string& path, const std::string& name,
-                       const std::string& piece, const std::string& other) {
+std::string power_fault_with(const Tile& tile, const std::string& path, const std::string& name,
+                             const std::string& piece, const std::string& other) {
     const TileFormat& format = *find_tile_format(path);
     const std::vector<EncodedFile> files =
         testing::exchanged(encode_tile(format, tile, path), name, piece, other);
-    return refusal(format, files);
+    return power_refusal(format, files);
 }
 
 TEST(PowerFiles, NotesThatAreMalformedAreRefusedInOneLine) {
     const Tile tile = testing::power_tile(kOblique, 5, 5, testing::cell_shapes()[2]);
     const auto fault = [&](const std::string& piece, const std::string& other) {
-        return fault_with(tile, "t.obj", ".obj", piece, other);
+        return power_fault_with(tile, "t.obj", ".obj", piece, other);
     };
     EXPECT_EQ(fault("", ""), "");
     EXPECT_THAT(fault("# pcvt metric 0.4 -77.25", "# pcvt metric 0.4"),
@@ -225,7 +227,7 @@ TEST(PowerFiles, NotesThatAreMalformedAreRefusedInOneLine) {
 TEST(PowerFiles, ACaseOfOpenFoamStatesItsSites) {
     const Tile tile = testing::power_tile(kOblique, 9, 5, testing::cell_shapes()[0]);
     const auto fault = [&](const std::string& piece, const std::string& other) {
-        return fault_with(tile, "t.foam", "polyMesh/boundary", piece, other);
+        return power_fault_with(tile, "t.foam", "polyMesh/boundary", piece, other);
     };
     EXPECT_EQ(fault("", ""), "");
     EXPECT_THAT(fault("// pcvt sites 0 1", "// pcvt sites 1 0"), HasSubstr("law of the sites"));

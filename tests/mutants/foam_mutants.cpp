@@ -7,9 +7,6 @@
 namespace pcvt::testing {
 namespace {
 
-/// Real numbers change by this much.
-constexpr double kDigit = 1e-5;
-
 /// Names the words of a file of a case by the file, and those of a dictionary by their key as well.
 class FoamNamer {
    public:

@@ -10,7 +10,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kDigit = 1e-5;
 /// Bytes of a .glb file before and behind its JSON.
 constexpr std::size_t kHead = 20;
 constexpr std::size_t kChunkHead = 8;

@@ -5,9 +5,6 @@
 namespace pcvt::testing {
 namespace {
 
-/// Real numbers change by this much.
-constexpr double kDigit = 1e-5;
-
 /// Names the words of an Abaqus input by their card and their place in the row.
 class InpNamer {
    public:

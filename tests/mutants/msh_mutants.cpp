@@ -6,9 +6,6 @@
 namespace pcvt::testing {
 namespace {
 
-/// Real numbers change by this much.
-constexpr double kDigit = 1e-5;
-
 /// Names the words of an MSH file by their section, the number of words in their row and their
 /// place in it.
 class MshNamer {

@@ -12,6 +12,9 @@ namespace pcvt::testing {
 
 using Files = std::vector<EncodedFile>;
 
+/// Real numbers change by this much.
+inline constexpr double kDigit = 1e-5;
+
 /// One number or word of a file that a consumer reads.
 struct Field {
     /// The same for all fields of one meaning: "v.x".

@@ -9,9 +9,6 @@
 namespace pcvt::testing {
 namespace {
 
-/// Real numbers change by this much.
-constexpr double kDigit = 1e-5;
-
 /// The types of the values of a netCDF file.
 constexpr int kChar = 2;
 constexpr int kInt = 4;

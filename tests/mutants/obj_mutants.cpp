@@ -5,9 +5,6 @@
 namespace pcvt::testing {
 namespace {
 
-/// Real numbers change by this much.
-constexpr double kDigit = 1e-5;
-
 /// `name` repeated with a number behind it.
 LineNames numbered(const std::string& row, std::size_t n_skipped, std::size_t n_words,
                    const std::string& name) {

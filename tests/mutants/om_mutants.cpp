@@ -9,7 +9,6 @@
 namespace pcvt::testing {
 namespace {
 
-constexpr double kDigit = 1e-5;
 constexpr unsigned kEnd = 0x001c;
 constexpr unsigned kIsNamed = 0x0002;
 constexpr unsigned kPositions = 0x5600;

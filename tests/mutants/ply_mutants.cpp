@@ -6,8 +6,6 @@
 namespace pcvt::testing {
 namespace {
 
-constexpr double kDigit = 1e-5;
-
 /// Names the words of a PLY: first those of the header, which declares the rows of each element.
 class PlyNamer {
    public:

@@ -20,8 +20,8 @@ std::vector<SpaceCase> cases() {
 }
 
 /// Adds the files of a tile, in each form of its surfaces.
-void add_tile(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
-              std::vector<BaseFile>& bases) {
+void add_space_tile(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
+                    std::vector<BaseFile>& bases) {
     const SpaceTile tile = tile_of(c);
     const bool closes = prove_polyhedra(tile.mesh).boundary_is_manifold;
     for (const SurfaceFormRow& row : kSurfaceForms) {
@@ -78,7 +78,7 @@ std::vector<BaseFile> space_base_files(std::string_view extension) {
     const SpaceFormat& format = *find_space_format(path);
     std::vector<BaseFile> bases;
     for (const SpaceCase& c : cases()) {
-        if (format.encode != nullptr) add_tile(format, c, path, bases);
+        if (format.encode != nullptr) add_space_tile(format, c, path, bases);
         if (c.name == "oblique") add_without_short_edges(format, c, path, bases);
         if (format.encode_tetrahedra != nullptr) add_tetrahedra(format, c, path, bases);
     }

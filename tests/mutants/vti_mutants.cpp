@@ -9,9 +9,6 @@
 namespace pcvt::testing {
 namespace {
 
-/// Real numbers change by this much.
-constexpr double kDigit = 1e-5;
-
 constexpr std::string_view kNoCentre = "the centre of no voxel comes into another cell";
 constexpr std::string_view kSameLattice = "other period vectors of the same lattice";
 constexpr std::string_view kText = "text is the default";

@@ -4,12 +4,7 @@
 #include "tests/mutants/xml_namer.hpp"
 
 namespace pcvt::testing {
-namespace {
-
-/// Real numbers change by this much.
-constexpr double kDigit = 1e-5;
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Mutant> vtu_mutants(const BaseFile& base) {
     return text_mutants(base.files, 0, XmlNamer(), kXmlSeparators, kDigit);

@@ -23,14 +23,14 @@ Triple operator-(const Triple& p, const Triple& q) {
 
 Integer dot(const Triple& p, const Triple& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
-Triple cross(const Triple& p, const Triple& q) {
+Triple exact_cross(const Triple& p, const Triple& q) {
     return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
 /// The lattice as rows of a Gram matrix times 2^60.
-class Metric {
+class ExactMetric {
    public:
-    explicit Metric(const Gram3& g) {
+    explicit ExactMetric(const Gram3& g) {
         const auto integer = [](double entry) { return Integer(std::ldexp(entry, 60)); };
         rows_ = {{{integer(g.aa), integer(g.ab), integer(g.ac)},
                   {integer(g.ab), integer(g.bb), integer(g.bc)},
@@ -58,10 +58,10 @@ struct Sphere {
     Integer determinant;
     Triple normal;
 
-    Sphere(const Metric& metric, const std::array<Triple, 4>& corners) : corner(corners) {
+    Sphere(const ExactMetric& metric, const std::array<Triple, 4>& corners) : corner(corners) {
         const std::array<Triple, 3> d{corner[1] - corner[0], corner[2] - corner[0],
                                       corner[3] - corner[0]};
-        minor = {cross(d[1], d[2]), cross(d[2], d[0]), cross(d[0], d[1])};
+        minor = {exact_cross(d[1], d[2]), exact_cross(d[2], d[0]), exact_cross(d[0], d[1])};
         determinant = dot(d[0], minor[0]);
         for (int axis = 0; axis < 3; ++axis) {
             normal[axis] = 0;
@@ -72,7 +72,7 @@ struct Sphere {
     }
 
     /// @pre determinant > 0.
-    bool contains(const Metric& metric, const Triple& t) const {
+    bool contains(const ExactMetric& metric, const Triple& t) const {
         const Triple x = t - corner[0];
         const Integer power = metric.squared_length(x) * determinant - dot(x, normal);
         if (power != 0) return power < 0;
@@ -203,7 +203,7 @@ class Checker {
 
     const TorusTetrahedra& tetrahedra_;
     const Points3& coordinates_;
-    Metric metric_;
+    ExactMetric metric_;
 };
 
 }  // namespace

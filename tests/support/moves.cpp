@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/random_numbers.hpp"
+
 namespace pcvt::testing {
 namespace {
-
-double uniform(std::mt19937_64& random) { return std::uniform_real_distribution<double>()(random); }
 
 /// Interpolates between 10^from and 10^to, for 0 <= x < 1.
 double power_of_ten(double from, double to, double x) {
@@ -14,8 +14,8 @@ double power_of_ten(double from, double to, double x) {
 }
 
 Vec2 any_vector(std::mt19937_64& random, double from, double to) {
-    const double x = uniform(random);
-    const double y = uniform(random);
+    const double x = random_number(random);
+    const double y = random_number(random);
     return {from + (to - from) * x, from + (to - from) * y};
 }
 
@@ -86,14 +86,14 @@ Eigen::VectorXf lloyd_move(const MovingDelaunay& delaunay, const Energy& energy)
 Eigen::VectorXf collapse(const MovingDelaunay& delaunay, Some some, const Vec2& place,
                          double factor) {
     return displaced(delaunay, [&](SiteId s) -> Vec2 {
-        if (uniform(some.random) >= some.share) return Vec2::Zero();
+        if (random_number(some.random) >= some.share) return Vec2::Zero();
         return (1 - factor) * shortened(place - delaunay.coordinates().col(s));
     });
 }
 
 Eigen::VectorXf snap(const MovingDelaunay& delaunay, Some some, int columns, int rows) {
     return displaced(delaunay, [&](SiteId s) -> Vec2 {
-        if (uniform(some.random) >= some.share) return Vec2::Zero();
+        if (random_number(some.random) >= some.share) return Vec2::Zero();
         const Vec2 u = delaunay.coordinates().col(s);
         return Vec2(std::round(u.x() * columns) / columns, std::round(u.y() * rows) / rows) - u;
     });
@@ -129,8 +129,8 @@ NamedMove any_move(const MovingDelaunay& delaunay, const Energy& energy, std::mt
     const SiteId neighbour = delaunay.triangulation().corner_sites()[random() % (6u * n)];
     const Vec2 place = any_place(random);
     const Vec2 periods = any_vector(random, -2, 2);
-    const double x = uniform(random);
-    const double share = uniform(random);
+    const double x = random_number(random);
+    const double share = random_number(random);
     const double closer = random() % 4 == 0 ? 0 : power_of_ten(-6, 0, x);
     const int columns = small_number(random) * small_number(random);
     const int rows = small_number(random) * small_number(random);

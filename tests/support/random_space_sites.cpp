@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/support/random_numbers.hpp"
 #include "tests/support/space_lattices.hpp"
 
 namespace pcvt::testing {
@@ -12,14 +13,10 @@ namespace {
 
 using Random = std::mt19937_64;
 
-int integer(Random& random, int first, int last) {
-    return std::uniform_int_distribution(first, last)(random);
-}
-
-double number(Random& random) { return std::uniform_real_distribution()(random); }
-
 /// The integers from 1 to 300, each as likely as its share of the logarithm.
-int number_of_sites(Random& random) { return int(std::floor(std::pow(301, number(random)))); }
+int number_of_sites(Random& random) {
+    return int(std::floor(std::pow(301, random_number(random))));
+}
 
 struct NamedLattice {
     std::string name;
@@ -27,10 +24,10 @@ struct NamedLattice {
 };
 
 NamedLattice random_lattice(Random& random) {
-    const int kind = integer(random, 0, 7);
+    const int kind = random_integer(random, 0, 7);
     const SpaceLattice oblique = random_space_lattice(random);
     const auto& [a, b, c] = oblique.periods();
-    const auto side = [&] { return std::exp(2 * number(random) - 1); };
+    const auto side = [&] { return std::exp(2 * random_number(random) - 1); };
     switch (kind) {
         case 0:
             return {"cube", SpaceLattice::box(1, 1, 1)};
@@ -42,7 +39,7 @@ NamedLattice random_lattice(Random& random) {
         case 2:
             return {"oblique lattice", oblique};
         case 3: {
-            const int m = integer(random, -9, 9);
+            const int m = random_integer(random, -9, 9);
             return {"unreduced lattice", {a, b + m * a, c + (m + 3) * a - m * b}};
         }
         case 4:
@@ -53,21 +50,21 @@ NamedLattice random_lattice(Random& random) {
             return {"plate", SpaceLattice::box(100, 1, 100)};
         default: {
             const auto all = space_lattices();
-            const auto& close = all[all.size() - 1 - std::size_t(integer(random, 0, 2))];
+            const auto& close = all[all.size() - 1 - std::size_t(random_integer(random, 0, 2))];
             return {close.name + " lattice", close.lattice};
         }
     }
 }
 
-Points3 uniform(int n, Random& random) {
+Points3 sites_in_cube(int n, Random& random) {
     return uniform_points(SpaceLattice::box(1, 1, 1), n, random());
 }
 
 /// The points of a grid with random numbers of rows, in an order of their own.
 Points3 grid(Random& random) {
-    const int columns = integer(random, 1, 8);
-    const int rows = integer(random, 1, 6);
-    const int layers = integer(random, 1, 5);
+    const int columns = random_integer(random, 1, 8);
+    const int rows = random_integer(random, 1, 6);
+    const int layers = random_integer(random, 1, 5);
     Points3 points(3, columns * rows * layers);
     for (Eigen::Index k = 0; k < points.cols(); ++k) {
         points.col(k) << double(k % columns) / columns, double(k / columns % rows) / rows,
@@ -78,29 +75,29 @@ Points3 grid(Random& random) {
 
 /// Random points of which each coordinate lies on the seam with the probability 1/3.
 Points3 on_the_seam(int n, Random& random) {
-    Points3 points = uniform(n, random);
+    Points3 points = sites_in_cube(n, random);
     for (double& x : points.reshaped()) {
-        if (integer(random, 0, 2) == 0) x = 0;
+        if (random_integer(random, 0, 2) == 0) x = 0;
     }
     return points;
 }
 
 /// Integer points of one sphere, all or some of them.
 Points3 on_a_sphere(Random& random) {
-    const int square = std::vector{1, 2, 3, 5, 6, 9, 14}[std::size_t(integer(random, 0, 6))];
+    const int square = std::vector{1, 2, 3, 5, 6, 9, 14}[std::size_t(random_integer(random, 0, 6))];
     std::vector<Vec3> points;
     for (int o = 0; o < 729; ++o) {
         const Vec3 p(o / 81 - 4, o / 9 % 9 - 4, o % 9 - 4);
-        if (p.squaredNorm() == square && integer(random, 0, 3) > 0) points.push_back(p / 16);
+        if (p.squaredNorm() == square && random_integer(random, 0, 3) > 0) points.push_back(p / 16);
     }
     points.emplace_back(0.5, 0.5, 0.5);
     return Eigen::Map<const Points3>(points.front().data(), 3, Eigen::Index(points.size()));
 }
 
 Points3 cubic(Random& random) {
-    const auto kind = Cubic(integer(random, 0, 2));
+    const auto kind = Cubic(random_integer(random, 0, 2));
     const int most = kind == Cubic::kSimple ? 6 : kind == Cubic::kBodyCentred ? 5 : 4;
-    return cubic_points(kind, integer(random, 1, most));
+    return cubic_points(kind, random_integer(random, 1, most));
 }
 
 struct NamedPoints {
@@ -111,10 +108,10 @@ struct NamedPoints {
 /// Coordinates in the reduced basis, perhaps not distinct.
 NamedPoints random_points(Random& random) {
     const int n = number_of_sites(random);
-    Points3 points = uniform(n, random);
+    Points3 points = sites_in_cube(n, random);
     // A build with a long row of sites is slow.
     const int few = std::min(n, 40);
-    switch (integer(random, 0, 10)) {
+    switch (random_integer(random, 0, 10)) {
         case 0:
             points.topRows(2).setConstant(0.25);
             return {"row", points.leftCols(few)};
@@ -162,13 +159,13 @@ Points3 distinct(const Points3& coordinates) {
 RandomSpaceSites random_space_sites(Random& random) {
     const auto [lattice_name, lattice] = random_lattice(random);
     auto [name, coordinates] = random_points(random);
-    if (integer(random, 0, 2) == 0) {
+    if (random_integer(random, 0, 2) == 0) {
         name += " off by 2^-50";
-        for (double& x : coordinates.reshaped()) x += integer(random, -1, 1) / kGrid3;
+        for (double& x : coordinates.reshaped()) x += random_integer(random, -1, 1) / kGrid3;
     }
-    if (integer(random, 0, 1) == 0) {
+    if (random_integer(random, 0, 1) == 0) {
         name += ", moved";
-        const Vec3 move(number(random), number(random), number(random));
+        const Vec3 move(random_number(random), random_number(random), random_number(random));
         coordinates.colwise() += wrap(move).fraction;
     }
     const SpaceSites sites(lattice, reduce(lattice), distinct(coordinates));

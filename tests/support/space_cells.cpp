@@ -7,7 +7,7 @@
 namespace pcvt::testing {
 namespace {
 
-using Polygon = std::vector<Vec3>;
+using SpacePolygon = std::vector<Vec3>;
 
 /// The cube [-r, r]^3.
 ClippedCell cube(double r) {
@@ -26,10 +26,10 @@ ClippedCell cube(double r) {
 
 /// Keeps the part where normal.p <= level, and closes the cut.
 void clip(ClippedCell& cell, const Vec3& normal, double level) {
-    std::vector<Polygon> kept;
-    Polygon cut;
-    for (const Polygon& face : cell.faces) {
-        Polygon part;
+    std::vector<SpacePolygon> kept;
+    SpacePolygon cut;
+    for (const SpacePolygon& face : cell.faces) {
+        SpacePolygon part;
         for (std::size_t k = 0; k < face.size(); ++k) {
             const Vec3& p = face[k];
             const Vec3& q = face[(k + 1) % face.size()];
@@ -61,7 +61,7 @@ void clip(ClippedCell& cell, const Vec3& normal, double level) {
 /// Calls visit(volume, a, b, c) for tetrahedra between the origin and the faces.
 template <class Visit>
 void for_each_tetrahedron(const ClippedCell& cell, const Visit& visit) {
-    for (const Polygon& face : cell.faces) {
+    for (const SpacePolygon& face : cell.faces) {
         for (std::size_t k = 1; k + 1 < face.size(); ++k) {
             const Vec3& a = face[0];
             const Vec3& b = face[k];

@@ -10,6 +10,8 @@
 
 namespace pcvt::testing {
 
+inline const SpaceLattice kCube = SpaceLattice::box(1, 1, 1);
+
 struct NamedSpaceLattice {
     std::string name;
     SpaceLattice lattice;

@@ -2,14 +2,12 @@
 
 #include <cmath>
 
+#include "tests/support/random_numbers.hpp"
+
 namespace pcvt::testing {
 namespace {
 
 using Random = std::mt19937_64;
-
-int integer(Random& random, int first, int last) {
-    return std::uniform_int_distribution(first, last)(random);
-}
 
 Vec3 uniform_vector(Random& random, double size) {
     std::uniform_real_distribution<double> uniform(-size, size);
@@ -45,8 +43,8 @@ class Direction {
 /// Moves both sites by `times` half of their distance towards each other: 1 lets them meet at the
 /// middle, 2 exchanges them.
 void approach(Direction& direction, const MovingTetrahedra& moving, Random& random, double times) {
-    const SiteId first = integer(random, 0, direction.size() - 1);
-    const SiteId second = integer(random, 0, direction.size() - 1);
+    const SiteId first = random_integer(random, 0, direction.size() - 1);
+    const SiteId second = random_integer(random, 0, direction.size() - 1);
     const Vec3 between = moving.coordinates().col(second) - moving.coordinates().col(first);
     const Vec3 nearest = between - between.array().round().matrix();
     direction.set_coordinates(first, times / 2 * nearest);
@@ -70,9 +68,9 @@ NamedSpaceMove random_space_move(const MovingTetrahedra& moving, const SpaceEner
     const auto done = [&](const char* name) { return NamedSpaceMove{name, direction.numbers()}; };
     const Vec3 drift = uniform_vector(random, 1);
     const double share = std::uniform_real_distribution()(random);
-    const int count = integer(random, 2, 9);
-    const double size = moving.spacing() * std::pow(10.0, -integer(random, 0, 12));
-    switch (integer(random, 0, 8)) {
+    const int count = random_integer(random, 2, 9);
+    const double size = moving.spacing() * std::pow(10.0, -random_integer(random, 0, 12));
+    switch (random_integer(random, 0, 8)) {
         case 0:
             for_each([&](SiteId s) { direction.set_coordinates(s, drift); });
             return done("drift");
@@ -83,7 +81,7 @@ NamedSpaceMove random_space_move(const MovingTetrahedra& moving, const SpaceEner
             return done("jumps by periods");
         case 2:
             for_each([&](SiteId s) {
-                if (integer(random, 0, direction.size()) > 3) return;
+                if (random_integer(random, 0, direction.size()) > 3) return;
                 direction.set_coordinates(s, uniform_vector(random, 1));
             });
             return done("jumps of some sites");

@@ -20,7 +20,7 @@ std::optional<Json> parsed(const std::string& text) {
     }
 }
 
-JsonFault fault_of(const std::string& text) {
+JsonFault json_fault(const std::string& text) {
     try {
         Json::parse(text);
     } catch (const JsonFault& fault) {
@@ -98,7 +98,7 @@ TEST(Json, EveryPrefixIsRefusedAtItsEnd) {
     for (const std::string& text : kTexts) {
         for (std::size_t n = 0; n < text.size(); ++n) {
             // A character may begin up to three bytes before the end.
-            const std::size_t byte = fault_of(text.substr(0, n)).byte();
+            const std::size_t byte = json_fault(text.substr(0, n)).byte();
             EXPECT_LE(byte, n) << text.substr(0, n);
             EXPECT_GE(byte + 3, n) << text.substr(0, n);
         }
@@ -106,9 +106,9 @@ TEST(Json, EveryPrefixIsRefusedAtItsEnd) {
 }
 
 TEST(Json, FaultsNameTheByteAndTheKind) {
-    EXPECT_EQ(fault_of("[1,\n x]").byte(), 6U);
-    EXPECT_EQ(fault_of("[1e999]").kind(), JsonFault::Kind::kNumberTooLarge);
-    EXPECT_EQ(fault_of(std::string(300000, '[')).kind(), JsonFault::Kind::kTooDeep);
+    EXPECT_EQ(json_fault("[1,\n x]").byte(), 6U);
+    EXPECT_EQ(json_fault("[1e999]").kind(), JsonFault::Kind::kNumberTooLarge);
+    EXPECT_EQ(json_fault(std::string(300000, '[')).kind(), JsonFault::Kind::kTooDeep);
     const std::string deepest =
         std::string(Json::kMaxDepth, '[') + std::string(Json::kMaxDepth, ']');
     EXPECT_TRUE(parsed(deepest).has_value());

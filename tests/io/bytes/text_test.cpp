@@ -22,7 +22,7 @@ std::string written(Number number) {
     return text;
 }
 
-std::string fault_of(std::string_view word) {
+std::string number_fault(std::string_view word) {
     try {
         parse_number(word);
     } catch (const InvalidInput& fault) {
@@ -73,16 +73,16 @@ TEST(Text, DecimalsInEveryUsualSpellingAreParsed) {
 }
 
 TEST(Text, WordsThatAreNotNumbersAreRefusedWithAReason) {
-    EXPECT_THAT(fault_of("1,5"), HasSubstr("decimal point"));
+    EXPECT_THAT(number_fault("1,5"), HasSubstr("decimal point"));
     for (const char* word : {"nan", "-NaN", "inf", "-Infinity", "+INF"}) {
-        EXPECT_THAT(fault_of(word), HasSubstr("not a finite number")) << word;
+        EXPECT_THAT(number_fault(word), HasSubstr("not a finite number")) << word;
     }
     for (const char* word : {"1e999", "-1e999", "1e-999"}) {
-        EXPECT_THAT(fault_of(word), HasSubstr("beyond the range")) << word;
+        EXPECT_THAT(number_fault(word), HasSubstr("beyond the range")) << word;
     }
     for (const char* word :
          {"", "+", "-", "+-1", "--1", "++1", "0x1p3", "1.5.2", "1d5", "1e", "x"}) {
-        EXPECT_THAT(fault_of(word), HasSubstr("not a number")) << word;
+        EXPECT_THAT(number_fault(word), HasSubstr("not a number")) << word;
     }
     EXPECT_THROW(parse_integer("1.0"), InvalidInput);
     EXPECT_THROW(parse_integer("2147483648"), InvalidInput);

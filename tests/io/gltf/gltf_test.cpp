@@ -6,6 +6,7 @@
 
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/glb.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
@@ -21,11 +22,10 @@ using testing::Glb;
 using testing::grain_grid_tile;
 using testing::grid_tile;
 using ::testing::HasSubstr;
+using testing::kOblique;
 using testing::split_glb;
 using ::testing::StartsWith;
 using testing::triangle_grid_tile;
-
-const Lattice kOblique({1, 0}, {0.37, 0.81});
 
 std::string glb(const Tile& tile, GltfNodes nodes = GltfNodes::kBySize) {
     return encode_glb(tile, {.gltf_nodes = nodes}, "t.glb").at(0).bytes;

@@ -2,12 +2,13 @@
 #include <tiny_gltf.h>
 
 #include "io/gltf/gltf_writer.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kOblique({1, 0}, {0.37, 0.81});
+using testing::kOblique;
 
 /// The model that tinygltf's own loader finds in a file.
 tinygltf::Model loaded(const EncodedFile& file, bool is_binary) {

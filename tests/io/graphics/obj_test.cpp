@@ -5,6 +5,7 @@
 #include "io/colours/palette.hpp"
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/tile_equality.hpp"
@@ -13,12 +14,11 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kSquare;
 using ::testing::StartsWith;
 
-const Lattice kSquare({1, 0}, {0, 1});
-
 /// One square whose opposite sides are glued, as pcvt writes it.
-constexpr const char* kOneCell =
+constexpr const char* kOneObjCell =
     "# pcvt kind cells\n"
     "# pcvt lattice 1 0 0 1\n"
     "# pcvt vertex_pair 1 2 1 0\n"
@@ -30,11 +30,11 @@ constexpr const char* kOneCell =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
     "f 1 2 3 4\n";
 
-TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_obj(const std::string& text, const std::optional<Lattice>& lattice = {}) {
     return decode_obj({{"t.obj", text}}, lattice);
 }
 
-std::string fault_of(const std::vector<EncodedFile>& files) {
+std::string obj_fault(const std::vector<EncodedFile>& files) {
     try {
         decode_obj(files, std::nullopt);
     } catch (const BadFile& fault) {
@@ -43,13 +43,13 @@ std::string fault_of(const std::vector<EncodedFile>& files) {
     return "";
 }
 
-std::string fault_of(const std::string& text) {
-    return fault_of(std::vector<EncodedFile>{{"t.obj", text}});
+std::string obj_fault(const std::string& text) {
+    return obj_fault(std::vector<EncodedFile>{{"t.obj", text}});
 }
 
-/// Returns kOneCell with `piece` of its text replaced by `other`.
+/// Returns kOneObjCell with `piece` of its text replaced by `other`.
 std::string with(const std::string& piece, const std::string& other) {
-    std::string text = kOneCell;
+    std::string text = kOneObjCell;
     return text.replace(text.find(piece), piece.size(), other);
 }
 
@@ -138,7 +138,7 @@ TEST(Obj, CommentsCountFromOne) {
 }
 
 TEST(Obj, PlainObjOfOtherProgramsIsRead) {
-    const TileFile file = read(
+    const TileFile file = read_obj(
         "\xEF\xBB\xBF# other\r\nmtllib a b.mtl\r\no tile\r\nvn 0 0 1\r\nvt 0 0\r\n"
         "v 0 0 -0.0 1 0.5 0\r\nv\t1 0 0\r\nv 1 1 0 # corner\r\nv 0 1 0\r\ng x\r\ns off\r\n"
         "usemtl m\r\nf 1 2/1 3//1\r\nf -4/1/1 -2 4",
@@ -151,22 +151,22 @@ TEST(Obj, PlainObjOfOtherProgramsIsRead) {
 }
 
 TEST(Obj, TheLatticeOfTheFileOverridesTheGivenOne) {
-    EXPECT_EQ(read(kOneCell, Lattice({2, 0}, {0, 3})).tile.lattice.a(), Vec2(1, 0));
-    EXPECT_THAT(fault_of(with("# pcvt lattice 1 0 0 1\n", "")),
+    EXPECT_EQ(read_obj(kOneObjCell, Lattice({2, 0}, {0, 3})).tile.lattice.a(), Vec2(1, 0));
+    EXPECT_THAT(obj_fault(with("# pcvt lattice 1 0 0 1\n", "")),
                 StartsWith("t.obj: the file names no lattice; pass --lattice AX,AY,BX,BY"));
 }
 
 TEST(Obj, FaultsOfVerticesNameTheirLine) {
-    EXPECT_THAT(fault_of(with("v 0 0 0", "v 0 0")), StartsWith("t.obj:9: a vertex has 3 numbers"));
-    EXPECT_THAT(fault_of(with("v 0 0 0", "v 0 0 0 1")), StartsWith("t.obj:9: a vertex has 3"));
-    EXPECT_THAT(fault_of(with("v 0 0 0", "v 0 0 1e-9")), StartsWith("t.obj:9: z is not 0; "));
-    EXPECT_THAT(fault_of(with("v 0 0 0", "v nan 0 0")), StartsWith("t.obj:9: 'nan' is not a fin"));
-    EXPECT_THAT(fault_of(with("v 0 0 0", "w 0 0 0")),
+    EXPECT_THAT(obj_fault(with("v 0 0 0", "v 0 0")), StartsWith("t.obj:9: a vertex has 3 numbers"));
+    EXPECT_THAT(obj_fault(with("v 0 0 0", "v 0 0 0 1")), StartsWith("t.obj:9: a vertex has 3"));
+    EXPECT_THAT(obj_fault(with("v 0 0 0", "v 0 0 1e-9")), StartsWith("t.obj:9: z is not 0; "));
+    EXPECT_THAT(obj_fault(with("v 0 0 0", "v nan 0 0")), StartsWith("t.obj:9: 'nan' is not a fin"));
+    EXPECT_THAT(obj_fault(with("v 0 0 0", "w 0 0 0")),
                 StartsWith("t.obj:9: 'w' is not a supported statement"));
 }
 
 TEST(Obj, FaultsOfFacesNameTheirLine) {
-    const auto fault = [](const char* face) { return fault_of(with("f 1 2 3 4", face)); };
+    const auto fault = [](const char* face) { return obj_fault(with("f 1 2 3 4", face)); };
     EXPECT_THAT(fault("f 1 2"), StartsWith("t.obj:13: a face needs 3 corners; "));
     EXPECT_THAT(fault("f"), StartsWith("t.obj:13: a face needs 3 corners; "));
     EXPECT_THAT(fault("f 1 2 3 5"), StartsWith("t.obj:13: vertex 5 does not exist; "));
@@ -179,14 +179,14 @@ TEST(Obj, FaultsOfFacesNameTheirLine) {
     EXPECT_THAT(fault("f 1 2 3//"), StartsWith("t.obj:13: '' is not a number; "));
     EXPECT_THAT(fault("f 1 2 3/1/1/1"), StartsWith("t.obj:13: '3/1/1/1' is not a corner; "));
     EXPECT_THAT(fault(""), StartsWith("t.obj: there is no face; "));
-    EXPECT_THAT(fault_of(""), StartsWith("t.obj: there is no vertex; "));
-    EXPECT_THAT(fault_of(with("kind cells", "kind triangles")),
+    EXPECT_THAT(obj_fault(""), StartsWith("t.obj: there is no vertex; "));
+    EXPECT_THAT(obj_fault(with("kind cells", "kind triangles")),
                 StartsWith("t.obj:13: a face of a triangle tile has 3 corners; "));
 }
 
 TEST(Obj, FaultsOfTheSeamNameTheirLine) {
     const auto fault = [](const char* old, const char* other) {
-        return fault_of(with(old, other));
+        return obj_fault(with(old, other));
     };
     EXPECT_THAT(fault("kind cells", "kind cell"), StartsWith("t.obj:1: the kind is unclear; "));
     EXPECT_THAT(fault("kind cells", "kind"), StartsWith("t.obj:1: the kind is unclear; "));
@@ -208,7 +208,7 @@ TEST(Obj, FaultsOfTheSeamNameTheirLine) {
 }
 
 TEST(Obj, BinaryFilesAreRefused) {
-    EXPECT_THAT(fault_of(std::string("v 0\0", 4)),
+    EXPECT_THAT(obj_fault(std::string("v 0\0", 4)),
                 StartsWith("t.obj:1: holds a NUL byte, so it appears to be a binary file; "));
 }
 
@@ -219,7 +219,7 @@ TEST(Obj, TheSidecarMustAgreeWithTheComments) {
         files[2].bytes = sidecar;
         EXPECT_THAT(sidecar, HasSubstr(piece));
         files[2].bytes.replace(sidecar.find(piece), piece.size(), other);
-        return fault_of(files);
+        return obj_fault(files);
     };
     EXPECT_THAT(fault_with("[0, 2, 1, 0]", "[0, 2, 1, 1]"),
                 StartsWith("t.seam.json: its vertex pairs differ from those in the comments of"));
@@ -247,7 +247,7 @@ TEST(Obj, FaultsOfTheSidecarNameIt) {
         files[2].bytes = sidecar;
         EXPECT_THAT(sidecar, HasSubstr(piece));
         files[2].bytes.replace(sidecar.find(piece), piece.size(), other);
-        return fault_of(files);
+        return obj_fault(files);
     };
     EXPECT_THAT(fault_with("\"version\"", "version"),
                 StartsWith("t.seam.json:3: is not valid JSON"));
@@ -281,7 +281,7 @@ TEST(Obj, DamagedFilesGiveATileOrAFaultAndNothingElse) {
         auto damaged = files;
         auto& bytes = damaged[k % 2 == 0 ? 0 : 2].bytes;
         bytes = testing::mutated(bytes, random);
-        const std::string fault = fault_of(damaged);
+        const std::string fault = obj_fault(damaged);
         if (fault.empty()) continue;
         ++n_refused;
         EXPECT_THAT(fault, ::testing::AnyOf(StartsWith("t.obj"), StartsWith("t.mtl"),

@@ -36,7 +36,7 @@ Tile tile_of(const Lattice& lattice, int n, MeshKind kind) {
     return make_tile(mesh, whole_outline(mesh, Vec2(0, 0)));
 }
 
-std::string fault_of(const std::string& bytes) {
+std::string om_fault(const std::string& bytes) {
     try {
         decode_om({{"t.om", bytes}}, std::nullopt);
     } catch (const BadFile& fault) {
@@ -115,19 +115,19 @@ TEST(Om, CoordinatesThatAreNotFiniteAreOurFault) {
 }
 
 TEST(Om, OtherBytesAreRefused) {
-    EXPECT_THAT(fault_of(""), StartsWith("t.om: is cut short; "));
-    EXPECT_THAT(fault_of("v 0 0 0\nv 1 0 0\n"), StartsWith("t.om: is not a mesh as OpenMesh 9 wr"));
+    EXPECT_THAT(om_fault(""), StartsWith("t.om: is cut short; "));
+    EXPECT_THAT(om_fault("v 0 0 0\nv 1 0 0\n"), StartsWith("t.om: is not a mesh as OpenMesh 9 wr"));
     std::string bytes = example();
-    EXPECT_THAT(fault_of(bytes + "x"), StartsWith("t.om: has data after its end; "));
+    EXPECT_THAT(om_fault(bytes + "x"), StartsWith("t.om: has data after its end; "));
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-        EXPECT_THAT(fault_of(bytes.substr(0, length)), StartsWith("t.om: ")) << length;
+        EXPECT_THAT(om_fault(bytes.substr(0, length)), StartsWith("t.om: ")) << length;
     }
 }
 
 TEST(Om, AMeshWithoutTheIdentificationIsRefused) {
     std::string bytes = example();
     bytes.replace(bytes.find("pcvt_orbit"), 10, "pcvt_0rbit");
-    EXPECT_THAT(fault_of(bytes), StartsWith("t.om: has no property pcvt_orbit; "));
+    EXPECT_THAT(om_fault(bytes), StartsWith("t.om: has no property pcvt_orbit; "));
 }
 
 TEST(Om, PartnersThatAreNotMutualAreRefused) {
@@ -136,7 +136,7 @@ TEST(Om, PartnersThatAreNotMutualAreRefused) {
     std::size_t at = bytes.find(head) + head.size() + 4;
     while (bytes.substr(at, 4) == "\xff\xff\xff\xff") at += 4;
     bytes[at] = static_cast<char>(bytes[at] ^ 2);
-    EXPECT_THAT(fault_of(bytes), HasSubstr("another partner; "));
+    EXPECT_THAT(om_fault(bytes), HasSubstr("another partner; "));
 }
 
 TEST(Om, DamagedFilesGiveATileOrAFaultAndNothingElse) {
@@ -145,7 +145,7 @@ TEST(Om, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
         const std::string bytes = example(kind);
         for (int k = 0; k < 4000; ++k) {
-            const std::string fault = fault_of(testing::mutated(bytes, random));
+            const std::string fault = om_fault(testing::mutated(bytes, random));
             if (fault.empty()) continue;
             ++n_refused;
             EXPECT_THAT(fault, StartsWith("t.om: "));

@@ -5,6 +5,7 @@
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/tile_equality.hpp"
@@ -14,12 +15,11 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using testing::kSquare;
 using ::testing::StartsWith;
 
-const Lattice kSquare({1, 0}, {0, 1});
-
 /// One square, as a small strict program might write it.
-constexpr const char* kOneCell =
+constexpr const char* kOnePlyCell =
     "ply\n"
     "format ascii 1.0\n"
     "comment pcvt kind cells\n"
@@ -40,17 +40,17 @@ constexpr const char* kOneCell =
     "0 1 0 0 1\n"
     "4 0 1 2 3 0\n";
 
-TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_ply(const std::string& text, const std::optional<Lattice>& lattice = {}) {
     return decode_ply({{"t.ply", text}}, lattice);
 }
 
-std::string fault_of(const std::string& text) {
-    return testing::fault_in([&] { read(text); });
+std::string ply_fault(const std::string& text) {
+    return testing::fault_in([&] { read_ply(text); });
 }
 
-/// Returns the fault of kOneCell with `piece` of its text replaced by `other`.
+/// Returns the fault of kOnePlyCell with `piece` of its text replaced by `other`.
 std::string fault_with(const std::string& piece, const std::string& other) {
-    return fault_of(testing::exchanged(kOneCell, piece, other));
+    return ply_fault(testing::exchanged(kOnePlyCell, piece, other));
 }
 
 TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
@@ -141,7 +141,7 @@ TEST(Ply, ListsBecomeWiderOnlyForFacesThatNeedIt) {
 }
 
 TEST(Ply, PlainPlyOfOtherProgramsIsRead) {
-    const TileFile file = read(
+    const TileFile file = read_ply(
         "ply\r\nformat ascii 1.0\r\nobj_info by hand\r\ncomment pcvt\r\n"
         "element camera 1\r\nproperty list uint8 float32 view\r\n"
         "element vertex 3\r\nproperty uchar red\r\nproperty float32 y\r\nproperty float x\r\n"
@@ -157,16 +157,16 @@ TEST(Ply, PlainPlyOfOtherProgramsIsRead) {
 }
 
 TEST(Ply, TheUndamagedExampleIsRead) {
-    const TileFile file = read(kOneCell);
+    const TileFile file = read_ply(kOnePlyCell);
     EXPECT_THAT(file.tile.face_site, ElementsAre(0));
     EXPECT_EQ(file.tile.vertex_pairs.size(), 3U);
 }
 
 TEST(Ply, FaultsOfTheHeaderNameTheirLine) {
-    EXPECT_THAT(fault_of(""), StartsWith("t.ply: does not begin with the line \"ply\"; "));
-    EXPECT_THAT(fault_of("ply\nformat ascii 1.0\n"),
+    EXPECT_THAT(ply_fault(""), StartsWith("t.ply: does not begin with the line \"ply\"; "));
+    EXPECT_THAT(ply_fault("ply\nformat ascii 1.0\n"),
                 StartsWith("t.ply: the header does not end; "));
-    EXPECT_THAT(fault_of("ply\nend_header\n"), StartsWith("t.ply:2: the format is missing; "));
+    EXPECT_THAT(ply_fault("ply\nend_header\n"), StartsWith("t.ply:2: the format is missing; "));
     EXPECT_THAT(fault_with("ascii", "binary_little_endian"),
                 StartsWith("t.ply:2: this PLY is binary; export it as ASCII"));
     EXPECT_THAT(fault_with("ascii 1.0", "ascii 2.0"), StartsWith("t.ply:2: the format is not kn"));
@@ -220,14 +220,15 @@ TEST(Ply, FaultsOfTheBodyNameTheirLine) {
     EXPECT_THAT(fault_with("4 0 1 2 3 0", "255 0"), StartsWith("t.ply:19: the line is too short"));
     EXPECT_THAT(fault_with("4 0 1 2 3 0\n", ""),
                 StartsWith("t.ply: ends before its last 'face'; "));
-    EXPECT_THAT(fault_of(std::string(kOneCell) + "1\n"), StartsWith("t.ply:20: the file has data"));
-    EXPECT_THAT(fault_of(kOneCell + std::string(1, '\0')),
+    EXPECT_THAT(ply_fault(std::string(kOnePlyCell) + "1\n"),
+                StartsWith("t.ply:20: the file has data"));
+    EXPECT_THAT(ply_fault(kOnePlyCell + std::string(1, '\0')),
                 HasSubstr("appears to be a binary file; "));
 }
 
 TEST(Ply, AThirdDimensionIsRefused) {
-    EXPECT_THAT(fault_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
-                         "property float y\nproperty float z\nend_header\n0 0 1e-9\n"),
+    EXPECT_THAT(ply_fault("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                          "property float y\nproperty float z\nend_header\n0 0 1e-9\n"),
                 StartsWith("t.ply:8: z is not 0; "));
 }
 
@@ -242,7 +243,7 @@ TEST(Ply, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     const std::string bytes = encode_ply(testing::grid_tile(kSquare, 2, 2), {}, "t.ply")[0].bytes;
     int n_refused = 0;
     for (int k = 0; k < 4000; ++k) {
-        const std::string fault = fault_of(testing::mutated(bytes, random));
+        const std::string fault = ply_fault(testing::mutated(bytes, random));
         if (fault.empty()) continue;
         ++n_refused;
         EXPECT_THAT(fault, StartsWith("t.ply"));

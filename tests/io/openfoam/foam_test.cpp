@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::vector<EncodedFile> example() {
+std::vector<EncodedFile> grid_case() {
     return encode_foam(testing::grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam");
 }
 
@@ -39,7 +39,7 @@ std::string fault_of(const std::vector<EncodedFile>& files,
 /// Returns the fault of the example with `piece` of the file `name` replaced by `other`.
 std::string fault_with(const std::string& name, const std::string& piece,
                        const std::string& other) {
-    auto files = example();
+    auto files = grid_case();
     std::string& text = file_named(files, name).bytes;
     const std::size_t at = text.find(piece);
     EXPECT_NE(at, std::string::npos) << piece;
@@ -66,7 +66,7 @@ TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
 }
 
 TEST(Foam, TheCaseHasTheEntriesThatTheSolversNeed) {
-    auto files = example();
+    auto files = grid_case();
     const auto text = [&](const char* name) { return file_named(files, name).bytes; };
     EXPECT_THAT(text("system/controlDict"), HasSubstr("application     icoFoam"));
     for (const char* entry : {"PISO", "PIMPLE", "potentialFlow", "PhiRefCell", "SIMPLE"}) {
@@ -128,7 +128,7 @@ TEST(Foam, CellsThatAreTooLargeForTheFlowStartAtRest) {
 }
 
 TEST(Foam, ABoundaryOfAnotherProgramNeedsTheLattice) {
-    auto files = example();
+    auto files = grid_case();
     std::string& text = file_named(files, "constant/polyMesh/boundary").bytes;
     text.replace(text.find("// pcvt lattice"), 7, "// also");
     EXPECT_THAT(fault_of(files), HasSubstr("names no lattice; pass --lattice"));
@@ -138,7 +138,7 @@ TEST(Foam, ABoundaryOfAnotherProgramNeedsTheLattice) {
 }
 
 TEST(Foam, FaultsNameTheirFileAndLine) {
-    EXPECT_EQ(fault_of(example()), "");
+    EXPECT_EQ(fault_of(grid_case()), "");
     EXPECT_THAT(fault_with("constant/polyMesh/points", "ascii", "binary"),
                 StartsWith("t.foam/constant/polyMesh/points:4: the format is not ascii; "));
     EXPECT_THAT(fault_with("constant/polyMesh/points", "\n(0 0 0)", "\n(0 zero 0)"),
@@ -150,13 +150,13 @@ TEST(Foam, FaultsNameTheirFileAndLine) {
                 HasSubstr("'seam_0_1' is neither an empty one, a wall nor one side of a seam; "));
     EXPECT_THAT(fault_with("constant/polyMesh/boundary", "Patch  seam_0_-1", "Patch  other"),
                 HasSubstr("there is no patch 'other'; "));
-    auto files = example();
+    auto files = grid_case();
     files.erase(files.begin() + 2);
     EXPECT_THAT(fault_of(files), HasSubstr("there is no constant/polyMesh/owner beside it; "));
 }
 
 TEST(Foam, CommentsAndOneLineListsAreRead) {
-    auto files = example();
+    auto files = grid_case();
     std::string& text = file_named(files, "constant/polyMesh/owner").bytes;
     for (char& c : text) c = c == '\n' ? ' ' : c;
     text = "/* by\n hand */" + text + "// the end";
@@ -180,7 +180,7 @@ TEST(Foam, CellsOfAPhaseAreAZone) {
                 HasSubstr("2\n(\nphase_1st\n{\n    type            cellZone;\n    cellLabels      "
                           "List<label>\n2\n(\n0\n3\n)\n;\n}\nphase_b\n"));
     EXPECT_EQ(decode_foam(files, {}).materials, two_phases());
-    auto without = example();
+    auto without = grid_case();
     EXPECT_THAT(file_named(without, "constant/polyMesh/cellZones").bytes, HasSubstr("0\n(\n)\n"));
 }
 
@@ -208,7 +208,7 @@ TEST(Foam, NonFiniteCoordinatesAreInternalErrors) {
 
 TEST(Foam, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
-    const auto sound = example();
+    const auto sound = grid_case();
     int n_refused = 0;
     for (int k = 0; k < 3000; ++k) {
         auto files = sound;

@@ -25,12 +25,12 @@ std::string& text_of(Files& files, const std::string& name) {
         ->bytes;
 }
 
-Files example(Walls walls = Walls::kY) {
+Files walled_case(Walls walls = Walls::kY) {
     return encode_foam(walled_tile(walls, WallCells::kWhole, 12, {}), "t.foam");
 }
 
 /// Returns why `pcvt check` refuses the files; empty if it accepts them.
-std::string fault_of(const Files& files) {
+std::string wall_fault(const Files& files) {
     const TileFormat& format = *find_tile_format("t.foam");
     try {
         prove_file(format, files, decode_tile(format, files, std::nullopt));
@@ -41,16 +41,16 @@ std::string fault_of(const Files& files) {
 }
 
 /// Returns the fault of the example with each `piece` of the file `name` replaced by `other`.
-std::string fault_with(const std::string& name, const std::string& piece,
-                       const std::string& other) {
-    Files files = example();
+std::string wall_fault_with(const std::string& name, const std::string& piece,
+                            const std::string& other) {
+    Files files = walled_case();
     std::string& text = text_of(files, name);
     std::size_t at = text.find(piece);
     EXPECT_NE(at, std::string::npos) << piece;
     for (; at != std::string::npos; at = text.find(piece, at + other.size())) {
         text.replace(at, piece.size(), other);
     }
-    return fault_of(files);
+    return wall_fault(files);
 }
 
 TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
@@ -64,7 +64,7 @@ TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
                              std::to_string(n));
                 const Tile tile = walled_tile(walls, cells, n, {.kind = row.kind});
                 const Files files = encode_foam(tile, "t.foam");
-                EXPECT_EQ(fault_of(files), "");
+                EXPECT_EQ(wall_fault(files), "");
                 const TileFile file = decode_foam(files, std::nullopt);
                 EXPECT_TRUE(file.has_wall_edges);
                 EXPECT_EQ(file.tile.points, tile.points);
@@ -76,7 +76,7 @@ TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
 }
 
 TEST(FoamWalls, TheFieldsHaveConditionsOnWalls) {
-    Files files = example(Walls::kXY);
+    Files files = walled_case(Walls::kXY);
     EXPECT_THAT(text_of(files, "constant/polyMesh/boundary"),
                 HasSubstr("    wall_left\n    {\n        type            wall;\n"));
     for (const WallSideRow& row : kWallSides) {
@@ -94,43 +94,45 @@ TEST(FoamWalls, TheFieldsHaveConditionsOnWalls) {
 
 TEST(FoamWalls, FalsePatchesAreRefused) {
     const std::string boundary = "constant/polyMesh/boundary";
-    EXPECT_THAT(fault_with(boundary, "wall_top", "wall_left"), HasSubstr("lies off its patch"));
-    EXPECT_THAT(fault_with(boundary, "wall_top", "lid"),
+    EXPECT_THAT(wall_fault_with(boundary, "wall_top", "wall_left"),
+                HasSubstr("lies off its patch"));
+    EXPECT_THAT(wall_fault_with(boundary, "wall_top", "lid"),
                 HasSubstr("a wall without the one opposite to it"));
-    EXPECT_THAT(fault_with(boundary, "wall_top", "back"), HasSubstr("two patches have one name"));
-    EXPECT_THAT(fault_with(boundary, " wall;", " empty;"), HasSubstr("is neither an empty"));
-    EXPECT_THAT(fault_with(boundary, " wall;", " patch;"), HasSubstr("is neither an empty"));
-    EXPECT_THAT(fault_with(boundary, " walls 0 1", " walls 1 1"),
+    EXPECT_THAT(wall_fault_with(boundary, "wall_top", "back"),
+                HasSubstr("two patches have one name"));
+    EXPECT_THAT(wall_fault_with(boundary, " wall;", " empty;"), HasSubstr("is neither an empty"));
+    EXPECT_THAT(wall_fault_with(boundary, " wall;", " patch;"), HasSubstr("is neither an empty"));
+    EXPECT_THAT(wall_fault_with(boundary, " walls 0 1", " walls 1 1"),
                 HasSubstr("the comment on walls means xy, but the patches y; "));
-    EXPECT_THAT(fault_with(boundary, "// pcvt walls 0 1\n", ""),
+    EXPECT_THAT(wall_fault_with(boundary, "// pcvt walls 0 1\n", ""),
                 HasSubstr("the comment on walls means none, but the patches y; "));
     // The ranges of the two walls, exchanged by their names.
-    Files files = example();
+    Files files = walled_case();
     std::string& text = text_of(files, boundary);
     const std::size_t low = text.find("wall_bottom");
     const std::size_t high = text.find("wall_top");
     text.replace(high, 8, "wall_bottom");
     text.replace(low, 11, "wall_top");
-    EXPECT_THAT(fault_of(files), HasSubstr("lies off its patch wall_top"));
+    EXPECT_THAT(wall_fault(files), HasSubstr("lies off its patch wall_top"));
 }
 
 TEST(FoamWalls, FalseConditionsAreRefused) {
-    EXPECT_THAT(fault_with("0/U", "noSlip", "slip"), HasSubstr("t.foam/0/U:"));
-    EXPECT_THAT(fault_with("0/p", "zeroGradient", "noSlip"), HasSubstr("t.foam/0/p:"));
-    EXPECT_THAT(fault_with("0/T", "wall_top", "wall_left"), HasSubstr("t.foam/0/T:"));
+    EXPECT_THAT(wall_fault_with("0/U", "noSlip", "slip"), HasSubstr("t.foam/0/U:"));
+    EXPECT_THAT(wall_fault_with("0/p", "zeroGradient", "noSlip"), HasSubstr("t.foam/0/p:"));
+    EXPECT_THAT(wall_fault_with("0/T", "wall_top", "wall_left"), HasSubstr("t.foam/0/T:"));
 }
 
 TEST(FoamWalls, RangesOfWallPatchesAreProved) {
     for (const char* key : {"nFaces          ", "startFace       "}) {
         for (const char* wall : {"wall_bottom", "wall_top"}) {
             for (const int change : {-1, 1}) {
-                Files files = example();
+                Files files = walled_case();
                 std::string& text = text_of(files, "constant/polyMesh/boundary");
                 const std::size_t at = text.find(key, text.find(wall)) + std::string(key).size();
                 const std::size_t end = text.find(';', at);
                 const int number = std::stoi(text.substr(at, end - at));
                 text.replace(at, end - at, std::to_string(number + change));
-                EXPECT_THAT(fault_of(files), HasSubstr("law (")) << wall << ' ' << key << change;
+                EXPECT_THAT(wall_fault(files), HasSubstr("law (")) << wall << ' ' << key << change;
             }
         }
     }
@@ -140,7 +142,7 @@ TEST(FoamWalls, ThicknessesAreReadBack) {
     const Tile tile = walled_tile(Walls::kY, WallCells::kWhole, 12, {});
     Files files = encode_foam(tile, "t.foam", 0.3);
     EXPECT_EQ(decode_foam(files, std::nullopt).thickness, 0.3);
-    EXPECT_EQ(fault_of(files), "");
+    EXPECT_EQ(wall_fault(files), "");
     const TileFormat& format = *find_tile_format("t.foam");
     prove_tile_files(format, files, tile, {0, 0}, {.thickness = 0.3});
     EXPECT_THROW(prove_tile_files(format, files, tile, {0, 0}, {.thickness = 0.25}), InternalError);
@@ -166,13 +168,13 @@ TEST(FoamWalls, LayersOfAnotherScaleThanTheCellsAreRefused) {
 
 TEST(FoamWalls, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(5);
-    const Files sound = example(Walls::kXY);
+    const Files sound = walled_case(Walls::kXY);
     int n_refused = 0;
     for (int k = 0; k < 1000; ++k) {
         Files files = sound;
         std::string& bytes = files[random() % 5].bytes;
         bytes = testing::mutated(bytes, random);
-        const std::string fault = fault_of(files);
+        const std::string fault = wall_fault(files);
         if (fault.empty()) continue;
         ++n_refused;
         EXPECT_THAT(fault, ::testing::AnyOf(::testing::StartsWith("t.foam/"),

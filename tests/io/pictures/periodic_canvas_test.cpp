@@ -5,23 +5,26 @@
 #include <array>
 #include <random>
 
+#include "tests/support/rolled_pixels.hpp"
+
 namespace pcvt {
 namespace {
 
 using ::testing::Each;
 using ::testing::ElementsAre;
+using testing::rolled;
 
-constexpr int kWidth = 24;
+constexpr int kCanvasWidth = 24;
 constexpr int kHeight = 16;
 
 /// Random shapes, all moved by the same number of pixels. Their corners are multiples of 1/64.
 RgbImage scene(int x, int y, Walls walls = Walls::kNone) {
     std::mt19937_64 random(3);
     const auto place = [&]() -> Vec2 {
-        return {static_cast<double>(random() % (64 * kWidth)) / 64 + x,
+        return {static_cast<double>(random() % (64 * kCanvasWidth)) / 64 + x,
                 static_cast<double>(random() % (64 * kHeight)) / 64 + y};
     };
-    PeriodicCanvas canvas(kWidth, kHeight, walls);
+    PeriodicCanvas canvas(kCanvasWidth, kHeight, walls);
     for (int k = 0; k < 20; ++k) {
         const auto colour = static_cast<PackedColour>(random() % 0x1000000);
         canvas.add_polygon(std::array{place(), place(), place()}, colour);
@@ -30,18 +33,6 @@ RgbImage scene(int x, int y, Walls walls = Walls::kNone) {
         canvas.add_stroke(centre, centre, 3, colour);
     }
     return canvas.render();
-}
-
-std::vector<unsigned char> rolled(const RgbImage& image, int x, int y) {
-    std::vector<unsigned char> rgb(image.rgb.size());
-    for (int row = 0; row < image.height; ++row) {
-        for (int k = 0; k < 3 * image.width; ++k) {
-            const int to_row = (row + y) % image.height;
-            const int to = (k + 3 * x) % (3 * image.width);
-            rgb[to_row * 3 * image.width + to] = image.rgb[row * 3 * image.width + k];
-        }
-    }
-    return rgb;
 }
 
 // Law 1.
@@ -54,19 +45,20 @@ TEST(PeriodicCanvas, MovedShapesGiveTheRolledImage) {
 
 // Law 2.
 TEST(PeriodicCanvas, ShapesMovedByPeriodsGiveTheSameImage) {
-    EXPECT_EQ(scene(-3 * kWidth, 5 * kHeight).rgb, scene(0, 0).rgb);
+    EXPECT_EQ(scene(-3 * kCanvasWidth, 5 * kHeight).rgb, scene(0, 0).rgb);
 }
 
 /// A disc of radius 4 at the centre of each side of the canvas, in its own colour, and its copies
 /// beyond the opposite sides, which only a canvas without walls shows.
 RgbImage discs_on_sides(Walls walls) {
-    PeriodicCanvas canvas(kWidth, kHeight, walls);
-    canvas.add_polygon(
-        std::array{Vec2(0, 0), Vec2(kWidth, 0), Vec2(kWidth, kHeight), Vec2(0, kHeight)}, 0xffffff);
+    PeriodicCanvas canvas(kCanvasWidth, kHeight, walls);
+    canvas.add_polygon(std::array{Vec2(0, 0), Vec2(kCanvasWidth, 0), Vec2(kCanvasWidth, kHeight),
+                                  Vec2(0, kHeight)},
+                       0xffffff);
     const std::array discs{std::pair(Vec2(0, kHeight / 2.0), 0xff0000),
-                           std::pair(Vec2(kWidth, kHeight / 2.0), 0x0000ff),
-                           std::pair(Vec2(kWidth / 2.0, 0), 0xffff00),
-                           std::pair(Vec2(kWidth / 2.0, kHeight), 0x00ffff)};
+                           std::pair(Vec2(kCanvasWidth, kHeight / 2.0), 0x0000ff),
+                           std::pair(Vec2(kCanvasWidth / 2.0, 0), 0xffff00),
+                           std::pair(Vec2(kCanvasWidth / 2.0, kHeight), 0x00ffff)};
     for (const auto& [at, colour] : discs) {
         canvas.add_stroke(at, at, 8, static_cast<PackedColour>(colour));
     }
@@ -85,9 +77,9 @@ TEST(PeriodicCanvas, NothingContinuesBeyondAWall) {
         const auto shown = [&](int x, int y) { return colour_at(image, x, y); };
         // The later disc covers the other one where the sides continue in each other.
         EXPECT_EQ(shown(0, kHeight / 2), row.across[0] ? 0xff0000U : 0x0000ffU) << row.word;
-        EXPECT_EQ(shown(kWidth - 1, kHeight / 2), 0x0000ffU) << row.word;
-        EXPECT_EQ(shown(kWidth / 2, 0), row.across[1] ? 0xffff00U : 0x00ffffU) << row.word;
-        EXPECT_EQ(shown(kWidth / 2, kHeight - 1), 0x00ffffU) << row.word;
+        EXPECT_EQ(shown(kCanvasWidth - 1, kHeight / 2), 0x0000ffU) << row.word;
+        EXPECT_EQ(shown(kCanvasWidth / 2, 0), row.across[1] ? 0xffff00U : 0x00ffffU) << row.word;
+        EXPECT_EQ(shown(kCanvasWidth / 2, kHeight - 1), 0x00ffffU) << row.word;
     }
 }
 
@@ -98,7 +90,7 @@ TEST(PeriodicCanvas, ShapesMayMoveAlongWalls) {
     EXPECT_EQ(scene(0, kHeight, Walls::kX).rgb, across_x.rgb);
     const RgbImage across_y = scene(0, 0, Walls::kY);
     EXPECT_EQ(scene(7, 0, Walls::kY).rgb, rolled(across_y, 7, 0));
-    EXPECT_EQ(scene(kWidth, 0, Walls::kY).rgb, across_y.rgb);
+    EXPECT_EQ(scene(kCanvasWidth, 0, Walls::kY).rgb, across_y.rgb);
 }
 
 TEST(PeriodicCanvas, APixelIsTheMeanOfWhatCoversIt) {

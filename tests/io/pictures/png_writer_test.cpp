@@ -10,15 +10,19 @@
 #include "io/run_files/png_image.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/tile/build_tile.hpp"
+#include "tests/support/example_lattices.hpp"
+#include "tests/support/rolled_pixels.hpp"
 #include "tests/support/tile_equality.hpp"
 #include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
 namespace {
 
+using testing::kOblique;
+using testing::rolled;
+
 const Lattice kRectangle = Lattice::rectangle(2, 1);
-const Lattice kOblique({1, 0}, {0.37, 0.81});
-constexpr int kWidth = 256;
+constexpr int kPictureWidth = 256;
 
 Tile tile(const Lattice& lattice, MeshKind kind, Outline outline) {
     const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 40, 5)));
@@ -34,18 +38,6 @@ Tile moved(Tile tile, const Vec2& by) {
     return tile;
 }
 
-std::vector<unsigned char> rolled(const RgbImage& image, int x, int y) {
-    std::vector<unsigned char> rgb(image.rgb.size());
-    for (int row = 0; row < image.height; ++row) {
-        for (int k = 0; k < 3 * image.width; ++k) {
-            const int to_row = (row + y) % image.height;
-            const int to = (k + 3 * x) % (3 * image.width);
-            rgb[to_row * 3 * image.width + to] = image.rgb[row * 3 * image.width + k];
-        }
-    }
-    return rgb;
-}
-
 int n_different(const std::vector<unsigned char>& image, const std::vector<unsigned char>& other) {
     int n = 0;
     for (std::size_t k = 0; k < image.size(); ++k) n += image[k] != other[k];
@@ -56,12 +48,12 @@ TEST(PngWriter, AMovedTileGivesTheRolledImage) {
     for (const Lattice& lattice : {kRectangle, kOblique}) {
         for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
             const Tile at_zero = tile(lattice, kind, Outline::kWhole);
-            const RgbImage image = draw_period(at_zero, {}, kWidth);
+            const RgbImage image = draw_period(at_zero, {}, kPictureWidth);
             const int x = 37;
             const int y = 11;
             const Vec2 by =
-                double(x) / kWidth * lattice.a() - double(y) / image.height * lattice.b();
-            const RgbImage other = draw_period(moved(at_zero, by), {}, kWidth);
+                double(x) / kPictureWidth * lattice.a() - double(y) / image.height * lattice.b();
+            const RgbImage other = draw_period(moved(at_zero, by), {}, kPictureWidth);
             ASSERT_EQ(image.height, other.height);
             // Rounding moves a sample across an edge now and then.
             EXPECT_LE(n_different(other.rgb, rolled(image, x, y)), 6);
@@ -72,9 +64,9 @@ TEST(PngWriter, AMovedTileGivesTheRolledImage) {
 TEST(PngWriter, TheOutlineDoesNotShow) {
     for (const Lattice& lattice : {kRectangle, kOblique}) {
         const RgbImage whole =
-            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kWhole), {}, kWidth);
+            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kWhole), {}, kPictureWidth);
         const RgbImage box =
-            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kBox), {}, kWidth);
+            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kBox), {}, kPictureWidth);
         EXPECT_LE(n_different(whole.rgb, box.rgb), 30);
     }
 }
@@ -95,11 +87,11 @@ int step(const RgbImage& image, int column, int other) {
 
 TEST(PngWriter, TheLastColumnContinuesInTheFirst) {
     const RgbImage image =
-        draw_period(tile(kRectangle, MeshKind::kVoronoi, Outline::kBox), {}, kWidth);
+        draw_period(tile(kRectangle, MeshKind::kVoronoi, Outline::kBox), {}, kPictureWidth);
     int most = 0;
-    for (int x = 0; x + 1 < kWidth; ++x) most = std::max(most, step(image, x, x + 1));
-    EXPECT_LE(step(image, kWidth - 1, 0), most);
-    EXPECT_GT(step(image, 0, kWidth / 2), 2 * most);
+    for (int x = 0; x + 1 < kPictureWidth; ++x) most = std::max(most, step(image, x, x + 1));
+    EXPECT_LE(step(image, kPictureWidth - 1, 0), most);
+    EXPECT_GT(step(image, 0, kPictureWidth / 2), 2 * most);
 }
 
 /// Returns the part of an image that is nearer to the end of an axis (0: right, 1: top) than to its
@@ -122,8 +114,8 @@ TEST(PngWriter, DotsOnAWallDoNotShowAtTheOppositeOne) {
         Tile without = cells;
         const auto on_first_wall = [axis = axis](const Vec2& p) { return p[axis] == 0; };
         ASSERT_GT(std::erase_if(without.site_points, on_first_wall), 0U);
-        const RgbImage image = draw_period(cells, {}, kWidth);
-        const RgbImage fewer = draw_period(without, {}, kWidth);
+        const RgbImage image = draw_period(cells, {}, kPictureWidth);
+        const RgbImage fewer = draw_period(without, {}, kPictureWidth);
         EXPECT_NE(image.rgb, fewer.rgb);
         EXPECT_EQ(far_half(image, axis), far_half(fewer, axis));
     }

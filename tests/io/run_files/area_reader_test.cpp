@@ -11,7 +11,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string fault_of(std::string_view text, int n_sites = 0) {
+std::string area_fault(std::string_view text, int n_sites = 0) {
     try {
         const AreaFile file = parse_areas("a.txt", text);
         if (n_sites > 0) require_areas(file, n_sites);
@@ -46,61 +46,61 @@ TEST(AreaReader, DiametersAreThoseOfCircles) {
 }
 
 TEST(AreaReader, EachFaultNamesItsLineAndARemedy) {
-    EXPECT_THAT(fault_of("1\n-2\n"), StartsWith("a.txt:2: '-2' is no size of a cell; give a "));
+    EXPECT_THAT(area_fault("1\n-2\n"), StartsWith("a.txt:2: '-2' is no size of a cell; give a "));
     for (const char* zero : {"0", "-0", "0.0", "0e9"}) {
-        EXPECT_THAT(fault_of("1\n\n" + std::string(zero)), StartsWith("a.txt:3: ")) << zero;
+        EXPECT_THAT(area_fault("1\n\n" + std::string(zero)), StartsWith("a.txt:3: ")) << zero;
     }
     for (const char* word : {"nan", "inf", "-inf", "NaN", "infinity"}) {
-        EXPECT_THAT(fault_of("1\n" + std::string(word) + "\n"), StartsWith("a.txt:2: ")) << word;
+        EXPECT_THAT(area_fault("1\n" + std::string(word) + "\n"), StartsWith("a.txt:2: ")) << word;
     }
-    EXPECT_THAT(fault_of("1e400"), StartsWith("a.txt:1: '1e400' is beyond the range"));
-    EXPECT_THAT(fault_of("1e160"), StartsWith("a.txt:1: '1e160' is no size of a cell; "));
-    EXPECT_THAT(fault_of("1\n1e-160"), StartsWith("a.txt:2: '1e-160' is no size of a cell; "));
-    EXPECT_THAT(fault_of("1,5"), StartsWith("a.txt:1: '1,5' is not a number; "));
-    EXPECT_THAT(fault_of("area\n1"), StartsWith("a.txt:1: 'area' is not a number; "));
-    EXPECT_THAT(fault_of("1 2"), StartsWith("a.txt:1: this line has 2 words; write one area"));
+    EXPECT_THAT(area_fault("1e400"), StartsWith("a.txt:1: '1e400' is beyond the range"));
+    EXPECT_THAT(area_fault("1e160"), StartsWith("a.txt:1: '1e160' is no size of a cell; "));
+    EXPECT_THAT(area_fault("1\n1e-160"), StartsWith("a.txt:2: '1e-160' is no size of a cell; "));
+    EXPECT_THAT(area_fault("1,5"), StartsWith("a.txt:1: '1,5' is not a number; "));
+    EXPECT_THAT(area_fault("area\n1"), StartsWith("a.txt:1: 'area' is not a number; "));
+    EXPECT_THAT(area_fault("1 2"), StartsWith("a.txt:1: this line has 2 words; write one area"));
 }
 
 TEST(AreaReader, TheWordDiameterComesFirstAndOnce) {
-    EXPECT_THAT(fault_of("1\ndiameter\n2"), StartsWith("a.txt:2: 'diameter' is not a number"));
-    EXPECT_THAT(fault_of("diameter\ndiameter\n2"), StartsWith("a.txt:2: 'diameter' is not"));
-    EXPECT_THAT(fault_of("diameter 3\n"), StartsWith("a.txt:1: this line has 2 words"));
+    EXPECT_THAT(area_fault("1\ndiameter\n2"), StartsWith("a.txt:2: 'diameter' is not a number"));
+    EXPECT_THAT(area_fault("diameter\ndiameter\n2"), StartsWith("a.txt:2: 'diameter' is not"));
+    EXPECT_THAT(area_fault("diameter 3\n"), StartsWith("a.txt:1: this line has 2 words"));
 }
 
 TEST(AreaReader, EmptyFilesAreRefused) {
     const std::string words = "a.txt: holds no area; give one a line, one for each site";
     for (const char* text : {"", "\n\n", "# 1\n", "diameter\n", "\xEF\xBB\xBF"}) {
-        EXPECT_EQ(fault_of(text), words) << text;
+        EXPECT_EQ(area_fault(text), words) << text;
     }
 }
 
 TEST(AreaReader, BinaryFilesAreRefusedWithALine) {
-    EXPECT_THAT(fault_of(std::string_view("1\n\0", 3)), StartsWith("a.txt:2: holds a NUL byte"));
-    EXPECT_THAT(fault_of(std::string_view("\xFF\xFE"
-                                          "1\0",
-                                          4)),
+    EXPECT_THAT(area_fault(std::string_view("1\n\0", 3)), StartsWith("a.txt:2: holds a NUL byte"));
+    EXPECT_THAT(area_fault(std::string_view("\xFF\xFE"
+                                            "1\0",
+                                            4)),
                 HasSubstr("UTF-16"));
-    EXPECT_THAT(fault_of("\x89PNG\r\n\x1A\n"), StartsWith("a.txt:1: "));
+    EXPECT_THAT(area_fault("\x89PNG\r\n\x1A\n"), StartsWith("a.txt:1: "));
 }
 
 TEST(AreaReader, TheCountIsThatOfTheSites) {
-    EXPECT_EQ(fault_of("1\n2\n3", 3), "");
-    EXPECT_EQ(fault_of("1\n\n2 # last\n#\n", 3),
+    EXPECT_EQ(area_fault("1\n2\n3", 3), "");
+    EXPECT_EQ(area_fault("1\n\n2 # last\n#\n", 3),
               "a.txt:3: the last of 2 areas, but there are 3 sites; give one area for each site");
-    EXPECT_EQ(fault_of("1\n2\n#\n3", 2),
+    EXPECT_EQ(area_fault("1\n2\n#\n3", 2),
               "a.txt:4: area 3, but there are 2 sites; give one area for each site");
-    EXPECT_THAT(fault_of("1\n2\n3\n4\n5", 2), StartsWith("a.txt:3: area 3, but"));
+    EXPECT_THAT(area_fault("1\n2\n3\n4\n5", 2), StartsWith("a.txt:3: area 3, but"));
 }
 
 TEST(AreaReader, AnAreaFarBelowTheMeanIsRefused) {
-    EXPECT_EQ(fault_of("1\n1.1e-6\n1", 3), "");
+    EXPECT_EQ(area_fault("1\n1.1e-6\n1", 3), "");
     // Below 1e-6 of the largest, but not of the mean.
-    EXPECT_EQ(fault_of("1\n5e-7\n1e-3", 3), "");
-    EXPECT_EQ(fault_of("1\n1\n6e-7", 3),
+    EXPECT_EQ(area_fault("1\n5e-7\n1e-3", 3), "");
+    EXPECT_EQ(area_fault("1\n1\n6e-7", 3),
               "a.txt:3: the area is below 1e-6 of the mean; give a larger one");
     // Areas whose sum is beyond the range of numbers are relative all the same.
-    EXPECT_EQ(fault_of("1e150\n1e150\n", 2), "");
-    EXPECT_EQ(fault_of("1e150\n1e-150\n", 2),
+    EXPECT_EQ(area_fault("1e150\n1e150\n", 2), "");
+    EXPECT_EQ(area_fault("1e150\n1e-150\n", 2),
               "a.txt:2: the area is below 1e-6 of the mean; give a larger one");
 }
 

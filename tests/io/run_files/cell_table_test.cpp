@@ -11,7 +11,7 @@
 namespace pcvt {
 namespace {
 
-CellRows example(bool weighted, bool with_materials) {
+CellRows example_rows(bool weighted, bool with_materials) {
     const Sites sites(Lattice({1, 0}, {0.3, 0.9}),
                       uniform_points(Lattice({1, 0}, {0.3, 0.9}), 9, 1));
     CellRows rows{.sites = sites.coordinates(),
@@ -41,18 +41,18 @@ std::optional<double> number_at(const std::string& text, std::size_t at) {
 TEST(CellRows, AreReadBack) {
     for (const bool weighted : {false, true}) {
         for (const bool with_materials : {false, true}) {
-            const CellRows rows = example(weighted, with_materials);
+            const CellRows rows = example_rows(weighted, with_materials);
             EXPECT_TRUE(reads_back("c.csv", encode_cells(rows), rows));
             EXPECT_FALSE(
-                reads_back("c.csv", encode_cells(rows), example(!weighted, with_materials)));
+                reads_back("c.csv", encode_cells(rows), example_rows(!weighted, with_materials)));
             EXPECT_FALSE(
-                reads_back("c.csv", encode_cells(rows), example(weighted, !with_materials)));
+                reads_back("c.csv", encode_cells(rows), example_rows(weighted, !with_materials)));
         }
     }
 }
 
 TEST(CellRows, OtherOrbitsAreFound) {
-    const CellRows rows = example(true, true);
+    const CellRows rows = example_rows(true, true);
     CellRows other = rows;
     other.orbits.back() = 3;
     EXPECT_FALSE(reads_back("c.csv", encode_cells(rows), other));
@@ -61,7 +61,7 @@ TEST(CellRows, OtherOrbitsAreFound) {
 }
 
 TEST(CellRows, EveryChangedCharacterIsFound) {
-    const CellRows rows = example(true, true);
+    const CellRows rows = example_rows(true, true);
     const std::string text = encode_cells(rows);
     for (std::size_t at = text.find("\n0,") + 1; at < text.size(); ++at) {
         std::string damaged = text;
@@ -79,7 +79,7 @@ TEST(CellRows, EveryChangedCharacterIsFound) {
 }
 
 TEST(CellRows, MissingAndFurtherRowsAreFound) {
-    const CellRows rows = example(false, false);
+    const CellRows rows = example_rows(false, false);
     const std::string text = encode_cells(rows);
     EXPECT_FALSE(reads_back("c.csv", text.substr(0, text.rfind('\n', text.size() - 2) + 1), rows));
     EXPECT_FALSE(

@@ -68,7 +68,7 @@ TEST(DensityExpression, HasNoMemory) {
     EXPECT_EQ(testing::value_at(f, {0, 0, 0.5, 0}), 1.5);
 }
 
-std::string refusal(const std::string& expression) {
+std::string expression_refusal(const std::string& expression) {
     try {
         expression_density(expression);
     } catch (const InvalidInput& error) {
@@ -78,31 +78,37 @@ std::string refusal(const std::string& expression) {
 }
 
 TEST(DensityExpression, FaultsNameTheirCharacter) {
-    EXPECT_THAT(refusal("1 + foo"), StartsWith("character 5: Unexpected token \"foo\"; "));
-    EXPECT_THAT(refusal("u )"), StartsWith("character 3: "));
-    EXPECT_THAT(refusal("(1 + u"), StartsWith("character 7: Missing parenthesis; "));
-    EXPECT_THAT(refusal("1 +"), StartsWith("character 4: Unexpected end of expression; "));
-    EXPECT_THAT(refusal("sin(1, 2)"), HasSubstr("Too many parameters for function \"sin\"; "));
-    EXPECT_THAT(refusal("1 + 2,5"), StartsWith("character 6: several formulas"));
-    EXPECT_THAT(refusal("u = 3"), StartsWith("character 3: an assignment"));
-    EXPECT_THAT(refusal("1 + (v = 3)"), StartsWith("character 8: an assignment"));
-    EXPECT_THAT(refusal("2 + u**2"), StartsWith("character 6: ** is no operator; write ^"));
-    EXPECT_THAT(refusal("u > 1 ? 2"), StartsWith("character 10: "));
+    EXPECT_THAT(expression_refusal("1 + foo"),
+                StartsWith("character 5: Unexpected token \"foo\"; "));
+    EXPECT_THAT(expression_refusal("u )"), StartsWith("character 3: "));
+    EXPECT_THAT(expression_refusal("(1 + u"), StartsWith("character 7: Missing parenthesis; "));
+    EXPECT_THAT(expression_refusal("1 +"),
+                StartsWith("character 4: Unexpected end of expression; "));
+    EXPECT_THAT(expression_refusal("sin(1, 2)"),
+                HasSubstr("Too many parameters for function \"sin\"; "));
+    EXPECT_THAT(expression_refusal("1 + 2,5"), StartsWith("character 6: several formulas"));
+    EXPECT_THAT(expression_refusal("u = 3"), StartsWith("character 3: an assignment"));
+    EXPECT_THAT(expression_refusal("1 + (v = 3)"), StartsWith("character 8: an assignment"));
+    EXPECT_THAT(expression_refusal("2 + u**2"),
+                StartsWith("character 6: ** is no operator; write ^"));
+    EXPECT_THAT(expression_refusal("u > 1 ? 2"), StartsWith("character 10: "));
     for (const char* bad : {"", " ", "1 2", "\"text\"", "1e400", "0x10", "u'", "@", "=", "u="}) {
-        EXPECT_THAT(refusal(bad), StartsWith("character ")) << bad;
+        EXPECT_THAT(expression_refusal(bad), StartsWith("character ")) << bad;
     }
-    EXPECT_THAT(refusal(std::string(100000, '(')), StartsWith("character "));
-    EXPECT_THAT(refusal("1" + std::string(1000000, '+') + "1"), StartsWith("character "));
+    EXPECT_THAT(expression_refusal(std::string(100000, '(')), StartsWith("character "));
+    EXPECT_THAT(expression_refusal("1" + std::string(1000000, '+') + "1"),
+                StartsWith("character "));
 }
 
 TEST(DensityExpression, RefusesCharactersThatNoFormulaHolds) {
     for (const char control : {'\0', '\a', '\b', '\v', '\f', '\x1b', '\x7f'}) {
-        EXPECT_EQ(refusal(std::string("1 +") + control + "u"),
+        EXPECT_EQ(expression_refusal(std::string("1 +") + control + "u"),
                   "character 4: a control character; remove it");
     }
     EXPECT_EQ(value("1 +\t2\r\n+ 3", {}), 6);
     for (const char* foreign : {"1 \xE2\x88\x92 u", "2 \xC3\x97 u", "u \xC2\xB2", "2 \xFF"}) {
-        EXPECT_THAT(refusal(foreign), StartsWith("character 3: not a character of a formula; "));
+        EXPECT_THAT(expression_refusal(foreign),
+                    StartsWith("character 3: not a character of a formula; "));
     }
 }
 

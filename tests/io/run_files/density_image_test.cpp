@@ -49,7 +49,7 @@ TEST(PngImage, GammaAndColourProfilesAreIgnored) {
     EXPECT_THAT(greys(png_bytes({1, 1}, {"\x33"}, gamma)), ElementsAre(FloatNear(0.2F, 1e-6F)));
 }
 
-std::string refusal(const std::string& bytes) {
+std::string png_refusal(const std::string& bytes) {
     try {
         decode_png("t.png", bytes);
     } catch (const BadFile& error) {
@@ -60,12 +60,12 @@ std::string refusal(const std::string& bytes) {
 
 TEST(PngImage, EveryPrefixIsRefusedAsTruncated) {
     const std::string whole = png_bytes({3, 2}, {"abc", "def"});
-    EXPECT_EQ(refusal(whole), "accepted");
+    EXPECT_EQ(png_refusal(whole), "accepted");
     for (std::size_t length = 8; length < whole.size(); ++length) {
-        ASSERT_EQ(refusal(whole.substr(0, length)), "t.png: is truncated; give a whole PNG");
+        ASSERT_EQ(png_refusal(whole.substr(0, length)), "t.png: is truncated; give a whole PNG");
     }
     for (std::size_t length = 0; length < 8; ++length) {
-        ASSERT_EQ(refusal(whole.substr(0, length)), "t.png: is not a PNG; give a whole PNG");
+        ASSERT_EQ(png_refusal(whole.substr(0, length)), "t.png: is not a PNG; give a whole PNG");
     }
 }
 
@@ -81,26 +81,26 @@ TEST(PngImage, DamageIsRefusedWhereverItLies) {
         } catch (const Error&) {
         }
     }
-    EXPECT_THAT(refusal(png_bytes({3, 3}, {"abc", "def"})), HasSubstr("is damaged"));
-    EXPECT_THAT(refusal(png_bytes({0, 2}, {"", ""})), HasSubstr("no pixels"));
-    EXPECT_THAT(refusal(png_bytes({3, 2, 7}, {"abc", "def"})), HasSubstr("is damaged"));
+    EXPECT_THAT(png_refusal(png_bytes({3, 3}, {"abc", "def"})), HasSubstr("is damaged"));
+    EXPECT_THAT(png_refusal(png_bytes({0, 2}, {"", ""})), HasSubstr("no pixels"));
+    EXPECT_THAT(png_refusal(png_bytes({3, 2, 7}, {"abc", "def"})), HasSubstr("is damaged"));
 }
 
 TEST(PngImage, APaletteMustPrecedeThePixels) {
     const std::vector<std::string> rows{std::string("\x01\x00", 2)};
-    EXPECT_THAT(refusal(png_bytes({2, 1, 8, 3}, rows)), HasSubstr("without its palette"));
+    EXPECT_THAT(png_refusal(png_bytes({2, 1, 8, 3}, rows)), HasSubstr("without its palette"));
     // The missing palette is found before memory is allocated for the pixels.
-    EXPECT_THAT(refusal(png_bytes({4096, 4096, 8, 3}, rows)), HasSubstr("without its palette"));
+    EXPECT_THAT(png_refusal(png_bytes({4096, 4096, 8, 3}, rows)), HasSubstr("without its palette"));
 }
 
 TEST(PngImage, APixelBeyondThePaletteIsRefused) {
     const std::string palette = png_chunk("PLTE", std::string("\x00\x00\x00\xff\xff\xff", 6));
-    EXPECT_EQ(refusal(png_bytes({2, 1, 8, 3}, {std::string("\x01\x02", 2)}, palette)),
+    EXPECT_EQ(png_refusal(png_bytes({2, 1, 8, 3}, {std::string("\x01\x02", 2)}, palette)),
               "t.png: a pixel has the palette entry 2, but the palette ends at 2; "
               "save the image again");
     // Two bits a pixel: entries 0 1 1 1 and 0 1 3 0.
     EXPECT_THAT(greys(png_bytes({4, 1, 2, 3}, {"\x15"}, palette)), ElementsAre(0, 1, 1, 1));
-    EXPECT_THAT(refusal(png_bytes({4, 1, 2, 3}, {"\x1c"}, palette)), HasSubstr("entry 3"));
+    EXPECT_THAT(png_refusal(png_bytes({4, 1, 2, 3}, {"\x1c"}, palette)), HasSubstr("entry 3"));
 }
 
 TEST(PngImage, HugePicturesAreRefusedByTheirHeader) {

@@ -11,7 +11,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string fault_of(std::string_view text) {
+std::string inclusion_fault(std::string_view text) {
     try {
         parse_inclusions("i.txt", text);
     } catch (const BadFile& fault) {
@@ -46,23 +46,25 @@ TEST(InclusionReader, ShapesTagsAndLinesAreRead) {
 }
 
 TEST(InclusionReader, EachFaultNamesItsLineAndARemedy) {
-    EXPECT_THAT(fault_of("# a\nsquare a 1 2 3\n"),
+    EXPECT_THAT(inclusion_fault("# a\nsquare a 1 2 3\n"),
                 StartsWith("i.txt:2: 'square' is no shape; write \"circle TAG x y r\""));
-    EXPECT_THAT(fault_of("circle\n"), StartsWith("i.txt:1: a tag is missing; write"));
-    EXPECT_EQ(fault_of("circle a 1 2\n"),
+    EXPECT_THAT(inclusion_fault("circle\n"), StartsWith("i.txt:1: a tag is missing; write"));
+    EXPECT_EQ(inclusion_fault("circle a 1 2\n"),
               "i.txt:1: a circle does not take 2 numbers; write \"circle TAG x y r\"");
-    EXPECT_THAT(fault_of("ellipse a 1 2 3 4 5 6\n"),
+    EXPECT_THAT(inclusion_fault("ellipse a 1 2 3 4 5 6\n"),
                 HasSubstr("an ellipse does not take 6 numbers"));
     for (const char* numbers : {"", "0 0 1 0", "0 0 1 0 1", "0 0 1 0 1 1 2"}) {
-        EXPECT_THAT(fault_of("polygon a " + std::string(numbers)),
+        EXPECT_THAT(inclusion_fault("polygon a " + std::string(numbers)),
                     HasSubstr("write \"polygon TAG x1 y1 x2 y2 x3 y3 ...\""));
     }
-    EXPECT_THAT(fault_of("circle a 1 2 r\n"), StartsWith("i.txt:1: 'r' is not a number"));
-    EXPECT_THAT(fault_of("circle a! 1 2 3\n"), StartsWith("i.txt:1: the tag 'a!': "));
-    EXPECT_THAT(fault_of("circle Matrix 1 2 3\n"), StartsWith("i.txt:1: the tag 'Matrix': "));
-    EXPECT_THAT(fault_of("circle a 1 2 3\ncircle A 1 2 3\n"), HasSubstr("case does not matter"));
-    EXPECT_THAT(fault_of("# nothing\n"), StartsWith("i.txt: holds no inclusion; write"));
-    EXPECT_THAT(fault_of(std::string_view("circle\0a", 8)), HasSubstr("binary"));
+    EXPECT_THAT(inclusion_fault("circle a 1 2 r\n"), StartsWith("i.txt:1: 'r' is not a number"));
+    EXPECT_THAT(inclusion_fault("circle a! 1 2 3\n"), StartsWith("i.txt:1: the tag 'a!': "));
+    EXPECT_THAT(inclusion_fault("circle Matrix 1 2 3\n"),
+                StartsWith("i.txt:1: the tag 'Matrix': "));
+    EXPECT_THAT(inclusion_fault("circle a 1 2 3\ncircle A 1 2 3\n"),
+                HasSubstr("case does not matter"));
+    EXPECT_THAT(inclusion_fault("# nothing\n"), StartsWith("i.txt: holds no inclusion; write"));
+    EXPECT_THAT(inclusion_fault(std::string_view("circle\0a", 8)), HasSubstr("binary"));
 }
 
 TEST(InclusionReader, FibresHaveAFractionANumberAndPerhapsAGap) {

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Report example() {
+Report example_report() {
     return {"0.1.0",
             1000,
             Lattice({1, 0}, {0.37, 0.81}),
@@ -38,7 +38,7 @@ Report example() {
 
 TEST(Report, KeysFollowTheContractInItsOrder) {
     std::vector<std::string> keys;
-    const Json json = Json::parse(encode_report(example()));
+    const Json json = Json::parse(encode_report(example_report()));
     for (const auto& [key, value] : json.items()) {
         keys.push_back(key);
     }
@@ -50,7 +50,7 @@ TEST(Report, KeysFollowTheContractInItsOrder) {
 }
 
 TEST(Report, ValuesReadBackExactly) {
-    const Json json = Json::parse(encode_report(example()));
+    const Json json = Json::parse(encode_report(example_report()));
     EXPECT_EQ(json["seed"].get<std::uint64_t>(), ~std::uint64_t{0});
     EXPECT_EQ(json["energy"].get<double>(), 0.1 + 0.2);
     EXPECT_EQ(json["energy_bound"].get<double>(), 1e-7 / 3);
@@ -66,7 +66,7 @@ TEST(Report, ValuesReadBackExactly) {
 }
 
 TEST(Report, UnknownValuesAreNull) {
-    Report report = example();
+    Report report = example_report();
     report.energy_bound.reset();
     report.mirrors.reset();
     report.minimum.reset();
@@ -80,7 +80,7 @@ TEST(Report, UnknownValuesAreNull) {
 }
 
 TEST(Report, APatternIsTheLastKey) {
-    Report report = example();
+    Report report = example_report();
     report.pattern = Report::Pattern{Lattice({0.5, 0.5}, {-0.5, 0.5}), {2, 1, 1}, 0.25, "no", {}};
     const Json json = Json::parse(encode_report(report));
     EXPECT_EQ(json.back().dump(),
@@ -89,7 +89,7 @@ TEST(Report, APatternIsTheLastKey) {
 }
 
 TEST(Report, OnlyRunsWithADensityHaveItsKeys) {
-    Report report = example();
+    Report report = example_report();
     EXPECT_FALSE(Json::parse(encode_report(report)).contains("density"));
     report.density = Report::Density{.name = "1 + \"u\"",
                                      .least = 0.01,
@@ -110,7 +110,7 @@ TEST(Report, OnlyRunsWithADensityHaveItsKeys) {
 }
 
 TEST(Report, NonFiniteNumbersAreInternalErrors) {
-    Report report = example();
+    Report report = example_report();
     report.energy = std::nan("");
     EXPECT_THROW(encode_report(report), InternalError);
 }

@@ -16,7 +16,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string fault_of(std::string_view text) {
+std::string site_fault(std::string_view text) {
     try {
         parse_sites<2>("s.txt", text);
     } catch (const BadFile& fault) {
@@ -46,38 +46,40 @@ TEST(SiteReader, LineEndsMarksAndSignsOfZeroAreAccepted) {
 }
 
 TEST(SiteReader, EachFaultNamesItsLineAndARemedy) {
-    EXPECT_THAT(fault_of("0 0\n0.5 nan\n"), StartsWith("s.txt:2: 'nan' is not a finite number; "));
-    EXPECT_THAT(fault_of("0 0\n\n-inf 1"), StartsWith("s.txt:3: '-inf' is not a finite number; "));
-    EXPECT_THAT(fault_of("1,5 2,5"), StartsWith("s.txt:1: '1,5' is not a number; use a decimal"));
-    EXPECT_THAT(fault_of("0.1,0.2"), HasSubstr("; use a decimal point, and blanks between"));
-    EXPECT_THAT(fault_of("x y\n0 0"), StartsWith("s.txt:1: 'x' is not a number; "));
-    EXPECT_THAT(fault_of("0.5"),
+    EXPECT_THAT(site_fault("0 0\n0.5 nan\n"),
+                StartsWith("s.txt:2: 'nan' is not a finite number; "));
+    EXPECT_THAT(site_fault("0 0\n\n-inf 1"),
+                StartsWith("s.txt:3: '-inf' is not a finite number; "));
+    EXPECT_THAT(site_fault("1,5 2,5"), StartsWith("s.txt:1: '1,5' is not a number; use a decimal"));
+    EXPECT_THAT(site_fault("0.1,0.2"), HasSubstr("; use a decimal point, and blanks between"));
+    EXPECT_THAT(site_fault("x y\n0 0"), StartsWith("s.txt:1: 'x' is not a number; "));
+    EXPECT_THAT(site_fault("0.5"),
                 StartsWith("s.txt:1: a site has 2 coordinates, this line has 1; "));
-    EXPECT_THAT(fault_of("1 2 3"),
+    EXPECT_THAT(site_fault("1 2 3"),
                 StartsWith("s.txt:1: a site has 2 coordinates, this line has 3"));
-    EXPECT_THAT(fault_of("1e400 0"), StartsWith("s.txt:1: '1e400' is beyond the range"));
+    EXPECT_THAT(site_fault("1e400 0"), StartsWith("s.txt:1: '1e400' is beyond the range"));
 }
 
 TEST(SiteReader, FaultsOfTheWholeFileNameTheFile) {
-    EXPECT_EQ(fault_of(""), "s.txt: holds no site; give one \"x y\" a line");
-    EXPECT_EQ(fault_of("# nothing\n\n"), "s.txt: holds no site; give one \"x y\" a line");
+    EXPECT_EQ(site_fault(""), "s.txt: holds no site; give one \"x y\" a line");
+    EXPECT_EQ(site_fault("# nothing\n\n"), "s.txt: holds no site; give one \"x y\" a line");
 }
 
 TEST(SiteReader, BinaryFilesAreRefusedWithALine) {
     const std::string remedy =
         ": holds a NUL byte, so it appears to be a binary file; give a text with \"x y\" a line";
-    EXPECT_EQ(fault_of(std::string_view("0 0\n\0\1", 6)), "s.txt:2" + remedy);
-    EXPECT_EQ(fault_of(std::string_view("0 0\r\n1 1\r2 2\r\n\r\0", 16)), "s.txt:5" + remedy);
-    EXPECT_EQ(fault_of(std::string_view("0\0 \0", 4)), "s.txt:1" + remedy);
+    EXPECT_EQ(site_fault(std::string_view("0 0\n\0\1", 6)), "s.txt:2" + remedy);
+    EXPECT_EQ(site_fault(std::string_view("0 0\r\n1 1\r2 2\r\n\r\0", 16)), "s.txt:5" + remedy);
+    EXPECT_EQ(site_fault(std::string_view("0\0 \0", 4)), "s.txt:1" + remedy);
     for (const char* mark : {"\xFF\xFE", "\xFE\xFF"}) {
-        EXPECT_EQ(fault_of(mark + std::string("0\0 \0", 4)),
+        EXPECT_EQ(site_fault(mark + std::string("0\0 \0", 4)),
                   "s.txt:1: the text is UTF-16; save it as UTF-8");
     }
     for (const char* binary : {"\x1F\x8B\x08", "\x89PNG\r\n\x1A\n",
                                "\x7F"
                                "ELF",
                                "PK\3\4", "\x80"}) {
-        EXPECT_THAT(fault_of(binary), StartsWith("s.txt:1: ")) << binary;
+        EXPECT_THAT(site_fault(binary), StartsWith("s.txt:1: ")) << binary;
     }
 }
 

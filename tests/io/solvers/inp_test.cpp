@@ -9,6 +9,7 @@
 #include "io/solvers/inp_writer.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/solver_tiles.hpp"
@@ -18,25 +19,24 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kSquare;
 using ::testing::StartsWith;
 
-const Lattice kSquare({1, 0}, {0, 1});
-
-std::string two_triangles() {
+std::string inp_triangles() {
     return encode_inp(testing::triangle_grid_tile(kSquare, 1, 1), {}, "t.inp")[0].bytes;
 }
 
-TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_inp(const std::string& text, const std::optional<Lattice>& lattice = {}) {
     return decode_inp({{"t.inp", text}}, lattice);
 }
 
-std::string fault_of(const std::string& text) {
-    return testing::fault_in([&] { read(text); });
+std::string inp_fault(const std::string& text) {
+    return testing::fault_in([&] { read_inp(text); });
 }
 
 /// Returns the fault of the two triangles with `piece` of their text replaced by `other`.
-std::string fault_with(const std::string& piece, const std::string& other) {
-    return fault_of(testing::exchanged(two_triangles(), piece, other));
+std::string inp_fault_with(const std::string& piece, const std::string& other) {
+    return inp_fault(testing::exchanged(inp_triangles(), piece, other));
 }
 
 TEST(Inp, TilesReadBackExactlyWithTheirVertexPairs) {
@@ -77,7 +77,7 @@ TEST(Inp, ALineHoldsAtMostEightIdsAndANumberTwentyCharacters) {
         EXPECT_LE(length, 20U);
         EXPECT_LE(n_fields, 11U);
     }
-    EXPECT_NO_THROW(prove_tile(read(text).tile, Precision::kDouble));
+    EXPECT_NO_THROW(prove_tile(read_inp(text).tile, Precision::kDouble));
 }
 
 TEST(Inp, NumbersBeyondTwentyCharactersAreRefusedOrRoundedWithinTheTolerance) {
@@ -107,7 +107,7 @@ TEST(Inp, EachDelaunayCellHasElements) {
                                 [&](int v) { return tile.vertex_site[v] == s; }));
     }
     EXPECT_LT(std::set<SiteId>(owners.begin(), owners.end()).size(), std::size_t{kSites});
-    EXPECT_NO_THROW(prove_tile(read(text).tile, Precision::kDouble));
+    EXPECT_NO_THROW(prove_tile(read_inp(text).tile, Precision::kDouble));
 }
 
 TEST(Inp, CellsMeetAtTheNodesOfTheirSets) {
@@ -151,7 +151,7 @@ TEST(Inp, PolygonsAreRefusedWithARemedy) {
 }
 
 TEST(Inp, MeshesOfOtherProgramsAreRead) {
-    const TileFile file = read(
+    const TileFile file = read_inp(
         "*Heading\r\n a mesh\r\n** made by hand\r\n*Node\r\n 10, 0., 0.\r\n20, 1, 0, 0.\r\n"
         "30, 1., 1.\n40, 0., 1.\n*Element, type = CPS3, elset=Skin\n1, 10, 20, 30\n2,10,30,40,\n"
         "*Elset, elset=Half\n1\n*Nset, nset=All, generate\n10, 40, "
@@ -164,56 +164,62 @@ TEST(Inp, MeshesOfOtherProgramsAreRead) {
 }
 
 TEST(Inp, FaultsNameTheirLine) {
-    EXPECT_THAT(fault_of(""), StartsWith("t.inp: there is no vertex; "));
-    EXPECT_THAT(fault_with("kind triangles", "kind x"), StartsWith("t.inp:5: the kind is unclear"));
-    EXPECT_THAT(fault_with("pcvt kind", "pcvt king"), StartsWith("t.inp:5: pcvt does not know 'k"));
-    EXPECT_THAT(fault_with("sites 0 0 0 0", "sites 0 0"),
+    EXPECT_THAT(inp_fault(""), StartsWith("t.inp: there is no vertex; "));
+    EXPECT_THAT(inp_fault_with("kind triangles", "kind x"),
+                StartsWith("t.inp:5: the kind is unclear"));
+    EXPECT_THAT(inp_fault_with("pcvt kind", "pcvt king"),
+                StartsWith("t.inp:5: pcvt does not know 'k"));
+    EXPECT_THAT(inp_fault_with("sites 0 0 0 0", "sites 0 0"),
                 StartsWith("t.inp: there are 2 sites for"));
-    EXPECT_THAT(fault_with("\n2,1,0,0\n", "\n2,1,0,1\n"), StartsWith("t.inp:10: z is not 0; "));
-    EXPECT_THAT(fault_with("\n2,1,0,0\n", "\n2,1,x,0\n"), StartsWith("t.inp:10: 'X' is not a num"));
-    EXPECT_THAT(fault_with("\n2,1,0,0\n", "\n2,1\n"),
+    EXPECT_THAT(inp_fault_with("\n2,1,0,0\n", "\n2,1,0,1\n"), StartsWith("t.inp:10: z is not 0; "));
+    EXPECT_THAT(inp_fault_with("\n2,1,0,0\n", "\n2,1,x,0\n"),
+                StartsWith("t.inp:10: 'X' is not a num"));
+    EXPECT_THAT(inp_fault_with("\n2,1,0,0\n", "\n2,1\n"),
                 StartsWith("t.inp:10: the line has 2 fields"));
-    EXPECT_THAT(fault_with("\n2,1,0,0\n", "\n1,1,0,0\n"),
+    EXPECT_THAT(inp_fault_with("\n2,1,0,0\n", "\n1,1,0,0\n"),
                 StartsWith("t.inp:10: node 1 is given tw"));
-    EXPECT_THAT(fault_with("CPE3", "CPE4"),
+    EXPECT_THAT(inp_fault_with("CPE3", "CPE4"),
                 HasSubstr(": elements of type 'CPE4' are not plane tri"));
-    EXPECT_THAT(fault_with("\n1,1,2,4\n", "\n1,1,2,9\n"), HasSubstr(": node 9 does not exist; "));
-    EXPECT_THAT(fault_with("2,1,1,1,1,-1", "2,1,1,1,1,1"),
+    EXPECT_THAT(inp_fault_with("\n1,1,2,4\n", "\n1,1,2,9\n"),
+                HasSubstr(": node 9 does not exist; "));
+    EXPECT_THAT(inp_fault_with("2,1,1,1,1,-1", "2,1,1,1,1,1"),
                 HasSubstr(": the equation does not tie a node"));
-    EXPECT_THAT(fault_with("5,1,-1,5,2,0", "5,1,-1,6,2,0"),
+    EXPECT_THAT(inp_fault_with("5,1,-1,5,2,0", "5,1,-1,6,2,0"),
                 HasSubstr(": the equation does not tie a node"));
-    EXPECT_THAT(fault_with("5,1,-1,5,2,0", "5,1,-1,5,2"), HasSubstr(": a term is a node, "));
-    EXPECT_THAT(fault_with("\n2,2,1,1,2,-1", "\n3,2,1,1,2,-1"),
+    EXPECT_THAT(inp_fault_with("5,1,-1,5,2,0", "5,1,-1,5,2"), HasSubstr(": a term is a node, "));
+    EXPECT_THAT(inp_fault_with("\n2,2,1,1,2,-1", "\n3,2,1,1,2,-1"),
                 HasSubstr(": node 3 is tied twice "));
-    EXPECT_THAT(fault_with("5,2,-1,6,2,0", "5,2,-2,6,2,0"), HasSubstr("not tied alike in both"));
-    EXPECT_THAT(fault_with("\n4\n4,1,1,1,1,-1,5,1,-1,5,2,-1", "\n4\n4,1,1,2,1,-1,5,1,0,5,2,-1"),
+    EXPECT_THAT(inp_fault_with("5,2,-1,6,2,0", "5,2,-2,6,2,0"),
+                HasSubstr("not tied alike in both"));
+    EXPECT_THAT(inp_fault_with("\n4\n4,1,1,1,1,-1,5,1,-1,5,2,-1", "\n4\n4,1,1,2,1,-1,5,1,0,5,2,-1"),
                 HasSubstr("not tied alike in both directions; "));
-    EXPECT_THAT(fault_with("\n4\n2,1,1", "\n3\n2,1,1"), HasSubstr(" too many terms; "));
-    EXPECT_THAT(fault_of(two_triangles() + "4\n"), HasSubstr(": the last equation is not whole; "));
-    EXPECT_THAT(fault_of(two_triangles() + "4\n*STEP\n"),
+    EXPECT_THAT(inp_fault_with("\n4\n2,1,1", "\n3\n2,1,1"), HasSubstr(" too many terms; "));
+    EXPECT_THAT(inp_fault(inp_triangles() + "4\n"),
+                HasSubstr(": the last equation is not whole; "));
+    EXPECT_THAT(inp_fault(inp_triangles() + "4\n*STEP\n"),
                 HasSubstr("before this card is not whole"));
-    EXPECT_THAT(fault_of(two_triangles() + '\0'), HasSubstr("appears to be a binary file; "));
+    EXPECT_THAT(inp_fault(inp_triangles() + '\0'), HasSubstr("appears to be a binary file; "));
 }
 
 TEST(Inp, AMasterThatIsTiedItselfIsRefused) {
-    std::string text = two_triangles();
+    std::string text = inp_triangles();
     for (const auto& [direct, chained] :
          {std::pair("4,1,1,1,1,-1,5,1,-1,5,2,-1", "4,1,1,2,1,-1,5,1,0,5,2,-1"),
           std::pair("4,2,1,1,2,-1,5,2,-1,6,2,-1", "4,2,1,2,2,-1,5,2,0,6,2,-1")}) {
         ASSERT_THAT(text, HasSubstr(direct));
         text.replace(text.find(direct), std::string(direct).size(), chained);
     }
-    EXPECT_THAT(fault_of(text), HasSubstr(": the master node 2 is tied itself; "));
+    EXPECT_THAT(inp_fault(text), HasSubstr(": the master node 2 is tied itself; "));
 }
 
 TEST(Inp, AWrongTranslationIsRefuted) {
-    std::string text = two_triangles();
+    std::string text = inp_triangles();
     for (const auto& [right, wrong] : {std::pair("2,1,1,1,1,-1,5,1,-1,", "2,1,1,1,1,-1,5,1,-2,"),
                                        std::pair("2,2,1,1,2,-1,5,2,-1,", "2,2,1,1,2,-1,5,2,-2,")}) {
         ASSERT_THAT(text, HasSubstr(right));
         text.replace(text.find(right), std::string(right).size(), wrong);
     }
-    const TileFile file = read(text);
+    const TileFile file = read_inp(text);
     EXPECT_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
 }
 
@@ -223,7 +229,7 @@ TEST(Inp, DamagedFilesGiveATileOrAFaultAndNothingElse) {
         const std::string bytes = encode_inp(tile, {}, "t.inp")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {
-            const std::string fault = fault_of(testing::mutated(bytes, random));
+            const std::string fault = inp_fault(testing::mutated(bytes, random));
             if (fault.empty()) continue;
             ++n_refused;
             EXPECT_THAT(fault, StartsWith("t.inp"));

@@ -5,6 +5,7 @@
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/solver_tiles.hpp"
@@ -14,26 +15,25 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kSquare;
 using ::testing::StartsWith;
 
-const Lattice kSquare({1, 0}, {0, 1});
-
 /// Two triangles on four nodes, each of which is an end of a seam segment.
-std::string two_triangles() {
+std::string msh_triangles() {
     return encode_msh(testing::triangle_grid_tile(kSquare, 1, 1), "t.msh")[0].bytes;
 }
 
-TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_msh(const std::string& text, const std::optional<Lattice>& lattice = {}) {
     return decode_msh({{"t.msh", text}}, lattice);
 }
 
-std::string fault_of(const std::string& text) {
-    return testing::fault_in([&] { read(text); });
+std::string msh_fault(const std::string& text) {
+    return testing::fault_in([&] { read_msh(text); });
 }
 
 /// Returns the fault of the two triangles with `piece` of their text replaced by `other`.
-std::string fault_with(const std::string& piece, const std::string& other) {
-    return fault_of(testing::exchanged(two_triangles(), piece, other));
+std::string msh_fault_with(const std::string& piece, const std::string& other) {
+    return msh_fault(testing::exchanged(msh_triangles(), piece, other));
 }
 
 TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
@@ -79,7 +79,7 @@ TEST(Msh, PolygonsAreRefusedWithARemedy) {
 }
 
 TEST(Msh, MeshesOfOtherProgramsAreRead) {
-    const TileFile file = read(
+    const TileFile file = read_msh(
         "$MeshFormat\r\n4.1 0 8\r\n$EndMeshFormat\r\n$Entities\r\n0 0 1 0\r\n$EndEntities\r\n"
         "$Nodes\n2 4 7 40\n2 1 0 3\n20\n7\n9\n1 0 0\n0 0 0\n1 1 0\n2 2 0 1\n40\n0 1 0\n$EndNodes\n"
         "$Elements\n2 3 1 9\n0 1 15 1\n1 7\n2 1 2 2\n9 7 20 9\n4 7 9 40\n$EndElements\n"
@@ -93,58 +93,65 @@ TEST(Msh, MeshesOfOtherProgramsAreRead) {
 }
 
 TEST(Msh, FaultsNameTheirLine) {
-    EXPECT_THAT(fault_of(""), StartsWith("t.msh: does not begin with $MeshFormat; "));
-    EXPECT_THAT(fault_with("4.1 0 8", "2.2 0 8"), StartsWith("t.msh:2: the version is '2.2'; "));
-    EXPECT_THAT(fault_with("4.1 0 8", "4.1 1 8"), StartsWith("t.msh:2: the file is binary; "));
-    EXPECT_THAT(fault_with("kind triangles", "kind x"), StartsWith("t.msh:6: the kind is unclear"));
-    EXPECT_THAT(fault_with("lattice 1 0 0", "lattice 0 0 0"), StartsWith("t.msh:7: "));
-    EXPECT_THAT(fault_with("pcvt kind", "pcvt king"), StartsWith("t.msh:6: pcvt does not know 'k"));
-    EXPECT_THAT(fault_with("$EndComments", ""), StartsWith("t.msh: ends inside of a section; "));
-    EXPECT_THAT(fault_with("$EndNodes", "7\n$EndNodes"),
+    EXPECT_THAT(msh_fault(""), StartsWith("t.msh: does not begin with $MeshFormat; "));
+    EXPECT_THAT(msh_fault_with("4.1 0 8", "2.2 0 8"),
+                StartsWith("t.msh:2: the version is '2.2'; "));
+    EXPECT_THAT(msh_fault_with("4.1 0 8", "4.1 1 8"), StartsWith("t.msh:2: the file is binary; "));
+    EXPECT_THAT(msh_fault_with("kind triangles", "kind x"),
+                StartsWith("t.msh:6: the kind is unclear"));
+    EXPECT_THAT(msh_fault_with("lattice 1 0 0", "lattice 0 0 0"), StartsWith("t.msh:7: "));
+    EXPECT_THAT(msh_fault_with("pcvt kind", "pcvt king"),
+                StartsWith("t.msh:6: pcvt does not know 'k"));
+    EXPECT_THAT(msh_fault_with("$EndComments", ""),
+                StartsWith("t.msh: ends inside of a section; "));
+    EXPECT_THAT(msh_fault_with("$EndNodes", "7\n$EndNodes"),
                 HasSubstr(": the section has more lines than its count; "));
-    EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 0 0.5\n"), HasSubstr(": z is not 0; "));
-    EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 x 0\n"), HasSubstr(": 'x' is not a number; "));
-    EXPECT_THAT(fault_with("\n1 0 0\n", "\n1 0\n"), HasSubstr(": the line has 2 words where 3 "));
-    EXPECT_THAT(fault_with("2 1 2 2\n", "2 1 3 2\n"), HasSubstr(": elements of type 3 are no tri"));
-    EXPECT_THAT(fault_with("2 1 2 2\n", "2 1 2 -2\n"), HasSubstr(": a count is negative; "));
-    EXPECT_THAT(fault_with("\n1 1 2 4\n", "\n1 1 2 5\n"), HasSubstr(": node 5 does not exist; "));
-    EXPECT_THAT(fault_with("\n1 1 2 4\n", "\n1 1 2 2\n"),
+    EXPECT_THAT(msh_fault_with("\n1 0 0\n", "\n1 0 0.5\n"), HasSubstr(": z is not 0; "));
+    EXPECT_THAT(msh_fault_with("\n1 0 0\n", "\n1 x 0\n"), HasSubstr(": 'x' is not a number; "));
+    EXPECT_THAT(msh_fault_with("\n1 0 0\n", "\n1 0\n"),
+                HasSubstr(": the line has 2 words where 3 "));
+    EXPECT_THAT(msh_fault_with("2 1 2 2\n", "2 1 3 2\n"),
+                HasSubstr(": elements of type 3 are no tri"));
+    EXPECT_THAT(msh_fault_with("2 1 2 2\n", "2 1 2 -2\n"), HasSubstr(": a count is negative; "));
+    EXPECT_THAT(msh_fault_with("\n1 1 2 4\n", "\n1 1 2 5\n"),
+                HasSubstr(": node 5 does not exist; "));
+    EXPECT_THAT(msh_fault_with("\n1 1 2 4\n", "\n1 1 2 2\n"),
                 HasSubstr(": vertex 2 is a corner twice"));
-    EXPECT_THAT(fault_with("\n1 1 2 4\n", "\n2 1 2 4\n"),
+    EXPECT_THAT(msh_fault_with("\n1 1 2 4\n", "\n2 1 2 4\n"),
                 HasSubstr(": element 2 is given twice; "));
-    EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0.1 1 0"),
+    EXPECT_THAT(msh_fault_with("\n16 1 0 0 1 0", "\n16 1 0 0.1 1 0"),
                 HasSubstr("is not a translation"));
-    EXPECT_THAT(fault_with("\n16 1 0 0 1 0", "\n16 1 0 0 0.5 0"),
+    EXPECT_THAT(msh_fault_with("\n16 1 0 0 1 0", "\n16 1 0 0 0.5 0"),
                 HasSubstr("not a lattice vector"));
-    EXPECT_THAT(fault_of(two_triangles() + '\0'), HasSubstr("appears to be a binary file; "));
-    EXPECT_THAT(fault_of(two_triangles() + "1\n"), HasSubstr(": '1' does not begin a section; "));
+    EXPECT_THAT(msh_fault(msh_triangles() + '\0'), HasSubstr("appears to be a binary file; "));
+    EXPECT_THAT(msh_fault(msh_triangles() + "1\n"), HasSubstr(": '1' does not begin a section; "));
 }
 
 TEST(Msh, AWrongLinkIsRefuted) {
-    std::string text = two_triangles();
+    std::string text = msh_triangles();
     // Node 4 lies at node 1 + a + b.
     const std::string link = "16 1 0 0 1 0 1 0 1 0 0 1 0 0 0 0 1\n1\n4 1\n";
     ASSERT_THAT(text, HasSubstr(link));
     text.replace(text.find(link), link.size(), "16 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1\n1\n4 1\n");
-    const TileFile file = read(text);
+    const TileFile file = read_msh(text);
     EXPECT_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
 }
 
 TEST(Msh, AWrongLineOfTheSeamIsRefuted) {
     const std::string text =
         encode_msh(testing::triangle_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
-    const TileFile file = read(testing::exchanged(text, "\n13 9 8\n", "\n13 8 9\n"));
+    const TileFile file = read_msh(testing::exchanged(text, "\n13 9 8\n", "\n13 8 9\n"));
     EXPECT_THROW(compare_edge_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
-    EXPECT_THAT(fault_of(testing::exchanged(text, "\n13 9 8\n", "\n13 8 7\n")),
+    EXPECT_THAT(msh_fault(testing::exchanged(text, "\n13 9 8\n", "\n13 8 7\n")),
                 HasSubstr(": $Periodic has no master for an end of this line; "));
 }
 
 TEST(Msh, GroupsThatDoNotFitTheCellsAreRefused) {
     const std::string text = encode_msh(testing::grain_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
     const auto fault = [&](const std::string& piece, const std::string& other) {
-        return fault_of(testing::exchanged(text, piece, other));
+        return msh_fault(testing::exchanged(text, piece, other));
     };
-    EXPECT_EQ(fault_of(text), "");
+    EXPECT_EQ(msh_fault(text), "");
     EXPECT_THAT(
         fault("2 3 \"cell_2\"", "2 3 \"cell_9\""),
         HasSubstr(": the triangle is in the physical group 'cell_9', but its cell_id is 2"));
@@ -171,7 +178,7 @@ TEST(Msh, DamagedFilesGiveATileOrAFaultAndNothingElse) {
         const std::string bytes = encode_msh(tile, "t.msh")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {
-            const std::string fault = fault_of(testing::mutated(bytes, random));
+            const std::string fault = msh_fault(testing::mutated(bytes, random));
             if (fault.empty()) continue;
             ++n_refused;
             EXPECT_THAT(fault, StartsWith("t.msh"));

@@ -6,6 +6,7 @@
 #include "io/solvers/vtu_reader.hpp"
 #include "io/solvers/vtu_writer.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/solver_tiles.hpp"
@@ -15,23 +16,22 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kSquare;
 using ::testing::StartsWith;
-
-const Lattice kSquare({1, 0}, {0, 1});
 
 std::string one_cell() { return encode_vtu(testing::grid_tile(kSquare, 1, 1), "t.vtu")[0].bytes; }
 
-TileFile read(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_vtu(const std::string& text, const std::optional<Lattice>& lattice = {}) {
     return decode_vtu({{"t.vtu", text}}, lattice);
 }
 
-std::string fault_of(const std::string& text) {
-    return testing::fault_in([&] { read(text); });
+std::string vtu_fault(const std::string& text) {
+    return testing::fault_in([&] { read_vtu(text); });
 }
 
 /// Returns the fault of one cell with `piece` of its text replaced by `other`.
-std::string fault_with(const std::string& piece, const std::string& other) {
-    return fault_of(testing::exchanged(one_cell(), piece, other));
+std::string vtu_fault_with(const std::string& piece, const std::string& other) {
+    return vtu_fault(testing::exchanged(one_cell(), piece, other));
 }
 
 TEST(Vtu, TilesReadBackExactlyWithTheirVertexPairs) {
@@ -59,7 +59,7 @@ TEST(Vtu, CellsThatAreTrianglesStayPolygons) {
 }
 
 TEST(Vtu, GridsOfOtherProgramsAreRead) {
-    const TileFile file = read(
+    const TileFile file = read_vtu(
         "<?xml version='1.0'?>\r\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\r\n"
         " <UnstructuredGrid>\r\n  <Piece NumberOfPoints='4' NumberOfCells='2'>\r\n"
         "   <PointData/><CellData Scalars=\"p\">\n<DataArray type=\"Float32\" Name=\"p\" "
@@ -78,49 +78,51 @@ TEST(Vtu, GridsOfOtherProgramsAreRead) {
 }
 
 TEST(Vtu, FaultsOfTheXmlNameTheirLine) {
-    EXPECT_THAT(fault_of(""), StartsWith("t.vtu: is not a VTKFile with an UnstructuredGrid; "));
-    EXPECT_THAT(fault_of("solid\n"), StartsWith("t.vtu:1: the text does not end; "));
-    EXPECT_THAT(fault_with("<Points>", "<Points"), HasSubstr("an attribute of 'Points' is not of"));
-    EXPECT_THAT(fault_with("</Points>\n", ""), HasSubstr(": 'Piece' ends, but is not open; "));
-    EXPECT_THAT(fault_with("</VTKFile>\n", ""), HasSubstr(": 'VTKFile' does not end; "));
-    EXPECT_THAT(fault_with("version=\"0.1\"", "version=0.1"),
+    EXPECT_THAT(vtu_fault(""), StartsWith("t.vtu: is not a VTKFile with an UnstructuredGrid; "));
+    EXPECT_THAT(vtu_fault("solid\n"), StartsWith("t.vtu:1: the text does not end; "));
+    EXPECT_THAT(vtu_fault_with("<Points>", "<Points"),
+                HasSubstr("an attribute of 'Points' is not of"));
+    EXPECT_THAT(vtu_fault_with("</Points>\n", ""), HasSubstr(": 'Piece' ends, but is not open; "));
+    EXPECT_THAT(vtu_fault_with("</VTKFile>\n", ""), HasSubstr(": 'VTKFile' does not end; "));
+    EXPECT_THAT(vtu_fault_with("version=\"0.1\"", "version=0.1"),
                 StartsWith("t.vtu:3: an attribute of"));
-    EXPECT_THAT(fault_with("0 0 0\n", "0 0<!-- --> 0\n"), HasSubstr(": a comment interrupts a "));
-    EXPECT_THAT(fault_with(" -->", ""), StartsWith("t.vtu:2: a comment does not end; "));
-    EXPECT_THAT(fault_of(one_cell() + '\0'), HasSubstr("appears to be a binary file; "));
+    EXPECT_THAT(vtu_fault_with("0 0 0\n", "0 0<!-- --> 0\n"),
+                HasSubstr(": a comment interrupts a "));
+    EXPECT_THAT(vtu_fault_with(" -->", ""), StartsWith("t.vtu:2: a comment does not end; "));
+    EXPECT_THAT(vtu_fault(one_cell() + '\0'), HasSubstr("appears to be a binary file; "));
 }
 
 TEST(Vtu, FaultsOfTheGridNameTheirLine) {
-    EXPECT_THAT(fault_with("UnstructuredGrid", "PolyData"),
+    EXPECT_THAT(vtu_fault_with("UnstructuredGrid", "PolyData"),
                 HasSubstr("is not a VTKFile with an Unst"));
-    EXPECT_THAT(fault_with("NumberOfCells=", "Cells="),
+    EXPECT_THAT(vtu_fault_with("NumberOfCells=", "Cells="),
                 StartsWith("t.vtu:11: the Piece lacks Num"));
-    EXPECT_THAT(fault_with("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\""),
+    EXPECT_THAT(vtu_fault_with("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\""),
                 StartsWith("t.vtu:11: a count is negative; "));
-    EXPECT_THAT(fault_with("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""),
+    EXPECT_THAT(vtu_fault_with("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""),
                 HasSubstr(": the array Points/Points has not the size or type of its kind; "));
-    EXPECT_THAT(fault_with("1 0\n0 1\n", "1 0\n0 x\n"),
+    EXPECT_THAT(vtu_fault_with("1 0\n0 1\n", "1 0\n0 x\n"),
                 StartsWith("t.vtu:8: 'x' is not a number; "));
-    EXPECT_THAT(fault_with("1 0\n0 1\n", "1 0\n1 0\n"), StartsWith("t.vtu:6: "));
-    EXPECT_THAT(fault_with("format=\"ascii\"", "format=\"appended\""),
+    EXPECT_THAT(vtu_fault_with("1 0\n0 1\n", "1 0\n1 0\n"), StartsWith("t.vtu:6: "));
+    EXPECT_THAT(vtu_fault_with("format=\"ascii\"", "format=\"appended\""),
                 StartsWith("t.vtu:6: the array FieldData/PeriodicLattice is binary; "));
-    EXPECT_THAT(fault_with("1 0 0\n", "1 0 0.5\n"), HasSubstr(": z is not 0; "));
-    EXPECT_THAT(fault_with("0 1 3 2\n", "0 1 3 7\n"), HasSubstr(": vertex 7 does not exist; "));
-    EXPECT_THAT(fault_with("\n4\n</DataArray>", "\n5\n</DataArray>"),
+    EXPECT_THAT(vtu_fault_with("1 0 0\n", "1 0 0.5\n"), HasSubstr(": z is not 0; "));
+    EXPECT_THAT(vtu_fault_with("0 1 3 2\n", "0 1 3 7\n"), HasSubstr(": vertex 7 does not exist; "));
+    EXPECT_THAT(vtu_fault_with("\n4\n</DataArray>", "\n5\n</DataArray>"),
                 HasSubstr("the offsets do not"));
-    EXPECT_THAT(fault_with("\n4\n</DataArray>", "\n3\n</DataArray>"),
+    EXPECT_THAT(vtu_fault_with("\n4\n</DataArray>", "\n3\n</DataArray>"),
                 HasSubstr("has entries after its la"));
-    EXPECT_THAT(fault_with("\n7\n</DataArray>", "\n9\n</DataArray>"),
+    EXPECT_THAT(vtu_fault_with("\n7\n</DataArray>", "\n9\n</DataArray>"),
                 HasSubstr("not all polygons (7)"));
-    EXPECT_THAT(fault_with("\n7\n</DataArray>", "\n5\n</DataArray>"),
+    EXPECT_THAT(vtu_fault_with("\n7\n</DataArray>", "\n5\n</DataArray>"),
                 HasSubstr("a triangle here has 3"));
-    EXPECT_THAT(fault_with("Name=\"offsets\"", "Name=\"ends\""),
+    EXPECT_THAT(vtu_fault_with("Name=\"offsets\"", "Name=\"ends\""),
                 HasSubstr("lacks the array Cells/o"));
-    EXPECT_THAT(fault_with("PeriodicOffset", "Offset"),
+    EXPECT_THAT(vtu_fault_with("PeriodicOffset", "Offset"),
                 HasSubstr("lacks the array PointData/Period"));
-    EXPECT_THAT(fault_with("0\n0\n0\n0\n", "0\n9\n0\n0\n"),
+    EXPECT_THAT(vtu_fault_with("0\n0\n0\n0\n", "0\n9\n0\n0\n"),
                 HasSubstr(": point 9 does not exist; "));
-    EXPECT_THAT(fault_with("0 0\n1 0\n0 1\n1 1\n", "1 0\n1 0\n0 1\n1 1\n"),
+    EXPECT_THAT(vtu_fault_with("0 0\n1 0\n0 1\n1 1\n", "1 0\n1 0\n0 1\n1 1\n"),
                 HasSubstr(": a point has an offset to itself; "));
 }
 
@@ -132,15 +134,15 @@ std::string with_orbits(const Tile& tile) {
 TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
     for (const Tile& tile :
          {testing::grid_tile(kSquare, 2, 2), testing::grain_grid_tile(kSquare, 2, 2)}) {
-        EXPECT_EQ(read(with_orbits(tile)).site_orbits, (std::vector{0, 1, 1, 0}));
+        EXPECT_EQ(read_vtu(with_orbits(tile)).site_orbits, (std::vector{0, 1, 1, 0}));
     }
     const Tile triangles = testing::triangle_grid_tile(kSquare, 2, 2);
-    const std::vector<int> found = read(with_orbits(triangles)).site_orbits;
+    const std::vector<int> found = read_vtu(with_orbits(triangles)).site_orbits;
     ASSERT_FALSE(found.empty());
     for (std::size_t s = 0; s < found.size(); ++s) {
         EXPECT_THAT(found[s], ::testing::AnyOf(-1, s == 0 || s == 3 ? 0 : 1));
     }
-    EXPECT_TRUE(read(one_cell()).site_orbits.empty());
+    EXPECT_TRUE(read_vtu(one_cell()).site_orbits.empty());
 }
 
 std::string with_phases(const Tile& tile) {
@@ -152,17 +154,17 @@ std::string with_phases(const Tile& tile) {
 TEST(Vtu, PhasesReadBackFromCellsAndGrains) {
     for (const Tile& tile :
          {testing::grid_tile(kSquare, 2, 2), testing::grain_grid_tile(kSquare, 2, 2)}) {
-        const CellMaterials found = read(with_phases(tile)).materials;
+        const CellMaterials found = read_vtu(with_phases(tile)).materials;
         EXPECT_THAT(found.phase_names, ::testing::ElementsAre("soft", "2nd"));
         EXPECT_THAT(found.site_phase, ::testing::ElementsAre(0, 1, 1, 0));
     }
-    EXPECT_TRUE(read(one_cell()).materials.empty());
+    EXPECT_TRUE(read_vtu(one_cell()).materials.empty());
 }
 
 TEST(Vtu, PhasesThatAreNoneAreRefused) {
     const std::string cells = with_phases(testing::grid_tile(kSquare, 2, 2));
     const auto fault = [&](const std::string& piece, const std::string& other) {
-        return fault_of(testing::exchanged(cells, piece, other));
+        return vtu_fault(testing::exchanged(cells, piece, other));
     };
     const std::string phases = "SitePhases\" NumberOfTuples=\"4\" format=\"ascii\">\n0\n1\n1\n0\n";
     EXPECT_THAT(fault(phases, testing::exchanged(phases, "\n0\n1", "\n0\n2")),
@@ -178,7 +180,7 @@ TEST(Vtu, OrbitsThatAreNoneAreRefused) {
     const std::string cells = with_orbits(testing::grid_tile(kSquare, 2, 2));
     const std::string orbits = "\n0\n1\n1\n0\n</DataArray>\n</CellData>";
     const auto fault = [&](const std::string& other) {
-        return fault_of(
+        return vtu_fault(
             testing::exchanged(cells, orbits, "\n" + other + "\n</DataArray>\n</CellData>"));
     };
     EXPECT_THAT(fault("0\n1\n1"), HasSubstr("CellData/Orbit has not the size"));
@@ -187,21 +189,21 @@ TEST(Vtu, OrbitsThatAreNoneAreRefused) {
     EXPECT_THAT(fault("0\n1\n1\n-1"), HasSubstr("cell 3 has not one orbit"));
     EXPECT_THAT(fault("0\n2\n1\n0"), HasSubstr("not counted in the order"));
     EXPECT_THAT(
-        fault_of(testing::exchanged(cells, R"(Int32" Name="Orbit")", R"(Float64" Name="Orbit")")),
+        vtu_fault(testing::exchanged(cells, R"(Int32" Name="Orbit")", R"(Float64" Name="Orbit")")),
         HasSubstr("CellData/Orbit has not the size or type"));
     // Two triangles of one grain.
     std::string grains = with_orbits(testing::grain_grid_tile(kSquare, 2, 2));
     const std::size_t last = grains.rfind("0\n</DataArray>\n</CellData>");
     ASSERT_NE(last, std::string::npos);
     grains[last] = '1';
-    EXPECT_THAT(fault_of(grains), HasSubstr("cell 3 has not one orbit"));
+    EXPECT_THAT(vtu_fault(grains), HasSubstr("cell 3 has not one orbit"));
 }
 
 TEST(Vtu, AWrongPairIsRefuted) {
     std::string text = one_cell();
     const std::string offsets = "0 0\n1 0\n0 1\n1 1\n";
     text.replace(text.find(offsets), offsets.size(), "0 0\n1 0\n0 1\n1 0\n");
-    const TileFile file = read(text);
+    const TileFile file = read_vtu(text);
     EXPECT_THROW(compare_vertex_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
 }
 
@@ -219,7 +221,7 @@ TEST(Vtu, DamagedFilesGiveATileOrAFaultAndNothingElse) {
         const std::string bytes = encode_vtu(tile, "t.vtu")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {
-            const std::string fault = fault_of(testing::mutated(bytes, random));
+            const std::string fault = vtu_fault(testing::mutated(bytes, random));
             if (fault.empty()) continue;
             ++n_refused;
             EXPECT_THAT(fault, StartsWith("t.vtu"));

@@ -13,7 +13,8 @@ namespace {
 using ::testing::HasSubstr;
 
 /// The message of the reader for a case of random cells with one exchanged piece.
-std::string fault_of(const std::string& name, const std::string& piece, const std::string& other) {
+std::string foam_fault(const std::string& name, const std::string& piece,
+                       const std::string& other) {
     const auto files = encode_space_foam(testing::random_space_tile(6), "t.foam");
     return testing::fault_in(
         [&] { prove_space_files(testing::exchanged(files, name, piece, other)); });
@@ -60,29 +61,29 @@ TEST(SpaceFoam, NamesItsFilesInTheirOrder) {
 }
 
 TEST(SpaceFoam, RefusesNumbersThatReferToNothing) {
-    EXPECT_THAT(fault_of("faces", "(0 ", "(99999 "), HasSubstr("unknown point"));
-    EXPECT_THAT(fault_of("owner", "\n(\n0\n", "\n(\n-1\n"), HasSubstr("too few faces"));
-    EXPECT_THAT(fault_of("owner", "\n(\n0\n", "\n(\n99999\n"), HasSubstr("too few faces"));
+    EXPECT_THAT(foam_fault("faces", "(0 ", "(99999 "), HasSubstr("unknown point"));
+    EXPECT_THAT(foam_fault("owner", "\n(\n0\n", "\n(\n-1\n"), HasSubstr("too few faces"));
+    EXPECT_THAT(foam_fault("owner", "\n(\n0\n", "\n(\n99999\n"), HasSubstr("too few faces"));
 }
 
 TEST(SpaceFoam, RefusesPatchesThatAreNoSeam) {
-    EXPECT_THAT(fault_of("boundary", "type            cyclic", "type            wall"),
+    EXPECT_THAT(foam_fault("boundary", "type            cyclic", "type            wall"),
                 HasSubstr("one side of a seam"));
-    EXPECT_THAT(fault_of("boundary", "    seam_", "    side_"), HasSubstr("one side of a seam"));
-    EXPECT_THAT(fault_of("boundary", "neighbourPatch  seam_", "neighbourPatch  side_"),
+    EXPECT_THAT(foam_fault("boundary", "    seam_", "    side_"), HasSubstr("one side of a seam"));
+    EXPECT_THAT(foam_fault("boundary", "neighbourPatch  seam_", "neighbourPatch  side_"),
                 HasSubstr("there is no patch"));
-    EXPECT_THAT(fault_of("boundary", "startFace       ", "startFace       1"),
+    EXPECT_THAT(foam_fault("boundary", "startFace       ", "startFace       1"),
                 HasSubstr("their order"));
-    EXPECT_THAT(fault_of("boundary", "// pcvt lattice", "// lattice"),
+    EXPECT_THAT(foam_fault("boundary", "// pcvt lattice", "// lattice"),
                 HasSubstr("not one lattice"));
 }
 
 TEST(SpaceFoam, ComparesTheCaseWithItsMesh) {
-    EXPECT_THAT(fault_of("0/U", "type cyclic", "type empty"), HasSubstr("0/U"));
-    EXPECT_THAT(fault_of("boundary", "separationVector (", "separationVector (1"),
+    EXPECT_THAT(foam_fault("0/U", "type cyclic", "type empty"), HasSubstr("0/U"));
+    EXPECT_THAT(foam_fault("boundary", "separationVector (", "separationVector (1"),
                 HasSubstr("boundary"));
-    EXPECT_THAT(fault_of("boundary", "translational", "rotational"), HasSubstr("boundary"));
-    EXPECT_THAT(fault_of("system/controlDict", "icoFoam", "pisoFoam"), HasSubstr("controlDict"));
+    EXPECT_THAT(foam_fault("boundary", "translational", "rotational"), HasSubstr("boundary"));
+    EXPECT_THAT(foam_fault("system/controlDict", "icoFoam", "pisoFoam"), HasSubstr("controlDict"));
 }
 
 TEST(SpaceFoam, RefutesAMovedPoint) {

@@ -16,10 +16,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-EncodedFile encoded(const TetrahedralMesh& mesh) { return encode_space_msh(mesh, "t.msh").front(); }
+EncodedFile encoded_msh(const TetrahedralMesh& mesh) {
+    return encode_space_msh(mesh, "t.msh").front();
+}
 
-std::string fault_of(const std::string& piece, const std::string& other) {
-    EncodedFile file = encoded(testing::random_tetrahedra(8));
+std::string msh_fault(const std::string& piece, const std::string& other) {
+    EncodedFile file = encoded_msh(testing::random_tetrahedra(8));
     file.bytes = testing::exchanged(file.bytes, piece, other);
     return testing::fault_of_tetrahedra(file);
 }
@@ -29,7 +31,7 @@ TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
     EXPECT_GT(cases.size(), 45U);
     for (const auto& [name, mesh] : cases) {
         SCOPED_TRACE(name);
-        const EncodedFile file = encoded(mesh);
+        const EncodedFile file = encoded_msh(mesh);
         ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
         const TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
         EXPECT_EQ(found.points, mesh.points);
@@ -40,21 +42,21 @@ TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
 }
 
 TEST(SpaceMsh, IsRefusedWhereItStatesSomethingElse) {
-    EXPECT_EQ(fault_of("written by pcvt", "written by pcvt"), "");
-    EXPECT_THAT(fault_of("pcvt lattice 1", "pcvt lattice 1 1"), HasSubstr("nine numbers"));
-    EXPECT_THAT(fault_of("pcvt lattice 1", "pcvt lattice 2"), HasSubstr("law"));
-    EXPECT_THAT(fault_of("pcvt lattice", "pcvt lettice"), HasSubstr("the lattice comes before"));
-    EXPECT_THAT(fault_of("\"domain\"", "\"demain\""), HasSubstr("domain"));
-    EXPECT_THAT(fault_of("\"seam_", "\"team_"), HasSubstr("seam_"));
-    EXPECT_THAT(fault_of("$Elements\n", "$Elements\n7"), HasSubstr("t.msh:"));
-    EXPECT_THAT(fault_of("\"cell_id\"", "\"other\""), HasSubstr("site of each node"));
-    EXPECT_THAT(fault_of("$Periodic\n", "$Periodic\n1"), HasSubstr("$Periodic"));
-    EXPECT_THAT(fault_of("$EndNodes\n", "7 7 7\n$EndNodes\n"), HasSubstr("$Nodes"));
+    EXPECT_EQ(msh_fault("written by pcvt", "written by pcvt"), "");
+    EXPECT_THAT(msh_fault("pcvt lattice 1", "pcvt lattice 1 1"), HasSubstr("nine numbers"));
+    EXPECT_THAT(msh_fault("pcvt lattice 1", "pcvt lattice 2"), HasSubstr("law"));
+    EXPECT_THAT(msh_fault("pcvt lattice", "pcvt lettice"), HasSubstr("the lattice comes before"));
+    EXPECT_THAT(msh_fault("\"domain\"", "\"demain\""), HasSubstr("domain"));
+    EXPECT_THAT(msh_fault("\"seam_", "\"team_"), HasSubstr("seam_"));
+    EXPECT_THAT(msh_fault("$Elements\n", "$Elements\n7"), HasSubstr("t.msh:"));
+    EXPECT_THAT(msh_fault("\"cell_id\"", "\"other\""), HasSubstr("site of each node"));
+    EXPECT_THAT(msh_fault("$Periodic\n", "$Periodic\n1"), HasSubstr("$Periodic"));
+    EXPECT_THAT(msh_fault("$EndNodes\n", "7 7 7\n$EndNodes\n"), HasSubstr("$Nodes"));
 }
 
 TEST(SpaceMsh, RefutesAMovedNode) {
     TetrahedralMesh mesh = testing::random_tetrahedra(8);
-    EncodedFile file = encoded(mesh);
+    EncodedFile file = encoded_msh(mesh);
     std::string word;
     append_number(word, mesh.points[0].x());
     file.bytes = testing::exchanged(file.bytes, "\n" + word + " ", "\n0.123 ");

@@ -12,11 +12,11 @@ namespace {
 
 using ::testing::HasSubstr;
 
-EncodedFile encoded(const SpaceTile& tile) { return encode_space_vtu(tile, "t.vtu").front(); }
+EncodedFile encoded_vtu(const SpaceTile& tile) { return encode_space_vtu(tile, "t.vtu").front(); }
 
 /// The message of the reader for a file of random cells with one exchanged piece.
-std::string fault_of(const std::string& piece, const std::string& other) {
-    EncodedFile file = encoded(testing::random_space_tile(6));
+std::string vtu_fault(const std::string& piece, const std::string& other) {
+    EncodedFile file = encoded_vtu(testing::random_space_tile(6));
     file.bytes = testing::exchanged(file.bytes, piece, other);
     return testing::fault_in([&] { decode_space_vtu(file); });
 }
@@ -25,7 +25,7 @@ TEST(SpaceVtu, GivesBackPointsCellsPairsAndSites) {
     for (const testing::SpaceCase& c : testing::space_cases()) {
         SCOPED_TRACE(c.name);
         const SpaceTile tile = testing::tile_of(c);
-        const SpaceTile found = decode_space_vtu(encoded(tile));
+        const SpaceTile found = decode_space_vtu(encoded_vtu(tile));
         EXPECT_EQ(found.mesh.points, tile.mesh.points);
         EXPECT_EQ(found.mesh.point_orbit, tile.mesh.point_orbit);
         EXPECT_EQ(found.mesh.point_offset, tile.mesh.point_offset);
@@ -51,7 +51,7 @@ TEST(SpaceVtu, StatesTheLengthOfRemovedEdges) {
     for (const testing::SpaceCase& c : testing::space_cases()) {
         SCOPED_TRACE(c.name);
         const SpaceTile tile = testing::tile_of(c, 0.05);
-        EncodedFile file = encoded(tile);
+        EncodedFile file = encoded_vtu(tile);
         const SpaceTile found = prove_space_files({file}).tile;
         EXPECT_EQ(found.mesh.short_edges, 0.05);
         EXPECT_EQ(found.mesh.points, tile.mesh.points);
@@ -63,11 +63,11 @@ TEST(SpaceVtu, StatesTheLengthOfRemovedEdges) {
 
 TEST(SpaceVtu, HasTheSameBytesOnEachRun) {
     const SpaceTile tile = testing::random_space_tile(20);
-    EXPECT_EQ(encoded(tile).bytes, encoded(tile).bytes);
+    EXPECT_EQ(encoded_vtu(tile).bytes, encoded_vtu(tile).bytes);
 }
 
 TEST(SpaceVtu, IsProvedWithoutTheArraysOfPcvt) {
-    EncodedFile file = encoded(testing::random_space_tile(6));
+    EncodedFile file = encoded_vtu(testing::random_space_tile(6));
     file.bytes = testing::exchanged(file.bytes, "written by pcvt", "of another program");
     for (const char* name : {"Site", "Volume", "Faces", "CellId", "PeriodicPointIds"}) {
         const std::string quoted = "Name=\"" + std::string(name) + "\"";
@@ -79,30 +79,30 @@ TEST(SpaceVtu, IsProvedWithoutTheArraysOfPcvt) {
 }
 
 TEST(SpaceVtu, RefusesFilesThatAreDamaged) {
-    EXPECT_THAT(fault_of("PeriodicLattice", "Lattice"), HasSubstr("lacks the array"));
-    EXPECT_THAT(fault_of("type=\"Float64\" Name=\"Points\"", "type=\"Float32\" Name=\"Points\""),
+    EXPECT_THAT(vtu_fault("PeriodicLattice", "Lattice"), HasSubstr("lacks the array"));
+    EXPECT_THAT(vtu_fault("type=\"Float64\" Name=\"Points\"", "type=\"Float32\" Name=\"Points\""),
                 HasSubstr("too coarse"));
-    EXPECT_THAT(fault_of("Name=\"types\" format=\"ascii\">\n42", "Name=\"types\">\n12"),
+    EXPECT_THAT(vtu_fault("Name=\"types\" format=\"ascii\">\n42", "Name=\"types\">\n12"),
                 HasSubstr("no polyhedron"));
-    EXPECT_THAT(fault_of("Name=\"CellId\" format=\"ascii\">\n0", "Name=\"CellId\">\n1"),
+    EXPECT_THAT(vtu_fault("Name=\"CellId\" format=\"ascii\">\n0", "Name=\"CellId\">\n1"),
                 HasSubstr("not that of its site"));
-    EXPECT_THAT(fault_of("Name=\"Faces\" format=\"ascii\">\n", "Name=\"Faces\">\n1"),
+    EXPECT_THAT(vtu_fault("Name=\"Faces\" format=\"ascii\">\n", "Name=\"Faces\">\n1"),
                 HasSubstr("faces"));
-    EXPECT_THAT(fault_of("Name=\"Volume\" format=\"ascii\">\n", "Name=\"Volume\">\n1"),
+    EXPECT_THAT(vtu_fault("Name=\"Volume\" format=\"ascii\">\n", "Name=\"Volume\">\n1"),
                 HasSubstr("another volume"));
-    EXPECT_THAT(
-        fault_of("Name=\"PeriodicPointIds\" format=\"ascii\">\n0", "Name=\"PeriodicPointIds\">\n1"),
-        HasSubstr("point 0 is point 0 moved by (0, 0, 0)"));
-    EXPECT_THAT(fault_of("Name=\"offsets\" format=\"ascii\">\n", "Name=\"offsets\">\n1"),
+    EXPECT_THAT(vtu_fault("Name=\"PeriodicPointIds\" format=\"ascii\">\n0",
+                          "Name=\"PeriodicPointIds\">\n1"),
+                HasSubstr("point 0 is point 0 moved by (0, 0, 0)"));
+    EXPECT_THAT(vtu_fault("Name=\"offsets\" format=\"ascii\">\n", "Name=\"offsets\">\n1"),
                 HasSubstr("another number"));
-    EXPECT_THAT(fault_of("Name=\"faceoffsets\" format=\"ascii\">\n", "Name=\"faceoffsets\">\n1"),
+    EXPECT_THAT(vtu_fault("Name=\"faceoffsets\" format=\"ascii\">\n", "Name=\"faceoffsets\">\n1"),
                 HasSubstr("another number"));
-    EXPECT_THAT(fault_of("Name=\"faces\" format=\"ascii\">\n", "Name=\"faces\">\n-"),
+    EXPECT_THAT(vtu_fault("Name=\"faces\" format=\"ascii\">\n", "Name=\"faces\">\n-"),
                 HasSubstr("not a number from"));
 }
 
 TEST(SpaceVtu, RefutesAMovedPoint) {
-    EncodedFile file = encoded(testing::random_space_tile(6));
+    EncodedFile file = encoded_vtu(testing::random_space_tile(6));
     file.bytes = testing::exchanged(file.bytes, "Name=\"Volume\"", "Name=\"another\"");
     const std::string head = "Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
     const auto begin = file.bytes.find(head) + head.size();

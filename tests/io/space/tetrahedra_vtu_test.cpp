@@ -11,12 +11,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-EncodedFile encoded(const TetrahedralMesh& mesh) {
+EncodedFile encoded_tetrahedra(const TetrahedralMesh& mesh) {
     return encode_tetrahedra_vtu(mesh, "t.vtu").front();
 }
 
-std::string fault_of(const std::string& piece, const std::string& other) {
-    EncodedFile file = encoded(testing::random_tetrahedra(8));
+std::string tetrahedra_fault(const std::string& piece, const std::string& other) {
+    EncodedFile file = encoded_tetrahedra(testing::random_tetrahedra(8));
     file.bytes = testing::exchanged(file.bytes, piece, other);
     return testing::fault_of_tetrahedra(file);
 }
@@ -26,14 +26,14 @@ TEST(TetrahedraVtu, GivesBackPointsSitesAndTetrahedra) {
     EXPECT_GT(cases.size(), 45U);
     for (const auto& [name, mesh] : cases) {
         SCOPED_TRACE(name);
-        const EncodedFile file = encoded(mesh);
+        const EncodedFile file = encoded_tetrahedra(mesh);
         ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
         EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh));
     }
 }
 
 TEST(TetrahedraVtu, OfAnotherProgramIsProvedWithoutItsWords) {
-    EncodedFile file = encoded(testing::random_tetrahedra(8));
+    EncodedFile file = encoded_tetrahedra(testing::random_tetrahedra(8));
     file.bytes = testing::exchanged(file.bytes, std::string(kTetrahedraVtuMark), "");
     file.bytes = testing::exchanged(file.bytes, "Int32\" Name=\"CellId", "Int64\" Name=\"CellId");
     EXPECT_EQ(testing::fault_of_tetrahedra(file), "");
@@ -42,30 +42,30 @@ TEST(TetrahedraVtu, OfAnotherProgramIsProvedWithoutItsWords) {
 }
 
 TEST(TetrahedraVtu, IsRefusedWhereItStatesSomethingElse) {
-    EXPECT_EQ(fault_of("<Cells>", "<Cells>"), "");
-    EXPECT_THAT(fault_of("Float64\" Name=\"Points", "Float32\" Name=\"Points"),
+    EXPECT_EQ(tetrahedra_fault("<Cells>", "<Cells>"), "");
+    EXPECT_THAT(tetrahedra_fault("Float64\" Name=\"Points", "Float32\" Name=\"Points"),
                 HasSubstr("too coarse for a proof"));
-    EXPECT_THAT(fault_of("<PointData>", "<PointData >"), HasSubstr("another line follows"));
-    EXPECT_THAT(fault_of("\n10\n10\n", "\n14\n10\n"), HasSubstr("no tetrahedron"));
-    EXPECT_THAT(fault_of("\n4\n8\n", "\n3\n8\n"), HasSubstr("a tetrahedron has 4 points"));
-    EXPECT_THAT(fault_of("Name=\"PeriodicPointIds\" format=\"ascii\">\n0\n",
-                         "Name=\"PeriodicPointIds\" format=\"ascii\">\n3\n"),
+    EXPECT_THAT(tetrahedra_fault("<PointData>", "<PointData >"), HasSubstr("another line follows"));
+    EXPECT_THAT(tetrahedra_fault("\n10\n10\n", "\n14\n10\n"), HasSubstr("no tetrahedron"));
+    EXPECT_THAT(tetrahedra_fault("\n4\n8\n", "\n3\n8\n"), HasSubstr("a tetrahedron has 4 points"));
+    EXPECT_THAT(tetrahedra_fault("Name=\"PeriodicPointIds\" format=\"ascii\">\n0\n",
+                                 "Name=\"PeriodicPointIds\" format=\"ascii\">\n3\n"),
                 HasSubstr("point 0 is point 0 moved by (0, 0, 0)"));
-    EXPECT_THAT(fault_of("NumberOfPoints=\"", "NumberOfPoints=\"1"), HasSubstr("t.vtu"));
-    EXPECT_THAT(fault_of("1 0.2 0.1\n", "1.5 0.2 0.1\n"), HasSubstr("t.vtu"));
-    EXPECT_THAT(fault_of("1 0.2 0.1\n", "0 0 0\n"), HasSubstr("t.vtu:"));
+    EXPECT_THAT(tetrahedra_fault("NumberOfPoints=\"", "NumberOfPoints=\"1"), HasSubstr("t.vtu"));
+    EXPECT_THAT(tetrahedra_fault("1 0.2 0.1\n", "1.5 0.2 0.1\n"), HasSubstr("t.vtu"));
+    EXPECT_THAT(tetrahedra_fault("1 0.2 0.1\n", "0 0 0\n"), HasSubstr("t.vtu:"));
 }
 
 TEST(TetrahedraVtu, RefutesOtherSitesAndTurnedTetrahedra) {
     TetrahedralMesh mesh = testing::random_tetrahedra(8);
     std::swap(mesh.tetrahedra[2][0], mesh.tetrahedra[2][1]);
-    EXPECT_THAT(testing::fault_of_tetrahedra(encoded(mesh)), HasSubstr("law (1)"));
+    EXPECT_THAT(testing::fault_of_tetrahedra(encoded_tetrahedra(mesh)), HasSubstr("law (1)"));
     mesh = testing::random_tetrahedra(8);
     mesh.point_site[0] = (mesh.point_site[0] + 1) % 8;
-    EXPECT_NE(testing::fault_of_tetrahedra(encoded(mesh)), "");
+    EXPECT_NE(testing::fault_of_tetrahedra(encoded_tetrahedra(mesh)), "");
     mesh = testing::random_tetrahedra(8);
     mesh.tetrahedra.pop_back();
-    EXPECT_NE(testing::fault_of_tetrahedra(encoded(mesh)), "");
+    EXPECT_NE(testing::fault_of_tetrahedra(encoded_tetrahedra(mesh)), "");
 }
 
 }  // namespace

@@ -16,13 +16,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-EncodedFile encoded(const SpaceTile& tile, SurfaceForm form = SurfaceForm::kCells) {
+EncodedFile encoded_glb(const SpaceTile& tile, SurfaceForm form = SurfaceForm::kCells) {
     return encode_surface_glb(surface_list(tile, form), "t.glb").front();
 }
 
 TEST(SurfaceGlb, HasANodeForEachCell) {
     const SpaceTile tile = testing::random_space_tile(6);
-    const SurfaceGlb glb = decode_surface_glb(encoded(tile));
+    const SurfaceGlb glb = decode_surface_glb(encoded_glb(tile));
     ASSERT_EQ(glb.parts.size(), 6U);
     for (int s = 0; s < 6; ++s) EXPECT_EQ(glb.parts[s].name, "cell_" + std::to_string(s));
     EXPECT_EQ(glb.sites, tile.sites);
@@ -35,7 +35,7 @@ TEST(SurfaceGlb, IsProvedFromItsBytes) {
         SCOPED_TRACE(c.name);
         const SpaceTile tile = testing::tile_of(c);
         for (const SurfaceForm form : {SurfaceForm::kCells, SurfaceForm::kBoundary}) {
-            const std::vector<EncodedFile> files{encoded(tile, form)};
+            const std::vector<EncodedFile> files{encoded_glb(tile, form)};
             EXPECT_EQ(space_file_kind(files), SpaceFileKind::kTriangles);
             prove_own_space_files(files, tile);
             const SurfaceGlbProof proof = prove_surface_glb(decode_surface_glb(files.front()));
@@ -49,13 +49,13 @@ TEST(SurfaceGlb, OfManyCellsHasOneNode) {
     const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
     const SpaceTile tile =
         testing::tile_of({"many", cube, uniform_points(cube, kMaxCellNodes + 1, 1)});
-    const EncodedFile file = encoded(tile);
+    const EncodedFile file = encoded_glb(tile);
     for (const GlbPart& part : decode_surface_glb(file).parts) EXPECT_EQ(part.name, "cells");
     prove_own_space_files({file}, tile);
 }
 
 TEST(SurfaceGlb, OfAnotherTileIsNoProof) {
-    const EncodedFile file = encoded(testing::random_space_tile(6));
+    const EncodedFile file = encoded_glb(testing::random_space_tile(6));
     EXPECT_THROW(prove_own_space_files({file}, testing::random_space_tile(7)), InternalError);
     EncodedFile renamed = file;
     for (auto at = renamed.bytes.find("cell_3"); at != std::string::npos;
@@ -66,7 +66,7 @@ TEST(SurfaceGlb, OfAnotherTileIsNoProof) {
 }
 
 TEST(SurfaceGlb, RefutesOtherNormals) {
-    const EncodedFile file = encoded(testing::random_space_tile(3));
+    const EncodedFile file = encoded_glb(testing::random_space_tile(3));
     SurfaceGlb glb = decode_surface_glb(file);
     glb.parts[1].normals[4][0] += 1e-3F;
     EXPECT_THROW(compare_surface_glb(file, glb), BadFile);
@@ -77,17 +77,17 @@ TEST(SurfaceGlb, RefutesOtherSites) {
     for (int s = 0; s < 5; ++s) {
         SpaceTile moved = tile;
         moved.sites(s % 3, s) += 1e-4;
-        const EncodedFile file = encoded(moved);
+        const EncodedFile file = encoded_glb(moved);
         EXPECT_THROW(compare_surface_glb(file, decode_surface_glb(file)), NotATile) << s;
     }
     SpaceTile exchanged = tile;
     exchanged.sites.col(1).swap(exchanged.sites.col(3));
-    const EncodedFile file = encoded(exchanged);
+    const EncodedFile file = encoded_glb(exchanged);
     EXPECT_THROW(compare_surface_glb(file, decode_surface_glb(file)), NotATile);
 }
 
 TEST(SurfaceGlb, RefutesMovedCorners) {
-    const EncodedFile file = encoded(testing::random_space_tile(3));
+    const EncodedFile file = encoded_glb(testing::random_space_tile(3));
     std::uint32_t json_length = 0;
     std::memcpy(&json_length, file.bytes.data() + 12, 4);
     const std::size_t data = 28 + json_length;
@@ -103,7 +103,7 @@ TEST(SurfaceGlb, RefutesMovedCorners) {
 }
 
 TEST(SurfaceGlb, RefusesDamagedDocuments) {
-    const EncodedFile file = encoded(testing::random_space_tile(3));
+    const EncodedFile file = encoded_glb(testing::random_space_tile(3));
     const auto fault = [&](const std::string& piece, const std::string& other) {
         EncodedFile damaged = file;
         damaged.bytes = testing::exchanged(damaged.bytes, piece, other);
@@ -119,7 +119,7 @@ TEST(SurfaceGlb, RefusesDamagedDocuments) {
 TEST(SurfaceGlb, RefusesCoordinatesBeyondSinglePrecision) {
     const SpaceLattice huge = SpaceLattice::box(1e39, 1e39, 1e39);
     const SpaceTile tile = testing::tile_of({"huge", huge, uniform_points(huge, 4, 1)});
-    EXPECT_THROW(encoded(tile), InvalidInput);
+    EXPECT_THROW(encoded_glb(tile), InvalidInput);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-EncodedFile encoded(const SpaceTile& tile) {
+EncodedFile encoded_om(const SpaceTile& tile) {
     return encode_surface_om(tile_surface(tile.mesh, tile.sites), "t.om").front();
 }
 
@@ -32,21 +32,21 @@ TEST(SurfaceOm, GivesBackTheSurface) {
         if (!boundary_is_manifold(tile.mesh)) continue;
         SCOPED_TRACE(c.name);
         const TileSurface surface = tile_surface(tile.mesh, tile.sites);
-        const TileSurface found = decode_surface_om(encoded(tile));
+        const TileSurface found = decode_surface_om(encoded_om(tile));
         EXPECT_EQ(found.points, surface.points);
         EXPECT_EQ(found.faces, surface.faces);
         EXPECT_EQ(found.cell, surface.cell);
         EXPECT_EQ(found.partner, surface.partner);
         EXPECT_EQ(found.offset, surface.offset);
         EXPECT_EQ(found.sites, surface.sites);
-        EXPECT_EQ(space_file_kind({encoded(tile)}), SpaceFileKind::kBoundary);
-        prove_own_space_files({encoded(tile)}, tile);
+        EXPECT_EQ(space_file_kind({encoded_om(tile)}), SpaceFileKind::kBoundary);
+        prove_own_space_files({encoded_om(tile)}, tile);
     }
 }
 
 TEST(SurfaceOm, IsRefusedWithAnyOtherByte) {
     // Positions may differ in their last bits, which are read as they are.
-    const EncodedFile file = encoded(testing::random_space_tile(2));
+    const EncodedFile file = encoded_om(testing::random_space_tile(2));
     ASSERT_FALSE(is_refused(file));
     int n_accepted = 0;
     for (std::size_t at = 0; at < file.bytes.size(); ++at) {
@@ -59,14 +59,14 @@ TEST(SurfaceOm, IsRefusedWithAnyOtherByte) {
 }
 
 TEST(SurfaceOm, IsRefusedWhenItEndsEarly) {
-    const EncodedFile file = encoded(testing::random_space_tile(2));
+    const EncodedFile file = encoded_om(testing::random_space_tile(2));
     for (std::size_t size = 0; size < file.bytes.size(); size += 3) {
         EXPECT_TRUE(is_refused({"t.om", file.bytes.substr(0, size)})) << size;
     }
 }
 
 TEST(SurfaceOm, RefusesDamagedProperties) {
-    const EncodedFile file = encoded(testing::random_space_tile(3));
+    const EncodedFile file = encoded_om(testing::random_space_tile(3));
     for (const char* name : {"pcvt_lattice", "pcvt_face_offset", "pcvt_face_cell", "pcvt_sites"}) {
         EncodedFile damaged = file;
         damaged.bytes = testing::exchanged(damaged.bytes, name, "q" + std::string(name).substr(1));

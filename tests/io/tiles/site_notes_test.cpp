@@ -8,6 +8,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/tiles/file_tile_builder.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/power_tiles.hpp"
 
 namespace pcvt {
@@ -15,8 +16,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-const Lattice kOblique({1, 0}, {0.37, 0.81});
+using testing::kOblique;
 
 std::string comments(const Tile& tile) {
     std::string text;

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <random>
 
+#include "tests/support/case_count.hpp"
 #include "tests/support/clipped_power_cells.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
@@ -87,8 +87,7 @@ void solve_hard_case(int k, int most_sites, Tally& tally) {
 
 // Law 1. PCVT_AREA_CASES=10000 in the environment runs as many cases.
 TEST(AreaNewton, ReachesTheAreasInRandomHardCases) {
-    const char* const n_cases = std::getenv("PCVT_AREA_CASES");
-    const int n = n_cases == nullptr ? 300 : std::atoi(n_cases);
+    const int n = testing::case_count("PCVT_AREA_CASES", 300);
     Tally tally;
     for (int k = 0; k < n && !HasFatalFailure(); ++k) solve_hard_case(k, 500, tally);
     EXPECT_LT(tally.worst_of_mean, 1e-9);

@@ -5,14 +5,14 @@
 #include "mesher/cvt/walled_cvt.hpp"
 #include "mesher/density/density_survey.hpp"
 #include "mesher/mesh/valence.hpp"
+#include "tests/support/cvt_options.hpp"
 #include "tests/support/densities.hpp"
 
 namespace pcvt {
 namespace {
 
-CoarseStartOptions seeded(std::uint64_t seed, int n_threads = 1) {
-    return {.seed = seed, .n_threads = n_threads, .density = {}, .progress = {}};
-}
+using testing::kAllWalls;
+using testing::seeded;
 
 /// The fraction of the cells of a result whose valence is not six.
 double defects(const CvtResult& result) {
@@ -34,7 +34,7 @@ TEST(CoarseStart, ReturnsTheRequestedNumberOfDistinctSites) {
 
 TEST(CoarseStart, ReturnsDistinctSitesBetweenWalls) {
     const Lattice lattice = Lattice::rectangle(3, 1);
-    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+    for (const Walls walls : kAllWalls) {
         for (const int n : {1, 2, 3, 16, 17, 63, 64, 65, 255, 1000}) {
             CoarseStartOptions options = seeded(1);
             options.walls = walls;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "mesher/base/error.hpp"
+#include "tests/support/cvt_options.hpp"
 #include "tests/support/energy_at.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/nearest_site.hpp"
@@ -16,15 +17,10 @@ namespace pcvt {
 namespace {
 
 using testing::lattices;
+using testing::to_tolerance;
 
-CvtResult run(const Lattice& lattice, int n, std::uint64_t seed, const CvtOptions& options) {
+CvtResult random_cvt(const Lattice& lattice, int n, std::uint64_t seed, const CvtOptions& options) {
     return compute_cvt(lattice, uniform_points(lattice, n, seed), options);
-}
-
-CvtOptions to_tolerance(double tolerance) {
-    CvtOptions options;
-    options.tolerance = tolerance;
-    return options;
 }
 
 /// The lowest energy over 20 random starts in the unit square.
@@ -32,7 +28,7 @@ double best_of_twenty(int n) {
     const Lattice unit = Lattice::rectangle(1, 1);
     double best = 1;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const CvtResult result = run(unit, n, seed, to_tolerance(1e-8));
+        const CvtResult result = random_cvt(unit, n, seed, to_tolerance(1e-8));
         EXPECT_EQ(result.run.stop, Stop::kConverged);
         EXPECT_GE(result.run.energy, result.energy_bound);
         best = std::min(best, result.run.energy);
@@ -49,7 +45,7 @@ TEST(Cvt, ReachesThePapersEnergies) {
 TEST(Cvt, ConvergesForOneSiteAndMoreOnEveryLattice) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 7, 8, 30, 150}) {
-            const CvtResult result = run(lattice, n, 0, to_tolerance(1e-7));
+            const CvtResult result = random_cvt(lattice, n, 0, to_tolerance(1e-7));
             EXPECT_EQ(result.run.stop, Stop::kConverged) << name << " n = " << n;
             EXPECT_LE(result.run.residual, 1e-7);
             EXPECT_GE(result.run.energy, result.energy_bound * (1 - 1e-12)) << name << " n = " << n;
@@ -72,10 +68,11 @@ TEST(Cvt, TheReportedFiguresAgreeWithAnIndependentEvaluation) {
     CvtOptions options = to_tolerance(1e-9);
     for (const int limit : {0, 1, 7, -1}) {
         options.max_iterations = limit;
-        expect_as_told(run(lattice, 40, 1, options));
+        expect_as_told(random_cvt(lattice, 40, 1, options));
     }
     options.max_iterations = 0;
-    for (const std::uint64_t seed : {1, 2, 3}) expect_as_told(run(lattice, 40000, seed, options));
+    for (const std::uint64_t seed : {1, 2, 3})
+        expect_as_told(random_cvt(lattice, 40000, seed, options));
 }
 
 TEST(Cvt, ZeroIterationsKeepTheSitesAsGiven) {
@@ -134,10 +131,10 @@ TEST(Cvt, NoSiteMovesFurtherThanHalfOfH) {
         for (std::uint64_t seed = 0; seed < 5; ++seed) {
             CvtOptions options = to_tolerance(0);
             options.max_iterations = 0;
-            CvtResult before = run(lattice, 40, seed, options);
+            CvtResult before = random_cvt(lattice, 40, seed, options);
             while (options.max_iterations < 30) {
                 ++options.max_iterations;
-                CvtResult after = run(lattice, 40, seed, options);
+                CvtResult after = random_cvt(lattice, 40, seed, options);
                 EXPECT_LE(longest_move(before, after), 0.5 * (1 + 1e-6));
                 before = std::move(after);
             }
@@ -147,7 +144,7 @@ TEST(Cvt, NoSiteMovesFurtherThanHalfOfH) {
 
 TEST(Cvt, ALloydStepEndsAtTheCentroids) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
-    const CvtResult before = run(lattice, 60, 8, to_tolerance(1e-2));
+    const CvtResult before = random_cvt(lattice, 60, 8, to_tolerance(1e-2));
     CvtOptions one_step = to_tolerance(0);
     one_step.solver = Solver::kLloyd;
     one_step.max_iterations = 1;
@@ -170,7 +167,7 @@ int evaluations_to_rms(Solver solver, std::uint64_t seed) {
         evaluations = p.evaluations;
         return p.rms_residual > 1e-6;
     };
-    EXPECT_EQ(run(Lattice::rectangle(1, 1), 1000, seed, options).run.stop, Stop::kCancelled);
+    EXPECT_EQ(random_cvt(Lattice::rectangle(1, 1), 1000, seed, options).run.stop, Stop::kCancelled);
     return evaluations;
 }
 
@@ -190,7 +187,7 @@ TEST(SlowCvt, LbfgsNeedsFewEvaluationsAndLloydMany) {
 CvtResult to_machine_precision(Solver solver, int n, std::uint64_t seed) {
     CvtOptions options = to_tolerance(1e-10);
     options.solver = solver;
-    CvtResult result = run(Lattice::rectangle(1, 1), n, seed, options);
+    CvtResult result = random_cvt(Lattice::rectangle(1, 1), n, seed, options);
     EXPECT_EQ(result.run.stop, Stop::kConverged);
     return result;
 }
@@ -255,13 +252,14 @@ TEST(Cvt, LloydNeverRaisesTheEnergy) {
         previous = p.value;
         return true;
     };
-    EXPECT_EQ(run(Lattice::rectangle(20, 1), 60, 1, options).run.stop, Stop::kConverged);
+    EXPECT_EQ(random_cvt(Lattice::rectangle(20, 1), 60, 1, options).run.stop, Stop::kConverged);
 }
 
 TEST(Cvt, TheUnitOfLengthDoesNotMatter) {
-    const CvtResult one = run(Lattice::rectangle(1, 1), 60, 4, to_tolerance(1e-8));
+    const CvtResult one = random_cvt(Lattice::rectangle(1, 1), 60, 4, to_tolerance(1e-8));
     for (const double scale : {0x1p-190, 0x1p-20, 0x1p190}) {
-        const CvtResult scaled = run(Lattice::rectangle(scale, scale), 60, 4, to_tolerance(1e-8));
+        const CvtResult scaled =
+            random_cvt(Lattice::rectangle(scale, scale), 60, 4, to_tolerance(1e-8));
         EXPECT_EQ(scaled.run.stop, Stop::kConverged);
         EXPECT_EQ(scaled.run.evaluations, one.run.evaluations);
         EXPECT_EQ(scaled.delaunay.sites().coordinates(), one.delaunay.sites().coordinates());
@@ -294,17 +292,17 @@ void expect_same_bits(const CvtResult& first, const CvtResult& second) {
 
 TEST(Cvt, TheSameInputGivesTheSameBits) {
     const Lattice lattice({0.5, 0.1}, {-0.2, 2});
-    expect_same_bits(run(lattice, 80, 3, to_tolerance(1e-7)),
-                     run(lattice, 80, 3, to_tolerance(1e-7)));
+    expect_same_bits(random_cvt(lattice, 80, 3, to_tolerance(1e-7)),
+                     random_cvt(lattice, 80, 3, to_tolerance(1e-7)));
 }
 
 void expect_same_bits_for_threads(int n, CvtOptions options) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     options.n_threads = 1;
-    const CvtResult one = run(lattice, n, 5, options);
+    const CvtResult one = random_cvt(lattice, n, 5, options);
     for (const int n_threads : {2, 3}) {
         options.n_threads = n_threads;
-        expect_same_bits(run(lattice, n, 5, options), one);
+        expect_same_bits(random_cvt(lattice, n, 5, options), one);
     }
 }
 
@@ -328,7 +326,7 @@ TEST(Cvt, NeedsFewFlipsPerSiteAndNoRebuild) {
         const int n = 10000;
         CvtOptions options = to_tolerance(0);
         options.progress = [](const Progress& p) { return p.rms_residual > 1e-3; };
-        const CvtResult result = run(lattice, n, 7, options);
+        const CvtResult result = random_cvt(lattice, n, 7, options);
         EXPECT_EQ(result.run.stop, Stop::kCancelled);
         EXPECT_EQ(result.counts.n_rebuilds, 0);
         EXPECT_GT(result.counts.n_flips, 0);

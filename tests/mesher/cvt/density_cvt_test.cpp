@@ -7,12 +7,13 @@
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "tests/support/densities.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kSquare = Lattice::rectangle(1, 1);
+using testing::kSquare;
 
 CvtResult optimise(const Lattice& lattice, const Density& density, int n, double tolerance) {
     CvtOptions options;

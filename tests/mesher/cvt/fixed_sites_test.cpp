@@ -28,7 +28,7 @@ Problem random_problem(const Lattice& lattice, int n, double probability, std::u
     return problem;
 }
 
-CvtResult run(const Problem& problem) {
+CvtResult solve(const Problem& problem) {
     return compute_cvt(problem.lattice, problem.points, problem.options);
 }
 
@@ -72,7 +72,7 @@ TEST(FixedSites, StayAndTheOthersReachTheirCentroids) {
         for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 60, 300}) {
             for (const double probability : {0.1, 0.7}) {
                 const Problem problem = random_problem(lattice, n, probability, std::uint64_t(n));
-                const CvtResult result = run(problem);
+                const CvtResult result = solve(problem);
                 SCOPED_TRACE(name + " n = " + std::to_string(n));
                 EXPECT_EQ(result.run.stop, Stop::kConverged);
                 expect_fixed(problem, result);
@@ -91,7 +91,7 @@ TEST(FixedSites, StayWithEverySolver) {
             problem.options.solver = row.solver;
             problem.options.tolerance = row.solver == Solver::kLloyd ? 1e-3 : 1e-8;
             problem.options.precondition_below = 1e-2;
-            const CvtResult result = run(problem);
+            const CvtResult result = solve(problem);
             SCOPED_TRACE(row.word);
             EXPECT_EQ(result.run.stop, Stop::kConverged);
             expect_fixed(problem, result);
@@ -108,7 +108,7 @@ TEST(FixedSites, SlowStayWithADensity) {
             problem.options.solver = row.solver;
             problem.options.density = testing::smooth_density();
             problem.options.tolerance = row.solver == Solver::kLloyd ? 1e-2 : 1e-5;
-            const CvtResult result = run(problem);
+            const CvtResult result = solve(problem);
             EXPECT_EQ(result.run.stop, Stop::kConverged) << row.word << " n = " << n;
             EXPECT_LE(result.run.residual, problem.options.tolerance);
             expect_fixed(problem, result);
@@ -122,14 +122,14 @@ TEST(FixedSites, SlowStayWithADensity) {
 TEST(FixedSites, NewtonUsesTheirHessian) {
     Problem problem = random_problem(Lattice::rectangle(1, 1), 300, 0.3, 5);
     problem.options.tolerance = 1e-10;
-    const int with_newton = run(problem).run.evaluations;
+    const int with_newton = solve(problem).run.evaluations;
     problem.options.solver = Solver::kPlainLbfgs;
-    EXPECT_LT(with_newton, 0.7 * run(problem).run.evaluations);
+    EXPECT_LT(with_newton, 0.7 * solve(problem).run.evaluations);
 }
 
 TEST(FixedSites, MayBeAll) {
     Problem problem = random_problem(Lattice::rectangle(2, 1), 30, 1, 6);
-    const CvtResult result = run(problem);
+    const CvtResult result = solve(problem);
     EXPECT_EQ(result.run.stop, Stop::kConverged);
     EXPECT_EQ(result.run.iterations, 0);
     const Sites sites(problem.lattice, problem.points);
@@ -141,11 +141,11 @@ TEST(FixedSites, AreRefusedIfTheyAreNoSites) {
     for (const SiteId bad : {-1, 20}) {
         Problem problem = random_problem(Lattice::rectangle(1, 1), 20, 0, 7);
         problem.options.fixed = {3, bad};
-        EXPECT_THROW(run(problem), InvalidInput);
+        EXPECT_THROW(solve(problem), InvalidInput);
     }
     Problem problem = random_problem(Lattice::rectangle(1, 1), 20, 0.5, 7);
     problem.options.numbering = Numbering::kByColumns;
-    EXPECT_THROW(run(problem), InvalidInput);
+    EXPECT_THROW(solve(problem), InvalidInput);
 }
 
 /// Admits sites 0 and 1 on their own sides of v = 1/2 alone.

@@ -10,20 +10,19 @@
 #include "mesher/mesh/interface_proof.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/mesh/walled_mesh.hpp"
+#include "tests/support/case_count.hpp"
 #include "tests/support/densities.hpp"
 #include "tests/support/energy_at.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/random_inclusions.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kUnit = Lattice::rectangle(1, 1);
+using testing::kSquare;
 
 /// Of the cases; more of them, with more sites, if PCVT_INTERFACE_CASES says so.
-int n_cases() {
-    const char* wanted = std::getenv("PCVT_INTERFACE_CASES");
-    return wanted == nullptr ? 100 : std::atoi(wanted);
-}
+int n_cases() { return testing::case_count("PCVT_INTERFACE_CASES", 100); }
 
 InclusionSet random_set(std::mt19937_64& random) {
     std::uniform_real_distribution<double> unit(0, 1);
@@ -134,8 +133,8 @@ CellFigures figures_of(const InterfaceCvt& result) {
 
 TEST(InterfaceCvt, HasGoodCellsRoundThirtyFibresSlow) {
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
-        const auto fibres = random_circles(kUnit, {.fraction = 0.5, .n = 30, .seed = seed});
-        const InclusionSet set(kUnit, circular_inclusions(fibres, 1));
+        const auto fibres = random_circles(kSquare, {.fraction = 0.5, .n = 30, .seed = seed});
+        const InclusionSet set(kSquare, circular_inclusions(fibres, 1));
         const InterfaceCvt result = compute_interface_cvt(set, 10'000, seed, {});
         expect_laws(set, result);
         const CellFigures figures = figures_of(result);
@@ -148,8 +147,8 @@ TEST(InterfaceCvt, HasGoodCellsRoundThirtyFibresSlow) {
 }
 
 TEST(InterfaceCvt, LeavesFreeSitesAtTheirCentroids) {
-    const InclusionSet set(kUnit, {{Circle{{0.95, 0.1}, 0.25}, 1, 1},
-                                   {Polygon{{0.3, 0.5}, {0.6, 0.5}, {0.45, 0.8}}, 2, 2}});
+    const InclusionSet set(kSquare, {{Circle{{0.95, 0.1}, 0.25}, 1, 1},
+                                     {Polygon{{0.3, 0.5}, {0.6, 0.5}, {0.45, 0.8}}, 2, 2}});
     const InterfaceCvt result = compute_interface_cvt(set, 800, 1, {});
     const Sites& sites = result.cvt.delaunay.sites();
     const testing::PlaneEnergy energy = testing::energy_at(sites);
@@ -162,7 +161,7 @@ TEST(InterfaceCvt, LeavesFreeSitesAtTheirCentroids) {
 
 TEST(InterfaceCvt, FollowsADensity) {
     const InclusionSet set(
-        kUnit, {{Circle{{0.95, 0.1}, 0.25}, 1, 1}, {Ellipse{{0.4, 0.6}, 0.2, 0.1, 30}, 2, 2}});
+        kSquare, {{Circle{{0.95, 0.1}, 0.25}, 1, 1}, {Ellipse{{0.4, 0.6}, 0.2, 0.1, 30}, 2, 2}});
     CvtOptions options;
     options.density = testing::smooth_density();
     options.tolerance = 1e-4;
@@ -173,7 +172,7 @@ TEST(InterfaceCvt, FollowsADensity) {
 }
 
 TEST(InterfaceCvt, RunsWithEverySolver) {
-    const InclusionSet set(kUnit, {{Circle{{0, 0}, 0.3}, 1, 1}});
+    const InclusionSet set(kSquare, {{Circle{{0, 0}, 0.3}, 1, 1}});
     for (const SolverRow& row : kSolvers) {
         CvtOptions options;
         options.solver = row.solver;
@@ -185,7 +184,7 @@ TEST(InterfaceCvt, RunsWithEverySolver) {
 }
 
 TEST(InterfaceCvt, IsTheSameForAnyNumberOfThreads) {
-    const InclusionSet set(kUnit, {{Circle{{0, 0}, 0.3}, 1, 1}});
+    const InclusionSet set(kSquare, {{Circle{{0, 0}, 0.3}, 1, 1}});
     CvtOptions options;
     const InterfaceCvt one = compute_interface_cvt(set, 600, 1, options);
     options.n_threads = 3;
@@ -292,9 +291,9 @@ TEST(InterfaceCvt, TakesPolygonsWithParallelSidesAtAnyAngle) {
         const Vec2 up(-along.y(), along.x());
         const Vec2 centre(0.5, 0.5);
         const InclusionSet set(
-            kUnit, {{Polygon{centre - 0.2 * along - 0.1 * up, centre + 0.2 * along - 0.1 * up,
-                             centre + 0.2 * along + 0.1 * up, centre - 0.2 * along + 0.1 * up},
-                     1, 1}});
+            kSquare, {{Polygon{centre - 0.2 * along - 0.1 * up, centre + 0.2 * along - 0.1 * up,
+                               centre + 0.2 * along + 0.1 * up, centre - 0.2 * along + 0.1 * up},
+                       1, 1}});
         CvtOptions options;
         options.max_iterations = 0;
         const InterfaceCvt result = compute_interface_cvt(set, 400, 1, options);
@@ -304,13 +303,13 @@ TEST(InterfaceCvt, TakesPolygonsWithParallelSidesAtAnyAngle) {
 }
 
 TEST(InterfaceCvt, WithoutInclusionsIsACvt) {
-    const InterfaceCvt result = compute_interface_cvt(InclusionSet(kUnit, {}), 100, 1, {});
+    const InterfaceCvt result = compute_interface_cvt(InclusionSet(kSquare, {}), 100, 1, {});
     EXPECT_EQ(result.cvt.run.stop, Stop::kConverged);
     EXPECT_EQ(result.tag, std::vector<int>(100, 0));
 }
 
 TEST(InterfaceCvt, EndsWhereItsCallerWantsIt) {
-    const InclusionSet set(kUnit, {{Circle{{0, 0}, 0.3}, 1, 1}});
+    const InclusionSet set(kSquare, {{Circle{{0, 0}, 0.3}, 1, 1}});
     CvtOptions options;
     options.max_iterations = 5;
     const InterfaceCvt limited = compute_interface_cvt(set, 500, 1, options);
@@ -327,7 +326,8 @@ TEST(InterfaceCvt, EndsWhereItsCallerWantsIt) {
 }
 
 TEST(InterfaceCvt, NamesANumberOfSitesThatSuffices) {
-    const InclusionSet set(kUnit, {{Circle{{0, 0}, 0.3}, 1, 1}, {Circle{{0.5, 0.5}, 0.39}, 1, 2}});
+    const InclusionSet set(kSquare,
+                           {{Circle{{0, 0}, 0.3}, 1, 1}, {Circle{{0.5, 0.5}, 0.39}, 1, 2}});
     for (const int n : {1, 10, 40}) {
         try {
             compute_interface_cvt(set, n, 1, {});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/support/cvt_options.hpp"
 #include "tests/support/densities.hpp"
 #include "tests/support/energy_at.hpp"
 #include "tests/support/symmetry.hpp"
@@ -13,10 +14,7 @@ namespace {
 
 using testing::expect_symmetric;
 using testing::fitting_lattice;
-
-CoarseStartOptions seeded(std::uint64_t seed, int n_threads = 1) {
-    return {.seed = seed, .n_threads = n_threads, .density = {}, .progress = {}};
-}
+using testing::seeded;
 
 PlaneGroup example(PlaneGroupName name) { return {name, fitting_lattice(name)}; }
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -17,11 +16,14 @@
 #include "mesher/proof/generated_tile.hpp"
 #include "mesher/symmetry/walled_sites.hpp"
 #include "mesher/tile/build_tile.hpp"
+#include "tests/support/case_count.hpp"
+#include "tests/support/cvt_options.hpp"
 
 namespace pcvt {
 namespace {
 
-constexpr std::array kAllWalls{Walls::kX, Walls::kY, Walls::kXY};
+using testing::kAllWalls;
+
 constexpr std::array kLaws{"equal", "lognormal:0.42", "gamma:0.3", "given"};
 
 /// One random job.
@@ -164,8 +166,7 @@ double farthest_beyond_walls(const WalledAreaCvt& result) {
 }
 
 TEST(WalledAreaCvt, SlowRandomJobsGiveTheCellsOfHalfPlanesInTheWishedAreas) {
-    const char* const n_cases = std::getenv("PCVT_AREA_CASES");
-    const int n = n_cases == nullptr ? 200 : std::atoi(n_cases);
+    const int n = testing::case_count("PCVT_AREA_CASES", 200);
     int n_rounding = 0;
     for (int k = 0; k < n; ++k) {
         SCOPED_TRACE("case " + std::to_string(k));

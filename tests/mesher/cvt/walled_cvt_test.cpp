@@ -9,18 +9,14 @@
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/mesh/walled_mesh.hpp"
 #include "mesher/symmetry/walled_sites.hpp"
+#include "tests/support/cvt_options.hpp"
 #include "tests/support/densities.hpp"
 
 namespace pcvt {
 namespace {
 
-constexpr Walls kAllWalls[] = {Walls::kX, Walls::kY, Walls::kXY};
-
-CvtOptions to_tolerance(double tolerance) {
-    CvtOptions options;
-    options.tolerance = tolerance;
-    return options;
-}
+using testing::kAllWalls;
+using testing::to_tolerance;
 
 WalledCvt walled(const Lattice& lattice, Walls walls, int n, const CvtOptions& options,
                  WallCells cells = WallCells::kWhole, std::uint64_t seed = 1) {

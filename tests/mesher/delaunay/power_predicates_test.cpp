@@ -43,7 +43,7 @@ int rational_in_power_circle(const Gram& g, const WeightedImage& p, const Weight
 double pick(std::mt19937_64& random, int n) { return static_cast<int>(random() % n); }
 
 /// Images on a coarse grid, some of them moved by one unit in the last place.
-Image random_image(std::mt19937_64& random) {
+Image random_image_in_domain(std::mt19937_64& random) {
     const auto coordinate = [&] {
         return pick(random, 8) / 8 + (pick(random, 3) == 0 ? pick(random, 3) * 0x1p-51 : 0);
     };
@@ -57,7 +57,7 @@ WeightedImage random_weighted(std::mt19937_64& random) {
     const double coarse = pick(random, 5) / 64;
     const double fine = pick(random, 3) == 0 ? pick(random, 3) * 0x1p-56 : 0;
     const double odd = pick(random, 6) == 0 ? std::ldexp(1.0, -int(pick(random, 1000))) : 0;
-    return {random_image(random), coarse + fine + odd};
+    return {random_image_in_domain(random), coarse + fine + odd};
 }
 
 TEST(PowerPredicates, InPowerCircleEqualsItsRationalReference) {
@@ -81,7 +81,7 @@ TEST(PowerPredicates, ComparedPowerDistancesEqualTheirRationalReference) {
     for (const auto& [name, lattice] : lattices()) {
         const Gram gram = gram_of(reduce(lattice).reduced);
         for (int k = 0; k < 2000; ++k) {
-            const WeightedImage at{random_image(random), 0};
+            const WeightedImage at{random_image_in_domain(random), 0};
             const WeightedImage p = random_weighted(random);
             // Often the mirror image of p, which is as far.
             WeightedImage q = random_weighted(random);
@@ -103,7 +103,7 @@ TEST(PowerPredicates, EqualWeightsGiveTheAnswersOfDelaunay) {
         const Gram gram = gram_of(reduce(lattice).reduced);
         for (int k = 0; k < 2000; ++k) {
             std::array<Image, 4> at;
-            for (Image& x : at) x = random_image(random);
+            for (Image& x : at) x = random_image_in_domain(random);
             const double w = k % 2 == 0 ? 0 : pick(random, 9) / 7;
             ASSERT_EQ(in_power_circle(gram, {at[0], w}, {at[1], w}, {at[2], w}, {at[3], w}),
                       in_circle(gram, at[0], at[1], at[2], at[3]));

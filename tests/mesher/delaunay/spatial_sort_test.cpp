@@ -7,16 +7,14 @@
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/lattice/sites.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/site_columns.hpp"
 #include "tests/support/special_sites.hpp"
 
 namespace pcvt {
 namespace {
 
+using testing::columns_of;
 using testing::lattices;
-
-SpatialSort columns_of(const Sites& sites) {
-    return spatial_sort(sites.coordinates(), gram_of(sites.reduction().reduced));
-}
 
 void expect_columns(const Sites& sites) {
     const SpatialSort columns = columns_of(sites);

@@ -8,6 +8,7 @@
 #include "mesher/delaunay/moving_delaunay.hpp"
 #include "mesher/delaunay/periodic_delaunay.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/site_columns.hpp"
 #include "tests/support/special_sites.hpp"
 #include "tests/support/triangulation_laws.hpp"
 
@@ -15,12 +16,9 @@ namespace pcvt {
 namespace {
 
 using Wide = boost::multiprecision::int128_t;
+using testing::columns_of;
 using testing::lattices;
 using testing::random_lattice;
-
-SpatialSort columns_of(const Sites& sites) {
-    return spatial_sort(sites.coordinates(), gram_of(sites.reduction().reduced));
-}
 
 std::optional<TorusTriangulation> strips_of(const Sites& sites) {
     return strip_triangulation(sites.coordinates(), columns_of(sites));

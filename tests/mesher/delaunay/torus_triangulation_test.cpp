@@ -35,7 +35,8 @@ std::vector<std::tuple<SiteId, int, int>> frameless(const TorusTriangulation& t,
     return *std::min_element(turns.begin(), turns.end());
 }
 
-std::vector<std::vector<std::tuple<SiteId, int, int>>> triangle_set(const TorusTriangulation& t) {
+std::vector<std::vector<std::tuple<SiteId, int, int>>> frameless_triangles(
+    const TorusTriangulation& t) {
     std::vector<std::vector<std::tuple<SiteId, int, int>>> set;
     for (int h = 0; h < t.n_halfedges(); h += 3) set.push_back(frameless(t, h));
     std::sort(set.begin(), set.end());
@@ -58,12 +59,12 @@ TEST(TorusTriangulation, FlipsKeepTheLawsAndAreReversible) {
         TorusTriangulation t = triangulation_of(Lattice({1, 0}, {0.37, 0.81}), n, 2);
         for (int h = 0; h < t.n_halfedges(); ++h) {
             SCOPED_TRACE("n = " + std::to_string(n) + " h = " + std::to_string(h));
-            const auto before = triangle_set(t);
+            const auto before = frameless_triangles(t);
             t.flip(h);
             expect_laws(t);
-            ASSERT_NE(triangle_set(t), before);
+            ASSERT_NE(frameless_triangles(t), before);
             t.flip(h);
-            ASSERT_EQ(triangle_set(t), before);
+            ASSERT_EQ(frameless_triangles(t), before);
         }
     }
 }
@@ -161,7 +162,7 @@ TEST(TorusTriangulation, TakesGivenLinksUnchanged) {
     const TorusTriangulation linked(5, {sites_of.begin(), sites_of.end()},
                                     {offsets.begin(), offsets.end()}, links);
     expect_laws(linked);
-    EXPECT_EQ(triangle_set(linked), triangle_set(matched));
+    EXPECT_EQ(frameless_triangles(linked), frameless_triangles(matched));
 }
 
 TEST(TorusTriangulation, RejectsTrianglesThatDoNotClose) {

@@ -11,7 +11,7 @@
 namespace pcvt {
 namespace {
 
-const Lattice kOblique({1.3, 0.2}, {0.4, 0.9});
+const Lattice kPixelLattice({1.3, 0.2}, {0.4, 0.9});
 /// The same torus in a basis that is far from reduced.
 const Lattice kSkew({1.3, 0.2}, {26.4, 4.9});
 
@@ -39,7 +39,8 @@ Moments by_rules(const Lattice& lattice, const PixelGrid& grid, CellView cell, c
     return CellQuadrature(density)(cell, site, kPixelOrder, probe);
 }
 
-void expect_near(const Moments& found, const Moments& expected, double radius, double accuracy) {
+void expect_accurate(const Moments& found, const Moments& expected, double radius,
+                     double accuracy) {
     const double mass = expected.mass;
     EXPECT_NEAR(found.mass, mass, accuracy * mass);
     EXPECT_LT((found.first - expected.first).norm(), accuracy * mass * radius);
@@ -51,12 +52,12 @@ TEST(PixelQuadrature, EqualsTheRulesOnEachPiece) {
     std::int64_t n_points = 0;
     for (const auto& [width, height] : {std::pair{1, 1}, {5, 2}, {40, 50}, {3, 200}, {90, 1}}) {
         const PixelGrid grid = noise(width, height, 0.01, 1);
-        for (const Lattice& lattice : {kOblique, kSkew}) {
+        for (const Lattice& lattice : {kPixelLattice, kSkew}) {
             for (const double radius : {0.004, 0.1, 0.7}) {
                 for (const Vec2& site : {Vec2(0.5, 0.52), Vec2(0.99, 0.01), Vec2(0.25, 0.75)}) {
                     const CellPolygon cell = heptagon(lattice, site, radius);
-                    expect_near(pixel_moments(grid, cell, n_points),
-                                by_rules(lattice, grid, cell, site), radius, 1e-12);
+                    expect_accurate(pixel_moments(grid, cell, n_points),
+                                    by_rules(lattice, grid, cell, site), radius, 1e-12);
                 }
             }
         }
@@ -73,8 +74,8 @@ TEST(PixelQuadrature, IsAccurateForEveryContrast) {
     const PixelGrid grid(64, 64, greys, 1e-11, 1);
     const CellPolygon cell = heptagon(Lattice::rectangle(1, 1), {0.7, 0.5}, 0.25);
     std::int64_t n_points = 0;
-    expect_near(pixel_moments(grid, cell, n_points),
-                by_rules(Lattice::rectangle(1, 1), grid, cell, {0.7, 0.5}), 0.25, 1e-12);
+    expect_accurate(pixel_moments(grid, cell, n_points),
+                    by_rules(Lattice::rectangle(1, 1), grid, cell, {0.7, 0.5}), 0.25, 1e-12);
 }
 
 // Law 2.
@@ -82,10 +83,10 @@ TEST(PixelQuadrature, IsTheSameForAllTranslates) {
     const PixelGrid grid = noise(37, 41, 0.1, 2);
     std::int64_t n_points = 0;
     const Vec2 site(0.3, 0.6);
-    const Moments here = pixel_moments(grid, heptagon(kOblique, site, 0.4), n_points);
+    const Moments here = pixel_moments(grid, heptagon(kPixelLattice, site, 0.4), n_points);
     for (const Vec2& offset : {Vec2(1, 0), Vec2(-1, 1), Vec2(0, -2)}) {
-        const CellPolygon there = heptagon(kOblique, site + offset, 0.4);
-        expect_near(pixel_moments(grid, there, n_points), here, 0.4, 1e-12);
+        const CellPolygon there = heptagon(kPixelLattice, site + offset, 0.4);
+        expect_accurate(pixel_moments(grid, there, n_points), here, 0.4, 1e-12);
     }
 }
 
@@ -93,7 +94,7 @@ TEST(PixelQuadrature, IsTheSameForAllTranslates) {
 TEST(PixelQuadrature, EvaluatesOnlyAlongTheOutline) {
     std::int64_t n_coarse = 0;
     std::int64_t n_fine = 0;
-    const CellPolygon cell = heptagon(kOblique, {0.5, 0.5}, 0.4);
+    const CellPolygon cell = heptagon(kPixelLattice, {0.5, 0.5}, 0.4);
     pixel_moments(noise(100, 100, 0.1, 1), cell, n_coarse);
     pixel_moments(noise(400, 400, 0.1, 1), cell, n_fine);
     EXPECT_LT(double(n_fine), 4.5 * double(n_coarse));

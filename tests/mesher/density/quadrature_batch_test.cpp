@@ -4,11 +4,12 @@
 
 #include "mesher/density/cell_quadrature.hpp"
 #include "tests/support/densities.hpp"
+#include "tests/support/example_lattices.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kSquare = Lattice::rectangle(1, 1);
+using testing::kSquare;
 
 /// A square round a site; near the seam it is cut.
 CellPolygon square(const Vec2& site, double half) {

@@ -12,9 +12,9 @@ namespace pcvt {
 namespace {
 
 /// Sites after some Lloyd steps, with rules chosen at their positions.
-class Walk {
+class DensityWalk {
    public:
-    Walk(const Lattice& lattice, Density rho, int n, double accuracy, int n_threads = 1)
+    DensityWalk(const Lattice& lattice, Density rho, int n, double accuracy, int n_threads = 1)
         : density(std::move(rho)),
           delaunay(Sites(lattice, graded_points(lattice, density, n, 5))),
           workers(n_threads),
@@ -58,7 +58,8 @@ class Walk {
 TEST(DensityEnergy, OfAConstantEqualsTheUniformEnergy) {
     for (const auto& [name, lattice] : testing::lattices()) {
         SCOPED_TRACE(name);
-        Walk walk(lattice, shared_density([](const DensityPoint&) { return 3.0; }), 60, 1e-6);
+        DensityWalk walk(lattice, shared_density([](const DensityPoint&) { return 3.0; }), 60,
+                         1e-6);
         Energy uniform;
         EnergyPass(walk.delaunay, walk.workers).evaluate(uniform);
         EXPECT_NEAR(walk.energy.value / uniform.value, 3, 1e-12);
@@ -72,7 +73,7 @@ TEST(DensityEnergy, OfAConstantEqualsTheUniformEnergy) {
 TEST(DensityEnergy, MassesSumToTheIntegralOfTheDensity) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const Density& density : {testing::smooth_density(), testing::ramp_density()}) {
-            const Walk walk(lattice, density, 80, 1e-10);
+            const DensityWalk walk(lattice, density, 80, 1e-10);
             const double unit = walk.delaunay.unit();
             EXPECT_NEAR(walk.energy.mass.sum() * unit * unit / integral(lattice, density), 1, 1e-9)
                 << name;
@@ -82,7 +83,7 @@ TEST(DensityEnergy, MassesSumToTheIntegralOfTheDensity) {
 
 /// The largest difference between the gradient and fourth-order central differences, relative to
 /// the cell's mass times its spacing.
-double gradient_error(Walk& walk) {
+double gradient_error(DensityWalk& walk) {
     const double step = 5e-4 * walk.delaunay.spacing();
     double largest = 0;
     for (int k = 0; k < 2 * walk.delaunay.n_sites(); k += 97) {
@@ -97,32 +98,32 @@ double gradient_error(Walk& walk) {
 
 // Law 3.
 TEST(DensityEnergy, GradientOfSmoothDensitiesMatchesDifferencesToEightDigits) {
-    Walk walk(Lattice::rectangle(1, 1), testing::smooth_density(), 1000, 1e-10);
+    DensityWalk walk(Lattice::rectangle(1, 1), testing::smooth_density(), 1000, 1e-10);
     EXPECT_LT(gradient_error(walk), 1e-8);
 }
 
 TEST(DensityEnergy, GradientOfARidgeMatchesDifferencesToSixDigits) {
-    Walk walk(Lattice::rectangle(1, 1), testing::ridge_density(), 1000, 1e-8);
+    DensityWalk walk(Lattice::rectangle(1, 1), testing::ridge_density(), 1000, 1e-8);
     EXPECT_LT(gradient_error(walk), 1e-6);
 }
 
 TEST(DensityEnergy, GradientOfALowOrderDoesNotMatchDifferences) {
-    Walk walk(Lattice::rectangle(1, 1), testing::ridge_density(), 1000, 1);
+    DensityWalk walk(Lattice::rectangle(1, 1), testing::ridge_density(), 1000, 1);
     EXPECT_GT(gradient_error(walk), 1e-5);
 }
 
 TEST(DensityEnergy, GradientHoldsAcrossAJumpAtTheSeam) {
-    Walk walk(Lattice({1, 0}, {0.37, 0.81}), testing::ramp_density(), 300, 1e-10);
+    DensityWalk walk(Lattice({1, 0}, {0.37, 0.81}), testing::ramp_density(), 300, 1e-10);
     EXPECT_LT(gradient_error(walk), 1e-8);
 }
 
 // Law 4, with repairs in between.
 TEST(DensityEnergy, IsTheSameToTheLastBitForAnyNumberOfWorkers) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
-    Walk one(lattice, testing::smooth_density(), 3000, 1e-5);
+    DensityWalk one(lattice, testing::smooth_density(), 3000, 1e-5);
     EXPECT_GT(one.delaunay.counts().n_flips, 0);
     for (const int n_threads : {2, 5}) {
-        Walk other(lattice, testing::smooth_density(), 3000, 1e-5, n_threads);
+        DensityWalk other(lattice, testing::smooth_density(), 3000, 1e-5, n_threads);
         EXPECT_EQ(other.energy.value, one.energy.value);
         EXPECT_EQ(other.energy.gradient, one.energy.gradient);
         EXPECT_EQ(other.energy.mass, one.energy.mass);
@@ -132,7 +133,7 @@ TEST(DensityEnergy, IsTheSameToTheLastBitForAnyNumberOfWorkers) {
 
 TEST(DensityEnergy, OrdersFollowTheAccuracyAndTheDensity) {
     const Lattice lattice = Lattice::rectangle(1, 1);
-    Walk walk(lattice, testing::ridge_density(), 500, 1e-9);
+    DensityWalk walk(lattice, testing::ridge_density(), 500, 1e-9);
     EXPECT_LE(walk.check.largest_error, 1e-9);
     EXPECT_EQ(walk.check.n_rough, 0);
     const double fine = walk.pass.evaluations_per_site();
@@ -144,7 +145,7 @@ TEST(DensityEnergy, OrdersFollowTheAccuracyAndTheDensity) {
 }
 
 TEST(DensityEnergy, CellsOnAJumpAreRough) {
-    const Walk walk(Lattice::rectangle(1, 1), testing::disc_density(), 500, 1e-6);
+    const DensityWalk walk(Lattice::rectangle(1, 1), testing::disc_density(), 500, 1e-6);
     // The number of cells is about the length of the circle in cells of either side.
     EXPECT_GT(walk.check.n_rough, 20);
     EXPECT_LT(walk.check.n_rough, 150);

@@ -12,19 +12,14 @@
 #include "mesher/tile/tile_builder.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/random_meshes.hpp"
 
 namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
 using testing::lattices;
-
-Tile random_tile(const Lattice& lattice, int n, MeshKind kind) {
-    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 4)));
-    const PeriodicMesh mesh =
-        kind == MeshKind::kVoronoi ? cell_mesh(delaunay) : triangle_mesh(delaunay);
-    return make_tile(mesh, whole_outline(mesh, Vec2(0, 0)));
-}
+using testing::random_tile;
 
 std::vector<Eigen::Vector3d> face_points(const ExtrudedMesh& extruded, int f) {
     std::vector<Eigen::Vector3d> points;

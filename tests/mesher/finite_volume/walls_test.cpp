@@ -78,7 +78,7 @@ TEST(ExtrudedWalls, TheThicknessIsTheGivenOne) {
 /// Returns the message of extruded_base, or of the proof of its edges on walls, for the extruded
 /// channel after `damage`, which gets the patch of the lower wall and the one of the upper wall.
 template <class Damage>
-std::string fault_after(Damage damage) {
+std::string wall_fault_after(Damage damage) {
     ExtrudedMesh extruded = extruded_mesh(channel());
     const std::size_t n = extruded.patches.size();
     damage(extruded, extruded.patches[n - 4], extruded.patches[n - 3]);
@@ -93,33 +93,33 @@ std::string fault_after(Damage damage) {
 
 TEST(ExtrudedWalls, FalseWallsAreRefused) {
     using Patch = ExtrudedPatch;
-    EXPECT_EQ(fault_after([](ExtrudedMesh&, Patch&, Patch&) {}), "");
+    EXPECT_EQ(wall_fault_after([](ExtrudedMesh&, Patch&, Patch&) {}), "");
     const char* const law = "law (4) of extruded meshes, walls";
-    EXPECT_THAT(fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.name = "wall_top"; }),
+    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.name = "wall_top"; }),
                 HasSubstr("is not the wall wall_bottom"));
-    EXPECT_THAT(fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
+    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
                     std::swap(low.name, high.name);
                     std::swap(low.wall, high.wall);
                 }),
                 HasSubstr("lies off its patch wall_top"));
-    EXPECT_THAT(fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
+    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
                     low.name = "wall_left";
                     low.wall = WallId::side(WallSide::kLeft);
                     high.name = "wall_right";
                     high.wall = WallId::side(WallSide::kRight);
                 }),
                 HasSubstr(law));
-    EXPECT_THAT(fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
+    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
                     ++low.n_faces;
                     ++high.first_face;
                     --high.n_faces;
                 }),
                 HasSubstr("lies off its patch wall_bottom"));
-    EXPECT_THAT(fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.partner = 0; }),
+    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.partner = 0; }),
                 HasSubstr(law));
-    EXPECT_THAT(fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.wall.reset(); }),
+    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.wall.reset(); }),
                 HasSubstr("a cell is open"));
-    EXPECT_THAT(fault_after([](ExtrudedMesh& mesh, Patch&, Patch&) {
+    EXPECT_THAT(wall_fault_after([](ExtrudedMesh& mesh, Patch&, Patch&) {
                     mesh.lattice = Lattice({2, 0}, {0.5, 1});
                 }),
                 HasSubstr("law ("));

@@ -2,13 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/random_inclusions.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kUnit = Lattice::rectangle(1, 1);
+using testing::kSquare;
 
 Vec2 random_point(const Lattice& lattice, std::mt19937_64& random) {
     std::uniform_real_distribution<double> unit(-2, 2);
@@ -17,7 +18,7 @@ Vec2 random_point(const Lattice& lattice, std::mt19937_64& random) {
 }
 
 std::vector<Lattice> test_lattices() {
-    return {kUnit, Lattice({1, 0}, {0.4, 0.7}), Lattice({1, 0}, {3.3, 1}),
+    return {kSquare, Lattice({1, 0}, {0.4, 0.7}), Lattice({1, 0}, {3.3, 1}),
             Lattice({0.3, 1.1}, {1, 0.2})};
 }
 
@@ -141,7 +142,7 @@ TEST(InclusionSet, NamesTheLinesOfWhatItRefuses) {
     };
     for (const auto& [bad, message] : cases) {
         try {
-            const InclusionSet set(kUnit, {good, bad});
+            const InclusionSet set(kSquare, {good, bad});
             ADD_FAILURE() << "accepted: " << message;
         } catch (const InvalidInput& error) {
             EXPECT_THAT(error.what(), ::testing::StartsWith(message));
@@ -196,12 +197,12 @@ TEST(InclusionSet, ContainsTheMirrorImagesOfShapesBetweenWalls) {
 }
 
 TEST(InclusionSet, TurnsPolygonsCounterClockwise) {
-    const InclusionSet set(kUnit, {{Polygon{{0, 0}, {0, 0.3}, {0.3, 0}}, 1, 1}});
+    const InclusionSet set(kSquare, {{Polygon{{0, 0}, {0, 0.3}, {0.3, 0}}, 1, 1}});
     EXPECT_NEAR(polygon_area(std::get<Polygon>(set[0].shape)), 0.045, 1e-15);
 }
 
 TEST(InclusionSet, MayBeEmpty) {
-    const InclusionSet set(kUnit, {});
+    const InclusionSet set(kSquare, {});
     EXPECT_EQ(set.containing({0.3, 0.4}), -1);
 }
 

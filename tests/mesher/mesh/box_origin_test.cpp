@@ -5,14 +5,13 @@
 #include "mesher/mesh/box_outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/random_meshes.hpp"
 #include "tests/support/special_sites.hpp"
 
 namespace pcvt {
 namespace {
 
-PeriodicMesh random_cells(const Lattice& lattice, int n, std::uint64_t seed) {
-    return cell_mesh(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, seed))));
-}
+using testing::random_cells;
 
 double shortest_at(const PeriodicMesh& cells, const Vec2& origin) {
     return cut_along_box(cells, origin).shortest_edge;

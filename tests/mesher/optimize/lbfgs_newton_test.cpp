@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 using testing::PlainObjective;
 
 /// The sum of cosh(k x_k): minimum at 0, where Newton's method is superlinear.
-bool chain(const VectorXd& x, Evaluation& e) {
+bool cosh_sum(const VectorXd& x, Evaluation& e) {
     const VectorXd weight = VectorXd::LinSpaced(x.size(), 1, double(x.size()));
     const VectorXd kx = weight.cwiseProduct(x);
     e.value = kx.array().cosh().sum();
@@ -23,7 +23,7 @@ bool chain(const VectorXd& x, Evaluation& e) {
     return true;
 }
 
-PlainObjective from(double start) { return {chain, VectorXd::Constant(20, start), 1.0 / 400}; }
+PlainObjective from(double start) { return {cosh_sum, VectorXd::Constant(20, start), 1.0 / 400}; }
 
 OptimizerResult lbfgs_newton(Objective& objective, double tolerance, NewtonStart start,
                              const ProgressCallback& progress = {}) {
@@ -75,7 +75,7 @@ TEST(LbfgsNewton, CountsOverAllLegs) {
         EXPECT_EQ(result.run.iterations + 1, next);
         EXPECT_EQ(result.run.evaluations, objective.n_evaluations());
         Evaluation there;
-        chain(objective.point(), there);
+        cosh_sum(objective.point(), there);
         EXPECT_EQ(result.evaluation.value, there.value);
     }
 }
@@ -105,7 +105,7 @@ TEST(LbfgsNewton, StallsWhereBothMethodsStall) {
     for (const NewtonStart start : {NewtonStart::kNear, NewtonStart::kAtOnce}) {
         PlainObjective objective(
             [](const VectorXd& x, Evaluation& e) {
-                chain(x, e);
+                cosh_sum(x, e);
                 e.residual += 1e-3;
                 return true;
             },

@@ -168,7 +168,7 @@ TEST(Newton, ReportsThePointThatItReached) {
 
 /// The stiffness matrix of a chain of n pairs on springs; only the first pair is fixed, with
 /// stiffness `hold`.
-BlockMatrix chain(int n, double hold) {
+BlockMatrix chain_matrix(int n, double hold) {
     BlockMatrix h;
     std::vector<int> n_entries(static_cast<std::size_t>(n), 2);
     n_entries.front() = n_entries.back() = 1;
@@ -188,7 +188,7 @@ BlockMatrix chain(int n, double hold) {
 }
 
 TEST(ConjugateGradients, SolveTheSystemToTheGivenResidual) {
-    BlockMatrix h = chain(50, 1);
+    BlockMatrix h = chain_matrix(50, 1);
     for (auto& block : h.diagonal) block[1] = block[2] = 0.01;
     for (auto& block : h.diagonal) block[0] += 0.1, block[3] += 0.1;
     const VectorXd g = VectorXd::LinSpaced(100, -1, 3).array().sin();
@@ -209,7 +209,7 @@ TEST(ConjugateGradients, EndAtTheBoundary) {
     Workers workers(1);
     ConjugateGradients cg(100, workers);
     for (const double hold : {1.0, -20.0}) {
-        const BlockMatrix h = chain(50, hold);
+        const BlockMatrix h = chain_matrix(50, hold);
         const auto outcome = cg.solve(h, g, {1e-10, 0.3, 1000});
         EXPECT_TRUE(outcome.truncated);
         EXPECT_NEAR(outcome.largest_move, 0.3, 1e-10);

@@ -46,7 +46,7 @@ struct Diagram {
     }
 };
 
-Eigen::VectorXd random_weights(int n, double size, std::mt19937_64& random) {
+Eigen::VectorXd weights_of_size(int n, double size, std::mt19937_64& random) {
     std::uniform_real_distribution<double> uniform(0, size);
     Eigen::VectorXd weights(n);
     for (double& w : weights) w = uniform(random);
@@ -102,7 +102,7 @@ TEST(PowerCells, EqualClippedPolygonsOnRandomInputs) {
             k % 2 == 0 ? random_lattice(random) : named[(k / 2) % named.size()].lattice;
         SCOPED_TRACE("input " + std::to_string(k) + " n = " + std::to_string(n));
         const Sites sites(lattice, uniform_points(lattice, n, random()));
-        const Diagram diagram(sites, random_weights(n, 0.1 * (k % 5), random));
+        const Diagram diagram(sites, weights_of_size(n, 0.1 * (k % 5), random));
         if (!diagram.visible) continue;
         ++n_visible;
         expect_polygons(diagram, 3e-12);
@@ -117,7 +117,7 @@ TEST(PowerCells, EqualClippedPolygonsOnGridsAndRowsAndTheSeam) {
         if (sites.n_sites() > 40) continue;
         SCOPED_TRACE(name);
         for (const double size : {0.0, 0.01, 0.3}) {
-            const Diagram diagram(sites, random_weights(sites.n_sites(), size, random));
+            const Diagram diagram(sites, weights_of_size(sites.n_sites(), size, random));
             if (diagram.visible) expect_polygons(diagram, 3e-12);
             if (HasFatalFailure()) return;
         }
@@ -145,13 +145,13 @@ TEST(PowerCells, TheGraphIsTheDerivativeOfTheMasses) {
     Workers workers(1);
     for (const auto& [name, lattice] : lattices()) {
         const Sites sites(lattice, uniform_points(lattice, 40, random()));
-        Eigen::VectorXd weights = random_weights(40, 0.02, random);
+        Eigen::VectorXd weights = weights_of_size(40, 0.02, random);
         const Diagram here(sites, weights);
         if (!here.visible) continue;
         CellGraph graph;
         assemble_cell_graph(here.weighted(), orthocentre_heights(here.weighted(), workers), workers,
                             graph);
-        const Eigen::VectorXd change = random_weights(40, 1, random);
+        const Eigen::VectorXd change = weights_of_size(40, 1, random);
         Eigen::VectorXd expected = Eigen::VectorXd::Zero(40);
         for (int s = 0; s < 40; ++s) {
             for (int k = graph.row_begin[s]; k < graph.row_begin[s + 1]; ++k) {
@@ -173,7 +173,7 @@ TEST(PowerCells, EveryBitIsTheSameForAnyNumberOfWorkers) {
     std::mt19937_64 random(4);
     const Lattice unit = Lattice::rectangle(1, 1);
     const int n = 40'000;
-    const Diagram diagram(Sites(unit, uniform_points(unit, n, 1)), random_weights(n, 0, random));
+    const Diagram diagram(Sites(unit, uniform_points(unit, n, 1)), weights_of_size(n, 0, random));
     Workers one(1);
     Workers three(3);
     const PowerCells first = measured(diagram, one);

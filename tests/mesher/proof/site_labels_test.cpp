@@ -5,6 +5,7 @@
 #include "mesher/delaunay/periodic_delaunay.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/walled_tiles.hpp"
 
@@ -12,8 +13,7 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
-
-const Lattice kOblique({1, 0}, {0.37, 0.81});
+using testing::kOblique;
 
 std::vector<TileOptions> all_options() {
     std::vector<TileOptions> all;

@@ -9,6 +9,7 @@
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/site_labels.hpp"
 #include "mesher/tile/build_tile.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/power_tiles.hpp"
 
@@ -16,6 +17,7 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kOblique;
 using testing::lattices;
 using ::testing::ThrowsMessage;
 
@@ -98,8 +100,6 @@ double centroidal_distance(const Tile& tile, double tolerance) {
         return -1;
     }
 }
-
-const Lattice kOblique({1, 0}, {0.37, 0.81});
 
 TEST(ProveCentroidalPowerCells, SitesLieAtTheCentroidsOfAConvergedRunAlone) {
     for (const testing::CellShape& shape : {testing::cell_shapes()[0], testing::cell_shapes()[2]}) {

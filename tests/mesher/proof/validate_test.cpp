@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/polygon_tile.hpp"
 #include "tests/support/scrambled_grid.hpp"
@@ -16,12 +17,11 @@ using ::testing::AllOf;
 using testing::grid_tile;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::kSquare;
 using testing::many_lattices;
 using testing::scrambled_grid;
 using testing::square_tiled;
 using testing::triangle_grid_tile;
-
-const Lattice kUnit = Lattice::rectangle(1, 1);
 
 /// Returns the message that refuses the tile; empty if the tile and its stored pairs are proved.
 std::string refusal(const Tile& tile, Precision precision = Precision::kDouble) {
@@ -91,13 +91,13 @@ TEST(ProveTile, OrderAndNumberingDoNotMatter) {
 // Law (1)
 
 TEST(ProveTileFaces, NeedFiniteCoordinates) {
-    Tile tile = grid_tile(kUnit, 2, 2);
+    Tile tile = grid_tile(kSquare, 2, 2);
     tile.points[3].y() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (1)"), HasSubstr("vertex 3")));
 }
 
 TEST(ProveTileFaces, NeedThreeDistinctCornersThatExist) {
-    Tile tile = grid_tile(kUnit, 2, 2);
+    Tile tile = grid_tile(kSquare, 2, 2);
     tile.faces.corners[1] = tile.faces.corners[0];
     EXPECT_THAT(refusal(tile),
                 AllOf(HasSubstr("law (1)"), HasSubstr("face 0"), HasSubstr("twice")));
@@ -108,7 +108,7 @@ TEST(ProveTileFaces, NeedThreeDistinctCornersThatExist) {
         tile.faces.corners[1] = v;
         EXPECT_THAT(refusal(tile), HasSubstr("names vertex " + std::to_string(v)));
     }
-    tile = grid_tile(kUnit, 2, 2);
+    tile = grid_tile(kSquare, 2, 2);
     tile.points.push_back({0.3, 0.3});
     EXPECT_THAT(refusal(tile), HasSubstr("vertex 9 belongs to no face"));
     tile.faces.begin = {0, 2, 8, 12, 16};
@@ -137,13 +137,13 @@ TEST(ProveTileFaces, DoNotCrossThemselves) {
 }
 
 TEST(ProveTileFaces, VerticesOfOneTileMustNotCoincide) {
-    Tile tile = grid_tile(kUnit, 2, 2);
+    Tile tile = grid_tile(kSquare, 2, 2);
     tile.points[4] = tile.points[0] + Vec2(1e-16, 0);
     EXPECT_THAT(refusal(tile), HasSubstr("vertices 0 and 4 coincide: they lie 1e-16 apart"));
 }
 
 TEST(ProveTileFaces, CoordinatesMustNotExceedThePeriodByFar) {
-    Tile tile = grid_tile(kUnit, 2, 2);
+    Tile tile = grid_tile(kSquare, 2, 2);
     for (Vec2& p : tile.points) p.x() += 1e14;
     EXPECT_THAT(refusal(tile), HasSubstr("nearer to the origin"));
     tile = grid_tile(Lattice({1, 0}, {9e5, 1}), 2, 2);
@@ -154,7 +154,7 @@ TEST(ProveTileFaces, CoordinatesMustNotExceedThePeriodByFar) {
 // Law (2)
 
 TEST(ProveTileSeam, VertexTenTolerancesOffIsRefusedWithTheAmount) {
-    Tile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kSquare, 4, 4);
     const double moved = 10 * prove_tile(tile, Precision::kDouble).tolerance;
     tile.points[24].x() += moved;
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("no reversed partner"),
@@ -164,7 +164,7 @@ TEST(ProveTileSeam, VertexTenTolerancesOffIsRefusedWithTheAmount) {
 }
 
 TEST(ProveTileSeam, LatticeScaledByOneInABillionIsRefused) {
-    Tile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kSquare, 4, 4);
     tile.lattice = Lattice::rectangle(1 + 1e-9, 1 + 1e-9);
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("off by 1e-09")));
 }
@@ -179,7 +179,7 @@ void erase_face(Tile& tile, int f) {
 
 TEST(ProveTileSeam, MissingFaceIsRefusedInsideAndAtTheBoundary) {
     for (const int f : {1, 5}) {
-        Tile tile = grid_tile(kUnit, 4, 4);
+        Tile tile = grid_tile(kSquare, 4, 4);
         erase_face(tile, f);
         EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("no reversed partner")));
     }
@@ -188,7 +188,7 @@ TEST(ProveTileSeam, MissingFaceIsRefusedInsideAndAtTheBoundary) {
 void append_face(Tile& tile, const std::vector<int>& corners) { tile.faces.add(corners); }
 
 TEST(ProveTileSeam, DoubledFaceIsRefused) {
-    Tile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kSquare, 4, 4);
     append_face(tile, {tile.faces.corners.begin() + 20, tile.faces.corners.begin() + 24});
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("face 5"),
                                      HasSubstr("face 16"), HasSubstr("same direction")));
@@ -202,20 +202,20 @@ TEST(ProveTileSeam, FaceOnItsImageIsRefused) {
 }
 
 TEST(ProveTileSeam, TurnedFaceIsRefused) {
-    Tile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kSquare, 4, 4);
     std::reverse(tile.faces.corners.begin() + 20, tile.faces.corners.begin() + 24);
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (2)"), HasSubstr("face 5")));
 }
 
 TEST(ProveTileSeam, SwappedCornersAreRefused) {
-    Tile tile = grid_tile(kUnit, 4, 4);
+    Tile tile = grid_tile(kSquare, 4, 4);
     std::swap(tile.faces.corners[20], tile.faces.corners[21]);
     EXPECT_THAT(refusal(tile), HasSubstr("law (2)"));
 }
 
 TEST(ProveTileSeam, EdgeSplitOnOneSideOnlyIsRefused) {
     for (const double height : {0.0, 0.25, 1.0}) {
-        Tile tile = grid_tile(kUnit, 1, 4);
+        Tile tile = grid_tile(kSquare, 1, 4);
         const auto corner = std::find_if(tile.faces.corners.begin(), tile.faces.corners.end(),
                                          [&](int v) { return tile.points[v] == Vec2(0, height); });
         tile.points.push_back({0.5, height});
@@ -268,7 +268,7 @@ TEST(ProveTileTorus, SurfaceOfGenusTwoIsRefused) {
 TEST(ProveTileAreas, DoubleCoverIsRefused) {
     // With cells 0.9 and 1.1 wide, no edge of one sheet lies on an edge of the other.
     const Tile tile = testing::polygon_tile(
-        kUnit, {{{0, 0}, {0.9, 0}, {0.9, 1}, {0, 1}}, {{0.9, 0}, {2, 0}, {2, 1}, {0.9, 1}}});
+        kSquare, {{{0, 0}, {0.9, 0}, {0.9, 1}, {0, 1}}, {{0.9, 0}, {2, 0}, {2, 1}, {0.9, 1}}});
     EXPECT_THAT(refusal(tile), AllOf(HasSubstr("law (5)"), HasSubstr("cover 2 of")));
 }
 
@@ -304,7 +304,7 @@ TEST(ProveTileInSinglePrecision, EdgeThatShrinksToAPointIsDropped) {
 }
 
 TEST(ProveTileInSinglePrecision, StatedCopiesAreChecked) {
-    Tile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
+    Tile fans = testing::float_fans(grid_tile(kSquare, 2, 2));
     fans.points.push_back(fans.points[5]);
     fans.copies = {5};
     EXPECT_THAT(refusal(fans, Precision::kSingle), IsEmpty());
@@ -318,7 +318,7 @@ TEST(ProveTileInSinglePrecision, StatedCopiesAreChecked) {
 }
 
 TEST(ProveTileInSinglePrecision, CopyWithoutAFaceIsMerged) {
-    Tile fans = testing::float_fans(grid_tile(kUnit, 2, 2));
+    Tile fans = testing::float_fans(grid_tile(kSquare, 2, 2));
     fans.points.push_back(fans.points[5]);
     EXPECT_EQ(prove_tile(fans, Precision::kSingle).n_merged, 8);
     fans.points.back().x() += 0.1;
@@ -326,7 +326,7 @@ TEST(ProveTileInSinglePrecision, CopyWithoutAFaceIsMerged) {
 }
 
 TEST(ProveTileInSinglePrecision, VertexTenTolerancesOffIsRefused) {
-    Tile fans = testing::float_fans(grid_tile(kUnit, 4, 4));
+    Tile fans = testing::float_fans(grid_tile(kSquare, 4, 4));
     const double moved = 10 * prove_tile(fans, Precision::kSingle).tolerance;
     for (int v = 0; v < fans.n_vertices(); ++v) {
         Tile tile = fans;

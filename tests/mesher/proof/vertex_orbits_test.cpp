@@ -13,7 +13,7 @@ using ::testing::ThrowsMessage;
 
 constexpr double kTolerance = 1e-9;
 
-std::vector<Lattice> lattices() {
+std::vector<Lattice> orbit_lattices() {
     return {Lattice::rectangle(1, 1), Lattice({1, 0}, {7, 1}), Lattice({0.2, 1}, {1, 0.1}),
             Lattice::rectangle(50, 1), Lattice({1, 0}, {-0.5, 0.86})};
 }
@@ -44,7 +44,7 @@ Cloud random_cloud(const Lattice& lattice, std::mt19937& random) {
 TEST(VertexOrbits, AreTheOrbitsOfTheGeneratingPoints) {
     std::mt19937 random(1);
     for (int round = 0; round < 200; ++round) {
-        for (const Lattice& lattice : lattices()) {
+        for (const Lattice& lattice : orbit_lattices()) {
             const Cloud cloud = random_cloud(lattice, random);
             const VertexOrbits found = find_vertex_orbits(lattice, cloud.points, kTolerance);
             for (int v = 0; v < 60; ++v) {
@@ -65,7 +65,7 @@ TEST(VertexOrbits, PairsAreFoundWhereverTheyLie) {
     // With this many pairs, some lie across every kind of border between bins.
     std::mt19937 random(2);
     std::uniform_real_distribution<double> uniform(0, 1);
-    for (const Lattice& lattice : lattices()) {
+    for (const Lattice& lattice : orbit_lattices()) {
         std::vector<Vec2> points;
         for (int v = 0; v < 40000; v += 2) {
             points.push_back(lattice.to_plane({uniform(random), uniform(random)}));

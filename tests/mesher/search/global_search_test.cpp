@@ -5,12 +5,13 @@
 #include <thread>
 
 #include "mesher/base/error.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kSquare = Lattice::rectangle(1, 1);
+using testing::kSquare;
 
 SearchResult search(const Lattice& period, int n, int budget, int n_threads = 1) {
     return search_minimum(period, n, {.seed = 0, .budget = budget, .n_threads = n_threads});

@@ -4,12 +4,13 @@
 
 #include <random>
 
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kSquare = Lattice::rectangle(1, 1);
+using testing::kSquare;
 
 CvtResult tessellation(const Lattice& period, Points points) {
     CvtOptions as_given;

@@ -7,14 +7,15 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kSquare = Lattice::rectangle(1, 1);
+using testing::kSquare;
 
-CvtResult tessellation(const LatticePattern& pattern) {
+CvtResult pattern_tessellation(const LatticePattern& pattern) {
     CvtOptions as_given;
     as_given.max_iterations = 0;
     return compute_cvt(pattern.period, pattern_points(pattern), as_given);
@@ -87,7 +88,7 @@ TEST(LatticePattern, BasisIsReducedAndSpansThePeriodVectors) {
 
 /// Law (2).
 void expect_energy_of_the_cvt(const LatticePattern& pattern, const std::string& name) {
-    const CvtResult result = tessellation(pattern);
+    const CvtResult result = pattern_tessellation(pattern);
     EXPECT_NEAR(result.run.energy / pattern.energy, 1, 1e-12) << name << pattern.n_sites();
     EXPECT_LT(result.run.residual, 1e-12) << name << pattern.n_sites();
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/energy_at.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/hessian_by_differences.hpp"
 #include "tests/support/lattices.hpp"
 
@@ -11,8 +12,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using testing::energy_at;
-
-const Lattice kSquare = Lattice::rectangle(1, 1);
+using testing::kSquare;
 
 /// The error of differences over 1e-5 h; the third derivative jumps at square lattices.
 constexpr double kDifferences = 2e-5;

@@ -6,14 +6,14 @@
 #include <limits>
 #include <set>
 
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
-
-const Lattice kOblique({1, 0}, {0.37, 0.81});
+using testing::kOblique;
 
 std::vector<SearchState> only_the_lattice(const Lattice& period, int n) {
     const LatticePattern pattern = best_lattice(period, n);

@@ -24,7 +24,7 @@ std::uint64_t setting(const char* name, std::uint64_t usual) {
     return text != nullptr ? std::strtoull(text, nullptr, 10) : usual;
 }
 
-SpaceEnergy energy_of(const SpaceDelaunay& delaunay, const SpaceFrame& frame) {
+SpaceEnergy energy_in_frame(const SpaceDelaunay& delaunay, const SpaceFrame& frame) {
     Workers workers(1);
     SpaceEnergy energy;
     SpaceEnergyPass().run(delaunay.tetrahedra, delaunay.sites.coordinates(), frame, workers,
@@ -100,7 +100,8 @@ void expect_gradient_of_differences(const SpaceDelaunay& delaunay, const SpaceEn
         const auto value = [&](double sign) {
             Points3 u = sites.coordinates();
             u.col(site) += sign * move;
-            return energy_of(space_delaunay({sites.lattice(), sites.reduction(), u}), frame).value;
+            return energy_in_frame(space_delaunay({sites.lattice(), sites.reduction(), u}), frame)
+                .value;
         };
         const double derivative = energy.gradient.segment<3>(3 * site).dot(frame.to_space(move));
         EXPECT_NEAR(derivative, (value(1) - value(-1)) / 2, 1e-6 * frame.volume() * length * step);
@@ -128,8 +129,8 @@ SpaceDelaunay expect_equal_to_a_new_build(const MovingTetrahedra& moving,
     expect_delaunay_of_a_new_build(moved, fresh);
     const std::vector<double> nearest = nearest_distances(fresh, moving.frame());
     const double closest = *std::min_element(nearest.begin(), nearest.end()) / moving.spacing();
-    expect_equal_energies(in_given_numbering(moving, energy), energy_of(fresh, moving.frame()),
-                          moving.frame(), closest);
+    expect_equal_energies(in_given_numbering(moving, energy),
+                          energy_in_frame(fresh, moving.frame()), moving.frame(), closest);
     return fresh;
 }
 
@@ -161,7 +162,7 @@ void run_job(std::mt19937_64& random) {
         if (jump < 3) continue;
         const auto site = SiteId(random() % std::uint64_t(sites.n_sites()));
         const SpaceFrame& frame = moving.frame();
-        expect_gradient_of_differences(fresh, energy_of(fresh, frame), frame, site);
+        expect_gradient_of_differences(fresh, energy_in_frame(fresh, frame), frame, site);
     }
 }
 

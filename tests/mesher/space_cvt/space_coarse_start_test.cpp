@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/space_lattices.hpp"
+
 namespace pcvt {
 namespace {
 
-const SpaceLattice kCube = SpaceLattice::box(1, 1, 1);
+using testing::kCube;
+
 const SpaceLattice kOblique({1, 0, 0}, {0.37, 0.81, 0}, {0.2, 0.4, 0.9});
 
 /// Starts that have a coarser level reach 31 sites and more.

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "mesher/space_cvt/space_cvt.hpp"
+#include "tests/support/space_lattices.hpp"
 
 namespace pcvt {
 namespace {
 
-const SpaceLattice kCube = SpaceLattice::box(1, 1, 1);
+using testing::kCube;
 
 SpaceDelaunay grid(int k) {
     Points3 points(3, k * k * k);

@@ -10,7 +10,7 @@
 namespace pcvt {
 namespace {
 
-const Eigen::Matrix3d kCube = Eigen::Matrix3d::Identity();
+const Eigen::Matrix3d kCubePeriods = Eigen::Matrix3d::Identity();
 
 /// The error of differences over 1e-5 h; the third derivative jumps where facets vanish.
 constexpr double kDifferences = 3e-5;
@@ -48,7 +48,7 @@ double smallest_by_differences(const SpacePattern& pattern) {
 
 /// Law (1), at minima, saddles and lattices whose cells have six to fourteen faces.
 TEST(SpaceStability, AgreesWithDifferencesOfTheGradient) {
-    for (const Eigen::Matrix3d& period : {kCube, sheared_period()}) {
+    for (const Eigen::Matrix3d& period : {kCubePeriods, sheared_period()}) {
         for (const int n : {2, 3, 4, 5, 7, 10, 12}) {
             const SpacePattern pattern = best_space_pattern(period, n);
             EXPECT_NEAR(*space_stability(pattern).smallest, smallest_by_differences(pattern),
@@ -63,16 +63,16 @@ TEST(SpaceStability, AgreesWithDifferencesOfTheGradient) {
 
 TEST(SpaceStability, BodyCentredLatticesAreMinimaAndCubesSaddles) {
     for (const int n : {2, 16, 54}) {
-        EXPECT_EQ(space_stability(best_space_pattern(kCube, n)).minimum, Minimum::kYes) << n;
+        EXPECT_EQ(space_stability(best_space_pattern(kCubePeriods, n)).minimum, Minimum::kYes) << n;
     }
     for (const int k : {2, 3}) {
-        const SpacePattern cubes = space_pattern(kCube, {.a = k, .d = k, .f = k});
+        const SpacePattern cubes = space_pattern(kCubePeriods, {.a = k, .d = k, .f = k});
         EXPECT_EQ(space_stability(cubes).minimum, Minimum::kNo) << k;
     }
 }
 
 TEST(SpaceStability, OneSiteHasOnlyTheTranslations) {
-    const LatticeStability stability = space_stability(best_space_pattern(kCube, 1));
+    const LatticeStability stability = space_stability(best_space_pattern(kCubePeriods, 1));
     EXPECT_EQ(stability.minimum, Minimum::kYes);
     EXPECT_FALSE(stability.smallest.has_value());
 }

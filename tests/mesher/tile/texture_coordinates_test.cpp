@@ -19,7 +19,7 @@ Tile cells(const Lattice& lattice, const Vec2& origin) {
     return make_tile(mesh, whole_outline(mesh, origin));
 }
 
-std::vector<Tile> tiles() {
+std::vector<Tile> textured_tiles() {
     std::vector<Tile> result;
     std::vector<Lattice> lattices = testing::awkward_lattices();
     lattices.emplace_back(Vec2(1, 0), Vec2(7, 1));
@@ -33,7 +33,7 @@ std::vector<Tile> tiles() {
 
 // Law 1.
 TEST(TextureCoordinates, PartnersDifferByExactlyTheOffset) {
-    for (const Tile& tile : tiles()) {
+    for (const Tile& tile : textured_tiles()) {
         const auto uv = texture_coordinates(tile);
         ASSERT_EQ(uv.size(), tile.points.size());
         for (const VertexPair& pair : tile.vertex_pairs) {
@@ -62,7 +62,7 @@ TEST(TextureCoordinates, PartnersBetweenTwoStepsAreRoundedAlike) {
 
 // Law 2.
 TEST(TextureCoordinates, TheOppositeDirectionIsExactAsWell) {
-    for (const Tile& tile : tiles()) {
+    for (const Tile& tile : textured_tiles()) {
         for (const auto& [u, v] : texture_coordinates(tile)) {
             EXPECT_EQ(double(1 - v), 1 - double(v));
         }
@@ -71,7 +71,7 @@ TEST(TextureCoordinates, TheOppositeDirectionIsExactAsWell) {
 
 // Law 3.
 TEST(TextureCoordinates, GiveThePositionBackUpToWholePeriods) {
-    for (const Tile& tile : tiles()) {
+    for (const Tile& tile : textured_tiles()) {
         const auto uv = texture_coordinates(tile);
         for (int v = 0; v < tile.n_vertices(); ++v) {
             const Vec2 u = tile.lattice.to_lattice(tile.points[v]);

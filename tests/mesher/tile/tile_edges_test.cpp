@@ -8,14 +8,15 @@
 #include "mesher/mesh/outline.hpp"
 #include "mesher/mesh/voronoi.hpp"
 #include "mesher/tile/tile_builder.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 
 namespace pcvt {
 namespace {
 
-const Lattice kOblique({1, 0}, {0.37, 0.81});
+using testing::kOblique;
 
-std::vector<Tile> tiles() {
+std::vector<Tile> oblique_tiles() {
     const PeriodicMesh cells =
         cell_mesh(PeriodicDelaunay(Sites(kOblique, uniform_points(kOblique, 40, 5))));
     return {testing::grid_tile(kOblique, 1, 1), testing::grid_tile(kOblique, 4, 3),
@@ -24,7 +25,7 @@ std::vector<Tile> tiles() {
 }
 
 TEST(TileEdges, HaveEachEdgeOnce) {
-    for (const Tile& tile : tiles()) {
+    for (const Tile& tile : oblique_tiles()) {
         std::set<std::set<int>> expected;
         for (int f = 0; f < tile.n_faces(); ++f) {
             int from = tile.faces[f].back();
@@ -44,7 +45,7 @@ TEST(TileEdges, HaveEachEdgeOnce) {
 }
 
 TEST(TileEdges, NameTheFacesOfBothSides) {
-    for (const Tile& tile : tiles()) {
+    for (const Tile& tile : oblique_tiles()) {
         std::map<std::pair<int, int>, int> face_of;
         for (int f = 0; f < tile.n_faces(); ++f) {
             int from = tile.faces[f].back();

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 
 namespace pcvt {
 namespace {
 
 using testing::grid_tile;
+using testing::kOblique;
 using testing::triangle_grid_tile;
-
-const Lattice kOblique({1, 0}, {0.37, 0.81});
 
 /// The tile with its faces from the last to the first.
 Tile faces_reversed(const Tile& tile) {

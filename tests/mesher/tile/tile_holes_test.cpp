@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <numeric>
 #include <random>
 
@@ -11,6 +10,7 @@
 #include "mesher/proof/site_labels.hpp"
 #include "mesher/tile/openmesh_tile.hpp"
 #include "mesher/tile/tile_equality.hpp"
+#include "tests/support/case_count.hpp"
 #include "tests/support/holed_tiles.hpp"
 #include "tests/support/random_inclusions.hpp"
 
@@ -18,12 +18,6 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// More cases with PCVT_HOLE_CASES.
-int n_cases(int usual) {
-    const char* text = std::getenv("PCVT_HOLE_CASES");
-    return text != nullptr ? std::atoi(text) : usual;
-}
 
 double area_of_faces(const Tile& tile) {
     double area = 0;
@@ -88,7 +82,7 @@ std::pair<double, double> holes_in(const Case& made) {
 TEST(TileHoles, SlowRandomTilesAreProvedAndLackTheAreaOfTheirHoles) {
     std::mt19937_64 random(11);
     const auto draw = [&](int to) { return std::uniform_int_distribution<int>(0, to)(random); };
-    for (int k = 0; k < n_cases(30); ++k) {
+    for (int k = 0; k < testing::case_count("PCVT_HOLE_CASES", 30); ++k) {
         const Case made = random_case(random);
         const auto kind = draw(1) == 0 ? MeshKind::kVoronoi : MeshKind::kGrains;
         TileOptions options{.kind = kind,
@@ -129,7 +123,7 @@ TEST(TileHoles, SitesThatStayAreNumberedFromZeroInTheirOrder) {
 // The mesh of the torus that views and tables read.
 TEST(TileHoles, MeshesOfTheTorusKeepTheirNeighboursAcrossAllOtherEdges) {
     std::mt19937_64 random(12);
-    for (int k = 0; k < n_cases(5); ++k) {
+    for (int k = 0; k < testing::case_count("PCVT_HOLE_CASES", 5); ++k) {
         const Case made = random_case(random);
         const PeriodicMesh whole = cell_mesh(made.cvt.cvt.delaunay);
         const HoleSites holes = testing::holes_of(made.cvt.tag, made.tags);
@@ -163,7 +157,7 @@ TEST(TileHoles, VerticesAndFacesKeepTheirOrderAndTheirPlaces) {
     EXPECT_TRUE(same_geometry(with_holes(whole, none), whole));
 }
 
-std::vector<Tile> tiles() {
+std::vector<Tile> holed_tiles() {
     std::vector<Tile> tiles;
     for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
         for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
@@ -175,7 +169,7 @@ std::vector<Tile> tiles() {
 }
 
 TEST(TileHoles, EachMeshAndOutlineIsProvedAndSurvivesOpenMesh) {
-    for (const Tile& made : tiles()) {
+    for (const Tile& made : holed_tiles()) {
         const TileProof proof = verify_generated_tile(made);
         const Tile back = tile(openmesh_tile(made));
         EXPECT_EQ(back.holes, made.holes);
@@ -201,7 +195,7 @@ std::string fault_after(Tile tile, const Change& change) {
 }
 
 TEST(TileHoles, TheProofFindsEveryWrongEdge) {
-    for (const Tile& made : tiles()) {
+    for (const Tile& made : holed_tiles()) {
         EXPECT_EQ(fault_after(made, [](Tile&) {}), "");
         EXPECT_THAT(fault_after(made, [](Tile& tile) { tile.wall_edges.pop_back(); }),
                     HasSubstr("has no reversed partner by any lattice vector"));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 #include <string>
 
@@ -12,15 +11,10 @@
 #include "mesher/proof/validate_walls.hpp"
 #include "mesher/tile/build_tile.hpp"
 #include "mesher/tile/tile_valence.hpp"
+#include "tests/support/case_count.hpp"
 
 namespace pcvt {
 namespace {
-
-/// More cases with PCVT_WALLED_CASES.
-int n_cases(int usual) {
-    const char* text = std::getenv("PCVT_WALLED_CASES");
-    return text != nullptr ? std::atoi(text) : usual;
-}
 
 WalledCvt walled(const Lattice& lattice, Walls walls, WallCells cells, int n, std::uint64_t seed,
                  int max_iterations) {
@@ -54,7 +48,7 @@ TEST(WalledTile, SlowRandomTilesBetweenWallsAreProved) {
     const auto draw = [&](int from, int to) {
         return std::uniform_int_distribution<int>(from, to)(random);
     };
-    for (int k = 0; k < n_cases(300); ++k) {
+    for (int k = 0; k < testing::case_count("PCVT_WALLED_CASES", 300); ++k) {
         const auto walls = static_cast<Walls>(draw(1, 3));
         const int n = draw(1, 60);
         const double height = std::pow(10.0, 0.1 * draw(-8, 8));
@@ -103,7 +97,7 @@ TEST(WalledTile, SlowRandomTilesBetweenWallsAreProved) {
 }
 
 TEST(WalledTile, HalfCellsMakeEveryKindOfMesh) {
-    for (int seed = 0; seed < n_cases(20); ++seed) {
+    for (int seed = 0; seed < testing::case_count("PCVT_WALLED_CASES", 20); ++seed) {
         for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
             const int n = 12 + 3 * (seed % 20);
             SCOPED_TRACE("seed " + std::to_string(seed) + ", walls " + walls_row(walls).word);

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 template <class Fault>
-std::string refusal(const Lattice& lattice, VoxelCounts counts) {
+std::string grid_refusal(const Lattice& lattice, VoxelCounts counts) {
     try {
         voxel_grid(lattice, {0, 0}, counts);
     } catch (const Fault& fault) {
@@ -39,16 +39,17 @@ TEST(VoxelGrid, TakesARectangularRepetitionOfHexagons) {
     const VoxelGrid grid = voxel_grid(hexagonal.repeated(1, 2), {0, 0}, {10, 10});
     EXPECT_NEAR(grid.size.x(), 1, 1e-15);
     EXPECT_NEAR(grid.size.y(), 2 * std::sqrt(0.75), 1e-15);
-    EXPECT_THAT(refusal<InvalidInput>(hexagonal, {10, 10}), HasSubstr("periods along x and y"));
+    EXPECT_THAT(grid_refusal<InvalidInput>(hexagonal, {10, 10}),
+                HasSubstr("periods along x and y"));
 }
 
 TEST(VoxelGrid, RefusesCountsOutOfRange) {
     const Lattice unit = Lattice::rectangle(1, 1);
-    EXPECT_THAT(refusal<InvalidInput>(unit, {1, 8}), HasSubstr("at least 2"));
-    EXPECT_THAT(refusal<InvalidInput>(unit, {8, -8}), HasSubstr("at least 2"));
-    EXPECT_THAT(refusal<LimitExceeded>(unit, {1 << 20, 1 << 20}), HasSubstr("at most 2^28"));
-    EXPECT_THAT(refusal<LimitExceeded>(unit, {(1 << 20) + 1, 2}), HasSubstr("at most 2^28"));
-    EXPECT_EQ(refusal<Error>(unit, {1 << 14, 1 << 14}), "");
+    EXPECT_THAT(grid_refusal<InvalidInput>(unit, {1, 8}), HasSubstr("at least 2"));
+    EXPECT_THAT(grid_refusal<InvalidInput>(unit, {8, -8}), HasSubstr("at least 2"));
+    EXPECT_THAT(grid_refusal<LimitExceeded>(unit, {1 << 20, 1 << 20}), HasSubstr("at most 2^28"));
+    EXPECT_THAT(grid_refusal<LimitExceeded>(unit, {(1 << 20) + 1, 2}), HasSubstr("at most 2^28"));
+    EXPECT_EQ(grid_refusal<Error>(unit, {1 << 14, 1 << 14}), "");
 }
 
 TEST(VoxelGrid, DefaultsToSixteenVoxelsAlongACell) {

@@ -33,7 +33,7 @@ Example example(const Metric& metric, VoxelCounts counts) {
     return {voxel_image(result.delaunay, metric, voxel_grid(lattice, {5, 0.25}, counts), 1), cells};
 }
 
-std::string refusal(const Example& example) {
+std::string proof_refusal(const Example& example) {
     try {
         prove_voxels(example.image, example.cells);
     } catch (const NotATile& fault) {
@@ -56,15 +56,15 @@ TEST(VoxelProof, NamesTheVoxelThatIsNotOfItsCell) {
     Example bad = example(Metric(3, 20), {200, 100});
     const SiteId here = bad.image.site[1234];
     bad.image.site[1234] = (here + 20) % 40;
-    EXPECT_EQ(refusal(bad), "voxel 34,6 names cell " + std::to_string((here + 20) % 40) +
-                                ", but its centre lies in cell " + std::to_string(here));
+    EXPECT_EQ(proof_refusal(bad), "voxel 34,6 names cell " + std::to_string((here + 20) % 40) +
+                                      ", but its centre lies in cell " + std::to_string(here));
 }
 
 TEST(VoxelProof, RefusesIdsThatNoCellHas) {
     for (const int id : {-1, 40}) {
         Example bad = example({}, {20, 10});
         bad.image.site.back() = id;
-        EXPECT_THAT(refusal(bad), HasSubstr("voxel 19,9 names cell " + std::to_string(id)));
+        EXPECT_THAT(proof_refusal(bad), HasSubstr("voxel 19,9 names cell " + std::to_string(id)));
     }
 }
 
@@ -72,16 +72,16 @@ TEST(VoxelProof, NeedsTheWeightsTheMetricAndThePeriods) {
     const Example good = example(Metric(3, 20), {200, 100});
     Example bad = good;
     bad.cells.weights.setZero();
-    EXPECT_NE(refusal(bad), "");
+    EXPECT_NE(proof_refusal(bad), "");
     bad = good;
     bad.cells.metric = Metric(3, -20);
-    EXPECT_NE(refusal(bad), "");
+    EXPECT_NE(proof_refusal(bad), "");
     bad = good;
     bad.image.grid.corner.x() += 0.1;
-    EXPECT_NE(refusal(bad), "");
+    EXPECT_NE(proof_refusal(bad), "");
     bad = good;
     bad.image.grid.size.x() = 1;
-    EXPECT_THAT(refusal(bad), HasSubstr("periods"));
+    EXPECT_THAT(proof_refusal(bad), HasSubstr("periods"));
 }
 
 TEST(VoxelProof, NamesTheCellsThatAreSmallerThanAVoxel) {

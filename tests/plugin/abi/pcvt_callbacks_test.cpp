@@ -31,7 +31,7 @@ pcvt_options options_for(int n_sites) {
 }
 
 /// Generates with a progress callback and frees the result.
-pcvt_status generate(pcvt_progress_callback progress, void* data = nullptr) {
+pcvt_status generate_with(pcvt_progress_callback progress, void* data = nullptr) {
     pcvt_options options = options_for(100);
     options.progress = progress;
     options.progress_data = data;
@@ -44,13 +44,14 @@ pcvt_status generate(pcvt_progress_callback progress, void* data = nullptr) {
 
 TEST(Callbacks, AThrownExceptionBecomesAStatus) {
     EXPECT_EQ(
-        generate([](const pcvt_progress*, void*) -> int { throw std::runtime_error("ouch"); }),
+        generate_with([](const pcvt_progress*, void*) -> int { throw std::runtime_error("ouch"); }),
         PCVT_ERROR_DOMAIN);
     EXPECT_THAT(pcvt_last_error(), StrEq("the progress callback threw: ouch"));
-    EXPECT_EQ(generate([](const pcvt_progress*, void*) -> int { throw 7; }), PCVT_ERROR_DOMAIN);
-    EXPECT_EQ(generate([](const pcvt_progress*, void*) -> int { throw std::bad_alloc(); }),
+    EXPECT_EQ(generate_with([](const pcvt_progress*, void*) -> int { throw 7; }),
               PCVT_ERROR_DOMAIN);
-    EXPECT_EQ(generate(nullptr), PCVT_OK);
+    EXPECT_EQ(generate_with([](const pcvt_progress*, void*) -> int { throw std::bad_alloc(); }),
+              PCVT_ERROR_DOMAIN);
+    EXPECT_EQ(generate_with(nullptr), PCVT_OK);
 }
 
 TEST(Callbacks, ADensityMayThrowToo) {
@@ -86,15 +87,15 @@ TEST(Callbacks, RunOnTheCallingThreadOnly) {
     };
     std::thread([&] {
         caller = std::this_thread::get_id();
-        EXPECT_EQ(generate(note, &caller), PCVT_OK);
+        EXPECT_EQ(generate_with(note, &caller), PCVT_OK);
     }).join();
 }
 
 TEST(Callbacks, MayCallTheLibrary) {
     const auto nested = [](const pcvt_progress* progress, void*) {
-        return static_cast<int>(progress->iteration == 3 && generate(nullptr) != PCVT_OK);
+        return static_cast<int>(progress->iteration == 3 && generate_with(nullptr) != PCVT_OK);
     };
-    EXPECT_EQ(generate(nested), PCVT_OK);
+    EXPECT_EQ(generate_with(nested), PCVT_OK);
 }
 
 /// The words of the phases that a call has reported; the call is cancelled in phase `last`.

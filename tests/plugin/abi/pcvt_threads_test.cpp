@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kHosts = 8;
 
-pcvt_result* generate(int n_sites, std::uint64_t seed, int n_threads) {
+pcvt_result* short_run(int n_sites, std::uint64_t seed, int n_threads) {
     pcvt_options options;
     EXPECT_EQ(pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION), PCVT_OK);
     options.n_sites = n_sites;
@@ -39,7 +39,7 @@ TEST(Threads, GenerateConcurrentlyTheResultsOfSingleRuns) {
     constexpr int n_sites = 17000;
     std::vector<std::vector<double>> together(kHosts);
     on_all_hosts([&](int k) {
-        pcvt_result* result = generate(n_sites, static_cast<std::uint64_t>(k % 2), 2);
+        pcvt_result* result = short_run(n_sites, static_cast<std::uint64_t>(k % 2), 2);
         together[k] = sites_of(result);
         pcvt_free(result);
     });
@@ -48,7 +48,7 @@ TEST(Threads, GenerateConcurrentlyTheResultsOfSingleRuns) {
 }
 
 TEST(Threads, ShareTheViewsOfOneResult) {
-    pcvt_result* result = generate(300, 1, 1);
+    pcvt_result* result = short_run(300, 1, 1);
     std::vector<pcvt_tile> tiles(kHosts);
     std::vector<pcvt_statistics> figures(kHosts);
     on_all_hosts([&](int k) {

@@ -27,7 +27,7 @@ struct Watch {
     }
 };
 
-pcvt_options options_for(int n_sites) {
+pcvt_options oblique_options_for(int n_sites) {
     pcvt_options options;
     EXPECT_EQ(pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION), PCVT_OK);
     options.n_sites = n_sites;
@@ -39,7 +39,7 @@ pcvt_options options_for(int n_sites) {
 }
 
 /// Runs and returns the sites of the result.
-std::vector<double> sites_of(pcvt_options options, Watch& watch) {
+std::vector<double> sites_after_run(pcvt_options options, Watch& watch) {
     options.progress = Watch::look;
     options.progress_data = &watch;
     pcvt_result* result = nullptr;
@@ -56,35 +56,35 @@ std::vector<double> sites_of(pcvt_options options, Watch& watch) {
 void expect_sites_of_result(const pcvt_options& options) {
     Watch watch;
     Watch idle{.is_asking = false};
-    const std::vector<double> points = sites_of(options, watch);
+    const std::vector<double> points = sites_after_run(options, watch);
     EXPECT_GT(watch.n_views, 1);
     EXPECT_EQ(watch.last, points);
-    EXPECT_EQ(sites_of(options, idle), points);
+    EXPECT_EQ(sites_after_run(options, idle), points);
     EXPECT_EQ(idle.n_views, 0);
 }
 
 TEST(ProgressSites, EndAtTheResultWithEachSolverAndStart) {
     for (const int n : {2, 3, 8, 300}) {
         for (const int solver : {PCVT_SOLVER_LBFGS, PCVT_SOLVER_LLOYD, PCVT_SOLVER_NEWTON}) {
-            pcvt_options options = options_for(n);
+            pcvt_options options = oblique_options_for(n);
             options.solver = solver;
             options.max_iterations = 40;
             expect_sites_of_result(options);
         }
     }
-    pcvt_options coarse = options_for(500);
+    pcvt_options coarse = oblique_options_for(500);
     coarse.start = PCVT_START_COARSE;
     expect_sites_of_result(coarse);
 }
 
 TEST(ProgressSites, EndAtTheResultWithDensitiesAreasAndAnAspect) {
-    pcvt_options density = options_for(200);
+    pcvt_options density = oblique_options_for(200);
     density.density_source = "1 + u";
-    pcvt_options areas = options_for(60);
+    pcvt_options areas = oblique_options_for(60);
     areas.area_law = "lognormal:0.3";
     pcvt_options steps = areas;
     steps.max_iterations = 3;
-    pcvt_options aspect = options_for(200);
+    pcvt_options aspect = oblique_options_for(200);
     aspect.aspect = 2;
     for (const pcvt_options& options : {density, areas, steps, aspect}) {
         expect_sites_of_result(options);
@@ -92,7 +92,7 @@ TEST(ProgressSites, EndAtTheResultWithDensitiesAreasAndAnAspect) {
 }
 
 TEST(ProgressSites, EndAtTheResultBetweenWallsAndWithASymmetry) {
-    pcvt_options options = options_for(120);
+    pcvt_options options = oblique_options_for(120);
     options.lattice[2] = 0;
     options.origin[0] = 0;
     options.symmetry = PCVT_SYMMETRY_PM;
@@ -100,7 +100,7 @@ TEST(ProgressSites, EndAtTheResultBetweenWallsAndWithASymmetry) {
     options.symmetry = PCVT_SYMMETRY_NONE;
     options.walls = PCVT_WALLS_XY;
     Watch watch;
-    const std::vector<double> points = sites_of(options, watch);
+    const std::vector<double> points = sites_after_run(options, watch);
     ASSERT_EQ(watch.last.size(), points.size());
     for (std::size_t k = 0; k < points.size(); ++k) EXPECT_NEAR(watch.last[k], points[k], 1e-14);
 }
@@ -109,7 +109,7 @@ TEST(ProgressSites, AreRefusedOutsideOfACallbackAndWhereTheyAreNotKnown) {
     pcvt_sites sites;
     EXPECT_EQ(pcvt_get_progress_sites(&sites, sizeof sites), PCVT_ERROR_ARGUMENT);
     EXPECT_THAT(pcvt_last_error(), HasSubstr("no progress callback runs"));
-    pcvt_options space = options_for(20);
+    pcvt_options space = oblique_options_for(20);
     const pcvt_options flat = space;
     EXPECT_EQ(pcvt_options_init(&space, sizeof space, PCVT_ABI_VERSION), PCVT_OK);
     space.n_sites = flat.n_sites;
@@ -131,13 +131,13 @@ TEST(ProgressSites, AreRefusedOutsideOfACallbackAndWhereTheyAreNotKnown) {
 TEST(ProgressSites, AreThoseOfTheInnerRunInACallbackThatStartsOne) {
     static std::vector<int> counts;
     counts.clear();
-    pcvt_options options = options_for(30);
+    pcvt_options options = oblique_options_for(30);
     options.max_iterations = 1;
     options.progress = [](const pcvt_progress*, void*) -> int {
         Watch watch;
-        pcvt_options inner = options_for(7);
+        pcvt_options inner = oblique_options_for(7);
         inner.max_iterations = 1;
-        sites_of(inner, watch);
+        sites_after_run(inner, watch);
         counts.push_back(static_cast<int>(watch.last.size()) / 2);
         pcvt_sites sites;
         if (pcvt_get_progress_sites(&sites, sizeof sites) == PCVT_OK)

@@ -14,6 +14,7 @@
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_tiles.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/random_numbers.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {
@@ -21,11 +22,10 @@ namespace {
 
 using pcvt::testing::TemporaryFolder;
 using ::testing::HasSubstr;
+using testing::random_number;
 
 /// A number below n.
 int below(std::mt19937_64& random, int n) { return static_cast<int>(random() % std::uint64_t(n)); }
-
-double unit(std::mt19937_64& random) { return std::uniform_real_distribution<double>()(random); }
 
 /// Sites at random, in clusters, on a line or on a grid.
 Points some_sites(std::mt19937_64& random, const Lattice& lattice, int n) {
@@ -66,18 +66,18 @@ Job some_job(std::uint64_t seed) {
     const int kind = below(random, 3);
     if (kind != 0) job.areas = some_areas(random, job.n_sites);
     if (kind != 1) {
-        job.aspect =
-            Aspect{.ratio = std::exp(3 * unit(random) - 1.5), .degrees = 360 * unit(random)};
+        job.aspect = Aspect{.ratio = std::exp(3 * random_number(random) - 1.5),
+                            .degrees = 360 * random_number(random)};
     }
     job.columns = 1 + below(random, 3);
     job.rows = 1 + below(random, 2);
     job.order = 1 + below(random, 2);
-    job.origin = {unit(random) - 0.5, unit(random) - 0.5};
+    job.origin = {random_number(random) - 0.5, random_number(random) - 0.5};
     job.outline = below(random, 2) == 0 ? Outline::kBox : Outline::kWhole;
     job.finds_origin = job.outline == Outline::kBox && below(random, 2) == 0;
     job.meshes = {MeshKind::kVoronoi, MeshKind::kGrains};
     if (job.outline == Outline::kWhole) job.meshes.push_back(MeshKind::kDelaunay);
-    if (below(random, 3) == 0) job.short_edges = 0.1 * unit(random);
+    if (below(random, 3) == 0) job.short_edges = 0.1 * random_number(random);
     if (below(random, 4) == 0) job.grain_per_edge = 1 + below(random, 2);
     return job;
 }

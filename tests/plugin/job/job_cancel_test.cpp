@@ -31,7 +31,7 @@ double cpu_seconds() {
 }
 
 /// The seconds of the first triangulation.
-double unit() {
+double unit_of_time() {
     const Lattice square = Lattice::rectangle(1, 1);
     double best = 1e9;
     for (int k = 0; k < 3; ++k) {
@@ -78,7 +78,7 @@ class Pauses final : public Client {
 };
 
 void expect_short_pauses(const Job& job) {
-    const double limit = kLongestPause * unit();
+    const double limit = kLongestPause * unit_of_time();
     Pauses pauses;
     {
         const ClientScope scope(&pauses);
