@@ -128,9 +128,8 @@ void InclusionSet::add_mirror_images() {
     const std::size_t n = inclusions_.size();
     for (int r = 1; r < n_images(walls_); ++r) {
         for (std::size_t k = 0; k < n; ++k) {
-            Inclusion image = inclusions_[k];
-            image.shape = mirrored(image.shape, walls_, r);
-            inclusions_.push_back(std::move(image));
+            const Inclusion& source = inclusions_[k];
+            inclusions_.push_back({mirrored(source.shape, walls_, r), source.tag, source.line});
         }
     }
 }
