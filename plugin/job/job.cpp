@@ -183,6 +183,7 @@ RunSummary finish(const Job& job, const std::vector<JobFile>& files, const Compu
         summary = summarize(job, result, tiles);
         watch.stop(&JobSeconds::build);
         stage(job, files, result, tiles, monitor, watch, summary, outputs);
+        summary.recovered = wait_for_turn(outputs, monitor);
     });
     const ClientScope no_client(nullptr);
     outputs.commit(job.force);
@@ -276,7 +277,7 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
     check_file_options(job, files);
-    std::vector<std::string> recovered = require_all_writable(job, files);
+    const std::vector<std::string> recovered = require_all_writable(job, files);
     check_retries(job, files);
     require_memory(job, files);
     Stopwatch watch;
@@ -284,7 +285,7 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
     for (int k = 0;; ++k, ++next.seed) {
         try {
             RunSummary summary = run(next, files, callback, watch);
-            summary.recovered = std::move(recovered);
+            summary.recovered.insert(summary.recovered.begin(), recovered.begin(), recovered.end());
             return summary;
         } catch (const Cancelled&) {
             return {};

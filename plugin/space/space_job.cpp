@@ -11,6 +11,7 @@
 #include "mesher/space_cvt/space_coarse_start.hpp"
 #include "mesher/tetrahedra/tetrahedral_proof.hpp"
 #include "plugin/job/job_memory.hpp"
+#include "plugin/job/job_staging.hpp"
 #include "plugin/space/space_files.hpp"
 #include "plugin/space/space_memory.hpp"
 #include "plugin/space/space_report.hpp"
@@ -170,9 +171,11 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         summary.run = computation.cvt.run;
         summary.pattern = computation.pattern;
         if (job.stability) summary.minimum = minimum_of(computation);
-        if (job.report.empty()) return;
-        outputs.stage(job.report,
-                      encode_space_report(job, summary, computation.seconds, seconds_since(begin)));
+        if (!job.report.empty()) {
+            outputs.stage(job.report, encode_space_report(job, summary, computation.seconds,
+                                                          seconds_since(begin)));
+        }
+        summary.recovered = wait_for_turn(outputs, monitor);
     });
     // Nothing may fail after the files appear.
     const ClientScope no_client(nullptr);
@@ -267,11 +270,11 @@ SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     check_stability(job);
     check_short_edges(job.short_edges);
     const std::vector<SpaceJobFile> files = plan_space_files(job);
-    std::vector<std::string> recovered = require_space_files_writable(job, files);
+    const std::vector<std::string> recovered = require_space_files_writable(job, files);
     require_available("the run takes", estimated_memory(job, files), kFewerOutputs);
     try {
         SpaceSummary summary = run(job, files, callback);
-        summary.recovered = std::move(recovered);
+        summary.recovered.insert(summary.recovered.begin(), recovered.begin(), recovered.end());
         summary.seconds = seconds_since(begin);
         return summary;
     } catch (const Cancelled&) {
