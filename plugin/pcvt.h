@@ -477,6 +477,12 @@ typedef struct pcvt_write_options {
     double thickness; /**< of .foam: height of the layer of cells along z [0: sqrt(area / faces)] */
     int32_t surface;  /**< PCVT_SURFACE_..., in three dimensions alone [PCVT_SURFACE_CELLS] */
     int32_t reserved2;
+    const char* materials; /**< of .inp with PCVT_JOB_ELASTIC, and of .vti: elastic constants of
+                              each phase, "NAME:E,NU", "NAME:C11,C12,C44" of cubic crystals or
+                              "NAME:C11,C12,C13,C33,C44" of hexagonal ones (axis z), with blanks or
+                              line ends between them; without phases the name is GRAINS; "same":
+                              all phases are the same steel, or with orientations iron, in MPa.
+                              A job with two phases needs it [NULL] */
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */

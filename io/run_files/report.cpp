@@ -127,6 +127,16 @@ std::string word(const std::vector<Report::Phase>& phases) {
     return text + "]";
 }
 
+std::string word(const std::vector<Report::Material>& materials) {
+    std::string text;
+    for (const auto& [name, constants] : materials) {
+        text += (text.empty() ? "[{\"name\": " : ", {\"name\": ") + word(name);
+        for (const auto& [key, value] : constants) text += ", \"" + key + "\": " + word(value);
+        text += "}";
+    }
+    return text + "]";
+}
+
 std::string word(bool value) { return value ? "true" : "false"; }
 
 std::string word(const std::array<std::array<double, 3>, 3>& vectors) {
@@ -229,6 +239,7 @@ std::string encode_report(const Report& report) {
     if (report.walls) entries.emplace_back("walls", word(*report.walls));
     if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
     if (report.duplicates) entries.emplace_back("duplicates", word(*report.duplicates));
+    if (!report.materials.empty()) entries.emplace_back("materials", word(report.materials));
     return object_text(entries);
 }
 

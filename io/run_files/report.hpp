@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesher/base/coincident_sites.hpp"
@@ -124,6 +125,12 @@ struct Report {
         int cells;
     };
 
+    /// A material of the files, and its elastic constants by name.
+    struct Material {
+        std::string name;
+        std::vector<std::pair<std::string, double>> constants;
+    };
+
     std::string version;
     int sites;
     Lattice lattice;
@@ -170,6 +177,8 @@ struct Report {
     /// Sites that were left out because they coincide with earlier ones; runs that refuse such
     /// sites leave this key out.
     std::optional<DroppedSites> duplicates = {};
+    /// Of files that state elastic constants.
+    std::vector<Material> materials = {};
 };
 
 /// The report of a run in three dimensions, in the order of the file's keys.

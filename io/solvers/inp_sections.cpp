@@ -1,6 +1,8 @@
 #include "io/solvers/inp_sections.hpp"
 
 #include <array>
+#include <cmath>
+#include <initializer_list>
 
 #include "io/bytes/text.hpp"
 #include "io/elements/fixed_width_numbers.hpp"
@@ -48,6 +50,10 @@ void append_orientation(std::string& text, SiteId site, const BungeAngles& angle
     text += '\n';
 }
 
+constexpr const char* kGiven =
+    "** Materials: the constants are those that the user gave. *ELASTIC has E, nu; TYPE=ORTHO has\n"
+    "** C11, C12, C22, C13, C23, C33, C66, C55 and, on a line of its own, C44, along the axes of "
+    "each\n** crystal.\n";
 constexpr const char* kIsotropic =
     "** Materials: edit the constants. The default is steel in MPa, isotropic: E, nu.\n";
 constexpr const char* kCubic =
@@ -65,12 +71,43 @@ constexpr std::array kLoadCases{LoadCase{"e_xx = 1", "1.", "0.", "0."},
                                 LoadCase{"e_yy = 1", "0.", "1.", "0."},
                                 LoadCase{"e_xy = 1/2", "0.", "0.", "0.5"}};
 
-void append_material(std::string& text, const std::string& name, bool is_cubic) {
-    text += "*MATERIAL,NAME=" + name + "\n";
-    text += is_cubic ? "*ELASTIC,TYPE=ORTHO\n"
-                       "231400.,134700.,231400.,134700.,134700.,231400.,116400.,116400.\n"
-                       "116400.\n"
-                     : "*ELASTIC\n210000.,0.3\n";
+/// The rounding that the width of a number allows, over its last digit.
+constexpr double kUlpsOfConstants = 1 << 10;
+
+/// Appends a constant with a decimal point, in the width that solvers read.
+void append_constant(std::string& text, double value) {
+    std::string number;
+    const FixedWidthNumbers numbers(kUlpsOfConstants * std::abs(value));
+    if (!numbers.append(number, value)) {
+        throw InvalidInput(
+            "an elastic constant is too small or too large for solvers; take another "
+            "unit of stress");
+    }
+    if (number.find_first_of(".e") == std::string::npos) number += '.';
+    text += number;
+}
+
+/// Appends constants with commas between them.
+void append_constants(std::string& text, std::initializer_list<double> values) {
+    for (const double value : values) {
+        append_constant(text, value);
+        text += ',';
+    }
+    text.back() = '\n';
+}
+
+void append_material(std::string& text, const NamedConstants& material) {
+    text += "*MATERIAL,NAME=" + material.name + "\n";
+    const std::vector<double>& numbers = material.constants.numbers;
+    if (material.constants.is_isotropic()) {
+        text += "*ELASTIC\n";
+        append_constants(text, {numbers[0], numbers[1]});
+        return;
+    }
+    const auto [c11, c12, c13, c33, c44, c66] = stiffness_of(material.constants);
+    text += "*ELASTIC,TYPE=ORTHO\n";
+    append_constants(text, {c11, c12, c11, c13, c13, c33, c66, c44});
+    append_constants(text, {c44});
 }
 
 void append_step(std::string& text, const LoadCase& load) {
@@ -109,11 +146,19 @@ std::string inp_sections(const CellMaterials& materials, std::span<const SiteId>
     return text;
 }
 
-std::string inp_elastic_job(const CellMaterials& materials) {
-    const bool is_cubic = !materials.site_orientation.empty();
-    std::string text = is_cubic ? kCubic : kIsotropic;
-    if (materials.phase_names.empty()) append_material(text, kOneMaterial, is_cubic);
-    for (const std::string& name : materials.phase_names) append_material(text, name, is_cubic);
+ElasticConstants inp_standard_constants(const CellMaterials& materials) {
+    if (materials.site_orientation.empty()) return {{210000, 0.3}};
+    return {{231400, 134700, 116400}};
+}
+
+std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices) {
+    const ElasticConstants standard = inp_standard_constants(materials);
+    std::string text = !choices.materials.empty() ? kGiven
+                       : standard.is_isotropic()  ? kIsotropic
+                                                  : kCubic;
+    for (const NamedConstants& material : chosen_materials(choices, materials, standard)) {
+        append_material(text, material);
+    }
     if (materials.empty()) {
         text += std::string("*SOLID SECTION,ELSET=EALL,MATERIAL=") + kOneMaterial + "\n1.\n";
     }

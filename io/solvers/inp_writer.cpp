@@ -86,7 +86,8 @@ class InpText {
         append_wall_sides();
         append_equations();
         if (options_.materials != nullptr) text_ += inp_sections(*options_.materials, cell_sets_);
-        if (options_.job == SolverJob::kElastic) text_ += inp_elastic_job(materials());
+        if (options_.job == SolverJob::kElastic)
+            text_ += inp_elastic_job(materials(), options_.elastic);
         return std::move(text_);
     }
 

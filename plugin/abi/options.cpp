@@ -185,10 +185,10 @@ Duplicates duplicates(const pcvt_options& options) {
     throw InvalidInput("duplicates is for given sites; leave it at its default, or give sites");
 }
 
-void check_struct_size(const char* name, std::size_t size, std::size_t known) {
-    if (size < known || size > kLargestStruct) {
+void check_struct_size(const char* name, std::size_t size, std::size_t oldest) {
+    if (size < oldest || size > kLargestStruct) {
         throw AbiMismatch(std::string(name) + " has size " + std::to_string(size) +
-                          " in place of " + std::to_string(known) +
+                          " in place of " + std::to_string(oldest) +
                           "; build the host with the header of this pcvt");
     }
 }
@@ -276,6 +276,13 @@ FileOptions file_options(const pcvt_write_options& options) {
     result.element = chosen_row("element", options.element, kPlaneElements).element;
     if (options.job != PCVT_JOB_NONE) {
         result.job = chosen_row("job", options.job, kSolverJobs).job;
+    }
+    if (options.materials != nullptr) {
+        try {
+            result.elastic = parse_elastic_choices(options.materials);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput(std::string("materials: ") + error.what());
+        }
     }
     return result;
 }

@@ -1,5 +1,6 @@
 #include "plugin/pcvt.h"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -147,10 +148,10 @@ template <class View, class Look>
 pcvt_status give(const char* name, View* view, std::size_t size, const Look& look) {
     return guarded([&](const std::fenv_t&) {
         if (view == nullptr) throw InvalidInput("view is a null pointer");
-        check_struct_size(name, size, sizeof(View));
+        check_struct_size(name, size, kOldestSize<View>);
         const View full = look();
         std::memset(static_cast<void*>(view), 0, size);
-        std::memcpy(static_cast<void*>(view), &full, sizeof full);
+        std::memcpy(static_cast<void*>(view), &full, std::min(size, sizeof full));
         return pcvt_status{PCVT_OK};
     });
 }

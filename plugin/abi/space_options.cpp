@@ -77,6 +77,7 @@ void refuse_plane_files(const pcvt_write_options& options) {
     plane.refuse("voxels", &pcvt_write_options::voxels);
     plane.refuse("job", &pcvt_write_options::job);
     plane.refuse("thickness", &pcvt_write_options::thickness);
+    plane.refuse("materials", &pcvt_write_options::materials);
 }
 
 SpaceLattice space_lattice(const double* numbers) {

@@ -305,6 +305,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_numbers(app, options, job);
     job.materials = material_choices(app, options.materials, job.inputs);
     job.file_options = file_options(app, options.files);
+    job.file_options.elastic = elastic_choices(options.materials);
     job.outputs = options.outputs;
     if (app.count("--cells") > 0) {
         if (lower_case_extension(options.table) != ".csv") {

@@ -160,6 +160,18 @@ std::string phase_lines(const RunSummary& summary) {
     return text;
 }
 
+std::string material_lines(const Job& job, const RunSummary& summary) {
+    const bool are_given = !job.file_options.elastic.materials.empty();
+    std::string text;
+    for (const auto& [name, constants] : summary.constants) {
+        text += summary_line("material", name + ": " + constants_text(constants) +
+                                             (are_given                  ? ""
+                                              : constants.is_isotropic() ? " (steel in MPa)"
+                                                                         : " (iron in MPa)"));
+    }
+    return text;
+}
+
 std::string seed_text(const Job& job, const RunSummary& summary) {
     return std::to_string(summary.seed) + ", because an output refused the cells of seed " +
            std::to_string(job.seed) +
@@ -237,6 +249,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (summary.interfaces) text += summary_line("inclusions", inclusion_text(*summary.interfaces));
     if (!job.holes.empty()) text += summary_line("holes", hole_text(job, summary));
     text += phase_lines(summary);
+    text += material_lines(job, summary);
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
     for (const std::string& file : summary.files) text += summary_line("file", file);

@@ -122,25 +122,14 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
 }
 
-/// Keeps the entries of the sites outside of holes.
-void keep_outside_holes(const HoleSites& holes, std::vector<BungeAngles>& of_sites) {
-    if (holes.empty() || of_sites.empty()) return;
-    std::vector<BungeAngles> kept;
-    for (const SiteId s : holes.kept()) kept.push_back(of_sites[s]);
-    of_sites = std::move(kept);
-}
-
 void add_materials(const Job& job, Computation& computation) {
     const CellTable cells = cell_table(plane_mesh(computation.cells, MeshKind::kVoronoi));
-    computation.materials = choose_materials(job.materials, cells, job.seed);
     if (job.has_inclusions()) {
-        CellMaterials tags = tag_materials(computation.cells);
+        computation.materials = tag_materials(computation.cells);
         computation.phases = tag_figures(computation.cells, cells);
-        computation.materials.phase_names = std::move(tags.phase_names);
-        computation.materials.site_phase = std::move(tags.site_phase);
-        keep_outside_holes(computation.cells.holes, computation.materials.site_orientation);
         return;
     }
+    computation.materials = choose_materials(job.materials, cells, job.seed);
     computation.phases = phase_figures(job.materials, computation.materials, cells);
 }
 
@@ -181,6 +170,7 @@ RunSummary finish(const Job& job, const std::vector<JobFile>& files, const Compu
     monitor.watch([&] {
         const std::span<const BuiltTile> tiles = make_tiles(monitor);
         summary = summarize(job, result, tiles);
+        summary.constants = stated_constants(files, job.file_options, result.materials);
         watch.stop(&JobSeconds::build);
         stage(job, files, result, tiles, monitor, watch, summary, outputs);
         summary.recovered = wait_for_turn(outputs, monitor);
@@ -258,7 +248,7 @@ RunSummary write_job(const Job& job, const Computation& result, const TileSource
                      const JobCallback& callback) {
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
-    check_file_options(job, files);
+    check_file_options(job, files, result.materials.phase_names);
     require_all_writable(job, files);
     require_memory_to_write(job, files);
     Stopwatch watch(result.seconds);
@@ -276,7 +266,7 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
     check_job(job);
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
-    check_file_options(job, files);
+    check_file_options(job, files, file_phases(job));
     const std::vector<std::string> recovered = require_all_writable(job, files);
     check_retries(job, files);
     require_memory(job, files);

@@ -228,6 +228,8 @@ struct RunSummary {
     std::optional<InterfaceFigures> interfaces;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;
+    /// The materials whose elastic constants the files state.
+    std::vector<NamedConstants> constants;
     /// One entry for each mesh of the job.
     std::vector<TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.

@@ -52,6 +52,9 @@ constexpr std::array kInclusionExclusions{
               "cells beside inclusions are not elongated; leave the aspect out"},
     Exclusion{[](const Job& job) { return !job.materials.phases.empty(); },
               "the tags of inclusions are the phases of their cells; leave the phases out"},
+    Exclusion{[](const Job& job) { return job.materials.has_orientations(); },
+              "--orientations gives each cell a crystal of its own, but inclusions and the matrix "
+              "consist of many cells each; leave the orientations out"},
 };
 
 void require_none(std::span<const Exclusion> exclusions, const Job& job) {
@@ -105,13 +108,16 @@ void require_hole(const std::string& hole, const std::vector<std::string>& tags)
     require_free_name(hole);
 }
 
+std::vector<std::string> inclusion_tags(const Job& job) {
+    return job.inclusions ? job.inclusions->tags : std::vector<std::string>{kFibreTag};
+}
+
 void check_holes(const Job& job) {
     if (job.holes.empty()) return;
     if (!job.has_inclusions()) {
         throw InvalidInput("holes are inclusions that are left out; give inclusions or fibres");
     }
-    const std::vector<std::string> tags =
-        job.inclusions ? job.inclusions->tags : std::vector<std::string>{kFibreTag};
+    const std::vector<std::string> tags = inclusion_tags(job);
     for (std::size_t k = 0; k < job.holes.size(); ++k) {
         require_hole(job.holes[k], tags);
         if (std::find(job.holes.begin(), job.holes.begin() + k, job.holes[k]) ==
@@ -235,6 +241,18 @@ CellMaterials tag_materials(const Tessellation& tessellation) {
         materials.site_phase.push_back(phase_of_tag[tessellation.site_tags[s]]);
     }
     return materials;
+}
+
+std::vector<std::string> file_phases(const Job& job) {
+    std::vector<std::string> names;
+    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    if (!job.has_inclusions()) return names;
+    names = {kMatrixTag};
+    for (const std::string& tag : inclusion_tags(job)) {
+        const auto& holes = job.holes;
+        if (std::find(holes.begin(), holes.end(), tag) == holes.end()) names.push_back(tag);
+    }
+    return names;
 }
 
 std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells) {

@@ -120,6 +120,18 @@ std::vector<Report::Phase> report_phases(const RunSummary& summary) {
     return phases;
 }
 
+std::vector<Report::Material> report_materials(const RunSummary& summary) {
+    std::vector<Report::Material> materials;
+    for (const auto& [name, constants] : summary.constants) {
+        Report::Material& material = materials.emplace_back();
+        material.name = name;
+        for (std::size_t k = 0; k < constants.numbers.size(); ++k) {
+            material.constants.emplace_back(names_of(constants)[k], constants.numbers[k]);
+        }
+    }
+    return materials;
+}
+
 }  // namespace
 
 std::string encode_job_report(const Job& job, const RunSummary& summary) {
@@ -160,6 +172,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .phases = report_phases(summary),
         .duplicates =
             job.duplicates == Duplicates::kDrop ? std::optional(job.dropped) : std::nullopt,
+        .materials = report_materials(summary),
     });
 }
 

@@ -51,7 +51,7 @@ class FileEncoder {
             .weights = site_weights(result_.cells),
             .metric = result_.cells.elongation ? result_.cells.elongation->metric : Metric()};
         return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.n_threads), cells,
-                     materials(), path());
+                     materials(), job_.file_options.elastic, path());
     }
 
     CellRows cell_rows() const {

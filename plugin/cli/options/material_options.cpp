@@ -21,6 +21,25 @@ void add_material_options(CLI::App& app, MaterialOptions& options) {
                    "degrees; random: without a texture, drawn from --seed; else three\n"
                    "angles a line, one line a site, # comments")
         ->type_name("random|FILE");
+    app.add_option(
+           "--material", options.materials,
+           "of .inp with --job elastic, and of .vti: the elastic constants of a phase, E,NU,\n"
+           "or C11,C12,C44 of cubic crystals, or C11,C12,C13,C33,C44 of hexagonal ones\n"
+           "(axis z), in the unit of your choice; repeatable, once for each phase; same: all\n"
+           "phases are the same steel, or with --orientations iron, in MPa")
+        ->type_name("NAME:E,NU|same")
+        ->allow_extra_args(false);
+}
+
+ElasticChoices elastic_choices(const MaterialOptions& options) {
+    std::string all;
+    for (const std::string& material : options.materials) all += material + "\n";
+    if (options.materials.empty()) return {};
+    try {
+        return parse_elastic_choices(all);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(std::string("--material ") + error.what());
+    }
 }
 
 MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,

@@ -109,6 +109,14 @@ def _set_materials(options, phases, orientations):
     return array
 
 
+def _material_text(materials):
+    """Elastic constants as text: {name: numbers}, or text."""
+    if not isinstance(materials, str):
+        materials = " ".join(f"{name}:" + ",".join(repr(float(x)) for x in np.ravel(constants))
+                             for name, constants in materials.items())
+    return _text("materials", materials)
+
+
 def _set_fixed(options, fixed):
     """Returns the array that must stay alive as long as the options are used, or None."""
     if fixed is None:
@@ -289,7 +297,7 @@ class Result:
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
               gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE", job="none",
-              progress=None, colour="default", background="none", voxels=(0, 0), thickness=0.0):
+              progress=None, colour="default", background="none", voxels=(0, 0), thickness=0.0, materials=None):
         """Writes a tile, the sites (.txt) or a table of the cells (.csv), by the extension.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
@@ -303,6 +311,10 @@ class Result:
         cut_width   of .svg and .dxf: lines to cut alone, of a tile with this width in millimetres
         element     of .inp: CPE (plane strain) or CPS (plane stress)
         job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
+        materials   of .inp with job="elastic", and of .vti: the elastic constants of each phase, {name: (E, nu)},
+                    (C11, C12, C44) of cubic crystals or (C11, C12, C13, C33, C44) of hexagonal ones (axis z);
+                    without phases the name is GRAINS; "same": all phases are the same steel, or with
+                    orientations iron, in MPa. A job with two phases needs it
         progress    called with a Progress ten times a second; a true return value cancels
         colour      what colours show: sides, size, cells (neighbours differ), density, phase, orbit or tag
         background  of .svg: none or #rrggbb
@@ -317,6 +329,8 @@ class Result:
             colour=_choice("colour", colour, _COLOURS), background=_text("background", background),
             single_precision=bool(float32), cut_width=cut_width, thickness=thickness,
             report=None if report is None else _text("report", report))
+        if materials is not None:
+            options.materials = _material_text(materials)
         _set_integers(options, pixels=pixels)
         columns, rows = voxels
         options.voxels[:] = operator.index(columns), operator.index(rows)

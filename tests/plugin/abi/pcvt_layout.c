@@ -300,6 +300,7 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, thickness);
     FIELD(pcvt_write_options, surface);
     FIELD(pcvt_write_options, reserved2);
+    FIELD(pcvt_write_options, materials);
 }
 
 int main(void) {

@@ -44,6 +44,23 @@ static void a_longer_struct_is_accepted_if_its_tail_is_zero(void) {
     REFUSED(&newer.known, PCVT_ERROR_ABI, "does not know");
 }
 
+static void a_struct_without_the_last_fields_is_accepted(void) {
+    pcvt_options options = options_for(10);
+    pcvt_write_options how;
+    pcvt_result* result = generated(&options);
+    memset(&how, 0xFF, sizeof how);
+    memset(&how, 0, offsetof(pcvt_write_options, materials));
+    how.struct_size = offsetof(pcvt_write_options, materials);
+    how.replace = 1;
+    CHECK(pcvt_write(result, "older.obj", &how) == PCVT_OK);
+    remove("older.obj");
+    remove("older.mtl");
+    remove("older.seam.json");
+    --how.struct_size;
+    CHECK(pcvt_write(result, "older.obj", &how) == PCVT_ERROR_ABI);
+    pcvt_free(result);
+}
+
 static void reserved_fields_are_zero(void) {
     pcvt_options options = options_for(10);
     pcvt_write_options how;
@@ -459,6 +476,7 @@ int main(void) {
     sizes_and_versions_that_do_not_fit_are_refused();
     the_interface_has_the_version_of_the_library();
     a_longer_struct_is_accepted_if_its_tail_is_zero();
+    a_struct_without_the_last_fields_is_accepted();
     reserved_fields_are_zero();
     views_have_the_size_that_the_host_states();
     null_pointers_are_refused();

@@ -175,6 +175,7 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(voxels[0], "voxels", 16);
     PLANE_FIELD(job, "job", PCVT_JOB_ELASTIC);
     PLANE_FIELD(thickness, "thickness", 0.1);
+    PLANE_FIELD(materials, "materials", "same");
 #undef PLANE_FIELD
     CHECK(pcvt_write(result, NULL, NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "", NULL) == PCVT_ERROR_ARGUMENT);

@@ -94,7 +94,7 @@ class PrescribedAreas(AreaTest):
         jobs = {"cells": (cells, "--mesh", "voronoi", *materials),
                 "cut": (cells[:10], "--mesh", "voronoi", "--outline", "box", "--aspect", "2,30"),
                 "triangles": (triangles, "--mesh", "delaunay"),
-                "grains": (triangles, "--mesh", "grains", *materials, "--job", "elastic"),
+                "grains": (triangles, "--mesh", "grains", *materials, "--job", "elastic", "--material", "same"),
                 "boxed": (triangles, "--mesh", "grains", "--outline", "box", "--repeat", "2x1")}
         found = {}
         for threads in (1, 2, 4):

@@ -95,11 +95,68 @@ class Orientations(CliTest):
 
 class Jobs(CliTest):
     def test_a_job_holds_materials_and_steps(self):
-        self.succeed(*GRAINS, "--job", "elastic", "--phases", "a:0.5,b:0.5", "-o", "t.inp")
+        self.succeed(*GRAINS, "--job", "elastic", "--phases", "a:0.5,b:0.5", "--material", "same", "-o", "t.inp")
         text = self.path("t.inp").read_text()
         self.assertEqual(re.findall(r"\*MATERIAL,NAME=(\w+)", text), ["a", "b"])
         self.assertEqual(text.count("*STEP"), 3)
         self.succeed("check", "t.inp")
+
+    def test_each_phase_has_the_constants_of_its_material(self):
+        phases = (*GRAINS, "--phases", "soft:0.5,hard:0.5", "--report", "r.json", "--force")
+        constants = ("--material", "hard:2100000,0.3", "--material", "soft:162.4,92,69,180.7,46.7")
+        out = self.succeed(*phases, "--job", "elastic", *constants, "-o", "t.inp")
+        text = self.path("t.inp").read_text()
+        self.assertIn("*MATERIAL,NAME=soft\n*ELASTIC,TYPE=ORTHO\n162.4,92.,162.4,69.,69.,180.7,35.2,46.7\n46.7\n"
+                      "*MATERIAL,NAME=hard\n*ELASTIC\n2100000.,0.3\n", text)
+        self.assertIn("material   soft: C11 162.4, C12 92, C13 69, C33 180.7, C44 46.7\n"
+                      "material   hard: E 2100000, nu 0.3\n", out)
+        self.assertEqual(json.loads(self.path("r.json").read_text())["materials"],
+                         [{"name": "soft", "C11": 162.4, "C12": 92, "C13": 69, "C33": 180.7, "C44": 46.7},
+                          {"name": "hard", "E": 2100000, "nu": 0.3}])
+        self.succeed("check", "t.inp")
+        out = self.succeed(*phases, *constants, "-o", "t.vti")
+        self.assertIn("material   hard: E 2100000, nu 0.3\n", out)
+        self.assertIn("C_11: 162.4, C_12: 92.0, C_13: 69.0, C_33: 180.7, C_44: 46.7}",
+                      self.path("t.material.yaml").read_text())
+        self.succeed("check", "t.vti")
+
+    def test_the_summary_states_the_constants_of_pcvt(self):
+        out = self.succeed(*GRAINS, "--job", "elastic", "-o", "t.inp")
+        self.assertIn("material   GRAINS: E 210000, nu 0.3 (steel in MPa)\n", out)
+        out = self.succeed(*GRAINS, "--job", "elastic", "--orientations", "random", "-o", "o.inp")
+        self.assertIn("material   GRAINS: C11 231400, C12 134700, C44 116400 (iron in MPa)\n", out)
+        out = self.succeed(*GRAINS, "--job", "elastic", "--material", "GRAINS:70000,0.33", "-o", "g.inp")
+        self.assertIn("material   GRAINS: E 70000, nu 0.33\n", out)
+        self.assertNotIn("material ", self.succeed(*GRAINS, "-o", "m.inp"))
+
+    def test_several_phases_need_constants(self):
+        job = (*GRAINS, "--job", "elastic", "-o", "t.inp")
+        phases = (*job, "--phases", "soft:0.5,hard:0.5")
+        self.refuse(2, "would give the phases soft, hard the same elastic constants; add --material", *phases)
+        self.refuse(2, "would give the phases soft, hard", *phases, "--orientations", "random")
+        fibres = ("mesh", "--sites", 300, "--mesh", "grains", "--tolerance", "1e-2", "--fibres", "0.3,3", "--job", "elastic",
+                  "-o", "t.inp")
+        self.refuse(2, "would give the phases matrix, fibre the same", *fibres)
+        # One phase is left.
+        self.succeed(*fibres, "--hole", "fibre")
+        self.refuse(2, "--material fibre: no material of the files has this name; take one of matrix", *fibres, "--force",
+                    "--hole", "fibre", "--material", "fibre:1,0.3")
+        for materials, words in ((("soft:1,0.3",), "the phase hard has no elastic constants; add --material hard:E,NU"),
+                                 (("soft:1,0.3", "hrad:1,0.3"), "--material hrad: no material of the files"),
+                                 (("soft:1,0.3", "hard:1,0.5"), "--material 'hard:1,0.5': no material is stable"),
+                                 (("same", "hard:1,0.3"), "--material same and NAME:... exclude each other")):
+            self.refuse(2, "^pcvt: .*" + re.escape(words), *phases, "--force",
+                        *(word for material in materials for word in ("--material", material)))
+
+    def test_constants_need_a_file_that_states_them(self):
+        self.refuse(2, "--material gives the elastic constants of --job elastic; add it", *GRAINS, "--material", "same",
+                    "-o", "t.inp")
+        self.refuse(2, r"no output takes elastic constants; add one of \.inp or \.vti", *GRAINS, "--material", "same",
+                    "-o", "t.msh")
+
+    def test_cells_of_inclusions_are_no_crystals(self):
+        self.refuse(2, "--orientations gives each cell a crystal of its own, but inclusions", "mesh", "--sites", 300,
+                    "--fibres", "0.3,3", "--orientations", "random", "-o", "t.csv")
 
     def test_a_job_needs_an_input_of_a_solver(self):
         self.refuse(2, r"no output takes a job of a solver; add one of \.inp", *GRAINS, "--job",
