@@ -127,6 +127,14 @@ std::string word(const std::vector<Report::Phase>& phases) {
     return text + "]";
 }
 
+std::string word(const Report::Orientations& orientations) {
+    const auto range = [](const std::array<double, 2>& angles) {
+        return "[" + word(angles[0]) + ", " + word(angles[1]) + "]";
+    };
+    return "{\"phi1\": " + range(orientations.phi1) + ", \"Phi\": " + range(orientations.Phi) +
+           ", \"phi2\": " + range(orientations.phi2) + "}";
+}
+
 std::string word(const std::vector<Report::Material>& materials) {
     std::string text;
     for (const auto& [name, constants] : materials) {
@@ -239,6 +247,7 @@ std::string encode_report(const Report& report) {
     if (report.walls) entries.emplace_back("walls", word(*report.walls));
     if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
     if (report.duplicates) entries.emplace_back("duplicates", word(*report.duplicates));
+    if (report.orientations) entries.emplace_back("orientations", word(*report.orientations));
     if (!report.materials.empty()) entries.emplace_back("materials", word(report.materials));
     return object_text(entries);
 }

@@ -125,6 +125,12 @@ struct Report {
         int cells;
     };
 
+    /// The least and the greatest of each angle of the orientations, degrees.
+    struct Orientations {
+        std::array<double, 2> phi1;
+        std::array<double, 2> Phi;
+        std::array<double, 2> phi2;
+    };
     /// A material of the files, and its elastic constants by name.
     struct Material {
         std::string name;
@@ -177,6 +183,7 @@ struct Report {
     /// Sites that were left out because they coincide with earlier ones; runs that refuse such
     /// sites leave this key out.
     std::optional<DroppedSites> duplicates = {};
+    std::optional<Orientations> orientations = {};
     /// Of files that state elastic constants.
     std::vector<Material> materials = {};
 };

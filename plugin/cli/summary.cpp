@@ -160,6 +160,14 @@ std::string phase_lines(const RunSummary& summary) {
     return text;
 }
 
+std::string angle_text(const AngleRange& angles) {
+    const auto range = [&](double BungeAngles::*angle) {
+        return figure(angles.least.*angle) + " to " + figure(angles.greatest.*angle);
+    };
+    return "phi1 " + range(&BungeAngles::phi1) + ", Phi " + range(&BungeAngles::Phi) + ", phi2 " +
+           range(&BungeAngles::phi2) + " degrees";
+}
+
 std::string material_lines(const Job& job, const RunSummary& summary) {
     const bool are_given = !job.file_options.elastic.materials.empty();
     std::string text;
@@ -249,6 +257,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (summary.interfaces) text += summary_line("inclusions", inclusion_text(*summary.interfaces));
     if (!job.holes.empty()) text += summary_line("holes", hole_text(job, summary));
     text += phase_lines(summary);
+    if (summary.angles) text += summary_line("angles", angle_text(*summary.angles));
     text += material_lines(job, summary);
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);

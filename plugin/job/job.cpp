@@ -70,6 +70,8 @@ RunSummary summarize(const Job& job, const Computation& computation,
     if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
     summary.interfaces = cells.interfaces;
     summary.phases = computation.phases;
+    const std::vector<BungeAngles>& orientations = computation.materials.site_orientation;
+    if (!orientations.empty()) summary.angles = angle_range(orientations);
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
     return summary;

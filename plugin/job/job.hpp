@@ -16,6 +16,7 @@
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/lattice/walls.hpp"
 #include "mesher/materials/material_choices.hpp"
+#include "mesher/materials/orientations.hpp"
 #include "mesher/search/lattice_stability.hpp"
 #include "mesher/symmetry/plane_group.hpp"
 #include "mesher/tile/build_tile.hpp"
@@ -228,6 +229,8 @@ struct RunSummary {
     std::optional<InterfaceFigures> interfaces;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;
+    /// Of jobs with orientations.
+    std::optional<AngleRange> angles;
     /// The materials whose elastic constants the files state.
     std::vector<NamedConstants> constants;
     /// One entry for each mesh of the job.

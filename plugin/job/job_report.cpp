@@ -120,6 +120,13 @@ std::vector<Report::Phase> report_phases(const RunSummary& summary) {
     return phases;
 }
 
+std::optional<Report::Orientations> report_orientations(const RunSummary& summary) {
+    if (!summary.angles) return std::nullopt;
+    const auto& [least, greatest] = *summary.angles;
+    return Report::Orientations{
+        {least.phi1, greatest.phi1}, {least.Phi, greatest.Phi}, {least.phi2, greatest.phi2}};
+}
+
 std::vector<Report::Material> report_materials(const RunSummary& summary) {
     std::vector<Report::Material> materials;
     for (const auto& [name, constants] : summary.constants) {
@@ -172,6 +179,7 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .phases = report_phases(summary),
         .duplicates =
             job.duplicates == Duplicates::kDrop ? std::optional(job.dropped) : std::nullopt,
+        .orientations = report_orientations(summary),
         .materials = report_materials(summary),
     });
 }

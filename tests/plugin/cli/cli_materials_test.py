@@ -1,6 +1,7 @@
 """pcvt mesh: phases and orientations of cells, and jobs of solvers."""
 
 import json
+import math
 import re
 
 from support.cli import CliTest, main
@@ -88,9 +89,42 @@ class Orientations(CliTest):
             self.refuse(2, words, *GRAINS, "--orientations", "a.txt", "-o", "t.inp")
         self.refuse(2, r"none\.txt: cannot read", *GRAINS, "--orientations", "none.txt")
 
+    def test_angles_that_look_like_radians_are_refused(self):
+        run = ("mesh", "--sites", 12, "--max-iterations", 0, "--mesh", "grains", "--force", "-o", "t.inp", "--orientations")
+        rows = [(0.5 * k, 0.2 * k, 6.2832 - 0.5 * k) for k in range(12)]
+
+        def write(rows):
+            self.write("a.txt", "".join("%.4f %.4f %.4f\n" % row for row in rows))
+
+        def angles():
+            lines = re.findall(r"pcvt angles (.*)", self.path("t.inp").read_text())
+            return [tuple(map(float, line.split())) for line in lines]
+
+        write(rows)
+        self.refuse(2, r"a\.txt: .*look like radians; take --orientations rad:FILE, or deg:FILE", *run, "a.txt")
+        out = self.succeed(*run, "deg:a.txt", "--report", "r.json")
+        self.assertEqual(angles()[3], (1.5, 0.6, 4.7832))
+        self.assertIn("angles     phi1 0 to 5.5, Phi 0 to 2.2, phi2 0.7832 to 6.2832 degrees\n", out)
+        self.assertEqual(json.loads(self.path("r.json").read_text())["orientations"],
+                         {"phi1": [0, 5.5], "Phi": [0, 2.2], "phi2": [0.7832, 6.2832]})
+        self.succeed(*run, "rad:a.txt")
+        for found, row in zip(angles(), rows):
+            for degrees, radians in zip(found, row):
+                self.assertAlmostEqual(degrees, min(math.degrees(radians), 360), 3)
+        # Degrees: fewer than ten rows, an angle beyond a full turn in radians, a Phi beyond half a turn, or
+        # all angles below 0.2.
+        for other in ([(6.3, 0, 0), *rows[1:]], [(0, -3.15, 0), *rows[1:]], [(0.2, -0.1, 0.01)] * 12):
+            write(other)
+            self.succeed(*run, "a.txt")
+        write(rows[:9])
+        self.succeed("mesh", "--sites", 9, *run[3:], "a.txt")
+        self.write("a.txt", "0 6.29 0\n" * 12)
+        self.refuse(2, r"a\.txt:1: an angle of an orientation is not from -2 pi to 2 pi", *run, "rad:a.txt")
+        self.refuse(2, r"r\.txt: cannot read", *run, "rad:r.txt")
+
     def test_the_file_is_no_output(self):
         self.write("t.txt", "1 2 3\n" * 60)
-        self.refuse(2, r"t\.txt", *GRAINS, "--orientations", "t.txt", "-o", "t.txt", "--force")
+        self.refuse(2, r"t\.txt", *GRAINS, "--orientations", "deg:t.txt", "-o", "t.txt", "--force")
 
 
 class Jobs(CliTest):

@@ -27,6 +27,9 @@ class Materials(CliTest):
         drawn = pcvt.mesh(20, orientations="random", seed=3).orientations
         np.testing.assert_array_equal(drawn, pcvt.mesh(20, orientations="random", seed=3).orientations)
         self.assertEqual(drawn.shape, (20, 3))
+        # Arrays are degrees, also where a file with these numbers would look like radians.
+        small = np.linspace(0, 3, 60).reshape(20, 3)
+        np.testing.assert_array_equal(pcvt.mesh(20, orientations=small).orientations, small)
 
     def test_files_are_those_of_the_command(self):
         options = ("--phases", "a:0.5,b:0.5", "--orientations", "random", "--job", "elastic",
