@@ -151,7 +151,8 @@ ElasticConstants inp_standard_constants(const CellMaterials& materials) {
     return {{231400, 134700, 116400}};
 }
 
-std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices) {
+std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
+                            double period_area) {
     const ElasticConstants standard = inp_standard_constants(materials);
     std::string text = !choices.materials.empty() ? kGiven
                        : standard.is_isotropic()  ? kIsotropic
@@ -162,6 +163,11 @@ std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices
     if (materials.empty()) {
         text += std::string("*SOLID SECTION,ELSET=EALL,MATERIAL=") + kOneMaterial + "\n1.\n";
     }
+    text += "** The area of the period is ";
+    append_number(text, period_area);
+    text +=
+        ", and its volume the same, because elements are 1 thick. The mean\n"
+        "** stress of a step is the sum of S x volume over that volume, which counts holes, too.\n";
     for (const LoadCase& load : kLoadCases) append_step(text, load);
     return text;
 }

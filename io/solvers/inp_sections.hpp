@@ -40,13 +40,16 @@ ElasticConstants inp_standard_constants(const CellMaterials& materials);
 ///
 /// Three linear steps prescribe a unit mean strain each, at the control nodes: e_xx = 1, e_yy = 1
 /// and e_xy = 1/2, which is the shear gamma_xy = 1. The mean stress of a step, that is the sum of S
-/// x volume over the sum of the volumes, is a column of the homogenised stiffness. The results are
-/// S, E and the volumes of the elements as text (.dat), and U, S and E for pictures (.frd).
+/// x volume over the volume of the period, is a column of the homogenised stiffness. The results
+/// are S, E and the volumes of the elements as text (.dat), and U, S and E for pictures (.frd).
 ///
 /// Example usage:
-///     text += inp_elastic_job(materials, options.elastic);
+///     text += inp_elastic_job(materials, options.elastic, tile.lattice.area());
 ///
-/// @param materials  without phases and orientations: a section of all elements is added.
-std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices);
+/// @param materials    without phases and orientations: a section of all elements is added.
+/// @param period_area  by which the sum of S x volume is divided, also where the elements leave
+///                     holes; a comment states it.
+std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
+                            double period_area);
 
 }  // namespace pcvt

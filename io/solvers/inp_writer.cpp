@@ -87,7 +87,7 @@ class InpText {
         append_equations();
         if (options_.materials != nullptr) text_ += inp_sections(*options_.materials, cell_sets_);
         if (options_.job == SolverJob::kElastic)
-            text_ += inp_elastic_job(materials(), options_.elastic);
+            text_ += inp_elastic_job(materials(), options_.elastic, tile_.lattice.area());
         return std::move(text_);
     }
 

@@ -163,6 +163,18 @@ class Jobs(CliTest):
         self.assertIn("material   GRAINS: E 70000, nu 0.33\n", out)
         self.assertNotIn("material ", self.succeed(*GRAINS, "-o", "m.inp"))
 
+    def test_a_job_states_the_area_of_its_period(self):
+        job = ("--mesh", "grains", "--tolerance", "1e-2", "--job", "elastic", "--force", "-o", "t.inp")
+        fibres = ("--sites", 200, "--fibres", "0.3,2", "--hole", "fibre")
+        for options, area in ((("--sites", 30), 1), (("--sites", 30, "--lattice", "3,0,1,0.5"), 1.5),
+                              ((*fibres, "--period", "2,1.5"), 3), ((*fibres, "--repeat", "2x1"), 2),
+                              (("--sites", 30, "--outline", "box", "--repeat", "2x3"), 6)):
+            self.succeed("mesh", *options, *job)
+            stated = re.search(r"^\*\* The area of the period is (\S+),", self.path("t.inp").read_text(), re.M)[1]
+            self.assertAlmostEqual(float(stated), area, 12)
+        self.succeed("mesh", "--sites", 30, *job[:4], "--force", "-o", "t.inp")
+        self.assertNotIn("area of the period", self.path("t.inp").read_text())
+
     def test_several_phases_need_constants(self):
         job = (*GRAINS, "--job", "elastic", "-o", "t.inp")
         phases = (*job, "--phases", "soft:0.5,hard:0.5")
