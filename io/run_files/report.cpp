@@ -79,7 +79,9 @@ std::string word(const Report::Pattern& pattern) {
 }
 
 std::string word(const Report::Areas& areas) {
-    return "{\"law\": " + word(areas.law) + ", \"std_over_mean\": " + word(areas.std_over_mean) +
+    return "{\"law\": " + word(areas.law) +
+           (areas.scale ? ", \"scale\": " + word(*areas.scale) : "") +
+           ", \"std_over_mean\": " + word(areas.std_over_mean) +
            ", \"largest_relative_error\": " + word(areas.largest_relative_error) +
            ", \"largest_relative_mesh_error\": " + word(areas.largest_relative_mesh_error) +
            ", \"newton_steps\": " + word(areas.newton_steps) +

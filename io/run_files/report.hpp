@@ -76,6 +76,9 @@ struct Report {
     struct Areas {
         /// The law, or the path of the file.
         std::string law;
+        /// The factor that took given areas to the area of the domain; the key is left out without
+        /// them.
+        std::optional<double> scale = {};
         /// Of the equivalent diameters.
         double std_over_mean;
         double largest_relative_error;

@@ -94,6 +94,9 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
         "sites of a file within 1e-9 h of an earlier one: refuse names all of\n"
         "their lines, drop leaves them out [refuse]");
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]; W,H,D: a box in space");
+    add(app, "--period", options.period, "W,H|auto",
+        "a rectangle [1,1]; W,H,D: a box in space; auto: a square of the sum of\n"
+        "the areas of --areas FILE, or 1,H with the aspect of --density FILE.png");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY",
         "two independent period vectors; nine numbers: three, in space");
     add(app, "--symmetry", options.symmetry, "GROUP",
@@ -170,6 +173,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
 Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
                        const std::optional<PlaneGroupName>& symmetry) {
     require_one_lattice(app);
+    if (options.period == "auto") return automatic_period(options.cells);
     if (app.count("--period") > 0) return rectangle_lattice("--period", options.period);
     if (app.count("--lattice") > 0) return vector_lattice("--lattice", options.lattice);
     if (symmetry) return example_lattice(*symmetry);

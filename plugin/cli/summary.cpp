@@ -120,7 +120,8 @@ std::string density_lines(const DensityFigures& density) {
 }
 
 std::string area_lines(const Job& job, const AreaSummary& areas) {
-    return summary_line("areas", job.areas->name + ", diameters with std / mean " +
+    const std::string scale = areas.scale ? " (each area times " + figure(*areas.scale) + ")" : "";
+    return summary_line("areas", job.areas->name + scale + ", diameters with std / mean " +
                                      figure(areas.std_over_mean) + ", off by at most " +
                                      figure(areas.newton.largest_relative_error) + " after " +
                                      counted(areas.newton.newton_steps, "Newton step")) +

@@ -1,6 +1,7 @@
 #include "plugin/job/job.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "io/outputs/recovery.hpp"
@@ -49,6 +50,14 @@ JobMonitor::Target target_of(const Job& job) {
             .note = job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""};
 }
 
+/// The factor by which target_areas() multiplies given areas.
+std::optional<double> area_scale(const Job& job) {
+    const Eigen::VectorXd& given = job.areas->given;
+    if (given.size() == 0) return std::nullopt;
+    const double scale = job.lattice.area() / given.sum();
+    return std::isfinite(scale) && scale > 0 ? std::optional(scale) : std::nullopt;
+}
+
 RunSummary summarize(const Job& job, const Computation& computation,
                      std::span<const BuiltTile> tiles) {
     const Tessellation& cells = computation.cells;
@@ -65,7 +74,10 @@ RunSummary summarize(const Job& job, const Computation& computation,
     const auto hexagons = summary.valences.find(6);
     summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
     summary.density = cells.density;
-    if (cells.areas) summary.areas = area_summary(cells);
+    if (cells.areas) {
+        summary.areas = area_summary(cells);
+        summary.areas->scale = area_scale(job);
+    }
     summary.n_orbits = cells.n_orbits();
     if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
     summary.interfaces = cells.interfaces;

@@ -70,6 +70,7 @@ std::optional<Report::Areas> report_areas(const Job& job, const RunSummary& summ
     if (!summary.areas) return std::nullopt;
     const AreaSummary& areas = *summary.areas;
     return Report::Areas{.law = job.areas->name,
+                         .scale = areas.scale,
                          .std_over_mean = areas.std_over_mean,
                          .largest_relative_error = areas.newton.largest_relative_error,
                          .largest_relative_mesh_error = largest_area_error(summary),

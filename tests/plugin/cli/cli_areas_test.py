@@ -67,6 +67,35 @@ class PrescribedAreas(AreaTest):
             self.assert_proportional(areas, wished, 1e-9)
             self.assertAlmostEqual(sum(areas), 0.81, delta=1e-12)
 
+    def test_summary_and_report_state_the_factor_of_given_areas(self):
+        wished = [13.78, 20, 31.5, 34.72]
+        self.write("a.txt", "\n".join(map(str, wished)))
+        self.write("d.txt", "diameter\n" + "\n".join(str(math.sqrt(4 * a / math.pi)) for a in wished))
+        run = ("mesh", "--sites", 4, "--max-iterations", 0, "--report", "r.json", "--force", "-o", "t.csv")
+        for name in ("a.txt", "d.txt"):
+            out = self.succeed(*run, "--period", "7,7", "--areas", name)
+            self.assertRegex(out, rf"(?m)^areas +{name} \(each area times 0\.49\), ")
+            self.assertAlmostEqual(json.loads(self.path("r.json").read_text())["areas"]["scale"], 0.49, 12)
+        out = self.succeed(*run, "--areas", "gamma:0.3")
+        self.assertNotIn("times", out)
+        self.assertNotIn("scale", json.loads(self.path("r.json").read_text())["areas"])
+
+    def test_an_automatic_period_has_the_sum_of_the_areas(self):
+        wished = [13.78, 20, 31.5, 34.72]
+        self.write("a.txt", "\n".join(map(str, wished)))
+        self.write("d.txt", "diameter\n2\n4\n6\n8")
+        run = ("mesh", "--sites", 4, "--max-iterations", 0, "--report", "r.json", "--force", "-o", "t.csv", "--period", "auto")
+        out = self.succeed(*run, "--areas", "a.txt")
+        self.assertIn("lattice    (10, 0) (0, 10)\n", out)
+        self.assertIn("a.txt (each area times 1)", out)
+        for area, wish in zip(self.areas("t.csv"), wished, strict=True):
+            self.assertAlmostEqual(area, wish, 8)
+        self.succeed(*run, "--areas", "d.txt")
+        self.assertAlmostEqual(math.fsum(self.areas("t.csv")), 30 * math.pi, 10)
+        for options in ((), ("--areas", "equal"), ("--density", "1 + u")):
+            self.refuse(2, "--period auto takes the area of the domain from --areas FILE, or its aspect from", *run, *options)
+        self.refuse(2, r"none\.txt: cannot read", *run, "--areas", "none.txt")
+
     def test_sites_of_a_file_keep_their_places_and_get_their_areas(self):
         sites = [(0.1, 0.2), (0.8, 0.3), (0.4, 0.7)]
         self.write("s.txt", "".join(f"{x} {y}\n" for x, y in sites))
