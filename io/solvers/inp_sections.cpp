@@ -6,7 +6,9 @@
 
 #include "io/bytes/text.hpp"
 #include "io/elements/fixed_width_numbers.hpp"
+#include "io/solvers/inp_fields.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/lattice/set_names.hpp"
 #include "mesher/materials/orientations.hpp"
 
 namespace pcvt {
@@ -18,13 +20,14 @@ constexpr std::size_t kSetsALine = 8;
 /// @param class_of  of each site.
 void append_cell_sets(std::string& text, std::span<const int> class_of,
                       std::span<const std::string> set_names, std::span<const SiteId> cells) {
+    const std::string cell_set = upper_case(kCellSet);
     std::vector<std::vector<SiteId>> members(set_names.size());
     for (const SiteId s : cells) members[class_of[s]].push_back(s);
     for (std::size_t p = 0; p < members.size(); ++p) {
         if (members[p].empty()) continue;
         text += "*ELSET,ELSET=" + set_names[p] + "\n";
         for (std::size_t k = 0; k < members[p].size(); ++k) {
-            text += "CELL_" + std::to_string(members[p][k]);
+            text += cell_set + std::to_string(members[p][k]);
             text += (k + 1) % kSetsALine == 0 || k + 1 == members[p].size() ? '\n' : ',';
         }
     }
@@ -33,14 +36,15 @@ void append_cell_sets(std::string& text, std::span<const int> class_of,
 void append_phase_sets(std::string& text, const CellMaterials& materials,
                        std::span<const SiteId> cells) {
     std::vector<std::string> names;
-    for (const std::string& phase : materials.phase_names) names.push_back("PHASE_" + phase);
+    for (const std::string& phase : materials.phase_names)
+        names.push_back(upper_case(kPhaseSet) + phase);
     append_cell_sets(text, materials.site_phase, names, cells);
 }
 
 void append_orientation(std::string& text, SiteId site, const BungeAngles& angles) {
     const FixedWidthNumbers numbers(1);
     const Eigen::Matrix3d g = bunge_matrix(angles);
-    text += "*ORIENTATION,NAME=ORI_" + std::to_string(site) + "\n";
+    text += "*ORIENTATION,NAME=" + upper_case(kOrientationSet) + std::to_string(site) + "\n";
     for (int k = 0; k < 6; ++k) {
         if (k > 0) text += ',';
         if (!numbers.append(text, g(k / 3, k % 3))) {
@@ -125,22 +129,24 @@ std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const Sit
     std::string text;
     std::vector<std::string> names;
     for (const int orbit : site_orbits) {
-        if (orbit == std::ssize(names)) names.push_back("ORBIT_" + std::to_string(orbit));
+        if (orbit == std::ssize(names))
+            names.push_back(upper_case(kOrbitSet) + std::to_string(orbit));
     }
     if (!names.empty()) append_cell_sets(text, site_orbits, names, cells);
     return text;
 }
 
 std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells) {
+    const std::string cell_set = upper_case(kCellSet);
     std::string text;
     if (!materials.site_phase.empty()) append_phase_sets(text, materials, cells);
     for (const SiteId s : cells) {
         const bool turned = !materials.site_orientation.empty();
         if (turned) append_orientation(text, s, materials.site_orientation[s]);
-        text += "*SOLID SECTION,ELSET=CELL_" + std::to_string(s) + ",MATERIAL=" +
+        text += "*SOLID SECTION,ELSET=" + cell_set + std::to_string(s) + ",MATERIAL=" +
                 (materials.site_phase.empty() ? kOneMaterial
                                               : materials.phase_names[materials.site_phase[s]]);
-        if (turned) text += ",ORIENTATION=ORI_" + std::to_string(s);
+        if (turned) text += ",ORIENTATION=" + upper_case(kOrientationSet) + std::to_string(s);
         text += "\n1.\n";
     }
     return text;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string_view>
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
 #include "mesher/cvt/interface_cvt.hpp"
+#include "mesher/lattice/set_names.hpp"
 #include "mesher/mesh/interface_proof.hpp"
 #include "mesher/mesh/voronoi.hpp"
 
@@ -74,23 +74,33 @@ InclusionFile inclusions_of(const Job& job) {
             .tags = {kFibreTag}};
 }
 
-/// Names of patches, groups and sets that files have besides holes, in lower case; those that end
-/// with _ are the beginnings of names.
-constexpr std::array<std::string_view, 9> kTakenNames{"back",           "front",         "fixed",
-                                                      "grain_boundary", "triple_points", "seam_",
-                                                      "wall_",          "cell_",         "phase_"};
+std::vector<std::string> inclusion_tags(const Job& job) {
+    return job.inclusions ? job.inclusions->tags : std::vector<std::string>{kFibreTag};
+}
 
-void require_free_name(const std::string& tag) {
-    std::string name = tag;
-    for (char& c : name) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    for (const std::string_view taken : kTakenNames) {
-        if (taken.back() == '_' ? !name.starts_with(taken) : name != taken) continue;
-        throw InvalidInput(
-            "the hole " + tag + " would be a wall of this name, but files have " +
-            (taken.back() == '_' ? "other parts that begin with " : "another part ") +
-            std::string(taken) + "; rename the tag");
+/// @param kind   what has the name, in words.
+/// @param names  of all phases and tags.
+void require_free_name(const std::string& kind, const std::string& name,
+                       const std::vector<std::string>& names) {
+    const std::optional<std::string> set = set_with_name(name, names);
+    if (!set) return;
+    throw InvalidInput(kind + " " + name + " has the name of a set in files (" + *set +
+                       "); rename it");
+}
+
+/// Requires names that no set, group or patch has which files may contain beside those of the
+/// names.
+void check_names(const Job& job) {
+    std::vector<std::string> names;
+    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    for (const std::string& phase : names) require_free_name("the phase", phase, names);
+    if (!job.inclusions) return;
+    names = job.inclusions->tags;
+    names.emplace_back(kMatrixTag);
+    for (const Inclusion& inclusion : job.inclusions->inclusions) {
+        const std::string where =
+            job.inclusions->name + ":" + std::to_string(inclusion.line) + ": the tag";
+        require_free_name(where, job.inclusions->tags[inclusion.tag - 1], names);
     }
 }
 
@@ -105,11 +115,6 @@ void require_hole(const std::string& hole, const std::vector<std::string>& tags)
             "no inclusion has the tag " + in_quotes(hole) + " of a hole; " +
             (meant.empty() ? "the first tag is " + tags.front() : "did you mean " + meant + "?"));
     }
-    require_free_name(hole);
-}
-
-std::vector<std::string> inclusion_tags(const Job& job) {
-    return job.inclusions ? job.inclusions->tags : std::vector<std::string>{kFibreTag};
 }
 
 void check_holes(const Job& job) {
@@ -173,6 +178,7 @@ void set_tags(const InclusionFile& file, Tessellation& cells) {
 }  // namespace
 
 void check_constraints(const Job& job) {
+    check_names(job);
     check_holes(job);
     if (job.fixed.cols() > 0 || job.has_inclusions()) require_none(kExclusions, job);
     if (job.fixed.cols() > 0) require_none(kFixedExclusions, job);

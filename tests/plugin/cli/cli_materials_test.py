@@ -127,6 +127,47 @@ class Orientations(CliTest):
         self.refuse(2, r"t\.txt", *GRAINS, "--orientations", "deg:t.txt", "-o", "t.txt", "--force")
 
 
+class Names(CliTest):
+    def sets(self, stem):
+        """The names of all sets, groups, patches and zones in the files of a run."""
+        text = self.path(f"{stem}.inp").read_text() if self.path(f"{stem}.inp").exists() else ""
+        found = re.findall(r"^\*(?:NODE|ELEMENT|NSET|ELSET|SURFACE|ORIENTATION)\b.*?(?:[NE]SET|NAME)=([\w-]+)", text, re.M)
+        text = self.path(f"{stem}.msh").read_text()
+        found += re.findall(r'^\d+ \d+ "(.+)"$', text.split("$PhysicalNames", 1)[1].split("$End", 1)[0], re.M)
+        for part in ("boundary", "cellZones"):
+            file = self.path(f"{stem}.foam/constant/polyMesh/{part}")
+            if file.exists():
+                found += re.findall(r"^ *([\w-]+)\n *\{", file.read_text().split("\n(", 1)[1], re.M)
+        return set(found)
+
+    def test_no_phase_and_no_tag_has_the_name_of_a_set(self):
+        phases = ("--phases", "soft:0.6,hard:0.4")
+        found = set()
+        for stem, options in (("walls", ("--walls", "y", "--mesh", "grains", *phases)),
+                              ("seam", ("--lattice", "1,0,0.3,0.9", "--mesh", "grains", *phases, "--orientations", "random")),
+                              ("orbits", ("--symmetry", "p2", "--mesh", "grains")),
+                              ("holes", ("--sites", 200, "--fibres", "0.2,1", "--hole", "fibre", "--mesh", "grains")),
+                              ("space", ("--period", "1,1,1"))):
+            sites = () if "--sites" in options else ("--sites", 12)
+            extensions = ("msh", "foam") if stem == "space" else ("inp", "msh", "foam")
+            self.succeed("mesh", *sites, "--tolerance", "1e-2", "--quiet", *options,
+                         *(word for extension in extensions for word in ("-o", f"{stem}.{extension}")))
+            found |= self.sets(stem)
+        # One name of each kind.
+        kinds = {re.sub(r"\d+", "0", name).upper(): name for name in sorted(found) if name.upper() != "FIBRE"}
+        self.assertLessEqual({"CELL_0", "CONTROL_0", "ORI_0", "ORBIT_0", "PHASE_SOFT", "SEAM_0_0", "SEAM_0_0_0", "NALL", "EALL",
+                              "FIXED", "GRAIN_BOUNDARY", "TRIPLE_POINTS", "WALL_TOP", "WALL_TOP_SIDES", "FIBRE_SIDES", "FRONT",
+                              "BACK", "DOMAIN"}, set(kinds))
+        for name in kinds.values():
+            words = rf"{name} has the name of a set in files \({name.lower()}, .*\); rename it"
+            self.refuse(2, "the phase " + words, "mesh", "--sites", 12, "--phases", f"{name}:0.1,soft:0.4,hard:0.3,fibre:0.2")
+            self.write("shapes.txt", f"circle fibre 0.2 0.2 0.1\ncircle soft 0.2 0.7 0.1\ncircle hard 0.7 0.7 0.1\n"
+                                     f"circle {name} 0.7 0.2 0.1\n")
+            self.refuse(2, r"shapes\.txt:4: the tag " + words, "mesh", "--sites", 900, "--inclusions", "shapes.txt")
+        for name in ("cell_wall", "phase_1", "wall_paper", "GRAINS"):
+            self.succeed("mesh", "--sites", 12, "--max-iterations", 0, "--phases", f"{name}:0.5,soft:0.5")
+
+
 class Jobs(CliTest):
     def test_a_job_holds_materials_and_steps(self):
         self.succeed(*GRAINS, "--job", "elastic", "--phases", "a:0.5,b:0.5", "--material", "same", "-o", "t.inp")
