@@ -411,7 +411,8 @@ typedef struct pcvt_cells {
     const int32_t* neighbour;      /**< n_faces cells, in front of the faces; -1 on the boundary */
     const int32_t* partner;        /**< n_faces - n_inner_faces faces */
     const int32_t* partner_offset; /**< n_faces - n_inner_faces triples i, j, k */
-    const double* volumes;         /**< n_cells numbers, length^3 */
+    const double* volumes;         /**< n_cells numbers, length^3; with short_edges, which bends
+                                      faces, those that finite-volume solvers compute */
     const double* site_points;     /**< n_cells triples: the image of each site in its cell */
     const double* sites; /**< n_cells triples: the image of each site in the domain of the reduced
                             period vectors, as .txt files hold it */

@@ -11,6 +11,10 @@ namespace {
 /// Sites that are farther from the domain than this lie outside, in units of the period vectors.
 constexpr double kDomainMargin = 1e-9;
 
+/// So many sites in such a part of each period are hardly all that a user has of the domain.
+constexpr int kFewestFractions = 4;
+constexpr double kSmallPart = 0.5;
+
 std::string vector_text(const Vec2& v) {
     // Adding 0 turns -0 into 0.
     return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ")";
@@ -25,21 +29,12 @@ std::string valence_text(const RunSummary& summary) {
     return text;
 }
 
-/// The number of sites, and how many of those that a file gave lie outside of the domain.
 std::string site_text(const Job& job, const RunSummary& summary) {
-    const auto is_outside = [&job](const Vec2& p) {
-        const Eigen::Array2d u = job.lattice.to_lattice(p - job.origin).array();
-        return (u < -kDomainMargin).any() || (u > 1 + kDomainMargin).any();
-    };
-    const auto columns = job.points.colwise();
-    const auto n_outside = std::count_if(columns.begin(), columns.end(), is_outside);
-    std::string text = std::to_string(summary.n_sites);
-    if (n_outside > 0) {
-        text += "; " + std::to_string(n_outside) +
-                " of the file lie outside of the domain and count modulo the lattice";
+    Eigen::ArrayXXd periods(2, job.points.cols());
+    for (Eigen::Index s = 0; s < job.points.cols(); ++s) {
+        periods.col(s) = job.lattice.to_lattice(job.points.col(s) - job.origin);
     }
-    if (2 * n_outside > job.points.cols()) text += ": --period or --lattice may be wrong";
-    return text;
+    return std::to_string(summary.n_sites) + domain_note(job.points.array(), periods);
 }
 
 std::string grain_text(const GrainFigures& grains) {
@@ -122,7 +117,9 @@ std::string density_lines(const DensityFigures& density) {
 std::string area_lines(const Job& job, const AreaSummary& areas) {
     const std::string scale = areas.scale ? " (each area times " + figure(*areas.scale) + ")" : "";
     return summary_line("areas", job.areas->name + scale + ", diameters with std / mean " +
-                                     figure(areas.std_over_mean) + ", off by at most " +
+                                     figure(areas.std_over_mean) +
+                                     (areas.newton.converged ? ", converged: off by at most "
+                                                             : ", not converged: off by up to ") +
                                      figure(areas.newton.largest_relative_error) + " after " +
                                      counted(areas.newton.newton_steps, "Newton step")) +
            summary_line("shapes", "circularity " + figure(areas.circularity_mean) + " +- " +
@@ -201,6 +198,23 @@ std::string duplicates_line(const DroppedSites& dropped) {
         coincidence_list(dropped.lines, [](int line) { return "line " + std::to_string(line); });
     return summary_line("duplicates", counted(n, "site") + " dropped" +
                                           (n == 0 ? "" : ", which coincide: " + lines));
+std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& periods) {
+    const auto n = periods.cols();
+    if (n == 0) return {};
+    const auto n_outside =
+        (periods < -kDomainMargin || periods > 1 + kDomainMargin).colwise().any().count();
+    if (n_outside > 0) {
+        const std::string text = "; " + std::to_string(n_outside) +
+                                 " of the file lie outside of the domain and count modulo the "
+                                 "lattice";
+        return 2 * n_outside > n ? text + ": --period or --lattice may be wrong" : text;
+    }
+    const Eigen::ArrayXd extent = periods.rowwise().maxCoeff() - periods.rowwise().minCoeff();
+    const bool in_unit = points.minCoeff() >= 0 && points.maxCoeff() <= 1;
+    if (n < kFewestFractions || !in_unit || extent.maxCoeff() > kSmallPart) return {};
+    return "; all coordinates are from 0 to 1, a small part of the domain: they may be fractions "
+           "of "
+           "the periods";
 }
 
 std::string minimum_line(const std::optional<Minimum>& minimum) {

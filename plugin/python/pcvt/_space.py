@@ -158,7 +158,8 @@ class SpaceTile:
     neighbour       (n_faces,), the cell in front of each face; -1 on the boundary
     partner         (n_faces - n_inner_faces,)
     partner_offset  (n_faces - n_inner_faces, 3), i, j, k
-    volumes         (n_cells,), length^3
+    volumes         (n_cells,), length^3; with short_edges, which bends faces, those that finite-volume
+                    solvers compute
     site_points     (n_cells, 3), the image of each site in its cell
     """
 

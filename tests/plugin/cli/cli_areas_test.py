@@ -31,7 +31,7 @@ class AreaTest(CliTest):
 class PrescribedAreas(AreaTest):
     def test_a_law_is_reported_as_the_table_of_cells_shows_it(self):
         report = self.report("--sites", 400, "--areas", "lognormal:0.42", "--max-iterations", 2, "-o", "t.csv")
-        self.assertEqual((report["stop"], report["iterations"]), ("converged", 2))
+        self.assertEqual((report["stop"], report["iterations"]), ("iteration-limit", 2))
         areas = report["areas"]
         self.assertEqual(list(areas), ["law", "std_over_mean", "largest_relative_error",
                                        "largest_relative_mesh_error", "newton_steps", "circularity_mean", "circularity_std"])
@@ -49,6 +49,15 @@ class PrescribedAreas(AreaTest):
     def test_five_steps_give_the_circularity_of_grains(self):
         areas = self.report("--sites", 1000, "--areas", "lognormal:0.42", "--max-iterations", 5)["areas"]
         self.assertTrue(0.095 < 1 - areas["circularity_mean"] < 0.105, areas)
+
+    def test_steps_that_end_away_from_the_centroids_are_a_limit(self):
+        run = ("mesh", "--sites", 40, "--areas", "equal", "--max-iterations")
+        for steps in (0, 3):
+            out = self.succeed(*run, steps)
+            self.assertRegex(out, rf"(?m)^stop +iteration-limit after {steps} iterations, ")
+            self.assertRegex(out, r"(?m)^areas +equal, .*, converged: off by at most \S+ after \d+ Newton steps$")
+            self.refuse(5, "not converged", *run, steps, "--strict", "--quiet")
+        self.succeed(*run, 3, "--strict", "--tolerance", 0.5)
 
     def test_a_run_without_a_limit_is_centroidal(self):
         report = self.report("--sites", 100, "--areas", "gamma:0.3", "--tolerance", "1e-5", "-o", "t.csv")
