@@ -93,7 +93,6 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--duplicates", options.duplicates, form_of(kDuplicates),
         "sites of a file within 1e-9 h of an earlier one: refuse names all of\n"
         "their lines, drop leaves them out [refuse]");
-    add(app, "--period", options.period, "W,H", "a rectangle [1,1]; W,H,D: a box in space");
     add(app, "--period", options.period, "W,H|auto",
         "a rectangle [1,1]; W,H,D: a box in space; auto: a square of the sum of\n"
         "the areas of --areas FILE, or 1,H with the aspect of --density FILE.png");

@@ -203,14 +203,13 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
 }
 
 std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary) {
-    std::string text = summary_line("sites", std::to_string(summary.n_sites));
-    if (job.duplicates == Duplicates::kDrop) text += duplicates_line(job.dropped);
     Eigen::ArrayXXd periods(3, job.points.cols());
     for (Eigen::Index s = 0; s < job.points.cols(); ++s) {
         periods.col(s) = job.lattice.to_lattice(job.points.col(s));
     }
     std::string text = summary_line(
         "sites", std::to_string(summary.n_sites) + domain_note(job.points.array(), periods));
+    if (job.duplicates == Duplicates::kDrop) text += duplicates_line(job.dropped);
     text +=
         summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()) +
                                     " " + vector_text(job.lattice.c()));

@@ -198,6 +198,8 @@ std::string duplicates_line(const DroppedSites& dropped) {
         coincidence_list(dropped.lines, [](int line) { return "line " + std::to_string(line); });
     return summary_line("duplicates", counted(n, "site") + " dropped" +
                                           (n == 0 ? "" : ", which coincide: " + lines));
+}
+
 std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& periods) {
     const auto n = periods.cols();
     if (n == 0) return {};

@@ -12,6 +12,7 @@ std::string summary_line(const char* label, const std::string& text);
 
 /// The line that says which sites of a file were left out because they coincide with earlier ones.
 std::string duplicates_line(const DroppedSites& dropped);
+
 /// What the positions of given sites say about the domain: how many lie outside of it, or that all
 /// are fractional coordinates by their looks; empty where nothing is noteworthy.
 /// @param points   d x n, length units; no column: no site was given.
