@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/outputs/commit_locks.hpp"
 #include "plugin/study/study.hpp"
 
 namespace pcvt {
