@@ -17,6 +17,10 @@ inline constexpr std::size_t kLargestStruct = 1 << 16;
 template <class Struct>
 inline constexpr std::size_t kOldestSize = sizeof(Struct);
 template <>
+inline constexpr std::size_t kOldestSize<pcvt_options> = offsetof(pcvt_options, duplicates);
+template <>
+inline constexpr std::size_t kOldestSize<pcvt_statistics> = offsetof(pcvt_statistics, dropped);
+template <>
 inline constexpr std::size_t kOldestSize<pcvt_write_options> = offsetof(pcvt_write_options,
                                                                         materials);
 

@@ -239,9 +239,10 @@ pcvt_status pcvt_options_init(pcvt_options* options, size_t struct_size, uint32_
     return guarded([&](const std::fenv_t&) {
         if (options == nullptr) throw pcvt::InvalidInput("options is a null pointer");
         check_version(abi_version);
-        check_struct_size("pcvt_options", struct_size, sizeof(pcvt_options));
+        check_struct_size("pcvt_options", struct_size, kOldestSize<pcvt_options>);
         std::memset(static_cast<void*>(options), 0, struct_size);
-        *options = default_options();
+        const pcvt_options defaults = default_options();
+        std::memcpy(static_cast<void*>(options), &defaults, std::min(struct_size, sizeof defaults));
         options->struct_size = struct_size;
         return pcvt_status{PCVT_OK};
     });

@@ -13,7 +13,7 @@ constexpr double kDomainMargin = 1e-9;
 
 /// So many sites in such a part of each period are hardly all that a user has of the domain.
 constexpr int kFewestFractions = 4;
-constexpr double kSmallPart = 0.5;
+constexpr double kSmallPart = 0.25;
 
 std::string vector_text(const Vec2& v) {
     // Adding 0 turns -0 into 0.
