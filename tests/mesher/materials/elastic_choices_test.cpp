@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::string refusal_of(const std::function<void()>& call) {
+std::string fault_of_choices(const std::function<void()>& call) {
     try {
         call();
     } catch (const InvalidInput& fault) {
@@ -42,31 +42,33 @@ TEST(ElasticChoices, OtherTextsAreRefusedWithTheEntry) {
              {"a:1,0.3 A:2,0.3", "given twice"},
              {"same a:1,0.3", "exclude each other"},
              {"a\x01:1,0.3", "'a?:1,0.3'"}}) {
-        EXPECT_THAT(refusal_of([&] { parse_elastic_choices(text); }), HasSubstr(words)) << text;
+        EXPECT_THAT(fault_of_choices([&] { parse_elastic_choices(text); }), HasSubstr(words))
+            << text;
     }
 }
 
 TEST(ElasticChoices, EachPhaseHasAMaterialAndEachMaterialAPhase) {
     const ElasticChoices choices = parse_elastic_choices("Soft:1,0.3 hard:10,0.3");
     const auto refusal = [&](const std::vector<std::string>& phases) {
-        return refusal_of([&] { require_materials_of(choices, phases); });
+        return fault_of_choices([&] { require_materials_of(choices, phases); });
     };
     EXPECT_EQ(refusal({"soft", "hard"}), "");
     EXPECT_THAT(refusal({"soft"}), HasSubstr("--material hard: no material of the files has"));
     EXPECT_THAT(refusal({"soft", "hard", "void"}), HasSubstr("the phase void has no"));
     EXPECT_THAT(refusal({}), HasSubstr("take one of GRAINS"));
-    EXPECT_EQ(refusal_of([] { require_materials_of(parse_elastic_choices("grains:1,0.3"), {}); }),
-              "");
+    EXPECT_EQ(
+        fault_of_choices([] { require_materials_of(parse_elastic_choices("grains:1,0.3"), {}); }),
+        "");
 }
 
 TEST(ElasticChoices, SeveralPhasesNeedAChoice) {
-    EXPECT_EQ(refusal_of([] { require_choice({}, {}); }), "");
-    EXPECT_EQ(refusal_of([] { require_choice({}, {"a"}); }), "");
-    EXPECT_THAT(refusal_of([] {
+    EXPECT_EQ(fault_of_choices([] { require_choice({}, {}); }), "");
+    EXPECT_EQ(fault_of_choices([] { require_choice({}, {"a"}); }), "");
+    EXPECT_THAT(fault_of_choices([] {
                     require_choice({}, {"a", "b"});
                 }),
                 HasSubstr("would give the phases a, b the same elastic constants; add --material"));
-    EXPECT_EQ(refusal_of([] { require_choice({.are_same = true}, {"a", "b"}); }), "");
+    EXPECT_EQ(fault_of_choices([] { require_choice({.are_same = true}, {"a", "b"}); }), "");
 }
 
 TEST(ElasticChoices, MaterialsFollowTheOrderOfThePhases) {

@@ -10,7 +10,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::string refusal_of(const std::vector<double>& numbers) {
+std::string fault_of_numbers(const std::vector<double>& numbers) {
     try {
         checked_constants(numbers);
     } catch (const InvalidInput& fault) {
@@ -26,7 +26,7 @@ TEST(ElasticConstants, TheirNumberSaysWhichOnesTheyAre) {
                 ElementsAre("C11", "C12", "C13", "C33", "C44"));
     EXPECT_EQ(constants_text({{210000, 0.3}}), "E 210000, nu 0.3");
     for (const int n : {0, 1, 4, 6}) {
-        EXPECT_THAT(refusal_of(std::vector<double>(n, 1.0)), HasSubstr("has 2, 3 or 5"));
+        EXPECT_THAT(fault_of_numbers(std::vector<double>(n, 1.0)), HasSubstr("has 2, 3 or 5"));
     }
 }
 
@@ -42,11 +42,12 @@ TEST(ElasticConstants, UnstableMaterialsAreRefused) {
                                                                 {2, 1, 1, 1, 0},
                                                                 {1, 2, 0, 1, 1},
                                                                 {1e308 * 10, 0.3}}) {
-        EXPECT_THAT(refusal_of(numbers), HasSubstr("stable")) << ::testing::PrintToString(numbers);
+        EXPECT_THAT(fault_of_numbers(numbers), HasSubstr("stable"))
+            << ::testing::PrintToString(numbers);
     }
     for (const auto& numbers : std::vector<std::vector<double>>{
              {1, 0}, {1, -0.9}, {1, 0.499}, {2, 1, 0.1}, {2, -0.9, 3}, {2, 1, 1, 1, 1}}) {
-        EXPECT_EQ(refusal_of(numbers), "") << ::testing::PrintToString(numbers);
+        EXPECT_EQ(fault_of_numbers(numbers), "") << ::testing::PrintToString(numbers);
     }
 }
 

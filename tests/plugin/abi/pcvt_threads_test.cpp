@@ -132,7 +132,7 @@ pcvt_status write(const pcvt_result* result, const std::string& path, int32_t re
 
 TEST(Threads, ReplaceTheSameFilesOneAfterTheOther) {
     std::vector<pcvt_result*> results;
-    for (int k = 0; k < kHosts; ++k) results.push_back(generate(30, std::uint64_t(k), 1));
+    for (int k = 0; k < kHosts; ++k) results.push_back(short_run(30, std::uint64_t(k), 1));
     for (const char* name : {"a.obj", "new/a.obj", "a.foam"}) {
         const pcvt::testing::TemporaryFolder folder;
         std::vector<std::string> faults(kHosts);

@@ -18,7 +18,7 @@ using pcvt::testing::TemporaryFolder;
 
 /// glTF holds positions as 32-bit floats.
 constexpr double kSamePlace = 1e-6;
-constexpr int kSites = 64;
+constexpr int kNumberedSites = 64;
 
 /// One combination of the features that change, order or leave out sites.
 struct Features {
@@ -75,9 +75,9 @@ void for_all_features(const std::function<void(const Features&)>& visit) {
 
 /// Sites whose order is neither that of their columns nor of their rows.
 Points scattered_sites(const Lattice& lattice) {
-    Points points(2, kSites);
-    for (int s = 0; s < kSites; ++s) {
-        const int cell = s * 37 % kSites;
+    Points points(2, kNumberedSites);
+    for (int s = 0; s < kNumberedSites; ++s) {
+        const int cell = s * 37 % kNumberedSites;
         const double jitter = 0.05 * std::sin(12.9898 * s);
         points.col(s) = lattice.to_plane(
             {(cell % 8 + 0.5 + jitter) / 8, (double(cell / 8) + 0.5 - jitter) / 8});
@@ -85,10 +85,10 @@ Points scattered_sites(const Lattice& lattice) {
     return points;
 }
 
-Job job_of(const Features& features) {
+Job job_with(const Features& features) {
     Job job;
     job.lattice = Lattice::rectangle(1.25, 1);
-    job.n_sites = kSites;
+    job.n_sites = kNumberedSites;
     job.seed = 5;
     job.max_iterations = 2;
     job.walls = features.walls;
@@ -184,7 +184,9 @@ std::vector<double> areas_in(const Tile& tile, std::size_t n_sites) {
 void expect_same_cells(const std::vector<Row>& rows, const TileFile& file, const Job& job) {
     const std::vector<double> areas = areas_in(file.tile, rows.size());
     for (std::size_t s = 0; s < rows.size(); ++s) {
-        if (job.short_edges == 0) EXPECT_NEAR(rows[s].area, areas[s], 1e-9) << "site " << s;
+        if (job.short_edges == 0) {
+            EXPECT_NEAR(rows[s].area, areas[s], 1e-9) << "site " << s;
+        }
         EXPECT_EQ(rows[s].phase, file.materials.phase_of(int(s))) << "site " << s;
     }
 }
@@ -227,7 +229,7 @@ TEST(SiteNumberingSlow, TableSitesAndCellsAreNumberedAlikeForAllFeatures) {
     int n_jobs = 0;
     for_all_features([&](const Features& features) {
         SCOPED_TRACE(features.text());
-        const Job job = job_of(features);
+        const Job job = job_with(features);
         expect_one_numbering(job, extensions_of_cells(job));
         ++n_jobs;
     });
@@ -238,7 +240,7 @@ TEST(SiteNumberingSlow, SolversGetTheSameNumbersForAllFeatures) {
     for_all_features([&](const Features& features) {
         if (features.has_origin || features.short_edges > 0 || features.is_repeated) return;
         SCOPED_TRACE(features.text());
-        Job job = job_of(features);
+        Job job = job_with(features);
         job.meshes = {MeshKind::kGrains};
         expect_one_numbering(job, {"msh", "inp", "vtu"});
     });
