@@ -77,12 +77,13 @@ void OutputSet::add_move(FileMove::Kind kind, std::size_t run_file, const std::s
     } else if (kind == FileMove::Kind::kNewFile && old.exists) {
         refuse_existing(target);
     }
-    plan.journal.moves.push_back({.kind = kind,
-                                  .folder = run_file,
-                                  .temporary = fs::path(temporary).filename().string(),
-                                  .target = below(staging_.run_files()[run_file].folder(), target),
-                                  .fresh = fresh.stamp,
-                                  .old = old.stamp});
+    plan.journal.moves.push_back(
+        {.kind = kind,
+         .folder = run_file,
+         .temporary = fs::path(temporary).filename().string(),
+         .target = path_below(staging_.run_files()[run_file].folder(), target),
+         .fresh = fresh.stamp,
+         .old = old.stamp});
     plan.targets.push_back(target);
 }
 

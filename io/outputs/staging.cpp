@@ -72,7 +72,7 @@ void rename_temporary(const std::string& from, const std::string& to, const std:
 
 }  // namespace
 
-std::string below(const std::string& folder, const std::string& target) {
+std::string path_below(const std::string& folder, const std::string& target) {
     std::string rest;
     fs::path at(target);
     while (true) {
@@ -124,7 +124,7 @@ void Staging::add_folder(const std::string& path) {
     declared_.push_back(path);
     const std::string target = plain_path(path);
     const std::string above = existing_folder_of(target);
-    const std::string rest = below(above, target);
+    const std::string rest = path_below(above, target);
     const std::size_t leaf = std::min(rest.find('/'), rest.size());
     Folder& folder = missing_folder(above, rest.substr(0, leaf), path);
     make_folders(folder.temporary + rest.substr(leaf), folder.created);
@@ -134,7 +134,7 @@ int Staging::create(const std::string& path) {
     files_.push_back({plain_path(path), {}, -1});
     File& entry = files_.back();
     const std::string above = existing_folder_of(entry.target);
-    const std::string rest = below(above, entry.target);
+    const std::string rest = path_below(above, entry.target);
     if (const std::size_t leaf = rest.find('/'); leaf != std::string::npos) {
         Folder& folder = missing_folder(above, rest.substr(0, leaf), path);
         entry.temporary = folder.temporary + rest.substr(leaf);
@@ -202,7 +202,7 @@ void Staging::take_out(std::size_t folder) {
     for (File& file : files_) {
         if (!is_within(file.temporary, folders_[folder].temporary)) continue;
         const std::string above = existing_folder_of(file.target);
-        const std::string rest = below(above, file.target);
+        const std::string rest = path_below(above, file.target);
         const std::size_t leaf = rest.find('/');
         if (leaf == std::string::npos) {
             take_out_file(file, folders_[folder].run_file);

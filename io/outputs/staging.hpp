@@ -79,6 +79,6 @@ class Staging {
 };
 
 /// Returns the path of a target relative to an existing folder above it.
-std::string below(const std::string& folder, const std::string& target);
+std::string path_below(const std::string& folder, const std::string& target);
 
 }  // namespace pcvt
