@@ -24,6 +24,11 @@ bool is_without_locks(int error) {
            error == EBADF || error == ELOOP || error == EISDIR || error == ENXIO;
 }
 
+std::string waiting_words(const std::string& folder) {
+    return "waiting for another run that writes to " +
+           (folder == "." ? "the current folder" : folder);
+}
+
 }  // namespace
 
 bool is_commit_lock(std::string_view leaf) { return leaf.starts_with(kLock); }
@@ -77,10 +82,10 @@ void CommitLocks::take(const std::set<std::string>& folders, const WaitingCallba
     for (const auto& [identity, folder] : folders_) {
         // Listed first, because a lock without an entry would be left behind if memory ran out.
         locks_.emplace_back(folder);
-        bool is_told = false;
+        bool is_reported = false;
         while (!locks_.back().acquire()) {
-            if (!is_told && waiting) waiting(folder);
-            is_told = true;
+            if (waiting && !is_reported) waiting(waiting_words(folder));
+            is_reported = true;
             checkpoint();
             std::this_thread::sleep_for(kBetweenAttempts);
         }

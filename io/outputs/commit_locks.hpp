@@ -10,8 +10,9 @@
 
 namespace pcvt {
 
-/// Called with the folder for whose lock a set waits.
-using WaitingCallback = std::function<void(const std::string& folder)>;
+/// Called when a set begins to wait, with the words for it: "waiting for another run that writes to
+/// out".
+using WaitingCallback = std::function<void(const std::string& words)>;
 
 /// The locks of the folders in which a set changes files, so that the sets of several runs, threads
 /// and hosts are committed one after the other.

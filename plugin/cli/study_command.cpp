@@ -74,9 +74,8 @@ std::vector<std::string> write_files(const MergedStudy& done, const StudyResult&
                                      const StudyOptions& options) {
     StatusLine line(!options.quiet);
     catch_cancel_signals();
-    return write_study(done.study, result, files, options.force, [&line](const auto& folder) {
-        line.draw({"waiting for another run that writes to " + folder});
-    });
+    return write_study(done.study, result, files, options.force,
+                       [&line](const auto& words) { line.draw({words}); });
 }
 
 ExitCode run_to_the_end(const StudyRequest& request, const StudyOptions& options) {

@@ -192,9 +192,7 @@ void stage_files(const Job& job, const std::vector<JobFile>& files, const Comput
 }
 
 std::vector<std::string> wait_for_turn(OutputSet& outputs, JobMonitor& monitor) {
-    return outputs.wait_for_turn([&monitor](const std::string& folder) {
-        monitor.describe("waiting for another run that writes to " + folder);
-    });
+    return outputs.wait_for_turn([&monitor](const std::string& words) { monitor.describe(words); });
 }
 
 }  // namespace pcvt

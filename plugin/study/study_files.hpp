@@ -31,7 +31,7 @@ std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
                                         const std::vector<std::string>& inputs);
 
 /// Writes all files, or none, once no other run writes to their folders.
-/// @param waiting  called with the folder to which another run writes; may be empty.
+/// @param waiting  called with words when the files have to wait for another run; may be empty.
 /// @returns one line for each set of files of a run that died meanwhile.
 /// @throws OutputError as OutputSet does; Cancelled.
 std::vector<std::string> write_study(const Study& study, const StudyResult& result,

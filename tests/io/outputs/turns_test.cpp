@@ -29,7 +29,7 @@ using testing::write_bytes;
 constexpr int kRounds = 20;
 constexpr int kThreads = 8;
 
-TEST(Turns, ASetWaitsUntilTheOneBeforeItIsCommitted) {
+TEST(Threads, ASetWaitsUntilTheOneBeforeItIsCommitted) {
     const TemporaryFolder folder;
     OutputSet first;
     first.stage(folder / "a", "first");
@@ -38,10 +38,11 @@ TEST(Turns, ASetWaitsUntilTheOneBeforeItIsCommitted) {
     std::thread other([&] {
         OutputSet second;
         second.stage(folder / "a", "second");
-        second.wait_for_turn([&](const std::string& name) { waits.set_value(name); });
+        second.wait_for_turn([&](const std::string& words) { waits.set_value(words); });
         second.commit(true);
     });
-    EXPECT_EQ(waits.get_future().get() + "/a", folder / "a");
+    EXPECT_EQ(waits.get_future().get() + "/a",
+              "waiting for another run that writes to " + (folder / "a"));
     EXPECT_FALSE(std::filesystem::exists(folder / "a"));
     first.commit(true);
     other.join();
@@ -153,7 +154,7 @@ void write(const TemporaryFolder& folder, std::vector<std::string> names, const 
     set.commit(true);
 }
 
-TEST(Turns, TheFilesOfSeveralThreadsAreThoseOfOneSet) {
+TEST(Threads, TheFilesOfSeveralThreadsAreThoseOfOneSet) {
     const std::vector<std::string> names = {"a", "c/x/a", "c/y/deep/b", "d/e", "z"};
     for (int round = 0; round < kRounds; ++round) {
         const TemporaryFolder folder;
@@ -175,7 +176,7 @@ TEST(Turns, TheFilesOfSeveralThreadsAreThoseOfOneSet) {
     }
 }
 
-TEST(Turns, SetsOfOtherFilesInAFolderThatAllMakeAreAllWritten) {
+TEST(Threads, SetsOfOtherFilesInAFolderThatAllMakeAreAllWritten) {
     for (int round = 0; round < kRounds; ++round) {
         const TemporaryFolder folder;
         std::vector<std::thread> threads;
