@@ -186,7 +186,8 @@ Duplicates duplicates(const pcvt_options& options) {
 }
 
 void check_struct_size(const char* name, std::size_t size, std::size_t oldest) {
-    if (size < oldest || size > kLargestStruct) {
+    // Fields are appended in multiples of eight bytes.
+    if (size < oldest || size > kLargestStruct || size % alignof(double) != 0) {
         throw AbiMismatch(std::string(name) + " has size " + std::to_string(size) +
                           " in place of " + std::to_string(oldest) +
                           "; build the host with the header of this pcvt");

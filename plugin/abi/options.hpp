@@ -24,7 +24,7 @@ template <>
 inline constexpr std::size_t kOldestSize<pcvt_write_options> = offsetof(pcvt_write_options,
                                                                         materials);
 
-/// @throws AbiMismatch unless `size` lies between `oldest` and kLargestStruct.
+/// @throws AbiMismatch unless `size` is a multiple of 8 from `oldest` to kLargestStruct.
 void check_struct_size(const char* name, std::size_t size, std::size_t oldest);
 /// @throws AbiMismatch unless all bytes of a struct after the first `known` ones are zero.
 void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known);

@@ -17,7 +17,7 @@ static void sizes_and_versions_that_do_not_fit_are_refused(void) {
     CHECK(options.struct_size == size);
     options.struct_size = 0;
     REFUSED(&options, PCVT_ERROR_ABI, "size 0");
-    options.struct_size = size - 8;
+    options.struct_size = offsetof(pcvt_options, duplicates) - 8;
     REFUSED(&options, PCVT_ERROR_ABI, "size");
     options.struct_size = (size_t)1 << 40;
     REFUSED(&options, PCVT_ERROR_ABI, "size");
@@ -47,7 +47,17 @@ static void a_longer_struct_is_accepted_if_its_tail_is_zero(void) {
 static void a_struct_without_the_last_fields_is_accepted(void) {
     pcvt_options options = options_for(10);
     pcvt_write_options how;
-    pcvt_result* result = generated(&options);
+    pcvt_statistics figures;
+    pcvt_result* result;
+    memset(&options, 0xFF, sizeof options);
+    CHECK(pcvt_options_init(&options, offsetof(pcvt_options, duplicates), PCVT_ABI_VERSION) ==
+          PCVT_OK);
+    CHECK(options.struct_size == offsetof(pcvt_options, duplicates) && options.duplicates == -1);
+    options.n_sites = 10;
+    result = generated(&options);
+    memset(&figures, 0xFF, sizeof figures);
+    CHECK(pcvt_get_statistics(result, &figures, offsetof(pcvt_statistics, dropped)) == PCVT_OK);
+    CHECK(figures.n_dropped == 0 && figures.dropped != NULL);
     memset(&how, 0xFF, sizeof how);
     memset(&how, 0, offsetof(pcvt_write_options, materials));
     how.struct_size = offsetof(pcvt_write_options, materials);
