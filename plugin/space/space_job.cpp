@@ -179,7 +179,8 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         summary.face_counts = proved.face_counts;
         summary.n_removed_edges = proved.n_removed_edges;
         require_closed_boundary(job, files, summary.proof);
-        stage_space_files(files, content, job.file_options, monitor, outputs);
+        summary.refused = stage_space_files(files, content, job.file_options, monitor, outputs);
+        for (const RefusedFile& file : summary.refused) std::erase(summary.files, file.path);
         summary.run = computation.cvt.run;
         summary.pattern = computation.pattern;
         if (job.stability) summary.minimum = minimum_of(computation);
