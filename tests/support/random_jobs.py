@@ -26,7 +26,7 @@ FOREIGN = (("--density", "1 + u"), ("--areas", "gamma:0.3"), ("--aspect", "2,30"
            ("--pixels", "40"), ("--cut", "30"), ("--thickness", "0.1"), ("--background", "#ffffff"), ("--float32",),
            ("--glb-nodes", "one"), ("--density-range", "1,2"), ("--origin", "auto"), ("--repeat", "2x1"), ("--strict",),
            ("--sites", "3"), ("--period", "1,1"), ("--lattice", "1,0,0,1"), ("--mesh", "delaunay"), ("--outline", "box"),
-           ("--no-such-option",), ("stray",), ("--colour", "orbit"), ("--short-edges", "0.1"), ("--cells", "cells.csv"))
+           ("--period", "auto"), ("--material", "a:210000,0.3"), ("--duplicates", "drop"), ("--no-such-option",), ("stray",), ("--colour", "orbit"), ("--short-edges", "0.1"), ("--cells", "cells.csv"))
 
 
 @dataclasses.dataclass
@@ -109,7 +109,7 @@ def any_sites(job):
     text, job.n_sites = site_text(job.draw, job.dimension, job.unit, not job.is_sound)
     if name != "missing.txt":
         job.input(name, text)
-    job.add("--input", name)
+    job.add("--input", name, *(("--duplicates", job.pick(("drop", "refuse"), ("keep",))) if job.often(0.3) else ()))
 
 
 def solver(job, choices=("lbfgs", "lloyd", "newton")):
