@@ -9,7 +9,7 @@
 namespace pcvt {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kFieldBlanks = " \t\r\n";
 
 /// The arrays, with the numbers of a tuple.
 struct FieldForm {
@@ -122,9 +122,9 @@ std::vector<std::string_view> words_of(std::string_view text) {
     std::vector<std::string_view> words;
     while (true) {
         checkpoint_each(static_cast<long>(words.size()));
-        text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+        text.remove_prefix(std::min(text.find_first_not_of(kFieldBlanks), text.size()));
         if (text.empty()) return words;
-        words.push_back(text.substr(0, text.find_first_of(kBlanks)));
+        words.push_back(text.substr(0, text.find_first_of(kFieldBlanks)));
         text.remove_prefix(words.back().size());
     }
 }

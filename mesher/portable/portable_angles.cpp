@@ -58,8 +58,8 @@ double degrees_of_cosine(double u) {
 
 CosSin cos_sin(double radians) {
     if (!std::isfinite(radians)) {
-        constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-        return {kNan, kNan};
+        constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+        return {kUndefined, kUndefined};
     }
     constexpr double kLargest = 1e5;
     if (std::abs(radians) > kLargest) radians = std::fmod(radians, 2 * std::numbers::pi);
