@@ -1,13 +1,8 @@
-"""The jobs of tests/same_bytes: what pcvt is run on, each job a list of steps.
+"""The jobs in the plane of tests/same_bytes; same_bytes_steps.py explains the steps."""
 
-A step is a File, a Damage, or the arguments of one run of pcvt. They follow the exit code that is
-expected of the old binary ("2: mesh --sites 0"; 0 where none is given, ?: any) and end with
-"< FILE" where that file is the standard input.
-"""
-
-import re
-import shutil
 from pathlib import Path
+
+from same_bytes_steps import File, damage_steps
 
 MOON = Path(__file__).resolve().parent.parent / "samples/gallery/moon.png"
 
@@ -16,63 +11,6 @@ def scattered(n):
     """A site file of n scattered points of the unit square."""
     return "".join(f"{i * 0.6180339887 % 1:.9f} {i * i * 0.4142135623 % 1:.9f}\n"
                    for i in range(n))
-
-
-class File:
-    """A step that writes a file into the job's folder, or makes a folder if the name ends in /."""
-
-    def __init__(self, name, content=""):
-        self.name, self.content = name, content
-
-    def run(self, folder):
-        if self.name.endswith("/"):
-            (folder / self.name).mkdir()
-        else:
-            content = self.content.encode() if isinstance(self.content, str) else self.content
-            (folder / self.name).write_bytes(content)
-
-
-def damaged(content, kind, place):
-    """`content` with one fault at a place given in bytes."""
-    if kind == "cut":
-        return content[:place]
-    end = content.find(b"\n", place) + 1 or len(content)
-    begin = content.rfind(b"\n", 0, place) + 1
-    if kind == "drop line":
-        return content[:begin] + content[end:]
-    if kind == "double line":
-        return content[:end] + content[begin:end] + content[end:]
-    if kind == "break word":
-        return content[:place] + b"?" + content[place + 1:]
-    digit = re.compile(rb"\d").search(content, place)
-    if not digit:
-        return content + b"7"
-    return content[:digit.start()] + b"%d" % ((int(digit[0]) + 1) % 10) + content[digit.end():]
-
-
-class Damage:
-    """A step that copies a tile 30 times, each with one fault: bad00.EXT, bad01.EXT, ..."""
-
-    COPIES = 30
-    KINDS = ["digit", "cut", "drop line", "double line", "break word", "digit"]
-
-    def __init__(self, name):
-        self.name = name
-
-    def run(self, folder):
-        source = folder / self.name
-        if not source.exists():
-            return
-        for k in range(self.COPIES):
-            copy = folder / f"bad{k:02}{source.suffix}"
-            (shutil.copytree if source.is_dir() else shutil.copyfile)(source, copy)
-            files = [copy] if copy.is_file() else sorted(copy.glob("constant/polyMesh/*"))
-            if not files:
-                return
-            file = files[k % len(files)]
-            content = file.read_bytes()
-            place = len(content) * (k + 1) // (self.COPIES + 1)
-            file.write_bytes(damaged(content, self.KINDS[k % len(self.KINDS)], place))
 
 
 CELLS = "--mesh voronoi --mesh delaunay --mesh grains"
@@ -204,6 +142,41 @@ RUNS = {
                 "pattern --sites 12 --mesh grains --outline box --origin 0.1,0.2 -o g.inp"],
 }
 
+SHAPES = "circle a 0.5 0.5 0.2\nellipse b 0.02 0.1 0.12 0.08 30\npolygon c 0.8 0.7 0.95 0.7 0.9 0.9\n"
+CONSTRAINTS = {
+    "cells-areas": ["mesh --sites 40 --areas lognormal:0.4 --max-iterations 5 --mesh grains -o t.msh --cells t.csv "
+                    "--report r.json", "check t.msh", File("areas.txt", "1\n2\n3\n4\n"),
+                    "mesh --sites 4 --areas areas.txt -o few.obj", "check few.obj --areas areas.txt",
+                    "mesh --sites 30 --aspect 2,30 -o long.vtu --report a.json", "check long.vtu",
+                    "2: mesh --sites 5 --areas areas.txt", "2: mesh --sites 5 --areas normal:1",
+                    "2: mesh --sites 5 --aspect 0"],
+    "cells-materials": ["mesh --sites 30 --mesh grains --phases soft:0.7,hard:0.3 --job elastic -o job.inp "
+                        "--report r.json",
+                        "mesh --sites 30 --orientations random --phases a:0.5,b:0.5 -o t.vti -o t.svg "
+                        "--colour phase --cells t.csv",
+                        "check job.inp t.vti", "2: mesh --sites 5 --phases a:0.5", "2: mesh --sites 5 --phases a"],
+    "cells-symmetry": ["mesh --sites 24 --symmetry p4m -o t.obj -o t.svg --cells t.csv --report r.json",
+                       "mesh --sites 12 --symmetry p6m -o h.vtu", "check t.obj h.vtu",
+                       "2: mesh --sites 5 --symmetry p5", f"2: mesh --sites 5 --symmetry p4 {OBLIQUE}"],
+    "cells-walls": ["mesh --sites 30 --walls y --period 2,1 -o t.obj -o t.foam -o t.vtu --report r.json",
+                    "mesh --sites 20 --walls xy --wall-cells half --mesh delaunay -o h.msh",
+                    "check t.obj t.foam t.vtu h.msh",
+                    "2: mesh --sites 5 --walls z", "2: mesh --sites 5 --walls x -o t.nc"],
+    "cells-inclusions": [File("shapes.txt", SHAPES),
+                         "mesh --sites 150 --inclusions shapes.txt -o t.obj -o t.vtu --report r.json",
+                         "check t.obj t.vtu --inclusions shapes.txt",
+                         "mesh --sites 150 --inclusions shapes.txt --hole a -o h.foam -o h.obj --report h.json",
+                         "mesh --sites 200 --fibres 0.2,3 --seed 4 -o f.vtu -o f.svg --report f.json",
+                         "check h.foam h.obj f.vtu",
+                         File("bad.txt", "circle a 0.5 0.5 0.8\nsquare b 1\n"),
+                         "2: mesh --sites 9 --inclusions bad.txt",
+                         "2: mesh --sites 9 --hole a", "2: mesh --sites 9 --fibres 2,2"],
+    "pictures": [f"mesh --sites 30 --seed 7 {OBLIQUE} {CELLS} -o t.html -o t.png -o t.dxf -o t.csv",
+                 "mesh --sites 30 --pixels 64 -o p.png", "mesh --sites 30 --cut 100 -o c.svg -o c.dxf",
+                 "mesh --sites 30 --colour size --background '#ffffff' -o s.svg",
+                 "2: mesh --sites 9 --colour red -o t.svg"],
+}
+
 STUDIES = {
     "study-table1": ["study table1 --sites 3,30 --runs 3 -o t.csv"],
     **{f"study-{name}": [f"study {name} --sites 10,30 --runs 2 -o t.csv -o t.svg"]
@@ -219,19 +192,12 @@ STUDIES = {
 }
 
 
-def damage_job(extension, options=""):
-    """Checks of one good tile and of its damaged copies."""
-    bad = " ".join(f"bad{k:02}{extension}" for k in range(Damage.COPIES))
-    return [f"mesh --sites 8 {options} -o t{extension} --quiet", f"check t{extension}",
-            Damage(f"t{extension}"), f"2: check {bad}", f"2: check {bad} --cvt 1e-3"]
-
-
 TRIANGLES = "--mesh delaunay"
 DAMAGES = {
-    **{f"damaged-{name}": damage_job(f".{name}") for name in ("obj", "ply", "om", "vtu", "foam")},
-    **{f"damaged-{name}": damage_job(f".{name}", TRIANGLES) for name in ("msh", "inp")},
-    "damaged-nc": damage_job(".nc", "--seed 3"),
-    "damaged-gltf": damage_job(".gltf") + damage_job(".glb"),
+    **{f"damaged-{name}": damage_steps(f".{name}") for name in ("obj", "ply", "om", "vtu", "foam")},
+    **{f"damaged-{name}": damage_steps(f".{name}", TRIANGLES) for name in ("msh", "inp")},
+    "damaged-nc": damage_steps(".nc", "--seed 3"),
+    "damaged-gltf": damage_steps(".gltf") + damage_steps(".glb"),
     "check-lattice": ["mesh --sites 30 --mesh voronoi --mesh delaunay -o t.ply",
                       "2: check t-voronoi.ply --period 2,1", "check t-delaunay.ply --period 1,1",
                       "mesh --sites 30 --max-iterations 1 -o raw.obj", "2: check raw.obj --cvt",
@@ -271,4 +237,4 @@ ERRORS = {
                        "3: study table1 --sites 3 --runs 1 -o /dev/null/t.csv"],
 }
 
-JOBS = {**FORMATS, **MESHES, **RUNS, **STUDIES, **DAMAGES, **ERRORS}
+PLANE = {**FORMATS, **MESHES, **RUNS, **CONSTRAINTS, **STUDIES, **DAMAGES, **ERRORS}
