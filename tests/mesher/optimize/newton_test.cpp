@@ -30,7 +30,7 @@ bool two_wells(const VectorXd& x, Evaluation& e) {
 
 /// A chain of variables on stiffening springs, sum cosh(x_{k+1} - x_k) + cosh(x_k) / 100:
 /// ill-conditioned.
-bool springs(const VectorXd& x, Evaluation& e) {
+bool spring_chain(const VectorXd& x, Evaluation& e) {
     e.value = 0;
     e.gradient = x.array().sinh() / 100;
     for (Eigen::Index k = 0; k + 1 < x.size(); ++k) {
@@ -78,7 +78,7 @@ TEST(Newton, FollowsACurvedValleyDown) {
 
 // The accuracy of the linear systems increases near the minimum.
 TEST(Newton, ConvergesSuperlinearly) {
-    PlainObjective objective(springs, VectorXd::LinSpaced(60, -1, 1).array().sin(), 1);
+    PlainObjective objective(spring_chain, VectorXd::LinSpaced(60, -1, 1).array().sin(), 1);
     double previous = 1;
     OptimizerOptions watched = options(1e-11, 10);
     watched.progress = [&](const Progress& p) {
