@@ -37,6 +37,8 @@ struct TileFile {
     std::vector<int> site_orbits = {};
     /// Of a file of prisms: their height, length units; else 0.
     double thickness = 0;
+    /// As the user stated it, least_tolerance of prove_tile().
+    double tolerance = 0;
 };
 
 }  // namespace pcvt

@@ -193,6 +193,15 @@ int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
     return n;
 }
 
+int n_untied_points(const TetrahedralMesh& mesh, const TetrahedralProof& proof) {
+    std::vector<bool> is_slave(mesh.points.size(), false);
+    for (const TrianglePair& pair : proof.pairs) {
+        for (const int v : pair.second) is_slave[v] = true;
+    }
+    const auto n_free = std::count(is_slave.begin(), is_slave.end(), false);
+    return static_cast<int>(n_free) - proof.n_sites;
+}
+
 TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh) {
     TetrahedralProof proof;
     prove_points(mesh, proof);

@@ -37,6 +37,11 @@ double tetrahedron_volume(const TetrahedralMesh& mesh, int t);
 /// `n_sites` sites.
 int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites);
 
+/// Returns the number of points, but for one of each site, that are corners of no second triangle
+/// of a pair. Programs that give each node of a second triangle one master, and no other node, find
+/// as many nodes too many.
+int n_untied_points(const TetrahedralMesh& mesh, const TetrahedralProof& proof);
+
 /// Proves the laws of a tile of tetrahedra from positions, tetrahedra, sites and period vectors.
 ///
 /// Example usage:

@@ -17,6 +17,7 @@
 #include "plugin/cli/checks/area_check.hpp"
 #include "plugin/cli/checks/inclusion_check.hpp"
 #include "plugin/cli/checks/space_check.hpp"
+#include "plugin/cli/checks/tolerance_check.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/job/job_files.hpp"
 
@@ -163,6 +164,9 @@ std::string prove_grid(GridReader* read, const TileFormat& format, const std::st
     if (question.inclusions) {
         throw BadFile(path + ": --inclusions is not for MPAS files; check a tile of the same run");
     }
+    if (question.tolerance > 0) {
+        throw BadFile(path + ": --tolerance is not for MPAS files; leave it out");
+    }
     const std::vector<EncodedFile> files = read_files(format, path);
     const MpasGrid grid = read(files);
     if (question.lattice) {
@@ -196,6 +200,9 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
     if (question.inclusions) {
         throw BadFile(path + ": --inclusions is not for voxels; check a tile of the same run");
     }
+    if (question.tolerance > 0) {
+        throw BadFile(path + ": --tolerance is not for voxels; leave it out");
+    }
     const std::vector<EncodedFile> files = read_files(format, path);
     const VoxelFile file = read(files);
     const VoxelGrid& grid = file.image.grid;
@@ -228,6 +235,25 @@ std::string prove_tile_in_space(const std::string& path, const std::vector<Encod
     return prove_space_tile(path, files, question.cvt_tolerance);
 }
 
+/// As prove_file().
+/// @throws NotATile  also with the tolerance that would suffice.
+TileProof prove_seam_and_fields(const TileFormat& format, const std::vector<EncodedFile>& files,
+                                const TileFile& file) {
+    try {
+        return prove_file(format, files, file);
+    } catch (const SeamMismatch& fault) {
+        throw NotATile(fault.what() + tolerance_advice(file, fault.mismatch()));
+    }
+}
+
+/// The verdict on the seam.
+std::string seam_text(const TileProof& proof) {
+    std::string text = std::to_string(proof.n_boundary_edges) + " boundary edges in " +
+                       std::to_string(proof.edge_pairs.size()) + " pairs, ";
+    if (proof.edge_pairs.empty()) return text;
+    return text + "periodic within " + figure(proof.mismatch) + ", ";
+}
+
 /// The proof of a tile as a line.
 /// @param content  becomes the thing that the file states to be.
 std::string prove_one_tile(const TileFormat& format, const std::string& path,
@@ -237,16 +263,15 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
         content = space_content_text(*kind);
         return prove_tile_in_space(path, files, question);
     }
-    const TileFile file = decode_tile(format, files, question.lattice);
+    TileFile file = decode_tile(format, files, question.lattice);
+    file.tolerance = question.tolerance;
     content = content_of(file.tile.walls);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
-    const TileProof proof = prove_file(format, files, file);
+    const TileProof proof = prove_seam_and_fields(format, files, file);
     std::string line = path + ": " + described(file.tile.walls) + std::to_string(proof.n_vertices) +
                        " vertices, " + std::to_string(proof.n_faces) + " faces, " +
-                       std::to_string(proof.n_boundary_edges) + " boundary edges in " +
-                       std::to_string(proof.edge_pairs.size()) + " pairs, " +
-                       glued_text(file.tile, proof) + ", " + "area " + figure(proof.area) +
-                       " (tolerance " + figure(proof.tolerance) + "), " +
+                       seam_text(proof) + glued_text(file.tile, proof) + ", " + "area " +
+                       figure(proof.area) + " (tolerance " + figure(proof.tolerance) + "), " +
                        std::to_string(proof.n_merged) + " merged" + pairs_text(file) +
                        sites_text(file.tile) + orbits_text(file.site_orbits);
     if (question.cvt_tolerance) line += prove_cvt(file, proof, question);

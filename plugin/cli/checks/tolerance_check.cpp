@@ -1,0 +1,40 @@
+#include "plugin/cli/checks/tolerance_check.hpp"
+
+#include <cmath>
+
+#include "io/bytes/text.hpp"
+#include "io/file_proof.hpp"
+#include "plugin/cli/terminal/console.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+/// Each proof with a wider tolerance may show edges that fit less well.
+constexpr int kMostProofs = 4;
+
+/// A number of two digits that is a little larger, so that rounding does not count.
+double rounded_up(double number) {
+    const double unit = std::pow(10, std::floor(std::log10(number)) - 1);
+    return parse_number(figure(std::ceil(number * 1.01 / unit) * unit));
+}
+
+}  // namespace
+
+std::string tolerance_advice(const TileFile& file, double mismatch) {
+    TileFile wider = file;
+    for (int k = 0; k < kMostProofs && std::isfinite(mismatch) && mismatch > wider.tolerance; ++k) {
+        wider.tolerance = rounded_up(mismatch);
+        try {
+            const double found = prove_tile_file(wider).mismatch;
+            return "; the tile is periodic within " + figure(found) + ", so --tolerance " +
+                   figure(wider.tolerance) + " accepts it";
+        } catch (const SeamMismatch& fault) {
+            mismatch = fault.mismatch();
+        } catch (const NotATile&) {
+            break;
+        }
+    }
+    return "";
+}
+
+}  // namespace pcvt::cli
