@@ -32,6 +32,8 @@ struct TileFile {
     bool states_lattice = false;
     /// Of the sites of one period; empty where the file states none.
     CellMaterials materials = {};
+    /// The phases that the names of materials show, of a file that states none; may be empty.
+    CellMaterials shown = {};
     /// The orbit of each site of one period under the symmetry of the run, -1 for a site that has
     /// no element; empty where the file states none.
     std::vector<int> site_orbits = {};

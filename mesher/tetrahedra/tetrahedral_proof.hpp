@@ -28,6 +28,8 @@ struct TetrahedralProof {
     std::vector<TrianglePair> pairs = {};
     double volume = 0;           ///< length^3
     double smallest_volume = 0;  ///< of a tetrahedron, length^3
+    double tolerance = 0;        ///< of positions, length units
+    double mismatch = 0;         ///< the largest one of a point and its image, in one coordinate
 };
 
 /// The volume of a tetrahedron, length^3; negative where it is turned over.
@@ -48,7 +50,9 @@ int n_untied_points(const TetrahedralMesh& mesh, const TetrahedralProof& proof);
 ///   const TetrahedralProof proof = prove_tetrahedra(mesh);
 ///   for (const TrianglePair& pair : proof.pairs) glue(pair.first, pair.second);
 ///
-/// @throws NotATile  naming the law and the place.
-TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh);
+/// @param least_tolerance  of positions, length units: of files of other programs.
+/// @throws NotATile  naming the law and the place; as SeamMismatch where a wider tolerance may
+/// help.
+TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh, double least_tolerance = 0);
 
 }  // namespace pcvt

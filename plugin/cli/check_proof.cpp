@@ -211,7 +211,9 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
     }
     const VoxelProof proof = prove_voxel_file(files, file);
     return path + ": a voxel image: " + std::to_string(grid.counts.x) + " x " +
-           std::to_string(grid.counts.y) + " voxels of " + std::to_string(proof.n_cells) +
+           std::to_string(grid.counts.y) +
+           (grid.counts.z > 1 ? " x " + std::to_string(grid.counts.z) + " equal layers of" : "") +
+           " voxels of " + std::to_string(proof.n_cells) +
            " cells, period " + figure(grid.size.x()) + " x " + figure(grid.size.y()) +
            (file.cells ? ", each voxel in the cell of its site within " +
                              figure(proof.largest_excess) + " h"
@@ -230,9 +232,9 @@ std::string prove_tile_in_space(const std::string& path, const std::vector<Encod
         throw BadFile(
             path +
             ": holds a tile in space, which states its lattice and is proved without further "
-            "options but --cvt; leave the others out");
+            "options but --cvt and --tolerance; leave the others out");
     }
-    return prove_space_tile(path, files, question.cvt_tolerance);
+    return prove_space_tile(path, files, question.cvt_tolerance, question.tolerance);
 }
 
 /// As prove_file().
@@ -242,7 +244,11 @@ TileProof prove_seam_and_fields(const TileFormat& format, const std::vector<Enco
     try {
         return prove_file(format, files, file);
     } catch (const SeamMismatch& fault) {
-        throw NotATile(fault.what() + tolerance_advice(file, fault.mismatch()));
+        TileFile wider = file;
+        throw NotATile(fault.what() + tolerance_advice(fault, [&](double tolerance) {
+                           wider.tolerance = tolerance;
+                           return prove_tile_file(wider).mismatch;
+                       }));
     }
 }
 

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "io/bytes/text.hpp"
-#include "io/file_proof.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
@@ -20,16 +19,17 @@ double rounded_up(double number) {
 
 }  // namespace
 
-std::string tolerance_advice(const TileFile& file, double mismatch) {
-    TileFile wider = file;
-    for (int k = 0; k < kMostProofs && std::isfinite(mismatch) && mismatch > wider.tolerance; ++k) {
-        wider.tolerance = rounded_up(mismatch);
+std::string tolerance_advice(const SeamMismatch& fault, const SeamProof& prove) {
+    double mismatch = fault.mismatch();
+    double tolerance = 0;
+    for (int k = 0; k < kMostProofs && std::isfinite(mismatch) && mismatch > tolerance; ++k) {
+        tolerance = rounded_up(mismatch);
         try {
-            const double found = prove_tile_file(wider).mismatch;
+            const double found = prove(tolerance);
             return "; the tile is periodic within " + figure(found) + ", so --tolerance " +
-                   figure(wider.tolerance) + " accepts it";
-        } catch (const SeamMismatch& fault) {
-            mismatch = fault.mismatch();
+                   figure(tolerance) + " accepts it";
+        } catch (const SeamMismatch& next) {
+            mismatch = next.mismatch();
         } catch (const NotATile&) {
             break;
         }
