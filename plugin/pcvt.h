@@ -141,6 +141,9 @@ enum {
     PCVT_WALL_HOLE = 4
 };
 
+/** What becomes of given sites that are nearer to an earlier one than 1e-9 h. */
+enum { PCVT_DUPLICATES_REFUSE = 0, PCVT_DUPLICATES_DROP = 1 };
+
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
 
@@ -268,12 +271,18 @@ typedef struct pcvt_options {
                           pcvt_sites, and the others are numbered from 0 again [NULL] */
     int32_t dimension; /**< 2 or 3. With 3 the cells are polyhedra, and the fields that apply are
                           sites, n_sites, start, seed, solver, max_iterations, tolerance,
-                          n_threads, progress, progress_data and lattice3; any other field is
-                          refused unless it has its default [2] */
+                          n_threads, progress, progress_data, short_edges, lattice3 and duplicates;
+                          any other field is refused unless it has its default [2] */
     int32_t reserved4;
     double lattice3[9]; /**< ax, ay, az, bx, by, bz, cx, cy, cz: any three independent period
                            vectors, of either orientation; refused unless it has its default with
                            dimension 2 [1, 0, 0, 0, 1, 0, 0, 0, 1] */
+    int32_t duplicates; /**< PCVT_DUPLICATES_...: `sites` or `fixed_sites` nearer to an earlier one
+                           than 1e-9 h, h = sqrt(area / n_sites), in three dimensions the cube root
+                           of volume / n_sites, modulo the lattice: an error that names them all, or
+                           left out, with their areas and orientations, and the others are numbered
+                           from 0 again; see pcvt_statistics [PCVT_DUPLICATES_REFUSE] */
+    int32_t reserved5;
 } pcvt_options;
 
 /** The optimised sites. */
@@ -434,11 +443,13 @@ typedef struct pcvt_statistics {
     int32_t iterations;
     int32_t evaluations;
     int32_t n_threads;
-    int32_t n_mirrors;    /**< -1 if the triangulation was built without mirrors, and in three
-                             dimensions */
-    double area_error;    /**< largest |area - wished| / wished; NaN without areas */
-    int32_t newton_steps; /**< that found the weights; 0 without areas */
-    int32_t reserved;
+    int32_t n_mirrors;      /**< -1 if the triangulation was built without mirrors, and in three
+                               dimensions */
+    double area_error;      /**< largest |area - wished| / wished; NaN without areas */
+    int32_t newton_steps;   /**< that found the weights; 0 without areas */
+    int32_t n_dropped;      /**< sites that PCVT_DUPLICATES_DROP left out */
+    const int32_t* dropped; /**< n_dropped pairs: the number of such a site in the options, and that
+                               of the earlier one; NULL for none */
 } pcvt_statistics;
 
 /** The options of pcvt_write(). Zero in all fields but struct_size is the default. In three

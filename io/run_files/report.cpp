@@ -149,6 +149,20 @@ std::string word(const SpaceReport::Seconds& s) {
            ", \"total\": " + word(s.total) + "}";
 }
 
+std::string word(const std::vector<CoincidentSite>& pairs) {
+    std::string text;
+    for (const auto& [site, earlier] : pairs) {
+        text += (text.empty() ? "[[" : ", [") + word(site) + ", " + word(earlier) + "]";
+    }
+    return text.empty() ? "[]" : text + "]";
+}
+
+std::string word(const DroppedSites& dropped) {
+    const auto n = static_cast<int>(dropped.sites.size());
+    return "{\"dropped\": " + word(n) + ", \"sites\": " + word(dropped.sites) +
+           (dropped.lines.empty() ? "" : ", \"lines\": " + word(dropped.lines)) + "}";
+}
+
 /// The keys with their values.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
@@ -214,6 +228,7 @@ std::string encode_report(const Report& report) {
     if (report.inclusions) entries.emplace_back("inclusions", word(*report.inclusions));
     if (report.walls) entries.emplace_back("walls", word(*report.walls));
     if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
+    if (report.duplicates) entries.emplace_back("duplicates", word(*report.duplicates));
     return object_text(entries);
 }
 
@@ -246,6 +261,7 @@ std::string encode_report(const SpaceReport& report) {
     add("seconds", report.seconds);
     add("files", report.files);
     if (report.pattern) add("pattern", *report.pattern);
+    if (report.duplicates) add("duplicates", *report.duplicates);
     return object_text(entries);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/base/coincident_sites.hpp"
 #include "mesher/lattice/lattice.hpp"
 
 namespace pcvt {
@@ -166,6 +167,9 @@ struct Report {
     std::optional<Walls> walls = {};
     std::optional<Inclusions> inclusions = {};
     std::vector<Phase> phases = {};
+    /// Sites that were left out because they coincide with earlier ones; runs that refuse such
+    /// sites leave this key out.
+    std::optional<DroppedSites> duplicates = {};
 };
 
 /// The report of a run in three dimensions, in the order of the file's keys.
@@ -217,6 +221,8 @@ struct SpaceReport {
     std::vector<std::string> files;
     /// Runs that do not begin at a lattice leave this key out.
     std::optional<Pattern> pattern = {};
+    /// As in Report.
+    std::optional<DroppedSites> duplicates = {};
 };
 
 /// Encodes the report as JSON: one key per line, numbers as the shortest decimals that read back,

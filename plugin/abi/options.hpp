@@ -40,6 +40,9 @@ void check_version(std::uint32_t host);
 
 pcvt_options default_options();
 
+/// @throws InvalidInput for an unknown number, and where no sites are given.
+Duplicates duplicates(const pcvt_options& options);
+
 /// The job that the options describe. Copies the sites.
 /// @pre the dimension is 2.
 /// @throws InvalidInput, LimitExceeded naming the field.

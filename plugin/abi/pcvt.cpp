@@ -15,6 +15,7 @@
 #include "plugin/abi/run_status.hpp"
 #include "plugin/abi/space_options.hpp"
 #include "plugin/abi/space_result.hpp"
+#include "plugin/job/job_start.hpp"
 #include "plugin/job/version.hpp"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that C knows.
@@ -73,7 +74,7 @@ JobCallback job_callback(const HostProgress& to, double energy_bound, const std:
 /// Of runs without a density, else NaN.
 double bound_of(const pcvt_options& options, const Job& job) {
     const bool uniform = options.density == nullptr && options.density_source == nullptr;
-    return uniform ? energy_bound(job, options.n_sites) : std::numeric_limits<double>::quiet_NaN();
+    return uniform ? energy_bound(job, job.n_sites) : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// @returns false if the callback cancelled.
@@ -91,6 +92,7 @@ bool read_density(const pcvt_options& options, const JobCallback& callback, cons
 pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
                               const std::fenv_t& host) {
     Job job = make_job(options);
+    settle_duplicates(job);
     const JobCallback callback =
         job_callback({options.progress, options.progress_data, &job}, bound_of(options, job), host);
     std::optional<Computation> computed;
@@ -106,6 +108,7 @@ pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
 pcvt_status generate_in_space(const pcvt_options& options, pcvt_result** result,
                               const std::fenv_t& host) {
     SpaceJob job = make_space_job(options);
+    settle_duplicates(job);
     const JobCallback callback =
         job_callback({options.progress, options.progress_data}, pcvt::energy_bound(job), host);
     std::optional<SpaceComputation> computed = compute_space_job(job, callback);

@@ -137,6 +137,7 @@ SpaceJob make_space_job(const pcvt_options& options) {
     job.max_iterations = options.max_iterations;
     job.n_threads = thread_count(options.n_threads);
     job.points = space_sites(options);
+    job.duplicates = duplicates(options);
     require_finite("short_edges", &options.short_edges, 1);
     job.short_edges = options.short_edges;
     return job;

@@ -128,7 +128,9 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
         job.wall_cells = chosen_row("--wall-cells", options.wall_cells, kWallCells).cells;
     }
     if (app.count("--fixed") > 0) {
-        job.fixed = read_sites<2>(options.fixed).points;
+        SiteFile file = read_sites<2>(options.fixed);
+        job.fixed = std::move(file.points);
+        job.lines = std::move(file.lines);
         job.inputs.push_back(options.fixed);
     }
     if (app.count("--inclusions") > 0) {

@@ -90,6 +90,9 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--input", options.input, "FILE",
         "read the sites, \"x y\" a line (in space \"x y z\"), # comments, from a\n"
         "regular file of at most 16 GiB; - is standard input, at most 1 GiB");
+    add(app, "--duplicates", options.duplicates, form_of(kDuplicates),
+        "sites of a file within 1e-9 h of an earlier one: refuse names all of\n"
+        "their lines, drop leaves them out [refuse]");
     add(app, "--period", options.period, "W,H", "a rectangle [1,1]; W,H,D: a box in space");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY",
         "two independent period vectors; nine numbers: three, in space");
@@ -185,6 +188,7 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
         job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
     }
     if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
+    job.duplicates = chosen_duplicates(app, options.duplicates);
 }
 
 void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {

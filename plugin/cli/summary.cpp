@@ -174,6 +174,14 @@ std::string summary_line(const char* label, const std::string& text) {
     return head + text + "\n";
 }
 
+std::string duplicates_line(const DroppedSites& dropped) {
+    const auto n = static_cast<int>(dropped.sites.size());
+    const std::string lines =
+        coincidence_list(dropped.lines, [](int line) { return "line " + std::to_string(line); });
+    return summary_line("duplicates", counted(n, "site") + " dropped" +
+                                          (n == 0 ? "" : ", which coincide: " + lines));
+}
+
 std::string minimum_line(const std::optional<Minimum>& minimum) {
     return summary_line("minimum", minimum ? minimum_name(*minimum) : "not known: not converged");
 }
@@ -192,6 +200,7 @@ std::string stability_line(const LatticeStability& stability) {
 std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
     text += summary_line("sites", site_text(job, summary));
+    if (job.duplicates == Duplicates::kDrop) text += duplicates_line(job.dropped);
     text +=
         summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
     if (summary.seed != job.seed) text += summary_line("seed", seed_text(job, summary));

@@ -9,6 +9,9 @@ namespace pcvt::cli {
 /// One line of such a text: the label and a value.
 std::string summary_line(const char* label, const std::string& text);
 
+/// The line that says which sites of a file were left out because they coincide with earlier ones.
+std::string duplicates_line(const DroppedSites& dropped);
+
 /// The line that says whether the result is a minimum.
 std::string minimum_line(const std::optional<Minimum>& minimum);
 

@@ -11,6 +11,7 @@
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/areas/target_areas.hpp"
+#include "mesher/base/coincident_sites.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/lattice/walls.hpp"
@@ -100,6 +101,13 @@ struct Job {
     /// and the others are drawn. Excludes given sites, areas, symmetry, walls, inclusions, the
     /// stability, and starts that are not random.
     Points fixed;
+    /// What settle_duplicates() does with sites of `points`, or of `fixed`, that coincide with
+    /// earlier ones.
+    Duplicates duplicates = Duplicates::kRefuse;
+    /// The line of each of these sites in their file; empty without one.
+    std::vector<int> lines;
+    /// The sites that settle_duplicates() left out.
+    DroppedSites dropped;
     /// Inclusions, of which each cell lies inside or outside; their tags are the phases of the
     /// cells. Some of the sites are placed in pairs along the outlines. Between walls they lie off
     /// these. Excludes given sites, other phases, areas, aspect, symmetry, the stability, and

@@ -158,6 +158,8 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .walls = report_walls(job, summary),
         .inclusions = report_inclusions(job, summary),
         .phases = report_phases(summary),
+        .duplicates =
+            job.duplicates == Duplicates::kDrop ? std::optional(job.dropped) : std::nullopt,
     });
 }
 

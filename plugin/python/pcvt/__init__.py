@@ -36,7 +36,7 @@ except ModuleNotFoundError as missing:
 
 from . import _library
 from ._callbacks import Progress
-from ._calls import (SOLVERS as _SOLVERS, STARTS as _STARTS, choice as _choice, default_options, doubles as _doubles,
+from ._calls import (DUPLICATES as _DUPLICATES, SOLVERS as _SOLVERS, STARTS as _STARTS, choice as _choice, default_options, doubles as _doubles,
                      generated, set_doubles as _set_doubles, set_integers as _set_integers, set_sites as _set_sites,
                      text as _text, written)
 from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, LimitError, OutputError,
@@ -141,7 +141,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, aspect=1.0, phases=None,
-         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=()):
+         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=(), duplicates="refuse"):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -190,6 +190,9 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     "fibre" with this part of the area, at random places by `seed`, not nearer than gap
     holes           tags of inclusions, or one tag: their cells are left out of tiles and files, whose edges
                     there are walls with these names. See Tile.wall_edges
+    duplicates      given sites nearer to an earlier one than 1e-9 h: refuse, an error that names them all, or
+                    drop, which leaves them out with their areas and orientations, and numbers the others
+                    from 0 again. See Statistics.dropped
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -209,6 +212,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                   walls=_choice("walls", walls, _WALLS),
                   wall_cells=_choice("wall_cells", wall_cells, _WALL_CELLS),
                   symmetry=0 if symmetry is None else 1 + _choice("symmetry", symmetry, _SYMMETRIES),
+                  duplicates=_choice("duplicates", duplicates, _DUPLICATES),
                   start=_choice("start", start, _STARTS),
                   solver=_choice("solver", solver, _SOLVERS))
     options.find_origin = isinstance(origin, str) and origin == "auto"

@@ -286,6 +286,34 @@ static void coincident_sites_are_named(void) {
     pcvt_options options = options_for(3);
     options.sites = sites;
     REFUSED(&options, PCVT_ERROR_GEOMETRY, "sites 0 and 2");
+    options.duplicates = 2;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "duplicates 2");
+    options.duplicates = PCVT_DUPLICATES_DROP;
+    options.sites = NULL;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "duplicates is for given sites");
+}
+
+static void coincident_sites_are_dropped_with_their_areas(void) {
+    const double sites[8] = {0.25, 0.5, 0.5, 0.5, 1.25, -0.5, 0.5, 0.5};
+    const double areas[4] = {1, 2, 3, 4};
+    pcvt_options options = options_for(4);
+    pcvt_result* result;
+    pcvt_statistics statistics;
+    options.sites = sites;
+    options.areas = areas;
+    options.n_areas = 4;
+    options.max_iterations = 0;
+    REFUSED(
+        &options, PCVT_ERROR_GEOMETRY,
+        "2 sites coincide with earlier ones modulo the lattice: site 2 with site 0, site 3 with "
+        "site 1; remove them");
+    options.duplicates = PCVT_DUPLICATES_DROP;
+    result = generated(&options);
+    CHECK(pcvt_get_statistics(result, &statistics, sizeof statistics) == PCVT_OK);
+    CHECK(statistics.n_sites == 2 && statistics.n_dropped == 2);
+    CHECK(statistics.dropped[0] == 2 && statistics.dropped[1] == 0);
+    CHECK(statistics.dropped[2] == 3 && statistics.dropped[3] == 1);
+    pcvt_free(result);
 }
 
 static void cells_that_a_format_refuses_are_a_matter_of_geometry(void) {
@@ -442,6 +470,7 @@ int main(void) {
     unknown_tiles_are_refused();
     unknown_forms_of_files_are_refused();
     coincident_sites_are_named();
+    coincident_sites_are_dropped_with_their_areas();
     cells_that_a_format_refuses_are_a_matter_of_geometry();
     every_status_has_a_distinct_text();
     files_that_cannot_fit_are_refused_before_they_are_made();
