@@ -143,6 +143,14 @@ auto named(const InclusionFile& file, const Work& work) {
     }
 }
 
+/// Refuses a number of sites that cannot suffice for the outlines of the shapes, before any work.
+void require_sites(const Job& job, double fewest) {
+    if (job.n_sites >= fewest) return;
+    throw InvalidInput(
+        std::to_string(job.n_sites) + " sites are too few for the inclusions; take " +
+        std::to_string(static_cast<long>(fewest)) + " or more, the least that their outlines need");
+}
+
 /// Sets the tags of the matrix and of the inclusions.
 void set_tags(const InclusionFile& file, Tessellation& cells) {
     cells.tag_names = {kMatrixTag};
@@ -168,10 +176,17 @@ void check_constraints(const Job& job) {
     }
     if (!job.has_inclusions()) return;
     require_none(kInclusionExclusions, job);
-    if (job.inclusions) {
-        named(*job.inclusions,
-              [&] { return InclusionSet(job.lattice, job.inclusions->inclusions, job.walls); });
+    if (job.fibres) {
+        require_sites(job, job.fibres->n * fewest_seeds(Circle{.centre = {0, 0}, .radius = 1}));
+        return;
     }
+    named(*job.inclusions, [&] {
+        double fewest = 0;
+        for (const Inclusion& shape : job.inclusions->inclusions)
+            fewest += fewest_seeds(shape.shape);
+        require_sites(job, fewest);
+        return InclusionSet(job.lattice, job.inclusions->inclusions, job.walls);
+    });
 }
 
 Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options) {
