@@ -36,9 +36,10 @@ using SiteWriter = std::vector<EncodedFile>(const Points& sites, const std::stri
 /// Writes measures of the cells at the sites.
 using CellWriter = std::vector<EncodedFile>(const CellRows& rows, const std::string& path);
 
-/// Writes the cells as voxels, with the phases and orientations of the cells.
+/// Writes the cells as voxels, with the phases, orientations and elastic constants of the cells.
 using VoxelWriter = std::vector<EncodedFile>(const VoxelImage& image, const VoxelCells& cells,
                                              const CellMaterials& materials,
+                                             const ElasticChoices& elastic,
                                              const std::string& path);
 
 using TileReader = TileFile(const std::vector<EncodedFile>& files,
@@ -115,6 +116,8 @@ struct TileFormat {
     bool takes_cut_width = false;
     bool takes_element = false;
     bool takes_job = false;
+    /// Beside a job, if the format takes one.
+    bool takes_constants = false;
     bool takes_thickness = false;
     bool takes_colouring = false;
     bool takes_background = false;

@@ -43,9 +43,11 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model,
     for (const auto& [wall, group] : model.wall_groups) {
         append_msh_name(text, kMshCurves, group, wall_name(tile, wall));
     }
-    if (model.has_boundary) append_msh_name(text, kMshCurves, model.boundary_group, kGrainBoundary);
+    if (model.has_boundary)
+        append_msh_name(text, kMshCurves, model.boundary_group, std::string(kGrainBoundarySet));
     for (const MshSurface& cell : model.entities.surfaces) {
-        append_msh_name(text, kMshSurfaces, cell.site + 1, kCellGroup + std::to_string(cell.site));
+        append_msh_name(text, kMshSurfaces, cell.site + 1,
+                        std::string(kCellSet) + std::to_string(cell.site));
     }
     for (const int phase : model.phases) {
         append_msh_name(text, kMshSurfaces, model.phase_group + phase,

@@ -8,6 +8,7 @@
 #include "io/tiles/plane_element.hpp"
 #include "io/tiles/solver_job.hpp"
 #include "mesher/materials/cell_materials.hpp"
+#include "mesher/materials/elastic_choices.hpp"
 #include "mesher/voxels/voxel_grid.hpp"
 
 namespace pcvt {
@@ -54,6 +55,8 @@ struct FileOptions {
     PlaneElement element = PlaneElement::kStrain;
     /// Inputs of solvers that can hold more than the mesh.
     SolverJob job = SolverJob::kNone;
+    /// Inputs of solvers that hold elastic constants.
+    ElasticChoices elastic = {};
     /// Of one layer of prisms, length units; 0: the mean distance of the cells.
     double thickness = 0;
 };

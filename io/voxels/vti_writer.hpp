@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/materials/cell_materials.hpp"
+#include "mesher/materials/elastic_choices.hpp"
 #include "mesher/voxels/voxel_proof.hpp"
 
 namespace pcvt {
@@ -19,10 +19,11 @@ std::vector<std::string> vti_paths(const std::string& path);
 /// lies encode_damask_material().
 ///
 /// Example usage:
-///     for (const EncodedFile& file : encode_vti(image, cells, materials, "tile.vti")) {
+///     for (const EncodedFile& file : encode_vti(image, cells, materials, {}, "tile.vti")) {
 ///         outputs.stage(file.path, file.bytes);
 ///     }
 std::vector<EncodedFile> encode_vti(const VoxelImage& image, const VoxelCells& cells,
-                                    const CellMaterials& materials, const std::string& path);
+                                    const CellMaterials& materials, const ElasticChoices& elastic,
+                                    const std::string& path);
 
 }  // namespace pcvt

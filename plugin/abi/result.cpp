@@ -205,7 +205,8 @@ pcvt_statistics Result::statistics() const {
             .area_error = cells.areas ? cells.areas->largest_relative_error
                                       : std::numeric_limits<double>::quiet_NaN(),
             .newton_steps = cells.areas ? cells.areas->newton_steps : 0,
-            .reserved = 0};
+            .n_dropped = static_cast<std::int32_t>(job_.dropped.sites.size()),
+            .dropped = dropped_pairs(job_.dropped)};
 }
 
 std::int32_t Result::minimum() const {

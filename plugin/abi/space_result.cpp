@@ -127,6 +127,8 @@ pcvt_statistics SpaceResult::statistics() const {
     view.n_threads = job_.n_threads;
     view.n_mirrors = -1;
     view.area_error = std::numeric_limits<double>::quiet_NaN();
+    view.n_dropped = static_cast<std::int32_t>(job_.dropped.sites.size());
+    view.dropped = dropped_pairs(job_.dropped);
     return view;
 }
 

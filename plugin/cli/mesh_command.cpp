@@ -12,6 +12,7 @@
 #include "plugin/cli/terminal/progress_display.hpp"
 #include "plugin/job/available_memory.hpp"
 #include "plugin/job/job_memory.hpp"
+#include "plugin/job/job_start.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -51,8 +52,21 @@ RunSummary run_watched(const Job& job, bool quiet) {
     });
 }
 
+/// Runs the job, of which the file has points or fixed sites. Reports coincident sites by their
+/// lines in the file.
+RunSummary run_distinct(Job& job, const SiteFile& file, bool quiet) {
+    try {
+        settle_duplicates(job);
+        return run_watched(job, quiet);
+    } catch (const DuplicateSites& duplicate) {
+        // Without the sites that were dropped, the others have other numbers.
+        if (!job.dropped.sites.empty()) throw;
+        throw duplicate_lines(file, duplicate);
+    }
+}
+
 /// Runs the job. Reports sites that are too far away or coincident by their lines in the file.
-RunSummary run_file(const Job& job, const SiteFile& file, bool quiet) {
+RunSummary run_file(Job& job, const SiteFile& file, bool quiet) {
     const Lattice reduced = reduce(job.lattice).reduced;
     for (std::size_t s = 0; s < file.lines.size(); ++s) {
         const Vec2 u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
@@ -60,11 +74,7 @@ RunSummary run_file(const Job& job, const SiteFile& file, bool quiet) {
         throw BadFile(file.name + ":" + std::to_string(file.lines[s]) +
                       ": the site lies more than 2^30 periods away; wrap it into the domain");
     }
-    try {
-        return run_watched(job, quiet);
-    } catch (const DuplicateSites& duplicate) {
-        throw duplicate_lines(file, duplicate);
-    }
+    return run_distinct(job, file, quiet);
 }
 
 void print_summary(const Job& job, const RunSummary& summary) {
@@ -100,10 +110,13 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
     RunSummary summary;
     if (options.input.empty()) {
         read_area_file(job);
-        summary = run_watched(job, options.quiet);
+        const SiteFile fixed{options.cells.fixed, job.fixed, job.lines};
+        summary = job.fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
+                                       : run_watched(job, options.quiet);
     } else {
         const SiteFile file = read_sites<2>(options.input);
         job.points = file.points;
+        job.lines = file.lines;
         read_area_file(job);
         summary = run_file(job, file, options.quiet);
     }

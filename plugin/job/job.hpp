@@ -11,10 +11,12 @@
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/areas/target_areas.hpp"
+#include "mesher/base/coincident_sites.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/lattice/walls.hpp"
 #include "mesher/materials/material_choices.hpp"
+#include "mesher/materials/orientations.hpp"
 #include "mesher/search/lattice_stability.hpp"
 #include "mesher/symmetry/plane_group.hpp"
 #include "mesher/tile/build_tile.hpp"
@@ -100,6 +102,13 @@ struct Job {
     /// and the others are drawn. Excludes given sites, areas, symmetry, walls, inclusions, the
     /// stability, and starts that are not random.
     Points fixed;
+    /// What settle_duplicates() does with sites of `points`, or of `fixed`, that coincide with
+    /// earlier ones.
+    Duplicates duplicates = Duplicates::kRefuse;
+    /// The line of each of these sites in their file; empty without one.
+    std::vector<int> lines;
+    /// The sites that settle_duplicates() left out.
+    DroppedSites dropped;
     /// Inclusions, of which each cell lies inside or outside; their tags are the phases of the
     /// cells. Some of the sites are placed in pairs along the outlines. Between walls they lie off
     /// these. Excludes given sites, other phases, areas, aspect, symmetry, the stability, and
@@ -220,6 +229,10 @@ struct RunSummary {
     std::optional<InterfaceFigures> interfaces;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;
+    /// Of jobs with orientations.
+    std::optional<AngleRange> angles;
+    /// The materials whose elastic constants the files state.
+    std::vector<NamedConstants> constants;
     /// One entry for each mesh of the job.
     std::vector<TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.

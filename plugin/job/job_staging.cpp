@@ -51,7 +51,7 @@ class FileEncoder {
             .weights = site_weights(result_.cells),
             .metric = result_.cells.elongation ? result_.cells.elongation->metric : Metric()};
         return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.n_threads), cells,
-                     materials(), path());
+                     materials(), job_.file_options.elastic, path());
     }
 
     CellRows cell_rows() const {
@@ -189,6 +189,10 @@ void stage_files(const Job& job, const std::vector<JobFile>& files, const Comput
     for (const std::exception_ptr& fault : faults) {
         if (fault) std::rethrow_exception(fault);
     }
+}
+
+std::vector<std::string> wait_for_turn(OutputSet& outputs, JobMonitor& monitor) {
+    return outputs.wait_for_turn([&monitor](const std::string& words) { monitor.describe(words); });
 }
 
 }  // namespace pcvt

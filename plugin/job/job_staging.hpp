@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "io/outputs/output_set.hpp"
@@ -15,5 +16,10 @@ namespace pcvt {
 /// @throws the fault of the first file in the list that has one.
 void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
                  std::span<const BuiltTile> tiles, JobMonitor& monitor, OutputSet& outputs);
+
+/// Waits for other runs that write to the same folders, and reports that.
+/// @returns one line for each set of a run that died meanwhile.
+/// @throws as OutputSet::wait_for_turn().
+std::vector<std::string> wait_for_turn(OutputSet& outputs, JobMonitor& monitor);
 
 }  // namespace pcvt

@@ -7,10 +7,12 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
 #include "mesher/polyhedra/cell_sites.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/proof/validate.hpp"
 #include "mesher/space_cvt/space_coarse_start.hpp"
 #include "mesher/tetrahedra/tetrahedral_proof.hpp"
 #include "plugin/job/job_memory.hpp"
+#include "plugin/job/job_staging.hpp"
 #include "plugin/space/space_files.hpp"
 #include "plugin/space/space_memory.hpp"
 #include "plugin/space/space_report.hpp"
@@ -170,9 +172,11 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         summary.run = computation.cvt.run;
         summary.pattern = computation.pattern;
         if (job.stability) summary.minimum = minimum_of(computation);
-        if (job.report.empty()) return;
-        outputs.stage(job.report,
-                      encode_space_report(job, summary, computation.seconds, seconds_since(begin)));
+        if (!job.report.empty()) {
+            outputs.stage(job.report, encode_space_report(job, summary, computation.seconds,
+                                                          seconds_since(begin)));
+        }
+        summary.recovered = wait_for_turn(outputs, monitor);
     });
     // Nothing may fail after the files appear.
     const ClientScope no_client(nullptr);
@@ -191,7 +195,37 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     return finish(job, files, computation, make_tile, monitor);
 }
 
+/// The coordinates of points in the domain; empty if a point is not finite or too far away.
+Points3 domain_coordinates(const SpaceLattice& reduced, const Points3& points) {
+    Points3 coordinates(3, points.cols());
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        const Vec3 u = reduced.to_lattice(points.col(s));
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return Points3(3, 0);
+        coordinates.col(s) = wrap(u).fraction;
+    }
+    return coordinates;
+}
+
 }  // namespace
+
+void settle_duplicates(SpaceJob& job) {
+    const auto n = static_cast<int>(job.points.cols());
+    if (n < 2) return;
+    const SpaceLattice reduced = reduce(job.lattice).reduced;
+    const Points3 coordinates = domain_coordinates(reduced, job.points);
+    if (coordinates.cols() == 0) return;
+    const Eigen::Matrix3d periods = period_matrix(reduced);
+    const double h = portable_cbrt(job.lattice.volume() / n);
+    if (job.duplicates == Duplicates::kRefuse) {
+        auto pairs = coincident_sites(coordinates, periods, kCoincident * h);
+        if (!pairs.empty()) throw DuplicateSites(std::move(pairs));
+        return;
+    }
+    job.dropped = dropped_sites(sites_to_drop(coordinates, periods, h), job.lines);
+    const std::vector<SiteId> kept = kept_sites(n, job.dropped.sites);
+    job.points = Points3(job.points(Eigen::all, kept));
+    if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
+}
 
 SpaceStart chosen_start(const SpaceJob& job) {
     const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0;
@@ -267,11 +301,11 @@ SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     check_stability(job);
     check_short_edges(job.short_edges);
     const std::vector<SpaceJobFile> files = plan_space_files(job);
-    std::vector<std::string> recovered = require_space_files_writable(job, files);
+    const std::vector<std::string> recovered = require_space_files_writable(job, files);
     require_available("the run takes", estimated_memory(job, files), kFewerOutputs);
     try {
         SpaceSummary summary = run(job, files, callback);
-        summary.recovered = std::move(recovered);
+        summary.recovered.insert(summary.recovered.begin(), recovered.begin(), recovered.end());
         summary.seconds = seconds_since(begin);
         return summary;
     } catch (const Cancelled&) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/space_formats.hpp"
+#include "mesher/base/coincident_sites.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
 #include "mesher/polyhedra/short_edges.hpp"
 #include "mesher/space_cvt/space_cvt.hpp"
@@ -49,6 +50,12 @@ struct SpaceJob {
     SpaceLattice lattice = SpaceLattice::box(1, 1, 1);
     /// The sites, 3 x n, length units. If there are no columns, `n_sites` sites begin at `start`.
     Points3 points = Points3(3, 0);
+    /// What settle_duplicates() does with points that coincide with earlier ones.
+    Duplicates duplicates = Duplicates::kRefuse;
+    /// The line of each point in its file; empty without one.
+    std::vector<int> lines;
+    /// The points that settle_duplicates() left out.
+    DroppedSites dropped;
     int n_sites = 0;
     /// None: pcvt chooses.
     std::optional<SpaceStart> start = {};
@@ -74,6 +81,11 @@ struct SpaceJob {
     std::vector<std::string> inputs;
     bool force = false;
 };
+
+/// Refuses points that coincide with earlier ones, within 1e-9 h, or leaves them out of the job, as
+/// job.duplicates says. A host calls it once its job is complete.
+/// @throws DuplicateSites with all pairs.
+void settle_duplicates(SpaceJob& job);
 
 /// The best exact lattice for the number of sites.
 struct SpacePatternOutcome {

@@ -155,8 +155,9 @@ std::vector<BaseFile> voxel_files(const TileFormat& format) {
         }
         const VoxelGrid grid = voxel_grid(whole, {0.123, -7.3}, counts);
         const VoxelImage image = voxel_image(delaunay, shape.metric, grid, 1);
-        bases.push_back({name, MeshKind::kVoronoi,
-                         std::get<VoxelWriter*>(format.write)(image, cells, of_cells, "tile.vti")});
+        bases.push_back(
+            {name, MeshKind::kVoronoi,
+             std::get<VoxelWriter*>(format.write)(image, cells, of_cells, {}, "tile.vti")});
     };
     const Lattice box = Lattice::rectangle(2.3, 0.7);
     const std::vector<CellShape> shapes = cell_shapes();

@@ -53,8 +53,8 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
         ->type_name(listed_words(kPlaneElements, "|", "|"));
     app.add_option("--job", choices.job,
                    "of .inp: materials and steps besides the mesh, so that CalculiX runs\n"
-                   "the file as it is; elastic: the homogenised stiffness; edit the\n"
-                   "constants of each *MATERIAL [the mesh alone, to *INCLUDE in a job]")
+                   "the file as it is; elastic: the homogenised stiffness, with the constants\n"
+                   "of --material [the mesh alone, to *INCLUDE in a job]")
         ->type_name(listed_words(kSolverJobs, "|", "|"));
     app.add_option("--thickness", choices.thickness,
                    "of .foam: height of the layer of cells along z [sqrt(area / faces)]")

@@ -54,7 +54,7 @@ class Inclusions(CliTest):
             self.assertAlmostEqual(phase["reached"], phase["wanted"], delta=1e-12)
 
     def test_solver_files_name_the_tags(self):
-        self.mesh("--quiet", "--mesh", "grains", "--job", "elastic", *outputs("msh", "inp", "foam", "obj"))
+        self.mesh("--quiet", "--mesh", "grains", "--job", "elastic", "--material", "same", *outputs("msh", "inp", "foam", "obj"))
         for name, words in (("t.msh", '"phase_glass"'), ("t.inp", "*ELSET,ELSET=PHASE_glass"),
                             ("t.inp", "*MATERIAL,NAME=steel"), ("t.foam/constant/polyMesh/cellZones", "phase_steel"),
                             ("t.obj", "usemtl phase_matrix")):

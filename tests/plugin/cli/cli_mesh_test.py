@@ -191,6 +191,16 @@ class Words(CliTest):
                             "--origin", "-0.5,0")
         self.assertRegex(text, "sites +4\n")
 
+    def test_the_summary_asks_about_coordinates_that_look_like_fractions(self):
+        for sites, period in (("0 0\n1 0.5\n0.4 0.7\n0.3 0.8\n", "8.1,8.1"),
+                              ("0 0 0\n1 0.5 0.2\n0.4 0.7 0.9\n0.3 0.8 0.1\n", "8.1,8.1,8.1")):
+            self.path("s.txt").write_text(sites)
+            run = ("mesh", "--input", "s.txt", "--max-iterations", 0, "--period")
+            self.assertRegex(self.succeed(*run, period), "sites +4; all coordinates are from 0 to 1, a small part of the domain: ")
+            self.assertRegex(self.succeed(*run, period.replace("8.1", "1")), "sites +4\n")
+            self.path("s.txt").write_text(sites.replace("0.8", "3"))
+            self.assertRegex(self.succeed(*run, period), "sites +4\n")
+
     def test_quiet_says_nothing(self):
         self.assertEqual(self.succeed("mesh", "--sites", 30, "--quiet", "-o", "t.obj"), "")
 

@@ -106,6 +106,16 @@ class Runs(CliTest):
                 self.assertTrue(0 <= float(word) < 1)
                 self.assertAlmostEqual(x - float(word), round(x - float(word)), 12)
 
+    def test_the_summary_counts_the_sites_outside_of_the_domain(self):
+        self.write("s.txt", "0 0 0\n1 0.5 0.2\n1.4 0.7 0.1\n-0.3 0.8 0.6\n")
+        run = ("mesh", "--max-iterations", 0, "--input")
+        said = figures(self.succeed(*run, "s.txt", *CUBE))["sites"]
+        self.assertEqual(said, "4; 2 of the file lie outside of the domain and count modulo the lattice")
+        self.assertEqual(figures(self.succeed(*run, "s.txt", "--lattice", "2,0,0,0,1,0,-0.6,0,1"))["sites"], "4")
+        self.write("far.txt", "0 0 0\n11 0.5 3\n14 0.7 2\n-3.3 8.2 0\n")
+        said = figures(self.succeed(*run, "far.txt", *CUBE))["sites"]
+        self.assertRegex(said, "^4; 3 of .* lattice: --period or --lattice may be wrong$")
+
     def test_sites_on_the_seam(self):
         corners = "0 0 0\n0.5 0 0\n0 0.5 0\n0 0 0.5\n0.25 0.25 0\n1 0.25 0.75\n"
         done = self.succeed("mesh", "--input", "-", *CUBE, "--max-iterations", 0, "-o", "t.vtu", "-o", "t.foam",

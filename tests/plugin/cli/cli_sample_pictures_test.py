@@ -1,0 +1,180 @@
+"""The pictures of samples/stress_picture and samples/flow_picture, and the line with which they refuse files."""
+
+import contextlib
+import io
+import pathlib
+import random
+import re
+import runpy
+import sys
+from unittest import mock
+
+from support.cli import CliTest, main
+
+SAMPLES = pathlib.Path(__file__).resolve().parents[3] / "samples"
+WALLS = {"": [(0, 0), (2, 0), (0, 1), (2, 1)], "y": [(0, 0), (2, 0)], "x": [(0, 0), (0, 1)], "xy": [(0, 0)]}
+JOB = """*INCLUDE, INPUT={}
+*MATERIAL, NAME=M
+*ELASTIC
+1, 0.3
+*SOLID SECTION, ELSET=EALL, MATERIAL=M
+1.
+*STEP
+*STATIC
+*EL PRINT, ELSET=EALL
+S
+*END STEP
+"""
+DAMAGES = ("nan", "inf", "1e999", "-1", "99999999", "x", "", "(", ")", "{", ";", "7 7", "*NODE", "\0", "\u00e9")
+
+
+def sample(name, *arguments):
+    """Runs a sample; returns its exit code and what it prints on standard error."""
+    errors = io.StringIO()
+    code = 0
+    with mock.patch.object(sys, "argv", [name, *map(str, arguments)]), contextlib.redirect_stderr(errors), \
+            mock.patch.object(sys, "path", [str(SAMPLES), *sys.path]):
+        try:
+            runpy.run_path(str(SAMPLES / name), run_name="__main__")
+        except SystemExit as end:
+            code = end.code
+    return code or 0, errors.getvalue()
+
+
+def copies(svg):
+    """Returns the translations of the tile in a picture, in units of its lower left period."""
+    return [tuple(map(float, found)) for found in re.findall(r'<use href="#tile" x="([^"]*)" y="([^"]*)"/>', svg)]
+
+
+class Pictures(CliTest):
+    def stress(self, walls=""):
+        """Writes a job that includes a mesh, and a table of stresses; returns the arguments of stress_picture."""
+        self.succeed("mesh", "--sites", 12, "--period", "2,1", "--mesh", "grains", "--max-iterations", 5, "--quiet", "--force",
+                     *(["--walls", walls] if walls else []), "-o", "tile.inp")
+        self.path("job.inp").write_text(JOB.format("tile.inp"))
+        mesh = self.path("tile.inp").read_text()
+        elements = re.findall(r"^(\d+),", mesh.split(",ELSET=EALL\n")[1].split("\n*")[0], re.M)
+        rows = "".join(f"{int(element):10} {point} {'1.0E+00 ' * 6}\n" for element in elements for point in (1, 2, 3))
+        title = " stresses (elem, integ.pnt.,sxx,syy,szz,sxy,sxz,syz) for set EALL and time  0.1000000E+01\n\n"
+        self.path("job.dat").write_text("\n" + title + rows + "\n")
+        return self.path("job.inp"), self.path("job.dat"), "1"
+
+    def flow(self, walls=""):
+        """Writes a case with the field of a solver at time 0.5; returns the arguments of flow_picture."""
+        self.succeed("mesh", "--sites", 12, "--period", "2,1", "--max-iterations", 5, "--quiet", "--force",
+                     *(["--walls", walls] if walls else []), "-o", "case.foam")
+        solved = self.path("case.foam/0.5")
+        solved.mkdir(exist_ok=True)
+        vectors = "\n".join(f"({k} {k % 3} 0)" for k in range(12))
+        field = f"internalField   nonuniform List<vector> \n12\n(\n{vectors}\n)\n;\n\nboundaryField\n{{\n}}\n"
+        (solved / "U").write_text(f"FoamFile\n{{\n    format      ascii;\n    object      U;\n}}\n{field}")
+        return self.path("case.foam"), "0.5"
+
+    def draw(self, name, arguments):
+        out = self.path("out.svg")
+        self.assertEqual(sample(name, *arguments, out), (0, ""))
+        return out.read_text()
+
+    def expect_refusal(self, name, arguments, pattern):
+        self.path("out.svg").unlink(missing_ok=True)
+        code, line = sample(name, *arguments, self.path("out.svg"))
+        self.assertEqual((code, line.count("\n")), (2, 1), line)
+        self.assertRegex(line, f"^{re.escape(str(self.folder))}/{pattern}.*; .*\n$")
+        self.assertFalse(self.path("out.svg").exists())
+
+    def test_a_tile_repeats_along_its_periods_and_not_across_walls(self):
+        for name, make in (("stress_picture", self.stress), ("flow_picture", self.flow)):
+            for walls, expected in WALLS.items():
+                with self.subTest(name, walls=walls):
+                    found = copies(self.draw(name, make(walls)))
+                    width, height = (max(abs(shift[k]) for shift in found) or 1 for k in (0, 1))
+                    self.assertEqual([(2 * x / width, -y / height) for x, y in found], expected)
+
+    def test_a_field_may_be_uniform_or_short_or_that_of_the_start(self):
+        case, _ = self.flow()
+        body = "".join(f"({k} 0 0)" for k in range(12))
+        for text in ("uniform (1 2 0)", f"nonuniform List<vector> 12({body})"):
+            (case / "0.5/U").write_text(f"internalField   {text};\n")
+            self.assertEqual(self.draw("flow_picture", (case, "0.5")).count("<polygon"), 12)
+        self.draw("flow_picture", (case, "0"))
+        self.assertEqual(self.draw("flow_picture", (case, "last")).count("<polygon"), 12)
+
+    def test_stresses_of_zero_are_drawn(self):
+        job, data, _ = self.stress()
+        data.write_text(data.read_text().replace("1.0E+00", "0.0E+00"))
+        self.assertNotIn("nan", self.draw("stress_picture", (job, data, "1")))
+
+    def test_files_that_are_none_are_refused(self):
+        job, data, _ = self.stress()
+        case, _ = self.flow()
+        mesh, field = case / "constant/polyMesh", case / "0.5/U"
+        self.path("empty").write_text("")
+        self.path("binary").write_bytes(bytes(range(256)))
+        for file, words in (("empty", ""), ("binary", "this is no text file"), ("none", "No such file"),
+                            ("case.foam", "Is a directory")):
+            path = self.path(file)
+            self.expect_refusal("stress_picture", (path, data, "1"), f"{file}: .*{words}")
+            self.expect_refusal("stress_picture", (job, path, "1"), f"{file}: .*{words}")
+        for case_name in ("none", "job.inp"):
+            self.expect_refusal("flow_picture", (self.path(case_name), "last"), f"{case_name}: there is no such folder")
+        for step in ("0", "2", "one", "-1"):
+            self.expect_refusal("stress_picture", (job, data, step), f"job.dat: it has no step '{step}'; give a number from 1 to 1")
+        self.expect_refusal("flow_picture", (case, "7"), "case.foam: it has no time '7' .*; give one of: 0 0.5")
+        for text, words in (("format binary;", "it is binary"), ("internalField uniform (1 2);", "'1 2' is not 3 numbers"),
+                            ("internalField uniform (nan 0 0);", "not finite"), ("internalField uniform 3;", "no internalField of vectors"),
+                            ("internalField nonuniform List<vector> 2((1 2 3)(4 5 6));", "2 vectors, but the mesh 12 cells")):
+            field.write_text(text)
+            self.expect_refusal("flow_picture", (case, "0.5"), f"case.foam/0.5/U: .*{words}")
+        field.rename(case / "0.5/U.gz")
+        self.expect_refusal("flow_picture", (case, "0.5"), "case.foam/0.5/U.gz: it is compressed")
+        for name, words in (("boundary", "no patch 'back'"), ("points", "no list"), ("faces", "no list")):
+            kept = (mesh / name).read_text()
+            (mesh / name).write_text("FoamFile {}\n")
+            self.expect_refusal("flow_picture", (case, "0"), f"case.foam/constant/polyMesh/{name}: .*{words}")
+            (mesh / name).write_text(kept)
+
+    def test_meshes_of_other_programs_are_refused(self):
+        job, data, _ = self.stress()
+        mesh = self.path("tile.inp").read_text()
+        for text, words in ((mesh.replace("pcvt lattice", "lattice"), "no comment 'pcvt lattice'"),
+                            (mesh.replace("ELSET=CELL_", "ELSET=GRAIN_"), "in no set CELL_s"),
+                            ("*NODE\n1,0,0,0\n*ELEMENT,TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n", "8 nodes and is no triangle"),
+                            ("*NODE\n1,0,0,0\n*ELEMENT,TYPE=CPE3\n1,1,2,3\n", "no comment")):
+            self.path("tile.inp").write_text(text)
+            self.expect_refusal("stress_picture", (job, data, "1"), rf"(job|tile)\.inp(:\d+)?: .*{words}")
+        for include, words in (("none.inp", "there is no file"), ("job.inp", "includes itself")):
+            job.write_text(JOB.format(include))
+            self.expect_refusal("stress_picture", (job, data, "1"), f"job.inp:1: .*{words}")
+        case, _ = self.flow()
+        boundary = case / "constant/polyMesh/boundary"
+        boundary.write_text(boundary.read_text().replace("pcvt lattice", "lattice"))
+        self.expect_refusal("flow_picture", (case, "0"), "case.foam/constant/polyMesh/boundary: it has no comment 'pcvt lattice'")
+        self.succeed("mesh", "--sites", 8, "--period", "1,1,1", "-o", "space.foam")
+        self.expect_refusal("flow_picture", (self.path("space.foam"), "0"), "space.foam/constant/polyMesh/boundary: it has no patch 'back'")
+
+    def test_damaged_files_are_drawn_or_refused_in_one_line(self):
+        source = random.Random(1)
+        job, data, _ = self.stress()
+        case, _ = self.flow()
+        mesh = case / "constant/polyMesh"
+        for name, arguments, files in (("stress_picture", (job, data, "1"), (job, data, self.path("tile.inp"))),
+                                       ("flow_picture", (case, "0.5"), (case / "0.5/U", *(mesh / n for n in ("boundary", "faces", "points"))))):
+            for path in files:
+                text = path.read_text()
+                for _ in range(25):
+                    words = re.split(r"([\s,()]+)", text)
+                    k = source.randrange(len(words))
+                    damaged = "".join([*words[:k], source.choice(DAMAGES), *words[k + 1:]])
+                    path.write_text(damaged if source.random() < 0.7 else damaged[:source.randrange(len(damaged))])
+                    code, line = sample(name, *arguments, self.path("out.svg"))
+                    self.assertIn((code, line.count("\n")), ((0, 0), (2, 1)), (path, line))
+                path.write_text(text)
+
+    def test_a_picture_that_cannot_be_written_is_reported(self):
+        code, line = sample("flow_picture", *self.flow(), self.path("none/out.svg"))
+        self.assertEqual(code, 3)
+        self.assertRegex(line, r"none/out\.svg: cannot write: No such file or directory; .*\n$")
+
+
+if __name__ == "__main__":
+    main()
