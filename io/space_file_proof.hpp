@@ -43,7 +43,8 @@ BoundaryFileProof prove_boundary_files(const std::vector<EncodedFile>& files);
 
 /// Proves a file, of any of these kinds, that pcvt is about to write, which must hold `tile` as
 /// well.
-/// @throws InternalError  a law is violated: a fault of pcvt.
+/// @throws CoarsePrecision  the tile is too fine for the single precision of the format.
+/// @throws InternalError    a law is violated: a fault of pcvt.
 void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTile& tile);
 
 /// The tetrahedra of a file, and the figures that their proof finds.

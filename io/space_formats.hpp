@@ -66,6 +66,8 @@ struct SpaceFormat {
     /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
     /// lost edges.
     bool states_short_edges = false;
+    /// Whether positions are 32-bit floats.
+    bool is_single_precision = false;
 
     /// Whether its files hold the tetrahedra.
     bool shows_tetrahedra(const SpaceFileOptions& options) const {

@@ -28,6 +28,7 @@
 #include "io/run_files/cell_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
+#include "io/single_precision.hpp"
 #include "io/solvers/inp_fields.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
@@ -50,8 +51,7 @@ constexpr double kLargestThickness = 1e3;
 
 /// Pieces of cells are slivers where the box cuts a cell near its corner.
 void require_prisms(const FormatRequest& request) {
-    const double h = std::sqrt(request.lattice.area() / (request.n_sites * request.n_periods));
-    const double layers = request.files.thickness / h;
+    const double layers = request.files.thickness / request.spacing();
     if (layers != 0 && !(layers >= kLeastThickness && layers <= kLargestThickness)) {
         throw InvalidInput(
             "the thickness is not between 0.001 and 1000 times the mean distance of the sites, "
@@ -176,6 +176,7 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .description = "PLY, ASCII with double coordinates, or float with --float32",
      .write = encode_ply,
      .read = decode_ply,
+     .check = require_ply_precision,
      .takes_single_precision = true,
      .takes_colouring = true,
      .takes_phases = true},
@@ -183,6 +184,9 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .description = "glTF 2.0, one binary file",
      .write = encode_glb,
      .read = decode_gltf,
+     .check = require_gltf_precision,
+     .is_single_precision = true,
+     .moves_distant_tiles = true,
      .takes_gltf_nodes = true,
      .takes_colouring = true,
      .takes_phases = true},
@@ -190,6 +194,9 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .description = "glTF 2.0, one text file",
      .write = encode_gltf,
      .read = decode_gltf,
+     .check = require_gltf_precision,
+     .is_single_precision = true,
+     .moves_distant_tiles = true,
      .takes_gltf_nodes = true,
      .takes_colouring = true,
      .takes_phases = true},
@@ -297,6 +304,8 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
 }};
 
 }  // namespace
+
+double FormatRequest::spacing() const { return std::sqrt(lattice.area() / (n_sites * n_periods)); }
 
 VoxelCounts requested_voxels(const FormatRequest& request) {
     const VoxelCounts counts =

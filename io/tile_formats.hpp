@@ -66,7 +66,14 @@ struct FormatRequest {
     double n_periods = 1;
     Walls walls = Walls::kNone;
     bool has_holes = false;
+    /// Whether the cells are power cells.
+    bool has_weights = false;
+    /// The corner of the domain.
+    Vec2 origin = Vec2::Zero();
     FileOptions files = {};
+
+    /// The mean distance of the sites.
+    double spacing() const;
 };
 
 /// The voxels of a request, or the default.
@@ -108,6 +115,10 @@ struct TileFormat {
     /// Throws InvalidInput with the reason if the format cannot hold the request, OutputError if
     /// its writer cannot be loaded; nullptr if it holds every request.
     void (*check)(const FormatRequest& request) = nullptr;
+    /// Whether positions are 32-bit floats, and whether those of a distant tile are relative to
+    /// whole periods near it.
+    bool is_single_precision = false;
+    bool moves_distant_tiles = false;
     /// The choices of FileOptions that the format takes.
     bool takes_gltf_nodes = false;
     bool takes_single_precision = false;
@@ -129,6 +140,9 @@ struct TileFormat {
     /// The file of a tile states the orbit of the site of each element; the reader reads them.
     bool states_orbits = false;
 
+    bool holds_single_precision(const FileOptions& options) const {
+        return is_single_precision || (takes_single_precision && options.single_precision);
+    }
     bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {
         return std::holds_alternative<TileWriter*>(write) ||

@@ -559,8 +559,10 @@ PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view,
 /** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
  * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the
  * Delaunay tetrahedra (.msh, and .vtu for PCVT_DELAUNAY) or the sites (.txt). Either all files
- * appear, complete and proved to be a periodic tile, or none. Missing folders are made. Calls and
- * runs that write to one folder at the same time rename their files one after the other.
+ * appear, complete and proved to be a periodic tile, or none; only the report appears where the
+ * single precision of the file does not hold the tile (PCVT_ERROR_ARGUMENT). Missing folders are
+ * made. Calls and runs that write to one folder at the same time rename their files one after the
+ * other.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.

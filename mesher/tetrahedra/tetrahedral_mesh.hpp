@@ -11,7 +11,8 @@ namespace pcvt {
 /// the sites.
 ///
 /// Laws, which prove_tetrahedra() proves by number:
-///   (1) Each tetrahedron is positively oriented, and its volume is above kFlatTetrahedron V / n.
+///   (1) Each tetrahedron is positively oriented, and its volume is above kFlatTetrahedron
+///       times the smaller of V / n and the cube over its longest edge.
 ///   (2) Points have the sites 0 ... n - 1, each at least once. Each point is the first point of
 ///       its site plus the translation by its offset.
 ///   (3) Each triangle has two tetrahedra, which traverse it in opposite orders: both at its three

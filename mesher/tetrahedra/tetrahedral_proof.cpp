@@ -20,6 +20,28 @@ constexpr double kVolumeError = 1e-9;
 
 std::string tetrahedron_in_words(int t) { return "tetrahedron " + std::to_string(t); }
 
+double longest_edge(const TetrahedralMesh& mesh, int t) {
+    double square = 0;
+    const std::array<int, 4>& v = mesh.tetrahedra[t];
+    for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t l = 0; l < k; ++l) {
+            square = std::max(square, (mesh.points[v[k]] - mesh.points[v[l]]).squaredNorm());
+        }
+    }
+    return std::sqrt(square);
+}
+
+/// The volume that a tetrahedron must exceed.
+double least_volume(double longest, double mean_cell) {
+    return kFlatTetrahedron * std::min(mean_cell, longest * longest * longest);
+}
+
+double largest_coordinate(const TetrahedralMesh& mesh) {
+    double largest = 0;
+    for (const Vec3& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+    return largest;
+}
+
 /// Images of sites, sorted, of which the first has the offset 0: the same for all translations.
 template <std::size_t n>
 std::array<Corner3, n> orbit(const TetrahedralMesh& mesh, std::array<int, n> points) {
@@ -33,9 +55,8 @@ std::array<Corner3, n> orbit(const TetrahedralMesh& mesh, std::array<int, n> poi
 }
 
 void prove_points(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
-    double largest = 0;
-    for (const Vec3& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
-    const double tolerance = kUlps * std::numeric_limits<double>::epsilon() * largest;
+    const double tolerance =
+        kUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(mesh);
     std::map<SiteId, int> first;
     std::set<Corner3> images;
     for (int v = 0; v < mesh.n_points(); ++v) {
@@ -61,7 +82,7 @@ void prove_volumes(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
     proof.smallest_volume = domain;
     for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
         const double volume = tetrahedron_volume(mesh, t);
-        if (!(volume > kFlatTetrahedron * domain / proof.n_sites)) {
+        if (!(volume > least_volume(longest_edge(mesh, t), domain / proof.n_sites))) {
             throw_violation("(1), volumes", tetrahedron_in_words(t) +
                                                 " is flat or turned over, its volume is " +
                                                 in_words(volume));
@@ -184,13 +205,19 @@ double tetrahedron_volume(const TetrahedralMesh& mesh, int t) {
     return (mesh.points[b] - p).cross(mesh.points[c] - p).dot(mesh.points[d] - p) / 6;
 }
 
-int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
-    const double least = kFlatTetrahedron * mesh.lattice.volume() / n_sites;
-    int n = 0;
+std::vector<int> flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
+    const double mean_cell = mesh.lattice.volume() / n_sites;
+    const double rounding =
+        kUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(mesh);
+    std::vector<int> flat;
     for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
-        n += std::abs(tetrahedron_volume(mesh, t)) <= least ? 1 : 0;
+        const double longest = longest_edge(mesh, t);
+        const double least = least_volume(longest, mean_cell);
+        const double volume = tetrahedron_volume(mesh, t);
+        const double turned = std::max(least, rounding * longest * longest);
+        if (volume <= least && volume >= -turned) flat.push_back(t);
     }
-    return n;
+    return flat;
 }
 
 TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh) {

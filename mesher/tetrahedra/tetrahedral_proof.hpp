@@ -7,8 +7,9 @@
 
 namespace pcvt {
 
-/// Solvers cannot use flatter tetrahedra: parts of V / n, the mean volume of a cell. Sites of exact
-/// lattices that doubles do not represent may have tetrahedra as flat as the rounding.
+/// Solvers cannot use flatter tetrahedra: parts of the smaller of V / n, the mean volume of a cell,
+/// and of the cube over the longest edge. Sites of exact lattices that doubles do not represent may
+/// have tetrahedra as flat as the rounding.
 inline constexpr double kFlatTetrahedron = 1e-9;
 
 /// Two triangles of the boundary, counter-clockwise seen from outside. Point k of the second is
@@ -33,9 +34,9 @@ struct TetrahedralProof {
 /// The volume of a tetrahedron, length^3; negative where it is turned over.
 double tetrahedron_volume(const TetrahedralMesh& mesh, int t);
 
-/// Returns the number of tetrahedra that are too flat for law (1), of the Delaunay tetrahedra of
-/// `n_sites` sites.
-int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites);
+/// Returns the tetrahedra that are too flat for law (1), or that rounding has turned over, of the
+/// Delaunay tetrahedra of `n_sites` sites.
+std::vector<int> flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites);
 
 /// Proves the laws of a tile of tetrahedra from positions, tetrahedra, sites and period vectors.
 ///

@@ -276,7 +276,9 @@ bool Result::write(const WriteRequest& request, const JobCallback& callback) con
         if (!has_tile) return {};
         return {&arrays(request.layout, monitor).built, 1};
     };
-    return write_job(job, computed_, tiles, callback).run.stop != Stop::kCancelled;
+    const RunSummary summary = write_job(job, computed_, tiles, callback);
+    if (!summary.refused.empty()) throw CoarsePrecision(summary.refused.front().reason);
+    return summary.run.stop != Stop::kCancelled;
 }
 
 }  // namespace pcvt::abi

@@ -148,6 +148,7 @@ bool SpaceResult::write(const SpaceWriteRequest& request, const JobCallback& cal
     };
     const SpaceSummary summary =
         from_geometry([&] { return write_space_job(job, computed_, make_tile, callback); });
+    if (!summary.refused.empty()) throw CoarsePrecision(summary.refused.front().reason);
     return summary.run.stop != Stop::kCancelled;
 }
 

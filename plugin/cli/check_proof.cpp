@@ -8,6 +8,7 @@
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
 #include "io/file_proof.hpp"
+#include "io/gltf/gltf_place.hpp"
 #include "io/outputs/recovery.hpp"
 #include "io/space_formats.hpp"
 #include "io/tile_formats.hpp"
@@ -237,10 +238,11 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
         content = space_content_text(*kind);
         return prove_tile_in_space(path, files, question);
     }
-    const TileFile file = decode_tile(format, files, question.lattice);
+    TileFile file = decode_tile(format, files, question.lattice);
     content = content_of(file.tile.walls);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
     const TileProof proof = prove_file(format, files, file);
+    if (file.translation != Vec2::Zero()) file.tile = moved_by(std::move(file.tile), file.translation);
     std::string line = path + ": " + described(file.tile.walls) + std::to_string(proof.n_vertices) +
                        " vertices, " + std::to_string(proof.n_faces) + " faces, " +
                        std::to_string(proof.n_boundary_edges) + " boundary edges in " +

@@ -106,6 +106,16 @@ ExitCode report_not_converged(const RunStatistics& run, double tolerance) {
     return ExitCode::kNotConverged;
 }
 
+ExitCode report_refused(const std::vector<RefusedFile>& refused, std::size_t n_written) {
+    std::string line = refused.front().reason;
+    for (std::size_t k = 1; k < refused.size(); ++k) {
+        line += (k == 1 ? "; so for " : ", ") + refused[k].path;
+    }
+    if (n_written > 0) line += "; the other files are written";
+    std::fprintf(stderr, "pcvt: %s\n", line.c_str());
+    return ExitCode::kBadInput;
+}
+
 ExitCode run_mesh(Job job, const MeshOptions& options) {
     RunSummary summary;
     if (options.input.empty()) {
@@ -122,6 +132,9 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
     }
     if (summary.run.stop == Stop::kCancelled) return report_cancelled();
     if (!options.quiet) print_summary(job, summary);
+    if (!summary.refused.empty()) {
+        return report_refused(summary.refused, summary.files.size() + (job.report.empty() ? 0 : 1));
+    }
     if (options.strict && summary.run.stop != Stop::kConverged) {
         return report_not_converged(summary.run, job.tolerance);
     }

@@ -265,6 +265,9 @@ ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
             print_after_files(text);
         }
     }
+    if (!summary.refused.empty()) {
+        return report_refused(summary.refused, summary.files.size() + (job.report.empty() ? 0 : 1));
+    }
     if (options.strict && summary.run.stop != Stop::kConverged) {
         return report_not_converged(summary.run, job.tolerance);
     }

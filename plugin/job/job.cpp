@@ -108,13 +108,17 @@ std::vector<std::string> require_all_writable(const Job& job, const std::vector<
     return recovered;
 }
 
-/// Stages every file and the report.
+/// Stages every file that its format can hold, and the report.
 void stage(const Job& job, const std::vector<JobFile>& files, const Computation& result,
            std::span<const BuiltTile> tiles, JobMonitor& monitor, Stopwatch& watch,
            RunSummary& summary, OutputSet& outputs) {
-    stage_files(job, files, result, tiles, monitor, outputs);
-    for (const JobFile& file : files) {
-        if (file.folder.empty()) {
+    const std::vector<std::string> refused =
+        stage_files(job, files, result, tiles, monitor, outputs);
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        const JobFile& file = files[k];
+        if (!refused[k].empty()) {
+            summary.refused.push_back({file.paths.front(), refused[k]});
+        } else if (file.folder.empty()) {
             summary.files.insert(summary.files.end(), file.paths.begin(), file.paths.end());
         } else {
             summary.files.push_back(file.folder);

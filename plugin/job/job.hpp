@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/output_error.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/areas/target_areas.hpp"
@@ -237,6 +238,8 @@ struct RunSummary {
     std::vector<TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.
     std::vector<std::string> files;
+    /// The outputs that were not written, in their order.
+    std::vector<RefusedFile> refused;
     /// One line for each set of an earlier run that was finished before this one.
     std::vector<std::string> recovered;
     StartFigures start;
@@ -244,11 +247,11 @@ struct RunSummary {
 };
 
 /// Sites -> optimised periodic tessellation -> proved tiles -> files that are read back and proved
-/// again. Prints nothing. Either all files appear, together at the end, or none.
+/// again. Prints nothing. Either all files appear, together at the end, or none; only files whose
+/// single precision does not hold the tile are left out (RunSummary::refused).
 ///
 /// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
-///                        sites (DuplicateSites names the ids) and a tile too fine for a file's
-///                        format.
+///                        sites (DuplicateSites names the ids).
 /// @throws UnsuitableCells  an output refuses the cells, also after all retries.
 /// @throws OutputError    a file cannot be written, or exists and `force` is not set.
 /// @throws LimitExceeded  too many sites or faces.

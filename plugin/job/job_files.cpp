@@ -209,6 +209,8 @@ FormatRequest format_request(const Job& job, MeshKind kind) {
             .n_periods = double(job.columns) * job.rows,
             .walls = job.walls,
             .has_holes = !job.holes.empty(),
+            .has_weights = job.areas.has_value(),
+            .origin = job.origin,
             .files = job.file_options};
 }
 

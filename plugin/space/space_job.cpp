@@ -114,6 +114,21 @@ ProvedSpaceTile build_tile(const SpaceDelaunay& delaunay, double short_edges, Jo
     return tile;
 }
 
+/// Names the first of these tetrahedra by its sites.
+std::string flat_in_words(const TetrahedralMesh& mesh, const std::vector<int>& flat) {
+    std::string sites;
+    for (const int v : mesh.tetrahedra[flat.front()]) {
+        sites += (sites.empty() ? "" : ", ") + std::to_string(mesh.point_site[v]);
+    }
+    const std::string number = flat.size() == 1
+                                   ? "one tetrahedron of these sites is flat, that of sites "
+                                   : std::to_string(flat.size()) +
+                                         " tetrahedra of these sites are flat, the first that of "
+                                         "sites ";
+    return number + sites +
+           ", which lie in one plane up to rounding, as where more than four sites lie on a sphere";
+}
+
 /// The tetrahedra, if a file holds them.
 std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
                                                 const std::vector<SpaceJobFile>& files,
@@ -125,14 +140,10 @@ std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
     TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
-    const int n_flat = n_flat_tetrahedra(mesh, delaunay.sites.n_sites());
-    if (n_flat > 0) {
-        throw InvalidInput("-o " + file->path + ": " + std::to_string(n_flat) +
-                           " tetrahedra of these sites are flat, because more than four sites lie "
-                           "on a sphere up to rounding; move the sites a little, or leave " +
-                           file->path + " out");
-    }
-    return mesh;
+    const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
+    if (flat.empty()) return mesh;
+    throw InvalidInput("-o " + file->path + ": " + flat_in_words(mesh, flat) +
+                       "; move the sites a little, or leave " + file->path + " out");
 }
 
 /// Requires that the boundary is a closed surface, if a file shows it.
@@ -168,7 +179,8 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         summary.face_counts = proved.face_counts;
         summary.n_removed_edges = proved.n_removed_edges;
         require_closed_boundary(job, files, summary.proof);
-        stage_space_files(files, content, job.file_options, monitor, outputs);
+        summary.refused = stage_space_files(files, content, job.file_options, monitor, outputs);
+        for (const RefusedFile& file : summary.refused) std::erase(summary.files, file.path);
         summary.run = computation.cvt.run;
         summary.pattern = computation.pattern;
         if (job.stability) summary.minimum = minimum_of(computation);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/output_error.hpp"
 #include "io/space_formats.hpp"
 #include "mesher/base/coincident_sites.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
@@ -128,13 +129,16 @@ struct SpaceSummary {
     PolyhedralProof proof = {};
     /// The files and folders that were written, in the order of the outputs.
     std::vector<std::string> files = {};
+    /// The outputs that were not written, in their order.
+    std::vector<RefusedFile> refused = {};
     /// One line for each set of an earlier run that was finished before this one.
     std::vector<std::string> recovered = {};
     double seconds = 0;
 };
 
 /// Sites -> optimised periodic tessellation -> proved tile of polyhedra -> files that are read back
-/// and proved again. Prints nothing. Either all files appear, together at the end, or none.
+/// and proved again. Prints nothing. Either all files appear, together at the end, or none; only
+/// files whose single precision does not hold the tile are left out (SpaceSummary::refused).
 ///
 /// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
 ///                        sites (DuplicateSites names the ids).

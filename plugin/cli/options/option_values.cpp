@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes/text.hpp"
+#include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/job/job.hpp"
 
@@ -153,9 +154,10 @@ Repetition repetition(const std::string& option, const std::string& text) {
         throw_bad_value(option, text,
                         "not of the form IxJ; give two whole numbers from 1 on, such as 2x3");
     }
-    constexpr std::uint64_t kMost = kMostSites;
+    constexpr std::uint64_t kMost = kMostPeriods;
     if (columns > kMost || rows > kMost) {
-        throw LimitExceeded(option + " " + text + ": too large for pcvt; repeat less often");
+        throw LimitExceeded(option + " " + text + ": more than " + std::to_string(kMostPeriods) +
+                            " periods in a row; repeat less often");
     }
     return {static_cast<int>(columns), static_cast<int>(rows)};
 }

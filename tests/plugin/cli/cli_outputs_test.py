@@ -13,6 +13,15 @@ MESH = ("mesh", "--sites", "20", "--seed", "3", "--threads", "1", "--quiet")
 
 
 class Outputs(CliTest):
+    def test_names_with_blanks_are_written(self):
+        for period in ("1,1", "1,1,1"):
+            self.succeed("mesh", "--sites", 20, "--period", period, "--tolerance", "1e-2", "-o", "my tile.obj", "-o", "my tile.ply",
+                         "--force")
+            self.succeed("check", "my tile.obj", "my tile.ply")
+            # mtllib lists names with blanks between them.
+            self.assertIn("\nmtllib my_tile.mtl\n", self.path("my tile.obj").read_text())
+            self.assertIn("newmtl", self.path("my_tile.mtl").read_text())
+
     def test_names_with_control_characters_are_refused(self):
         for name in ("a\nb.obj", "a\tb.svg", "\x1b[2J.ply", "x\x7f.glb", "d\n/a.txt", "a\rb.foam"):
             with self.subTest(name):

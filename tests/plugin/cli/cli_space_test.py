@@ -291,7 +291,8 @@ class Tetrahedra(CliTest):
         self.refuse(2, r"^t\.msh:\d+: .*seam_0_0_", "check", "t.msh")
 
     def test_flat_tetrahedra_are_refused(self):
-        self.refuse(2, r"^pcvt: -o t\.msh: \d+ tetrahedra of these sites are flat, .* leave t\.msh out$",
+        self.refuse(2, r"^pcvt: -o t\.msh: \d+ tetrahedra of these sites are flat, the first that of sites \d+, .* on a sphere; "
+                    r"move the sites a little, or leave t\.msh out$",
                     "mesh", "--sites", 38, *CUBE, "--start", "lattice", "-o", "t.vtu", "-o", "t.msh")
 
     def test_cells_are_not_there(self):
