@@ -124,18 +124,6 @@ class Gluing {
     int n_faces_;
 };
 
-/// The largest distance of a point from its stated representative plus the stated translation.
-double stated_mismatch(const PolyhedralMesh& mesh) {
-    double largest = 0;
-    for (int v = 0; v < mesh.n_points(); ++v) {
-        const int first = mesh.point_orbit[v];
-        if (first < 0 || first >= mesh.n_points()) continue;
-        const Vec3 image = mesh.points[first] + mesh.lattice.translation(mesh.point_offset[v]);
-        largest = std::max(largest, (image - mesh.points[v]).cwiseAbs().maxCoeff());
-    }
-    return largest;
-}
-
 /// The pairs of the seam. A file whose sides agree less closely states how far.
 std::vector<FacePair> proven_pairs(const PolyhedralMesh& mesh, double tolerance) {
     try {
@@ -168,6 +156,17 @@ void prove_orbits(const PolyhedralMesh& mesh, DisjointSets& glued, double tolera
 }
 
 }  // namespace
+
+double stated_mismatch(const PolyhedralMesh& mesh) {
+    double largest = 0;
+    for (int v = 0; v < mesh.n_points(); ++v) {
+        const int first = mesh.point_orbit[v];
+        if (first < 0 || first >= mesh.n_points()) continue;
+        const Vec3 image = mesh.points[first] + mesh.lattice.translation(mesh.point_offset[v]);
+        largest = std::max(largest, (image - mesh.points[v]).cwiseAbs().maxCoeff());
+    }
+    return largest;
+}
 
 PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh, double least_tolerance) {
     const double tolerance =

@@ -12,6 +12,7 @@
 #include "io/space_formats.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/density/density_centroid.hpp"
+#include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/validate_voronoi.hpp"
 #include "plugin/cli/cell_options.hpp"
 #include "plugin/cli/checks/area_check.hpp"
@@ -213,8 +214,8 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
     return path + ": a voxel image: " + std::to_string(grid.counts.x) + " x " +
            std::to_string(grid.counts.y) +
            (grid.counts.z > 1 ? " x " + std::to_string(grid.counts.z) + " equal layers of" : "") +
-           " voxels of " + std::to_string(proof.n_cells) +
-           " cells, period " + figure(grid.size.x()) + " x " + figure(grid.size.y()) +
+           " voxels of " + std::to_string(proof.n_cells) + " cells, period " +
+           figure(grid.size.x()) + " x " + figure(grid.size.y()) +
            (file.cells ? ", each voxel in the cell of its site within " +
                              figure(proof.largest_excess) + " h"
                        : ", no sites stored") +
@@ -257,7 +258,7 @@ std::string seam_text(const TileProof& proof) {
     std::string text = std::to_string(proof.n_boundary_edges) + " boundary edges in " +
                        std::to_string(proof.edge_pairs.size()) + " pairs, ";
     if (proof.edge_pairs.empty()) return text;
-    return text + "periodic within " + figure(proof.mismatch) + ", ";
+    return text + "periodic within " + in_words(proof.mismatch) + ", ";
 }
 
 /// The proof of a tile as a line.

@@ -4,6 +4,7 @@
 #include "io/space_file_proof.hpp"
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
+#include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/validate.hpp"
 #include "plugin/cli/checks/tolerance_check.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -54,7 +55,7 @@ std::string prove_tetrahedral_tile(const EncodedFile& file, double tolerance) {
     return std::to_string(mesh.n_tetrahedra()) + " of " + counted(proof.n_sites, "site") + ", " +
            std::to_string(2 * proof.pairs.size()) + " boundary triangles in " +
            std::to_string(proof.pairs.size()) + " pairs, periodic within " +
-           figure(proof.mismatch) + " (tolerance " + figure(proof.tolerance) +
+           in_words(proof.mismatch) + " (tolerance " + figure(proof.tolerance) +
            "), Euler characteristic 0 after gluing, volume " + figure(proof.volume);
 }
 
@@ -89,7 +90,7 @@ std::string prove_cells(const std::string& path, const std::vector<EncodedFile>&
                        " faces, " + std::to_string(2 * proof.n_boundary_pairs) +
                        " boundary faces in " + std::to_string(proof.n_boundary_pairs) +
                        " pairs by " + counted(proof.n_translations, "translation") +
-                       ", periodic within " + figure(proof.mismatch) + " (tolerance " +
+                       ", periodic within " + in_words(proof.mismatch) + " (tolerance " +
                        figure(proof.tolerance) + "), boundary " +
                        (proof.boundary_is_manifold ? "a manifold" : "touches itself") +
                        ", Euler characteristic 0 after gluing, volume " + figure(proof.volume);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/bytes/text.hpp"
+#include "mesher/proof/law_violation.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
@@ -26,7 +27,7 @@ std::string tolerance_advice(const SeamMismatch& fault, const SeamProof& prove) 
         tolerance = rounded_up(mismatch);
         try {
             const double found = prove(tolerance);
-            return "; the tile is periodic within " + figure(found) + ", so --tolerance " +
+            return "; the tile is periodic within " + in_words(found) + ", so --tolerance " +
                    figure(tolerance) + " accepts it";
         } catch (const SeamMismatch& next) {
             mismatch = next.mismatch();

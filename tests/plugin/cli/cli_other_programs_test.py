@@ -4,7 +4,7 @@ import re
 
 from support.cli import CliTest, main, outputs
 
-OBLIQUE = ("--lattice", "1,0,0.5,0.866025")
+OBLIQUE = ("--lattice", "1,0,0.5,0.8660254037844386")
 
 
 def rounded(text, digits, rows):
