@@ -54,7 +54,7 @@ struct ProvedLabels {
 };
 
 ProvedLabels prove_labels(const TileFile& file) {
-    TileProof proof = prove_tile(file.tile, file.precision);
+    TileProof proof = prove_tile(file.tile, file.precision, file.tolerance);
     if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
     if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
     if (file.has_wall_edges || !file.tile.holes.empty()) compare_wall_edges(file.tile, proof);

@@ -104,10 +104,10 @@ bool holds_same(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
 
 }  // namespace
 
-SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files) {
+SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double tolerance) {
     SpaceFileProof result{.tile = decode(files), .proof = {}, .sites = {}};
     const SpaceTile& tile = result.tile;
-    result.proof = prove_polyhedra(tile.mesh);
+    result.proof = prove_polyhedra(tile.mesh, tolerance);
     if (tile.sites.cols() > 0) result.sites = prove_cell_sites(tile.mesh, tile.sites);
     if (is_space_case(files)) compare_space_case(files, tile);
     const std::string extension = lower_case_extension(files.front().path);
@@ -139,10 +139,10 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
     throw InternalError(files.front().path + ": another tile is read back than was written");
 }
 
-TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file) {
+TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tolerance) {
     const SpaceFormat& format = *find_space_format(file.path);
     TetrahedralFileProof result{.mesh = format.decode_tetrahedra(file), .proof = {}};
-    result.proof = prove_tetrahedra(result.mesh);
+    result.proof = prove_tetrahedra(result.mesh, tolerance);
     format.compare_tetrahedra(file, result.mesh);
     return result;
 }

@@ -21,6 +21,7 @@
 #include "io/mpas/mpas_writer.hpp"
 #include "io/openfoam/foam_fields.hpp"
 #include "io/openfoam/foam_reader.hpp"
+#include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/page/html_writer.hpp"
 #include "io/pictures/png_writer.hpp"
@@ -115,8 +116,9 @@ void require_voxel_grid(const FormatRequest& request) {
 std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {
     MpasGrid grid = mpas_grid(torus.cells, torus.origin);
     if (!torus.site_densities.empty()) fill_mesh_density(torus.site_densities, grid);
+    if (torus.coriolis) fill_coriolis({(*torus.coriolis)[0], (*torus.coriolis)[1]}, grid);
     const std::vector<std::string> paths = mpas_paths(path);
-    std::vector<EncodedFile> files = only_file(paths[0], encode_mpas(grid));
+    std::vector<EncodedFile> files = only_file(paths[0], encode_mpas(grid, torus.history));
     files.push_back({paths[1], encode_mpas_graph(grid)});
     return files;
 }
@@ -270,6 +272,7 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .paths = foam_paths,
      .is_folder = true,
      .check = require_prisms,
+     .check_path = require_foam_path,
      .takes_thickness = true,
      .takes_phases = true,
      .states_materials = true},
@@ -279,7 +282,8 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .write = write_mpas,
      .read = read_mpas,
      .paths = mpas_paths,
-     .check = require_mpas_torus},
+     .check = require_mpas_torus,
+     .takes_coriolis = true},
     {.extension = ".vti",
      .description =
          "cells as voxels of a rectangle for DAMASK, VTK image data, with .material.yaml beside it",
@@ -308,10 +312,11 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
 double FormatRequest::spacing() const { return std::sqrt(lattice.area() / (n_sites * n_periods)); }
 
 VoxelCounts requested_voxels(const FormatRequest& request) {
-    const VoxelCounts counts =
-        request.files.voxels == VoxelCounts{}
-            ? default_voxels(request.lattice, request.n_sites * request.n_periods)
-            : request.files.voxels;
+    VoxelCounts counts = request.files.voxels;
+    if (counts.x == 0) {
+        counts = default_voxels(request.lattice, request.n_sites * request.n_periods);
+        counts.z = request.files.voxels.z;
+    }
     voxel_grid(request.lattice, {0, 0}, counts);
     return counts;
 }

@@ -25,6 +25,10 @@ struct Torus {
     Vec2 origin;
     /// The density at each site; empty where it is uniform.
     std::span<const double> site_densities;
+    /// As FileOptions::coriolis.
+    std::optional<std::array<double, 2>> coriolis = {};
+    /// The run that made the cells; may be empty.
+    std::string history = {};
 };
 
 using TileWriter = std::vector<EncodedFile>(const Tile& tile, const std::string& path);
@@ -119,11 +123,15 @@ struct TileFormat {
     /// whole periods near it.
     bool is_single_precision = false;
     bool moves_distant_tiles = false;
+    /// Refuses a path that the programs for this format cannot open; nullptr if they open any.
+    /// Throws InvalidInput.
+    void (*check_path)(const std::string& path) = nullptr;
     /// The choices of FileOptions that the format takes.
     bool takes_gltf_nodes = false;
     bool takes_single_precision = false;
     bool takes_pixels = false;
     bool takes_voxels = false;
+    bool takes_coriolis = false;
     bool takes_cut_width = false;
     bool takes_element = false;
     bool takes_job = false;

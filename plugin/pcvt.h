@@ -474,7 +474,7 @@ typedef struct pcvt_write_options {
     const char* background; /**< of .svg, "#rrggbb" or "none" [NULL: none] */
     int32_t voxels[2];      /**< of .vti, along x and y [0, 0: about 16 along h] */
     int32_t job;            /**< of .inp: PCVT_JOB_... [PCVT_JOB_NONE] */
-    int32_t reserved;
+    int32_t voxel_layers;   /**< of .vti: equal layers along z [0: 1] */
     double thickness; /**< of .foam: height of the layer of cells along z [0: sqrt(area / faces)] */
     int32_t surface;  /**< PCVT_SURFACE_..., in three dimensions alone [PCVT_SURFACE_CELLS] */
     int32_t reserved2;
@@ -484,6 +484,7 @@ typedef struct pcvt_write_options {
                               line ends between them; without phases the name is GRAINS; "same":
                               all phases are the same steel, or with orientations iron, in MPa.
                               A job with two phases needs it [NULL] */
+    double coriolis[2]; /**< of .nc: the parameter coriolis[0] + coriolis[1] y [0, 0: none] */
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */

@@ -11,6 +11,7 @@
 #include "io/gltf/gltf_layout.hpp"
 #include "io/gltf/gltf_periodic.hpp"
 #include "io/gltf/gltf_scene.hpp"
+#include "io/tiles/material_words.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
@@ -44,6 +45,8 @@ struct Finding {
     std::vector<SiteId> face_site;
     /// One site per point; -1 likewise.
     std::vector<SiteId> vertex_site;
+    /// The name of the material of each face; "" where the file names none.
+    std::vector<std::string> materials;
 
     const Json& periodic_member(const std::string& key) const {
         static const Json kNone;
@@ -132,6 +135,7 @@ void add_triangles(const Json& node, const Json& primitive, Finding& finding) {
                   finding.vertex_site.begin() + std::ptrdiff_t(range.first));
     }
     add_faces(corners, cells, named_site(node), finding);
+    finding.materials.resize(finding.face_site.size(), document.material_name(primitive));
     for (const int corner : corners)
         finding.corners.push_back(static_cast<int>(range.first) + corner);
     if (finding.corners.size() > kMaxVertices) document.throw_bad_file("too many triangles");
@@ -335,6 +339,7 @@ TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<
     }
     TileFile file{std::move(tile), Precision::kSingle, !pairs.is_null(), false};
     file.translation = finding.translation.value();
+    file.shown = shown_phases(file.tile, finding.materials);
     return file;
 }
 

@@ -1,8 +1,16 @@
 #include "io/openfoam/foam_text.hpp"
 
 #include "io/bytes/text.hpp"
+#include "mesher/base/error.hpp"
 
 namespace pcvt {
+
+void require_foam_path(const std::string& path) {
+    if (path.find_first_of(" \t\n\v\f\r'\"") == std::string::npos) return;
+    throw InvalidInput(
+        "OpenFOAM leaves blanks and quotes out of paths, so it would not find this case; take a "
+        "path without them");
+}
 
 std::string foam_header(const std::string& kind, const std::string& location,
                         const std::string& object, const std::string& note) {

@@ -32,6 +32,8 @@ struct TileFile {
     bool states_lattice = false;
     /// Of the sites of one period; empty where the file states none.
     CellMaterials materials = {};
+    /// The phases that the names of materials show, of a file that states none; may be empty.
+    CellMaterials shown = {};
     /// The orbit of each site of one period under the symmetry of the run, -1 for a site that has
     /// no element; empty where the file states none.
     std::vector<int> site_orbits = {};
@@ -39,6 +41,8 @@ struct TileFile {
     double thickness = 0;
     /// To which the positions of the tile are relative, length units; not 0 for distant tiles only.
     Vec2 translation = Vec2::Zero();
+    /// As the user stated it, least_tolerance of prove_tile().
+    double tolerance = 0;
 };
 
 }  // namespace pcvt

@@ -12,9 +12,9 @@ namespace pcvt {
 /// The image and, beside it, the materials: tile.vti, tile.material.yaml.
 std::vector<std::string> vti_paths(const std::string& path);
 
-/// Encodes a voxel image as VTK image data (`.vti`) in the form that DAMASK 3 reads: one layer,
-/// little-endian, whole extent from 0, the array `material` of the cells, x fastest, inline base64
-/// on one line, compressed by zlib in blocks with 64-bit headers. The field data hold the
+/// Encodes a voxel image as VTK image data (`.vti`) in the form that DAMASK 3 reads: equal
+/// layers, little-endian, whole extent from 0, the array `material` of the cells, x fastest, inline
+/// base64 on one line, compressed by zlib in blocks with 64-bit headers. The field data hold the
 /// positions, weights and metric of the sites, by which `pcvt check` proves each voxel. Beside it
 /// lies encode_damask_material().
 ///

@@ -40,13 +40,14 @@ struct TetrahedralMesh {
 /// Lays the tetrahedra of a Delaunay triangulation out as one connected tile round the domain at
 /// the origin. The tile grows from the tetrahedron whose barycentre lies next to the centre of the
 /// domain, across triangles, always by the image whose barycentre is nearest to that centre; the
-/// distance is the largest difference of the coordinates in the reduced basis.
+/// distance is the largest difference of the coordinates in the reduced basis. Then tied_frames()
+/// moves the few tetrahedra that leave points without a partner on a slave of the seam.
 ///
 /// Example usage:
 ///   const TetrahedralMesh mesh = tetrahedral_mesh(space_delaunay(SpaceSites(lattice, points)));
 ///   const TetrahedralProof proof = prove_tetrahedra(mesh);
 ///
-/// Cost: t log t for t tetrahedra.
+/// Cost: t log t for t tetrahedra, and that of tied_frames().
 TetrahedralMesh tetrahedral_mesh(const SpaceDelaunay& delaunay);
 
 }  // namespace pcvt

@@ -54,23 +54,42 @@ std::array<Corner3, n> orbit(const TetrahedralMesh& mesh, std::array<int, n> poi
     return corners;
 }
 
+/// The tolerance of positions.
+double tolerance_of(const TetrahedralMesh& mesh, double least) {
+    return std::max(kUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(mesh),
+                    least);
+}
+
+/// Requires that no point is farther from its image than the tolerance.
+/// @param worst  the point that is farthest.
+void require_images(const TetrahedralProof& proof, int worst) {
+    if (proof.mismatch <= proof.tolerance) return;
+    throw SeamMismatch(
+        violation_in_words("(2), points", "point " + std::to_string(worst) + " is off by " +
+                                              in_words(proof.mismatch)),
+        proof.mismatch);
+}
+
 void prove_points(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
-    const double tolerance =
-        kUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(mesh);
+    int worst = 0;
     std::map<SiteId, int> first;
     std::set<Corner3> images;
     for (int v = 0; v < mesh.n_points(); ++v) {
         const int w = first.emplace(mesh.point_site[v], v).first->second;
         const Vec3 expected = mesh.points[w] + mesh.lattice.translation(mesh.point_offset[v]);
         const double off = (mesh.points[v] - expected).lpNorm<Eigen::Infinity>();
-        if (!(off <= tolerance)) {
-            throw_violation("(2), points",
-                            "point " + std::to_string(v) + " is off by " + in_words(off));
+        if (!std::isfinite(off)) {
+            throw_violation("(2), points", "point " + std::to_string(v) + " is not finite");
+        }
+        if (off > proof.mismatch) {
+            proof.mismatch = off;
+            worst = v;
         }
         if (!images.insert({mesh.point_site[v], mesh.point_offset[v]}).second) {
             throw_violation("(2), points", "point " + std::to_string(v) + " occurs twice");
         }
     }
+    require_images(proof, worst);
     proof.n_sites = static_cast<int>(first.size());
     if (first.empty() || first.begin()->first != 0 || first.rbegin()->first != proof.n_sites - 1) {
         throw_violation("(2), points", "the sites are not 0 ... n - 1");
@@ -220,8 +239,17 @@ std::vector<int> flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
     return flat;
 }
 
-TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh) {
-    TetrahedralProof proof;
+int n_untied_points(const TetrahedralMesh& mesh, const TetrahedralProof& proof) {
+    std::vector<bool> is_slave(mesh.points.size(), false);
+    for (const TrianglePair& pair : proof.pairs) {
+        for (const int v : pair.second) is_slave[v] = true;
+    }
+    const auto n_free = std::count(is_slave.begin(), is_slave.end(), false);
+    return static_cast<int>(n_free) - proof.n_sites;
+}
+
+TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh, double least_tolerance) {
+    TetrahedralProof proof{.tolerance = tolerance_of(mesh, least_tolerance)};
     prove_points(mesh, proof);
     prove_volumes(mesh, proof);
     prove_sides(mesh, proof);

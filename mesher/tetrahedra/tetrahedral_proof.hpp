@@ -29,6 +29,8 @@ struct TetrahedralProof {
     std::vector<TrianglePair> pairs = {};
     double volume = 0;           ///< length^3
     double smallest_volume = 0;  ///< of a tetrahedron, length^3
+    double tolerance = 0;        ///< of positions, length units
+    double mismatch = 0;         ///< the largest one of a point and its image, in one coordinate
 };
 
 /// The volume of a tetrahedron, length^3; negative where it is turned over.
@@ -38,13 +40,20 @@ double tetrahedron_volume(const TetrahedralMesh& mesh, int t);
 /// Delaunay tetrahedra of `n_sites` sites.
 std::vector<int> flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites);
 
+/// Returns the number of points, but for one of each site, that are corners of no second triangle
+/// of a pair. Programs that give each node of a second triangle one master, and no other node, find
+/// as many nodes too many.
+int n_untied_points(const TetrahedralMesh& mesh, const TetrahedralProof& proof);
+
 /// Proves the laws of a tile of tetrahedra from positions, tetrahedra, sites and period vectors.
 ///
 /// Example usage:
 ///   const TetrahedralProof proof = prove_tetrahedra(mesh);
 ///   for (const TrianglePair& pair : proof.pairs) glue(pair.first, pair.second);
 ///
-/// @throws NotATile  naming the law and the place.
-TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh);
+/// @param least_tolerance  of positions, length units: of files of other programs.
+/// @throws NotATile  naming the law and the place; as SeamMismatch where a wider tolerance may
+/// help.
+TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh, double least_tolerance = 0);
 
 }  // namespace pcvt

@@ -204,9 +204,7 @@ bool uses_reserved_fields(const pcvt_options& options) {
            options.reserved4 != 0 || options.reserved5 != 0;
 }
 
-bool uses_reserved_fields(const pcvt_write_options& options) {
-    return options.reserved != 0 || options.reserved2 != 0;
-}
+bool uses_reserved_fields(const pcvt_write_options& options) { return options.reserved2 != 0; }
 
 void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known) {
     const char* bytes = static_cast<const char*>(begin);
@@ -267,7 +265,12 @@ FileOptions file_options(const pcvt_write_options& options) {
         (options.voxels[0] < kLeastVoxels || options.voxels[1] < kLeastVoxels)) {
         throw InvalidInput("voxels are fewer than 2 along an axis; take 2 or more, or 0 for both");
     }
-    result.voxels = {options.voxels[0], options.voxels[1]};
+    if (options.voxel_layers < 0) throw InvalidInput("voxel_layers is negative; take 0 or more");
+    result.voxels = {options.voxels[0], options.voxels[1], std::max(options.voxel_layers, 1)};
+    require_finite("coriolis", options.coriolis, 2);
+    if (options.coriolis[0] != 0 || options.coriolis[1] != 0) {
+        result.coriolis = {options.coriolis[0], options.coriolis[1]};
+    }
     require_finite("cut_width", &options.cut_width, 1);
     if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
     result.cut_width = options.cut_width;

@@ -75,6 +75,8 @@ void refuse_plane_files(const pcvt_write_options& options) {
     plane.refuse("cut_width", &pcvt_write_options::cut_width);
     plane.refuse("background", &pcvt_write_options::background);
     plane.refuse("voxels", &pcvt_write_options::voxels);
+    plane.refuse("voxel_layers", &pcvt_write_options::voxel_layers);
+    plane.refuse("coriolis", &pcvt_write_options::coriolis);
     plane.refuse("job", &pcvt_write_options::job);
     plane.refuse("thickness", &pcvt_write_options::thickness);
     plane.refuse("materials", &pcvt_write_options::materials);

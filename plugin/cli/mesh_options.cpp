@@ -10,6 +10,7 @@
 
 #include "io/bytes/extension.hpp"
 #include "plugin/cli/help_command.hpp"
+#include "plugin/cli/options/command_words.hpp"
 #include "plugin/cli/options/mesh_examples.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/cli/options/site_source.hpp"
@@ -309,6 +310,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     job.materials = material_choices(app, options.materials, job.inputs);
     job.file_options = file_options(app, options.files);
     job.file_options.elastic = elastic_choices(options.materials);
+    job.command = command_words(app);
     job.outputs = options.outputs;
     if (app.count("--cells") > 0) {
         if (lower_case_extension(options.table) != ".csv") {

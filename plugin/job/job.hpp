@@ -154,6 +154,9 @@ struct Job {
     /// sites in their order.
     MaterialChoices materials;
 
+    /// The options of the command without paths, and without those that change no result, for files
+    /// that state their history; empty for other hosts.
+    std::string command;
     /// The forms of files, for the formats that have several; without densities and materials.
     FileOptions file_options;
     /// Files to write. The extension selects the format; `.txt` files hold the sites.

@@ -67,6 +67,13 @@ void check_format(const Job& job, const TileFormat& format, MeshKind kind,
 void add_output(const Job& job, const std::string& path, std::vector<JobFile>& files) {
     const TileFormat* format = find_tile_format(path);
     if (format == nullptr) refuse_extension(path);
+    if (format->check_path != nullptr) {
+        try {
+            format->check_path(path);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("-o " + path + ": " + error.what());
+        }
+    }
     if (!format->needs_tile()) {
         check_format(job, *format, MeshKind::kVoronoi, path);
         files.push_back({format->paths(path), format});
@@ -112,6 +119,8 @@ constexpr FileChoice kFileChoices[] = {
      [](const Job& job) { return job.file_options.pixels != 0; }},
     {"a number of voxels", &TileFormat::takes_voxels,
      [](const Job& job) { return job.file_options.voxels != VoxelCounts{}; }},
+    {"a Coriolis parameter", &TileFormat::takes_coriolis,
+     [](const Job& job) { return job.file_options.coriolis.has_value(); }},
     {"a width to cut", &TileFormat::takes_cut_width,
      [](const Job& job) { return job.file_options.cut_width != 0; }},
     {"a type of elements", &TileFormat::takes_element,

@@ -8,6 +8,7 @@
 #include "io/bytes/output_error.hpp"
 #include "io/file_proof.hpp"
 #include "mesher/base/workers.hpp"
+#include "plugin/job/version.hpp"
 
 namespace pcvt {
 namespace {
@@ -29,7 +30,12 @@ class FileEncoder {
         const PeriodicMesh cells =
             repeated(plane_mesh(result_.cells, MeshKind::kVoronoi), job_.columns, job_.rows);
         try {
-            return write({cells, job_.origin, result_.site_densities}, path());
+            return write({.cells = cells,
+                          .origin = job_.origin,
+                          .site_densities = result_.site_densities,
+                          .coriolis = job_.file_options.coriolis,
+                          .history = history()},
+                         path());
         } catch (const UnsuitableCells& error) {
             throw UnsuitableCells("-o " + path() + ": " + error.what());
         } catch (const InvalidInput& error) {
@@ -62,6 +68,11 @@ class FileEncoder {
                 .materials = materials(),
                 .phases_are_tags = job_.has_inclusions(),
                 .orbits = result_.cells.site_orbits};
+    }
+    /// The run as files state it: equal for equal results.
+    std::string history() const {
+        return std::string("pcvt ") + version() + (job_.command.empty() ? "" : ": ") +
+               job_.command + "; seed " + std::to_string(job_.seed);
     }
     FileOptions tile_options() const {
         FileOptions options = job_.file_options;

@@ -40,6 +40,13 @@ SpaceJobFile plan_file(std::string path, const SpaceJob& job) {
         throw InvalidInput("-o " + path + ": the format holds no volumes; take " +
                            space_extensions() + ", or give two period vectors");
     }
+    if (format->check_path != nullptr) {
+        try {
+            format->check_path(path);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("-o " + path + ": " + error.what());
+        }
+    }
     if (options.mesh == SpaceMesh::kDelaunay && format->encode != nullptr &&
         format->encode_tetrahedra == nullptr) {
         throw InvalidInput("-o " + path + ": the format holds no tetrahedra; take " +

@@ -297,7 +297,8 @@ class Result:
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
               gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE", job="none",
-              progress=None, colour="default", background="none", voxels=(0, 0), thickness=0.0, materials=None):
+              progress=None, colour="default", background="none", voxels=(0, 0), thickness=0.0, materials=None,
+              coriolis=(0.0, 0.0)):
         """Writes a tile, the sites (.txt) or a table of the cells (.csv), by the extension.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
@@ -318,8 +319,9 @@ class Result:
         progress    called with a Progress ten times a second; a true return value cancels
         colour      what colours show: sides, size, cells (neighbours differ), density, phase, orbit or tag
         background  of .svg: none or #rrggbb
-        voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h
+        voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h; a third one repeats the layer along z
         thickness   of .foam: height of the layer of cells along z; 0: sqrt(area / faces)
+        coriolis    of .nc: (f, beta) of the Coriolis parameter f + beta y; (0, 0): none
         """
         options = _library.WriteOptions(
             struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
@@ -332,8 +334,10 @@ class Result:
         if materials is not None:
             options.materials = _material_text(materials)
         _set_integers(options, pixels=pixels)
-        columns, rows = voxels
+        columns, rows, *layers = voxels
         options.voxels[:] = operator.index(columns), operator.index(rows)
+        _set_integers(options, voxel_layers=layers.pop() if layers else 0)
+        options.coriolis[:] = coriolis
         written(self._handle, path, options, progress)
 
     def plot(self, kind="voronoi", outline="whole", axes=None):

@@ -134,9 +134,9 @@ class WriteOptions(ctypes.Structure):
                 ("progress", ProgressCallback), ("progress_data", c_void_p),
                 ("gltf_nodes", c_int32), ("single_precision", c_int32), ("pixels", c_int32),
                 ("element", c_int32), ("cut_width", c_double), ("background", c_char_p),
-                ("voxels", c_int32 * 2), ("job", c_int32), ("reserved", c_int32),
+                ("voxels", c_int32 * 2), ("job", c_int32), ("voxel_layers", c_int32),
                 ("thickness", c_double), ("surface", c_int32), ("reserved2", c_int32),
-                ("materials", c_char_p)]
+                ("materials", c_char_p), ("coriolis", c_double * 2)]
 
 
 _FUNCTIONS = {

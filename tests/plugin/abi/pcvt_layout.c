@@ -296,11 +296,12 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, background);
     FIELD(pcvt_write_options, voxels);
     FIELD(pcvt_write_options, job);
-    FIELD(pcvt_write_options, reserved);
+    FIELD(pcvt_write_options, voxel_layers);
     FIELD(pcvt_write_options, thickness);
     FIELD(pcvt_write_options, surface);
     FIELD(pcvt_write_options, reserved2);
     FIELD(pcvt_write_options, materials);
+    FIELD(pcvt_write_options, coriolis);
 }
 
 int main(void) {

@@ -173,6 +173,8 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(cut_width, "cut_width", 100);
     PLANE_FIELD(background, "background", "none");
     PLANE_FIELD(voxels[0], "voxels", 16);
+    PLANE_FIELD(voxel_layers, "voxel_layers", 2);
+    PLANE_FIELD(coriolis[0], "coriolis", 1e-4);
     PLANE_FIELD(job, "job", PCVT_JOB_ELASTIC);
     PLANE_FIELD(thickness, "thickness", 0.1);
     PLANE_FIELD(materials, "materials", "same");
