@@ -25,8 +25,17 @@ std::uint64_t mixed_bits(std::uint64_t x) {
 /// Rounds of random sites, each four times as many as in the round before, and in each round
 /// neighbours after each other.
 std::vector<SiteId> random_rounds(const Sites& sites) {
-    const SpatialSort columns =
-        spatial_sort(sites.coordinates(), gram_of(sites.reduction().reduced));
+    SpatialSort columns = spatial_sort(sites.coordinates(), gram_of(sites.reduction().reduced));
+    // Sites on a line across the columns follow each other along it.
+    for (int k = 0; k < columns.n_columns(); ++k) {
+        checkpoint();
+        const auto at = [&](SiteId s) {
+            return std::pair(sites.coordinates()(1, s), sites.coordinates()(0, s));
+        };
+        std::sort(columns.order.begin() + columns.begin[k],
+                  columns.order.begin() + columns.begin[k + 1],
+                  [&](SiteId s, SiteId t) { return at(s) < at(t); });
+    }
     std::vector<std::pair<int, SiteId>> entries;
     entries.reserve(columns.order.size());
     for (const SiteId s : columns.order) {
@@ -134,12 +143,25 @@ class Growth {
                            image_of(triangulation_.corner(TorusTriangulation::next(h)), shift), p);
     }
 
+    /// The shift that brings a corner of a triangle, the nearest one, near to p.
+    Offset shift_to_nearest(int t, const Image& p) const {
+        Offset nearest;
+        double least = 1;
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const Vec2 way = difference(image_of(triangulation_.corner(h), {}), p);
+            const Vec2 whole = way.array().round();
+            const double distance = (way - whole).cwiseAbs().maxCoeff();
+            if (!(distance < least)) continue;
+            least = distance;
+            nearest = {int(whole.x()), int(whole.y())};
+        }
+        return nearest;
+    }
+
     /// Walks from the last triangle to one that contains p.
     std::pair<int, Offset> locate(const Image& p) {
-        const Image first = image_of(triangulation_.corner(3 * last_), {});
-        const Vec2 way = difference(first, p);
-        Offset shift{int(std::round(way.x())), int(std::round(way.y()))};
         int t = last_;
+        Offset shift = shift_to_nearest(t, p);
         for (long step = 0;; ++step) {
             checkpoint_each(step);
             int exit = -1;

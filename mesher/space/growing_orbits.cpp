@@ -112,8 +112,9 @@ int GrowingOrbits::exit_of(int cell, Offset3 shift) const {
 /// of tetrahedra in a Delaunay triangulation, those seen from a point behind others form no cycle.
 /// @returns false if the new site is one of its corners.
 bool GrowingOrbits::find_first(int& cell, Offset3& shift) const {
-    const Displacement3 first = from_new_site(corner(cells_[cell], 0, {}));
-    shift = {-int(std::round(first.x)), -int(std::round(first.y)), -int(std::round(first.z))};
+    // Corner 3 is the site before, which is a neighbour on the curve.
+    const Displacement3 before = from_new_site(corner(cells_[cell], 3, {}));
+    shift = {-int(std::round(before.x)), -int(std::round(before.y)), -int(std::round(before.z))};
     long n_steps = 0;
     for (int exit = exit_of(cell, shift); exit >= 0; exit = exit_of(cell, shift)) {
         checkpoint_each(++n_steps);
