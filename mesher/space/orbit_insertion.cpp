@@ -114,13 +114,12 @@ std::optional<TorusTetrahedra> orbit_tetrahedra(const SpaceSites& sites) {
 }
 
 double expected_tetrahedra(const SpaceSites& sites) {
-    constexpr double kPerSite = 6.8;
     const double n = sites.n_sites();
-    if (n <= kManyMeasured) return kPerSite * n;
+    if (n <= kManyMeasured) return kTetrahedraPerSite * n;
     const Gram3 gram = gram_of(sites.reduction().reduced);
     const std::vector<SiteId> order = random_sites(sites.n_sites(), kManyMeasured);
     const std::optional<TorusTetrahedra> first = first_tetrahedra(sites, gram, order);
-    if (!first || first->n_sites() > kFewMeasured) return kPerSite * n;
+    if (!first || first->n_sites() > kFewMeasured) return kTetrahedraPerSite * n;
     const SpaceSites some = some_of(sites, order);
     GrowingOrbits growing(gram, some.coordinates(), *first);
     double few = 0;

@@ -24,6 +24,9 @@ std::optional<TorusTetrahedra> orbit_tetrahedra(const SpaceSites& sites);
 
 inline constexpr int kFewestForOrbits = 64;
 
+/// The mean number of tetrahedra a site of sites that are spread evenly.
+inline constexpr double kTetrahedraPerSite = 6.8;
+
 /// The number of tetrahedra to expect, by those of some hundred of the sites and their growth:
 /// about 6.8 n for most sites, n^2 / 4 for sites on two skew lines.
 double expected_tetrahedra(const SpaceSites& sites);
