@@ -6,7 +6,7 @@
 #include "mesher/optimize/lbfgs.hpp"
 #include "mesher/optimize/lloyd.hpp"
 #include "mesher/portable/portable_functions.hpp"
-#include "mesher/space/moving_tetrahedra.hpp"
+#include "mesher/space_energy/moving_tetrahedra.hpp"
 
 namespace pcvt {
 namespace {

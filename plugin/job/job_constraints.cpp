@@ -154,9 +154,12 @@ auto named(const InclusionFile& file, const Work& work) {
     }
 }
 
-/// Refuses a number of sites that cannot suffice for the outlines of the shapes, before any work.
+/// Of fewer seeds, the placement itself is fast, and names a number of sites that suffices.
+constexpr double kManySeeds = 10'000;
+
+/// Refuses a number of sites that cannot suffice for the outlines of many shapes, before any work.
 void require_sites(const Job& job, double fewest) {
-    if (job.n_sites >= fewest) return;
+    if (job.n_sites >= fewest || fewest < kManySeeds) return;
     throw InvalidInput(
         std::to_string(job.n_sites) + " sites are too few for the inclusions; take " +
         std::to_string(static_cast<long>(fewest)) + " or more, the least that their outlines need");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
@@ -9,6 +10,7 @@
 #include "mesher/polyhedra/cell_sites.hpp"
 #include "mesher/portable/portable_functions.hpp"
 #include "mesher/proof/validate.hpp"
+#include "mesher/space/orbit_insertion.hpp"
 #include "mesher/space_cvt/space_coarse_start.hpp"
 #include "mesher/tetrahedra/tetrahedral_proof.hpp"
 #include "plugin/job/job_memory.hpp"
@@ -19,6 +21,9 @@
 
 namespace pcvt {
 namespace {
+
+/// A message about memory names the tetrahedra where there are this many times as usual.
+constexpr double kManyTetrahedra = 3;
 
 /// For fewer sites the time of random starts does not matter.
 constexpr int kFewestForCoarse = 1000;
@@ -63,6 +68,14 @@ void check_stability(const SpaceJob& job) {
     throw InvalidInput("the stability is known of at most " +
                        std::to_string(kMostSpaceSitesForMinimum) +
                        " sites in space; leave it out, or take fewer sites");
+}
+
+/// The subject and the verb of a message about memory.
+std::string run_takes(const SpaceJob& job) {
+    const auto n = static_cast<double>(job.points.cols());
+    if (!(job.n_tetrahedra > kManyTetrahedra * kTetrahedraPerSite * n)) return "the run takes";
+    return "the sites have about " + std::to_string(std::llround(job.n_tetrahedra / n)) +
+           " Delaunay tetrahedra each, as sites on two lines have, and the run takes";
 }
 
 /// The best lattice and its stability, if the run begins there.
@@ -231,12 +244,14 @@ void settle_duplicates(SpaceJob& job) {
     if (job.duplicates == Duplicates::kRefuse) {
         auto pairs = coincident_sites(coordinates, periods, kCoincident * h);
         if (!pairs.empty()) throw DuplicateSites(std::move(pairs));
+        job.n_tetrahedra = expected_tetrahedra(SpaceSites(job.lattice, job.points));
         return;
     }
     job.dropped = dropped_sites(sites_to_drop(coordinates, periods, h), job.lines);
     const std::vector<SiteId> kept = kept_sites(n, job.dropped.sites);
     job.points = Points3(job.points(Eigen::all, kept));
     if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
+    job.n_tetrahedra = expected_tetrahedra(SpaceSites(job.lattice, job.points));
 }
 
 SpaceStart chosen_start(const SpaceJob& job) {
@@ -284,7 +299,7 @@ ProvedSpaceTile prove_space_tile(const SpaceJob& job, const SpaceComputation& co
 std::optional<SpaceComputation> compute_space_job(const SpaceJob& job,
                                                   const JobCallback& callback) {
     check_short_edges(job.short_edges);
-    require_available("the run takes", estimated_memory(job, {}), "take fewer sites");
+    require_available(run_takes(job), estimated_memory(job, {}), "take fewer sites");
     JobMonitor monitor(callback, target_of(job));
     try {
         return compute(job, monitor);
@@ -314,7 +329,7 @@ SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     check_short_edges(job.short_edges);
     const std::vector<SpaceJobFile> files = plan_space_files(job);
     const std::vector<std::string> recovered = require_space_files_writable(job, files);
-    require_available("the run takes", estimated_memory(job, files), kFewerOutputs);
+    require_available(run_takes(job), estimated_memory(job, files), kFewerOutputs);
     try {
         SpaceSummary summary = run(job, files, callback);
         summary.recovered.insert(summary.recovered.begin(), recovered.begin(), recovered.end());

@@ -57,6 +57,9 @@ struct SpaceJob {
     std::vector<int> lines;
     /// The points that settle_duplicates() left out.
     DroppedSites dropped;
+    /// The number of Delaunay tetrahedra of the points to expect, which settle_duplicates() sets;
+    /// 0: as many as sites that are spread evenly have.
+    double n_tetrahedra = 0;
     int n_sites = 0;
     /// None: pcvt chooses.
     std::optional<SpaceStart> start = {};
@@ -84,7 +87,8 @@ struct SpaceJob {
 };
 
 /// Refuses points that coincide with earlier ones, within 1e-9 h, or leaves them out of the job, as
-/// job.duplicates says. A host calls it once its job is complete.
+/// job.duplicates says, and estimates the number of tetrahedra. A host calls it once its job is
+/// complete.
 /// @throws DuplicateSites with all pairs.
 void settle_duplicates(SpaceJob& job);
 

@@ -1,4 +1,4 @@
-#include "mesher/space/tetrahedra_untangling.hpp"
+#include "mesher/space_energy/tetrahedra_untangling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesher/space/tetrahedra_flips.hpp"
+#include "mesher/space_energy/tetrahedra_flips.hpp"
 
 #include <gtest/gtest.h>
 

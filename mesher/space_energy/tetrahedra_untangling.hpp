@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-#include "mesher/space/tetrahedra_flips.hpp"
+#include "mesher/space_energy/tetrahedra_flips.hpp"
 
 namespace pcvt {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "mesher/space/space_delaunay.hpp"
-#include "mesher/space/space_energy.hpp"
+#include "mesher/space_energy/space_energy.hpp"
 
 namespace pcvt {
 

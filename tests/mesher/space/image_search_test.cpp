@@ -1,4 +1,4 @@
-#include "mesher/space/site_grid.hpp"
+#include "mesher/space/image_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 /// The nearest admitted image among all within three periods.
 Corner3 brute_force(const SpaceSites& sites, const Gram3& gram, const Vec3& point, double radius,
-                    const SiteGrid::Admits& admits) {
+                    const ImageSearch::Admits& admits) {
     Corner3 found{-1, {}};
     double least = radius * radius;
     for (SiteId s = 0; s < sites.n_sites(); ++s) {
@@ -26,40 +26,40 @@ Corner3 brute_force(const SpaceSites& sites, const Gram3& gram, const Vec3& poin
     return found;
 }
 
-TEST(SiteGrid, FindsTheNearestImage) {
+TEST(ImageSearch, FindsTheNearestImage) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(-1, 2);
     for (const auto& [name, lattice] : testing::space_lattices()) {
         SCOPED_TRACE(name);
         for (const int n : {1, 7, 60}) {
             const SpaceSites sites(lattice, uniform_points(lattice, n, 1));
-            const SiteGrid grid(sites);
+            const ImageSearch search(sites);
             for (int k = 0; k < 20; ++k) {
                 const double u = uniform(random);
                 const double v = uniform(random);
                 const Vec3 point(u, v, uniform(random));
-                const double radius = grid.spacing() * 0.5 * (k % 4 + 1);
-                const SiteGrid::Admits admits = [k](const Corner3& corner) {
+                const double radius = search.spacing() * 0.5 * (k % 4 + 1);
+                const ImageSearch::Admits admits = [k](const Corner3& corner) {
                     return (corner.site + corner.offset.i + k) % 3 != 0;
                 };
-                EXPECT_EQ(grid.nearest(point, radius, admits),
-                          brute_force(sites, grid.gram(), point, radius, admits));
+                EXPECT_EQ(search.nearest(point, radius, admits),
+                          brute_force(sites, search.gram(), point, radius, admits));
             }
         }
     }
 }
 
-TEST(SiteGrid, ExtentBoundsABall) {
+TEST(ImageSearch, ExtentBoundsABall) {
     for (const auto& [name, lattice] : testing::space_lattices()) {
         SCOPED_TRACE(name);
         const SpaceSites sites(lattice, uniform_points(lattice, 5, 1));
-        const SiteGrid grid(sites);
+        const ImageSearch search(sites);
         // The point of the unit ball with the largest first coordinate.
         const SpaceLattice& reduced = sites.reduction().reduced;
         const Vec3 along = reduced.b().cross(reduced.c()).normalized();
-        const double unit = reduced.a().norm() / std::sqrt(grid.gram().aa);
-        EXPECT_NEAR(reduced.to_lattice(unit * along).x(), grid.extent().x(),
-                    1e-12 * grid.extent().x());
+        const double unit = reduced.a().norm() / std::sqrt(search.gram().aa);
+        EXPECT_NEAR(reduced.to_lattice(unit * along).x(), search.extent().x(),
+                    1e-12 * search.extent().x());
     }
 }
 

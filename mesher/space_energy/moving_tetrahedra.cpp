@@ -1,12 +1,12 @@
-#include "mesher/space/moving_tetrahedra.hpp"
+#include "mesher/space_energy/moving_tetrahedra.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/space/tetrahedra_untangling.hpp"
 #include "mesher/space_base/hilbert_curve.hpp"
+#include "mesher/space_energy/tetrahedra_untangling.hpp"
 
 namespace pcvt {
 namespace {

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 
 #include "mesher/base/workers.hpp"
-#include "mesher/space/tetrahedron_terms.hpp"
 #include "mesher/space/torus_tetrahedra.hpp"
+#include "mesher/space_energy/tetrahedron_terms.hpp"
 
 namespace pcvt {
 

@@ -1,4 +1,4 @@
-#include "mesher/space/moving_tetrahedra.hpp"
+#include "mesher/space_energy/moving_tetrahedra.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesher/space/space_energy.hpp"
+#include "mesher/space_energy/space_energy.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "mesher/space/space_energy.hpp"
+#include "mesher/space_energy/space_energy.hpp"
 
 #include <gtest/gtest.h>
 
 #include "mesher/space/space_delaunay.hpp"
-#include "mesher/space/tetrahedron_terms.hpp"
+#include "mesher/space_energy/tetrahedron_terms.hpp"
 #include "tests/support/space_cells.hpp"
 #include "tests/support/space_families.hpp"
 #include "tests/support/space_laws.hpp"

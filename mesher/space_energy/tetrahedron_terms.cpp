@@ -1,4 +1,4 @@
-#include "mesher/space/tetrahedron_terms.hpp"
+#include "mesher/space_energy/tetrahedron_terms.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
