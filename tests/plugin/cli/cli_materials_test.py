@@ -131,7 +131,7 @@ class Names(CliTest):
     def sets(self, stem):
         """The names of all sets, groups, patches and zones in the files of a run."""
         text = self.path(f"{stem}.inp").read_text() if self.path(f"{stem}.inp").exists() else ""
-        found = re.findall(r"^\*(?:NODE|ELEMENT|NSET|ELSET|SURFACE|ORIENTATION)\b.*?(?:[NE]SET|NAME)=([\w-]+)", text, re.M)
+        found = re.findall(r"^\*(?:NODE|ELEMENT|NSET|ELSET|SURFACE|ORIENTATION)\b.*?(?:NSET|ELSET|NAME)=([\w-]+)", text, re.M)
         text = self.path(f"{stem}.msh").read_text()
         found += re.findall(r'^\d+ \d+ "(.+)"$', text.split("$PhysicalNames", 1)[1].split("$End", 1)[0], re.M)
         for part in ("boundary", "cellZones"):
