@@ -112,7 +112,8 @@ class LayoutProof {
         if (text(document_.entry("nodes", 0), "name") != "tile")
             throw_bad("node 0 is not the tile");
         const Json& translation = GltfDocument::member(document_.entry("nodes", 0), "translation");
-        if (translation.size() == 3 && translation[2] != 0) {
+        if (translation.size() == 3 &&
+            !(translation[2].is_number() && translation[2].get<double>() == 0)) {
             throw_bad("the tile is moved along z");
         }
         const Json& nodes = GltfDocument::member(document_.entry("scenes", 0), "nodes");
