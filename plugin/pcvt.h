@@ -484,7 +484,7 @@ typedef struct pcvt_write_options {
                               line ends between them; without phases the name is GRAINS; "same":
                               all phases are the same steel, or with orientations iron, in MPa.
                               A job with two phases needs it [NULL] */
-    double coriolis[2]; /**< of .nc: the parameter coriolis[0] + coriolis[1] y [0, 0: none] */
+    double coriolis[2];    /**< of .nc: the parameter coriolis[0] + coriolis[1] y [0, 0: none] */
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */

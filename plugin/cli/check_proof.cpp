@@ -276,7 +276,8 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
     content = content_of(file.tile.walls);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
     const TileProof proof = prove_seam_and_fields(format, files, file);
-    if (file.translation != Vec2::Zero()) file.tile = moved_by(std::move(file.tile), file.translation);
+    if (file.translation != Vec2::Zero())
+        file.tile = moved_by(std::move(file.tile), file.translation);
     std::string line = path + ": " + described(file.tile.walls) + std::to_string(proof.n_vertices) +
                        " vertices, " + std::to_string(proof.n_faces) + " faces, " +
                        seam_text(proof) + glued_text(file.tile, proof) + ", " + "area " +

@@ -87,9 +87,8 @@ TEST(ProveTile, AToleranceDoesNotMergeVertices) {
     Tile close = grid_tile(kSquare, 200, 2);
     EXPECT_NO_THROW(prove_tile(close, Precision::kDouble, 9e-4));
     close.points[1].x() = 8e-4;
-    EXPECT_THAT(
-        [&] { prove_tile(close, Precision::kDouble, 9e-4); },
-        ::testing::ThrowsMessage<NotATile>(HasSubstr("coincide")));
+    EXPECT_THAT([&] { prove_tile(close, Precision::kDouble, 9e-4); },
+                ::testing::ThrowsMessage<NotATile>(HasSubstr("coincide")));
 }
 
 TEST(ProveTile, GridsOfAnyLatticeAreProvedWithTheirPairs) {
