@@ -179,6 +179,14 @@ std::string seam_text(const PolyhedralProof& proof) {
            (proof.boundary_is_manifold ? "" : "; the boundary touches itself");
 }
 
+Eigen::ArrayXXd lattice_coordinates(const SpaceLattice& lattice, const Points3& points) {
+    Eigen::ArrayXXd coordinates(3, points.cols());
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        coordinates.col(s) = lattice.to_lattice(points.col(s));
+    }
+    return coordinates;
+}
+
 }  // namespace
 
 bool means_space(const MeshOptions& options) {
@@ -203,12 +211,10 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
 }
 
 std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary) {
-    Eigen::ArrayXXd periods(3, job.points.cols());
-    for (Eigen::Index s = 0; s < job.points.cols(); ++s) {
-        periods.col(s) = job.lattice.to_lattice(job.points.col(s));
-    }
+    const Eigen::ArrayXXd given = lattice_coordinates(job.lattice, job.points);
+    const Eigen::ArrayXXd reduced = lattice_coordinates(reduce(job.lattice).reduced, job.points);
     std::string text = summary_line(
-        "sites", std::to_string(summary.n_sites) + domain_note(job.points.array(), periods));
+        "sites", std::to_string(summary.n_sites) + domain_note(job.points.array(), given, reduced));
     if (job.duplicates == Duplicates::kDrop) text += duplicates_line(job.dropped);
     text +=
         summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()) +

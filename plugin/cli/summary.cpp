@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "mesher/lattice/domain.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
@@ -29,12 +30,25 @@ std::string valence_text(const RunSummary& summary) {
     return text;
 }
 
-std::string site_text(const Job& job, const RunSummary& summary) {
-    Eigen::ArrayXXd periods(2, job.points.cols());
-    for (Eigen::Index s = 0; s < job.points.cols(); ++s) {
-        periods.col(s) = job.lattice.to_lattice(job.points.col(s) - job.origin);
+/// The number of sites outside of the domain.
+Eigen::Index n_outside(const Eigen::ArrayXXd& periods) {
+    return (periods < -kDomainMargin || periods > 1 + kDomainMargin).colwise().any().count();
+}
+
+Eigen::ArrayXXd lattice_coordinates(const Points& points, const Lattice& lattice,
+                                    const Vec2& corner) {
+    Eigen::ArrayXXd coordinates(2, points.cols());
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        coordinates.col(s) = lattice.to_lattice(points.col(s) - corner);
     }
-    return std::to_string(summary.n_sites) + domain_note(job.points.array(), periods);
+    return coordinates;
+}
+
+std::string site_text(const Job& job, const RunSummary& summary) {
+    const Domain domain(job.lattice, job.origin);
+    return std::to_string(summary.n_sites) +
+           domain_note(job.points.array(), lattice_coordinates(job.points, job.lattice, job.origin),
+                       lattice_coordinates(job.points, domain.basis(), domain.corner()));
 }
 
 std::string grain_text(const GrainFigures& grains) {
@@ -200,16 +214,16 @@ std::string duplicates_line(const DroppedSites& dropped) {
                                           (n == 0 ? "" : ", which coincide: " + lines));
 }
 
-std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& periods) {
-    const auto n = periods.cols();
+std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& given,
+                        const Eigen::ArrayXXd& reduced) {
+    const auto n = points.cols();
     if (n == 0) return {};
-    const auto n_outside =
-        (periods < -kDomainMargin || periods > 1 + kDomainMargin).colwise().any().count();
-    if (n_outside > 0) {
-        const std::string text = "; " + std::to_string(n_outside) +
+    const Eigen::ArrayXXd& periods = n_outside(reduced) < n_outside(given) ? reduced : given;
+    if (const Eigen::Index outside = n_outside(periods); outside > 0) {
+        const std::string text = "; " + std::to_string(outside) +
                                  " of the file lie outside of the domain and count modulo the "
                                  "lattice";
-        return 2 * n_outside > n ? text + ": --period or --lattice may be wrong" : text;
+        return 2 * outside > n ? text + ": --period or --lattice may be wrong" : text;
     }
     const Eigen::ArrayXd extent = periods.rowwise().maxCoeff() - periods.rowwise().minCoeff();
     const bool in_unit = points.minCoeff() >= 0 && points.maxCoeff() <= 1;

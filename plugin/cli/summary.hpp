@@ -16,8 +16,11 @@ std::string duplicates_line(const DroppedSites& dropped);
 /// What the positions of given sites say about the domain: how many lie outside of it, or that all
 /// are fractional coordinates by their looks; empty where nothing is noteworthy.
 /// @param points   d x n, length units; no column: no site was given.
-/// @param periods  the same in lattice coordinates, from the corner of the domain.
-std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& periods);
+/// @param given    the same in lattice coordinates, from the corner of the domain.
+/// @param reduced  the same for the reduced vectors, in whose box pcvt writes sites. The domain is
+///                 the box that holds more of them.
+std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& given,
+                        const Eigen::ArrayXXd& reduced);
 
 /// The line that says whether the result is a minimum.
 std::string minimum_line(const std::optional<Minimum>& minimum);
