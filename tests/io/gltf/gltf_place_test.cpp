@@ -8,6 +8,7 @@
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
 #include "io/tile_formats.hpp"
+#include "tests/support/example_lattices.hpp"
 #include "tests/support/glb.hpp"
 #include "tests/support/grid_tile.hpp"
 
@@ -16,8 +17,7 @@ namespace {
 
 using testing::Glb;
 using ::testing::HasSubstr;
-
-const Lattice kOblique({1, 0}, {0.37, 0.81});
+using testing::kOblique;
 
 /// A grid whose lower left corner lies at whole periods from 0.
 Tile distant_grid(const Lattice& lattice, double i, double j) {
@@ -28,7 +28,7 @@ std::vector<EncodedFile> encoded(const Tile& tile) { return encode_glb(tile, {},
 
 /// The fault of the file of a distant grid that states its sites, with the entry of its JSON
 /// replaced.
-std::string fault_with(const std::string& pointer, const nlohmann::json& value) {
+std::string distant_fault(const std::string& pointer, const nlohmann::json& value) {
     Tile tile = distant_grid(kOblique, 20, -30);
     tile.columns = tile.rows = 1;
     Glb parts = testing::split_glb(encoded(tile).front().bytes);
@@ -77,13 +77,14 @@ TEST(GltfPlace, DistantTilesAreProved) {
 }
 
 TEST(GltfPlace, OtherTranslationsAreRefused) {
-    EXPECT_EQ(fault_with("/nodes/0/name", "tile"), "");
-    EXPECT_THAT(fault_with("/nodes/0/translation/0", 0.25), HasSubstr("whole periods"));
-    EXPECT_THAT(fault_with("/nodes/0/translation/2", 1), HasSubstr("along z"));
-    EXPECT_THAT(fault_with("/nodes/0/translation", {1, 2}), HasSubstr("not [x, y, z]"));
-    EXPECT_THAT(fault_with("/nodes/0/translation/1", "far"), HasSubstr("not [x, y, z]"));
-    EXPECT_THAT(fault_with("/nodes/2/translation", {1, 0, 0}), HasSubstr("different translations"));
-    EXPECT_THAT(fault_with("/nodes/0/scale", {1, 1, 2}), HasSubstr("'scale'"));
+    EXPECT_EQ(distant_fault("/nodes/0/name", "tile"), "");
+    EXPECT_THAT(distant_fault("/nodes/0/translation/0", 0.25), HasSubstr("whole periods"));
+    EXPECT_THAT(distant_fault("/nodes/0/translation/2", 1), HasSubstr("along z"));
+    EXPECT_THAT(distant_fault("/nodes/0/translation", {1, 2}), HasSubstr("not [x, y, z]"));
+    EXPECT_THAT(distant_fault("/nodes/0/translation/1", "far"), HasSubstr("not [x, y, z]"));
+    EXPECT_THAT(distant_fault("/nodes/2/translation", {1, 0, 0}),
+                HasSubstr("different translations"));
+    EXPECT_THAT(distant_fault("/nodes/0/scale", {1, 1, 2}), HasSubstr("'scale'"));
 }
 
 }  // namespace

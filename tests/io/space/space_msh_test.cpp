@@ -45,7 +45,7 @@ TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
 TEST(SpaceMsh, TiesEachNodeByAnyOfItsLinksAndBySurfacesAlone) {
     for (const auto& [name, mesh] : testing::tetrahedra_cases()) {
         SCOPED_TRACE(name);
-        testing::expect_orbits(encoded(mesh).bytes, prove_tetrahedra(mesh).n_sites);
+        testing::expect_orbits(encoded_msh(mesh).bytes, prove_tetrahedra(mesh).n_sites);
     }
 }
 
@@ -62,7 +62,7 @@ std::vector<int> first_numbers(const std::string& msh, const std::string& sectio
 
 TEST(SpaceMsh, GroupsAllElementsAndListsSitesInTheOrderOfNodes) {
     const TetrahedralMesh mesh = testing::random_tetrahedra(30);
-    const std::string msh = encoded(mesh).bytes;
+    const std::string msh = encoded_msh(mesh).bytes;
     // The rows of $Nodes with one word are the numbers of the nodes.
     std::istringstream text(msh.substr(msh.find("$Nodes\n")));
     std::vector<int> nodes;

@@ -77,12 +77,9 @@ static void reserved_fields_are_zero(void) {
     pcvt_result* result = generated(&options);
     memset(&how, 0, sizeof how);
     how.struct_size = sizeof how;
-    how.reserved = 1;
-    CHECK(pcvt_write(result, "reserved.obj", &how) == PCVT_ERROR_ABI);
-    CHECK(strstr(pcvt_last_error(), "does not know") != NULL);
-    how.reserved = 0;
     how.reserved2 = 1;
     CHECK(pcvt_write(result, "reserved.obj", &how) == PCVT_ERROR_ABI);
+    CHECK(strstr(pcvt_last_error(), "does not know") != NULL);
     pcvt_free(result);
     options.reserved = 1;
     REFUSED(&options, PCVT_ERROR_ABI, "does not know");
