@@ -24,7 +24,8 @@ constexpr const char* kForeign[] = {"--seed",      "--input",          "--start"
                                     "--tolerance", "--max-iterations", "--strict", "--budget",
                                     "--density",   "--density-range",  "--areas",  "--retry",
                                     "--stability", "--symmetry",       "--walls",  "--wall-cells",
-                                    "--fixed",     "--inclusions",     "--fibres", "--hole"};
+                                    "--fixed",     "--inclusions",     "--fibres", "--hole",
+                                    "--duplicates"};
 
 void require_pattern_options(const CLI::App& app) {
     for (const char* name : kForeign) {

@@ -161,8 +161,10 @@ static void values_out_of_range_are_refused(void) {
     options.lattice[2] = 1, options.lattice[3] = 0;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "parallel");
     options = options_for(1 << 28);
-    options.columns = 1 << 20;
+    options.columns = 1 << 10;
     REFUSED(&options, PCVT_ERROR_MEMORY, "cells");
+    options.columns = 1 << 20;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "more than 10000 periods in a row");
 }
 
 /* Each field of pcvt_options alone, with values that no run has. */

@@ -63,7 +63,7 @@ class Pattern(CliTest):
     def test_options_of_the_optimiser_are_refused(self):
         for option in ("--seed", "--input", "--solver", "--tolerance", "--max-iterations",
                        "--start", "--density", "--areas", "--symmetry", "--walls", "--wall-cells", "--fixed",
-                       "--inclusions", "--fibres", "--hole"):
+                       "--inclusions", "--fibres", "--hole", "--duplicates"):
             self.refuse(2, option + " is not for pattern.*; leave it out", "pattern", "--sites", 3,
                         option, 1)
         self.refuse(2, "--period auto is not for pattern", "pattern", "--sites", 3, "--period", "auto")
@@ -79,7 +79,7 @@ class Pattern(CliTest):
                   "--order": (2, "--mesh", "grains", "-o", "t.msh"), "--short-edges": (0.1,), "--repeat": ("2x1",), "-o": ("t.obj",),
                   "--colour": ("size", "-o", "t.svg"), "--background": ("none", "-o", "t.svg"), "--glb-nodes": ("one", "-o", "t.glb"),
                   "--float32": ("-o", "t.ply"), "--pixels": (16, "-o", "t.png"), "--voxels": ("8,8", "-o", "t.vti"),
-                  "--cut": (10, "-o", "t.dxf"), "--element": ("CPS", "--mesh", "grains", "-o", "t.inp"),
+                  "--cut": (10, "-o", "t.dxf"), "--coriolis": ("1e-4", "-o", "t.nc"), "--element": ("CPS", "--mesh", "grains", "-o", "t.inp"),
                   "--job": ("elastic", "--mesh", "grains", "-o", "t.inp"), "--thickness": (0.1, "-o", "t.foam"),
                   "--surface": ("cells", "--period", "1,1,1", "-o", "t.obj"), "--cells": ("t.csv",), "--report": ("r.json",),
                   "--force": (), "--quiet": (), "--help": ()}
@@ -131,7 +131,7 @@ class SpacePattern(CliTest):
     def test_options_are_refused(self):
         self.refuse(2, "--seed is not for pattern.*; leave it out", "pattern", "--sites", 3,
                     "--period", "1,1,1", "--seed", 1)
-        self.refuse(2, "--symmetry is not for three dimensions", "pattern", "--sites", 3,
+        self.refuse(2, "--symmetry is not for pattern", "pattern", "--sites", 3,
                     "--period", "1,1,1", "--symmetry", "p4m")
         self.refuse(2, "no sites; give --sites N$", "pattern", "--period", "1,1,1")
         self.refuse(4, "the lattices of 1000000 cells are more than", "pattern", "--sites", 1000000,

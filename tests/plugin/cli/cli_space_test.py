@@ -251,7 +251,7 @@ class Tetrahedra(CliTest):
             self.succeed("mesh", "--sites", 20, *words, "-o", f"{name}.msh")
             out = self.succeed("check", f"{name}.msh")
             self.assertRegex(out, rf"^{name}\.msh: a periodic tile of tetrahedra: \d+ of 20 sites, .* in \d+ pairs, "
-                                  "Euler characteristic 0 after gluing, volume ")
+                                  r"periodic within 0 \(tolerance \S+\), Euler characteristic 0 after gluing, volume ")
 
     def test_vtu_is_proved_and_checked(self):
         for name, words in LATTICES.items():
