@@ -165,11 +165,12 @@ TEST(ShortSpaceEdges, LeaveCellsWithTheVolumesOfFiniteVolumeSolvers) {
     double bent = 0;
     double sum = 0;
     const std::vector<CellBody> bodies = cell_bodies(mesh);
+    const CellFaces faces_of_cells(mesh);
     for (std::size_t s = 0; s < bodies.size(); ++s) {
         EXPECT_NEAR(bodies[s].volume / volumes[s], 1, 1e-12);
         sum += bodies[s].volume;
         PyramidSum fans(mesh.points[mesh.faces[0][0]]);
-        for (const auto& [face, reversed] : CellFaces(mesh)[int(s)]) {
+        for (const auto& [face, reversed] : faces_of_cells[int(s)]) {
             std::vector<Vec3> corners;
             for (const int v : mesh.faces[face]) corners.push_back(mesh.points[v]);
             fans.add(corners, reversed ? -1 : 1);

@@ -160,7 +160,7 @@ class Names(CliTest):
                               "BACK", "DOMAIN"}, set(kinds))
         for name in kinds.values():
             words = rf"{name} has the name of a set in files \({name.lower()}, .*\); rename it"
-            self.refuse(2, "the phase " + words, "mesh", "--sites", 12, "--phases", f"{name}:0.1,soft:0.4,hard:0.3,fibre:0.2")
+            self.refuse(2, "the phase " + words, "mesh", "--sites", 12, "--phases", f"{name}:0.1,soft:0.3,hard:0.2,fibre:0.2,matrix:0.2")
             self.write("shapes.txt", f"circle fibre 0.2 0.2 0.1\ncircle soft 0.2 0.7 0.1\ncircle hard 0.7 0.7 0.1\n"
                                      f"circle {name} 0.7 0.2 0.1\n")
             self.refuse(2, r"shapes\.txt:4: the tag " + words, "mesh", "--sites", 900, "--inclusions", "shapes.txt")

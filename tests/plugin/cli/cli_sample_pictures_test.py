@@ -118,8 +118,8 @@ class Pictures(CliTest):
         for case_name in ("none", "job.inp"):
             self.expect_refusal("flow_picture", (self.path(case_name), "last"), f"{case_name}: there is no such folder")
         for step in ("0", "2", "one", "-1"):
-            self.expect_refusal("stress_picture", (job, data, step), f"job.dat: it has no step '{step}'; give a number from 1 to 1")
-        self.expect_refusal("flow_picture", (case, "7"), "case.foam: it has no time '7' .*; give one of: 0 0.5")
+            self.expect_refusal("stress_picture", (job, data, step), f"job.dat: it has no step '{step}'")
+        self.expect_refusal("flow_picture", (case, "7"), "case.foam: it has no time '7' ")
         for text, words in (("format binary;", "it is binary"), ("internalField uniform (1 2);", "'1 2' is not 3 numbers"),
                             ("internalField uniform (nan 0 0);", "not finite"), ("internalField uniform 3;", "no internalField of vectors"),
                             ("internalField nonuniform List<vector> 2((1 2 3)(4 5 6));", "2 vectors, but the mesh 12 cells")):
