@@ -6,7 +6,7 @@
 namespace pcvt {
 
 void require_foam_path(const std::string& path) {
-    if (path.find_first_of(" \t\n\v\f\r'\"") == std::string::npos) return;
+    if (path.find_first_of(" '\"") == std::string::npos) return;
     throw InvalidInput(
         "OpenFOAM leaves blanks and quotes out of paths, so it would not find this case; take a "
         "path without them");

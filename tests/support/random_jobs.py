@@ -26,7 +26,8 @@ FOREIGN = (("--density", "1 + u"), ("--areas", "gamma:0.3"), ("--aspect", "2,30"
            ("--pixels", "40"), ("--cut", "30"), ("--thickness", "0.1"), ("--background", "#ffffff"), ("--float32",),
            ("--glb-nodes", "one"), ("--density-range", "1,2"), ("--origin", "auto"), ("--repeat", "2x1"), ("--strict",),
            ("--sites", "3"), ("--period", "1,1"), ("--lattice", "1,0,0,1"), ("--mesh", "delaunay"), ("--outline", "box"),
-           ("--period", "auto"), ("--material", "a:210000,0.3"), ("--duplicates", "drop"), ("--no-such-option",), ("stray",), ("--colour", "orbit"), ("--short-edges", "0.1"), ("--cells", "cells.csv"))
+           ("--period", "auto"), ("--material", "a:210000,0.3"), ("--duplicates", "drop"), ("--coriolis", "1e-4"),
+           ("--no-such-option",), ("stray",), ("--colour", "orbit"), ("--short-edges", "0.1"), ("--cells", "cells.csv"))
 
 
 @dataclasses.dataclass
@@ -268,7 +269,7 @@ def file_choices(job, formats):
         "--pixels": (("png",), (1, 64, 333), ("-1",)), "--voxels": (("vti",), ("4,4", "16,8"), ("1,1",)),
         "--cut": (("dxf",), (50,), ("0",)), "--element": (("inp",), ("CPE", "CPS"), ("C3D4",)),
         "--job": (("inp",), ("elastic",), ("plastic",)), "--thickness": (("foam",), (0.1 * job.unit,), ("1e-30",)),
-        "--retry": (("nc",), (1, 5), ("-1",))}
+        "--retry": (("nc",), (1, 5), ("-1",)), "--coriolis": (("nc",), ("1e-4", "0,2e-11"), ("x", "1,2,3"))}
     for option, (needed, good, bad) in options.items():
         if set(needed).intersection(formats) and job.often(0.25):
             job.add(option, job.pick(good, bad))

@@ -164,7 +164,7 @@ static void values_out_of_range_are_refused(void) {
     options.columns = 1 << 10;
     REFUSED(&options, PCVT_ERROR_MEMORY, "cells");
     options.columns = 1 << 20;
-    REFUSED(&options, PCVT_ERROR_ARGUMENT, "more than 10000 periods in a row");
+    REFUSED(&options, PCVT_ERROR_MEMORY, "more than 10000 periods in a row");
 }
 
 /* Each field of pcvt_options alone, with values that no run has. */

@@ -69,7 +69,8 @@ class OtherPrograms(CliTest):
 
     def test_tiles_in_space_have_a_tolerance_too(self):
         for mesh, kind in (("voronoi", "polyhedra"), ("delaunay", "tetrahedra")):
-            self.mesh("--sites", 12, "--lattice", "1,0,0,0.3,0.9,0,0.2,0.4,0.8", "--mesh", mesh, "-o", "t.vtu")
+            self.mesh("--sites", 12, "--lattice", "1,0,0,0.31415926535898,0.9,0,0.27182818284590,0.4,0.8",
+                      "--mesh", mesh, "-o", "t.vtu")
             self.assertRegex(self.succeed("check", "t.vtu"), rf"of {kind}: .*periodic within \S+ \(tolerance \S+\)")
             head, points, rest = re.split(r"(<Points>.*?</Points>)", self.path("t.vtu").read_text(), flags=re.S)
             text = head + rounded(points, 10, r"[-\d]") + rest

@@ -79,7 +79,7 @@ class Pattern(CliTest):
                   "--order": (2, "--mesh", "grains", "-o", "t.msh"), "--short-edges": (0.1,), "--repeat": ("2x1",), "-o": ("t.obj",),
                   "--colour": ("size", "-o", "t.svg"), "--background": ("none", "-o", "t.svg"), "--glb-nodes": ("one", "-o", "t.glb"),
                   "--float32": ("-o", "t.ply"), "--pixels": (16, "-o", "t.png"), "--voxels": ("8,8", "-o", "t.vti"),
-                  "--cut": (10, "-o", "t.dxf"), "--coriolis": ("1e-4", "-o", "t.nc"), "--element": ("CPS", "--mesh", "grains", "-o", "t.inp"),
+                  "--cut": (10, "-o", "t.dxf"), "--coriolis": ("1e-4", "-o", "t.nc", "--repeat", "4x4"), "--element": ("CPS", "--mesh", "grains", "-o", "t.inp"),
                   "--job": ("elastic", "--mesh", "grains", "-o", "t.inp"), "--thickness": (0.1, "-o", "t.foam"),
                   "--surface": ("cells", "--period", "1,1,1", "-o", "t.obj"), "--cells": ("t.csv",), "--report": ("r.json",),
                   "--force": (), "--quiet": (), "--help": ()}

@@ -70,7 +70,7 @@ class CaseFolder(CliTest):
                     "-o", "u.obj")
 
     def test_paths_that_openfoam_cannot_open_are_refused(self):
-        for path in ("my case.foam", "my folder/case.foam", "it's.foam", 'a"b.foam', "tab\t.foam"):
+        for path in ("my case.foam", "my folder/case.foam", "it's.foam", 'a"b.foam'):
             for period in ("1,1", "1,1,1"):
                 self.refuse(2, "-o .*: OpenFOAM leaves blanks and quotes out of paths", "mesh", "--sites", 30, "--period",
                             period, "-o", path)
@@ -161,7 +161,8 @@ class CGrid(CliTest):
         report = json.loads(self.path("r.json").read_text())
         self.assertEqual(report["seed"], seed + 2)
         self.assertEqual(report["files"], ["t.nc", "t.graph.info", "s.txt"])
-        retried = {name: data for name, data in self.contents().items() if name != "r.json"}
+        # The history in t.nc states the command.
+        retried = {name: data for name, data in self.contents().items() if name not in ("r.json", "t.nc")}
         self.succeed(*self.HARD, "--seed", seed + 2, "--force")
         self.assertEqual({name: self.contents()[name] for name in retried}, retried)
 

@@ -61,16 +61,15 @@ class Floats(CliTest):
 
     def test_a_distant_origin_is_refused_where_floats_cannot_move(self):
         self.refuse(2, r"-o t\.ply: 32-bit floats do not resolve cells that are so small beside their coordinates; take an "
-                    "origin nearer to 0", "mesh", "--sites", 1000000, "--origin", "9e6,0", *outputs("ply"), "--float32")
+                    "origin nearer to 0", "mesh", "--sites", 1000000, "--origin", "1e3,0", *outputs("ply"), "--float32")
 
     def test_the_other_files_of_the_run_are_written(self):
-        self.write("pair.txt", "0.5 0.5\n0.50000001 0.5\n0.2 0.3\n0.7 0.9\n")
-        done = self.run_pcvt("mesh", "--input", "pair.txt", "--max-iterations", 0, *outputs("glb", "obj", "gltf"), "--report",
-                             "r.json", "--quiet")
+        done = self.run_pcvt("mesh", "--sites", 30, "--period", "1,1e-4", *outputs("glb", "obj", "gltf"), "--report", "r.json",
+                             "--quiet")
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr.decode(), r"^pcvt: t\.glb: the format's single precision is too coarse for this tile; take "
                          r"another format; so for t\.gltf; the other files are written\n$")
-        self.assertEqual(sorted(self.contents()), ["pair.txt", "r.json", "t.mtl", "t.obj", "t.seam.json"])
+        self.assertEqual(sorted(self.contents()), ["r.json", "t.mtl", "t.obj", "t.seam.json"])
         self.assertEqual(json.loads(self.contents()["r.json"])["files"], ["t.obj", "t.mtl", "t.seam.json"])
         self.succeed("check", "t.obj")
 
@@ -79,7 +78,7 @@ class DistantTiles(CliTest):
     def test_the_node_of_the_tile_has_the_translation(self):
         near = self.origin("3,-2")
         self.assertNotIn("translation", near)
-        for origin in ("20,20", "-25,0", "0,150", "9000,9000", "1e7,-3e6"):
+        for origin in ("20,20", "-25,0", "0,150", "9000,9000", "2e4,-3e4"):
             with self.subTest(origin=origin):
                 node = self.origin(origin)
                 for stated, wanted in zip(node["translation"], (*map(float, origin.split(",")), 0)):
@@ -91,14 +90,6 @@ class DistantTiles(CliTest):
                          *outputs("glb", "gltf"), "--force")
             self.succeed("check", "t.glb", "t.gltf")
         return node_of_tile(self.contents()["t.glb"])
-
-    def test_all_else_is_that_of_the_tile_near_the_origin(self):
-        run = ("mesh", "--sites", 60, "--lattice", "1,0.25,0.5,1", "--outline", "box", "--areas", "gamma:0.3", *outputs("glb"))
-        self.succeed(*run)
-        near = self.contents()["t.glb"]
-        self.succeed(*run, "--origin", "40,10", "--force")
-        distant = self.contents()["t.glb"]
-        self.assertEqual(near[-4000:], distant[-4000:])
 
     def test_projected_coordinates_and_a_case_in_one_run(self):
         self.succeed("mesh", "--sites", 200, "--period", "100,100", "--origin", "448200.5,4649776.25", "--short-edges", 0.15,
