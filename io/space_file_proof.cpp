@@ -69,9 +69,9 @@ bool is_own_vtu(const EncodedFile& file) {
     return is_vtu(file) && file.bytes.find(kSpaceVtuMark) != std::string::npos;
 }
 
-SpaceTile decode(const std::vector<EncodedFile>& files) {
-    if (is_space_case(files)) return decode_space_foam(files);
-    if (is_vtu(files.front())) return decode_space_vtu(files.front());
+SpaceTile decode(const std::vector<EncodedFile>& files, double tolerance) {
+    if (is_space_case(files)) return decode_space_foam(files, tolerance);
+    if (is_vtu(files.front())) return decode_space_vtu(files.front(), tolerance);
     return std::get<SpaceTile>(decode_surfaces(files.front()));
 }
 
@@ -105,7 +105,7 @@ bool holds_same(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
 }  // namespace
 
 SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double tolerance) {
-    SpaceFileProof result{.tile = decode(files), .proof = {}, .sites = {}};
+    SpaceFileProof result{.tile = decode(files, tolerance), .proof = {}, .sites = {}};
     const SpaceTile& tile = result.tile;
     result.proof = prove_polyhedra(tile.mesh, tolerance);
     if (tile.sites.cols() > 0) result.sites = prove_cell_sites(tile.mesh, tile.sites);

@@ -124,19 +124,6 @@ class Gluing {
     int n_faces_;
 };
 
-/// The pairs of the seam. A file whose sides agree less closely states how far.
-std::vector<FacePair> proven_pairs(const PolyhedralMesh& mesh, double tolerance) {
-    try {
-        return seam_pairs(mesh, tolerance);
-    } catch (const NotATile& fault) {
-        const double mismatch = stated_mismatch(mesh);
-        if (!(mismatch > tolerance)) throw;
-        throw SeamMismatch(fault.what() + std::string("; the stated images are off by up to ") +
-                               in_words(mismatch),
-                           mismatch);
-    }
-}
-
 /// The stored orbits are those of the gluing, and each point is its representative plus a
 /// translation.
 void prove_orbits(const PolyhedralMesh& mesh, DisjointSets& glued, double tolerance) {
@@ -157,7 +144,7 @@ void prove_orbits(const PolyhedralMesh& mesh, DisjointSets& glued, double tolera
 
 }  // namespace
 
-double stated_mismatch(const PolyhedralMesh& mesh) {
+double largest_mismatch(const PolyhedralMesh& mesh) {
     double largest = 0;
     for (int v = 0; v < mesh.n_points(); ++v) {
         const int first = mesh.point_orbit[v];
@@ -174,7 +161,7 @@ PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh, double least_toleran
                  least_tolerance);
     prove_face_order(mesh);
     const double volume = prove_cells(mesh, tolerance);
-    const std::vector<FacePair> pairs = proven_pairs(mesh, tolerance);
+    const std::vector<FacePair> pairs = seam_pairs(mesh, tolerance);
     prove_patches(mesh, pairs);
     Gluing gluing(mesh, pairs);
     if (const long characteristic = gluing.characteristic(mesh.n_cells); characteristic != 0) {
@@ -193,7 +180,7 @@ PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh, double least_toleran
             .n_translations = static_cast<int>(mesh.patches.size()) / 2,
             .volume = volume,
             .tolerance = tolerance,
-            .mismatch = stated_mismatch(mesh),
+            .mismatch = largest_mismatch(mesh),
             .boundary_is_manifold = boundary_is_manifold(mesh)};
 }
 

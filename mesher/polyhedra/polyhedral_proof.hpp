@@ -23,7 +23,7 @@ struct PolyhedralProof {
 
 /// The largest distance of a point from its stated representative plus the stated translation, in
 /// one coordinate: how far a file is rounded.
-double stated_mismatch(const PolyhedralMesh& mesh);
+double largest_mismatch(const PolyhedralMesh& mesh);
 
 /// Proves the laws of PolyhedralMesh from positions and period vectors alone: the pairs of boundary
 /// faces are found again from their positions and then compared with the patches. Positions may
