@@ -13,6 +13,8 @@ BAR_HEIGHT = 70
 TICKS = 5
 # Of quantities that are not 0 in any other unit either.
 SMALLEST = 1e-300
+# Of a count or number of points.
+MOST_DIGITS = 12
 
 
 class BadFile(Exception):
@@ -28,7 +30,12 @@ def text_of(path, remedy):
     except OSError as error:
         raise BadFile(path, error.strerror or error, remedy) from None
     except ValueError:
-        raise BadFile(path, "this is no text file, but a compressed or binary one", remedy) from None
+        raise BadFile(path, "this is no text file in UTF-8, but compressed, binary or in another encoding", remedy) from None
+
+
+def is_count(word):
+    """Tells whether int() takes the word and it has no sign; str.isdigit alone accepts '²' and any length."""
+    return word.isascii() and word.isdigit() and len(word) <= MOST_DIGITS
 
 
 def numbers_of(words, n, path, remedy):
@@ -62,8 +69,11 @@ def colour(colours, t):
     return "#" + "".join(f"{round(p + (t - k) * (q - p)):02x}" for p, q in zip(colours[k], colours[k + 1]))
 
 
-def scale_bar(title, colours, largest, digits, top):
-    """Returns a colour bar with the values at its ticks, and the title of the quantity."""
+def scale_bar(title, colours, largest, digits, top, is_exceeded):
+    """Returns a colour bar with the values at its ticks, and the title of the quantity.
+
+    is_exceeded  whether values are above the last tick
+    """
     steps, left, width, height = 64, 20, WIDTH - 40, 14
     lines = [f'<text x="{left}" y="{top + 18}">{title}</text>']
     for k in range(steps):
@@ -71,9 +81,10 @@ def scale_bar(title, colours, largest, digits, top):
                      f'height="{height}" fill="{colour(colours, (k + 0.5) / steps)}"/>')
     for k in range(TICKS):
         share = k / (TICKS - 1)
+        sign = "≥ " if is_exceeded and k == TICKS - 1 else ""
         anchor = "start" if k == 0 else "end" if k == TICKS - 1 else "middle"
         lines.append(f'<text x="{left + width * share:.1f}" y="{top + 28 + height + 18}" '
-                     f'text-anchor="{anchor}">{share * largest:.{digits}g}</text>')
+                     f'text-anchor="{anchor}">{sign}{share * largest:.{digits}g}</text>')
     return lines
 
 
@@ -117,7 +128,8 @@ class Picture:
         lines.append("</g></defs>")
         lines += [f'<use href="#tile" x="{self.scale * x:.2f}" y="{-self.scale * y:.2f}"/>' for x, y in self.shifts]
         lines.append('<g class="ink" font-family="sans-serif" font-size="15" fill="#1c1f26">')
-        return "\n".join([*lines, *scale_bar(quantity, colours, largest, digits, self.bottom), "</g>", "</svg>", ""])
+        bar = scale_bar(quantity, colours, largest, digits, self.bottom, max(self.values) > largest)
+        return "\n".join([*lines, *bar, "</g>", "</svg>", ""])
 
 
 def run(draw, usage, n_arguments):

@@ -77,6 +77,19 @@ RunSummary run_file(Job& job, const SiteFile& file, bool quiet) {
     return run_distinct(job, file, quiet);
 }
 
+/// Requires that no site is dropped whose area the period holds.
+void require_all_sites(Job& job) {
+    if (job.duplicates != Duplicates::kDrop) return;
+    settle_duplicates(job);
+    const auto n = static_cast<int>(job.dropped.sites.size());
+    if (n == 0) return;
+    throw InvalidInput("--period auto takes the areas of all sites, but " + std::to_string(n) +
+                       (n == 1 ? " of them coincides with an earlier one; remove it from the file "
+                                 "of sites, and its area"
+                               : " of them coincide with earlier ones; remove them from the file "
+                                 "of sites, and their areas"));
+}
+
 void print_summary(const Job& job, const RunSummary& summary) {
     const bool has_files = !summary.files.empty() || !job.report.empty();
     const auto text = [&] { return summary_text(job, summary) + memory_line(job); };
@@ -128,6 +141,7 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
         job.points = file.points;
         job.lines = file.lines;
         read_area_file(job);
+        if (options.period == "auto" && job.areas) require_all_sites(job);
         summary = run_file(job, file, options.quiet);
     }
     if (summary.run.stop == Stop::kCancelled) return report_cancelled();

@@ -215,7 +215,8 @@ std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary)
     const Eigen::ArrayXXd reduced = lattice_coordinates(reduce(job.lattice).reduced, job.points);
     std::string text = summary_line(
         "sites", std::to_string(summary.n_sites) + domain_note(job.points.array(), given, reduced));
-    if (job.duplicates == Duplicates::kDrop) text += duplicates_line(job.dropped);
+    if (job.duplicates == Duplicates::kDrop)
+        text += duplicates_line(job.dropped, job.points.cols());
     text +=
         summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()) +
                                     " " + vector_text(job.lattice.c()));

@@ -206,12 +206,14 @@ std::string summary_line(const char* label, const std::string& text) {
     return head + text + "\n";
 }
 
-std::string duplicates_line(const DroppedSites& dropped) {
+std::string duplicates_line(const DroppedSites& dropped, Eigen::Index n_kept) {
     const auto n = static_cast<int>(dropped.sites.size());
     const std::string lines =
         coincidence_list(dropped.lines, [](int line) { return "line " + std::to_string(line); });
-    return summary_line("duplicates", counted(n, "site") + " dropped" +
-                                          (n == 0 ? "" : ", which coincide: " + lines));
+    const char* doubt = n > n_kept ? "; --period or --lattice may be wrong" : "";
+    return summary_line(
+        "duplicates", counted(n, "site") + " dropped" +
+                          (n == 0 ? "" : ", which coincide modulo the lattice: " + lines + doubt));
 }
 
 std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& given,
@@ -251,7 +253,8 @@ std::string stability_line(const LatticeStability& stability) {
 std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
     text += summary_line("sites", site_text(job, summary));
-    if (job.duplicates == Duplicates::kDrop) text += duplicates_line(job.dropped);
+    if (job.duplicates == Duplicates::kDrop)
+        text += duplicates_line(job.dropped, std::max(job.points.cols(), job.fixed.cols()));
     text +=
         summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
     if (summary.seed != job.seed) text += summary_line("seed", seed_text(job, summary));

@@ -11,7 +11,8 @@ namespace pcvt::cli {
 std::string summary_line(const char* label, const std::string& text);
 
 /// The line that says which sites of a file were left out because they coincide with earlier ones.
-std::string duplicates_line(const DroppedSites& dropped);
+/// @param n_kept  the number of the others, which asks for doubt where it is the smaller one.
+std::string duplicates_line(const DroppedSites& dropped, Eigen::Index n_kept);
 
 /// What the positions of given sites say about the domain: how many lie outside of it, or that all
 /// are fractional coordinates by their looks; empty where nothing is noteworthy.

@@ -32,7 +32,7 @@ class Duplicates(CliTest):
             with self.subTest(name):
                 run = self.succeed(*self.mesh(name, "--duplicates", "drop", "-o", "kept.txt", "--report", "r.json",
                                               "--force"))
-                self.assertRegex(run, r"(?m)^duplicates 2 sites dropped, which coincide: line 5 with line 2, "
+                self.assertRegex(run, r"(?m)^duplicates 2 sites dropped, which coincide modulo the lattice: line 5 with line 2, "
                                              r"line 7 with line 3$")
                 report = json.loads(self.path("r.json").read_text())
                 self.assertEqual(report["sites"], 3)
@@ -41,6 +41,19 @@ class Duplicates(CliTest):
                 kept = [line.split()[:2] for line in self.path("kept.txt").read_text().splitlines() if line[0] != "#"]
                 self.assertEqual([[round(float(x), 6) for x in site] for site in kept],
                                  [[0.1, 0.2], [0.6, 0.7], [0.3, 0.9]])
+
+    def test_a_forgotten_period_is_called_in_doubt(self):
+        for name, rest, period in (("grid.txt", "", "1,1"), ("box.txt", " 3", "1,1,1")):
+            self.write(name, "".join(f"{x} {y}{rest}\n" for x in range(4) for y in range(3)))
+            run = self.succeed("mesh", "--input", name, "--period", period, "--duplicates", "drop", "--max-iterations", 0)
+            self.assertRegex(run, r"(?m)^duplicates 11 sites dropped, .*; --period or --lattice may be wrong$")
+
+    def test_areas_that_give_the_period_belong_to_all_sites(self):
+        self.write("areas.txt", "1\n2\n3\n4\n")
+        self.write("sites.txt", "0.1 0.2\n1.1 1.2\n0.1 0.2\n0.5 2.5\n")
+        run = ("mesh", "--input", "sites.txt", "--areas", "areas.txt", "--period", "auto", "--duplicates", "drop")
+        self.refuse(2, "^pcvt: --period auto takes the areas of all sites, but 1 of them coincides with an earlier one; "
+                    "remove it from the file of sites, and its area$", *run)
 
     def test_without_any_the_summary_says_so(self):
         self.write("one.txt", "0.1 0.2\n")
