@@ -31,7 +31,8 @@ std::string tolerance_advice(const SeamMismatch& fault, const SeamProof& prove) 
                    figure(tolerance) + " accepts it";
         } catch (const SeamMismatch& next) {
             mismatch = next.mismatch();
-        } catch (const NotATile&) {
+        } catch (const InvalidInput&) {
+            // The file has another fault, too.
             break;
         }
     }
