@@ -174,7 +174,7 @@ class Pictures(CliTest):
         last_stress = max(k for k, line in enumerate(lines) if line.startswith(f"{n:10}   2"))
         for damaged, words in (("".join(lines[:-1]), "step 3 has other elements or points"),
                                ("".join(lines[:last_stress] + lines[last_stress + 1:]), "step 3 has other elements or points"),
-                               (text.replace(f"{n:10}   ", f"{n + 1:10}   "), "step 1 has stresses and volumes of different elements"),
+                               (text.replace(f"{n:10}   ", f"{n + 1:10}   "), "step 1 has stresses and volumes of different"),
                                (text[:-3] + "1\n", f"the volume of element {n} in step 3 is not that in step 1"),
                                (text[:-1], "it ends in the middle of a line"),
                                (text[:text.rindex("\n volume")], "it does not hold the stresses and volumes of 3 steps"),
