@@ -237,6 +237,7 @@ class Pictures(CliTest):
         for volume in ("0", "-1", "nan", "inf"):
             code, line = sample("stiffness", data, f"--volume={volume}")
             self.assertEqual((code, line.count("\n")), (2, 1), line)
+            self.assertRegex(line, "^--volume: .* is no volume; ")
 
     def test_files_that_are_none_are_refused(self):
         job, data, _ = self.stress()
