@@ -4,6 +4,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
+#include "mesher/base/site_id.hpp"
 
 namespace pcvt {
 namespace {

@@ -226,7 +226,7 @@ std::map<int, VertexPair> point_links(const Tile& tile, const MshModel& model) {
     // The image with the smallest offset, by the representative.
     std::map<int, VertexPair> masters;
     for (const VertexPair& pair : tile.vertex_pairs) {
-        VertexPair& master = masters.try_emplace(pair.v, pair.v, pair.v, Offset{}).first->second;
+        VertexPair& master = masters.try_emplace(pair.v, VertexPair{pair.v, pair.v, Offset{}}).first->second;
         if (pair.offset < master.offset) master = pair;
     }
     std::map<int, VertexPair> links;
