@@ -18,7 +18,7 @@ bool is_zero(const Displacement3& d) { return d.x == 0 && d.y == 0 && d.z == 0; 
 
 /// A corner as a number that orders as it does; offsets are below 128 in each direction.
 std::uint64_t packed(const Corner3& corner) {
-    const auto byte = [](int o) { return static_cast<std::uint64_t>(o + 128); };
+    const auto byte = [](int o) { return std::uint64_t{static_cast<std::uint8_t>(o + 128)}; };
     return static_cast<std::uint64_t>(corner.site) << 24 | byte(corner.offset.i) << 16 |
            byte(corner.offset.j) << 8 | byte(corner.offset.k);
 }
@@ -77,7 +77,9 @@ bool GrowingOrbits::insert(SiteId site) {
     if (!find_first(cell, shift)) return false;
     find_cavity(cell, shift);
     for (const Offset3 image : near_images()) insert_into_star(image);
-    replace_cavity();
+    sides_.clear();
+    remove_cavity();
+    add_star();
     link_sides();
     forget();
     return true;
@@ -198,22 +200,19 @@ void GrowingOrbits::insert_into_star(Offset3 image) {
     }
 }
 
-/// Removes the cells of the cavity and adds those of the star. Collects the sides of facets.
-void GrowingOrbits::replace_cavity() {
-    sides_.clear();
-    const auto add_side = [this](std::array<Corner3, 3> facet, int cell, int k, Offset3 frame) {
-        std::sort(facet.begin(), facet.end());
-        const Offset3 base = facet[0].offset;
-        for (Corner3& c : facet) c.offset = c.offset - base;
-        sides_.push_back(
-            {{packed(facet[0]), packed(facet[1]), packed(facet[2])}, cell, k, base - frame});
-    };
-    const auto facet_of = [this](const Cell& c, int k) {
-        const auto& facet = TorusTetrahedra::kFacetCorners[k];
-        return std::array{corner(c, facet[0], {}), corner(c, facet[1], {}),
-                          corner(c, facet[2], {})};
-    };
-    // The cells of the cavity, and the facets beyond which others remain.
+void GrowingOrbits::add_side(const Cell& c, int k, int cell, int cell_side, Offset3 frame) {
+    const auto& corners = TorusTetrahedra::kFacetCorners[k];
+    std::array facet{corner(c, corners[0], {}), corner(c, corners[1], {}),
+                     corner(c, corners[2], {})};
+    std::sort(facet.begin(), facet.end());
+    const Offset3 base = facet[0].offset;
+    for (Corner3& one : facet) one.offset = one.offset - base;
+    sides_.push_back(
+        {{packed(facet[0]), packed(facet[1]), packed(facet[2])}, cell, cell_side, base - frame});
+}
+
+/// Removes the cells of the cavity. Collects the sides beyond which others remain.
+void GrowingOrbits::remove_cavity() {
     std::vector<int> removed;
     for (const Lifted& lifted : lifted_) {
         if (lifted.is_inside) removed.push_back(lifted.cell);
@@ -225,13 +224,17 @@ void GrowingOrbits::replace_cavity() {
         for (int k = 0; k < 4; ++k) {
             const int across = c.opposite[k] / 4;
             if (std::binary_search(removed.begin(), removed.end(), across)) continue;
-            add_side(facet_of(c, k), across, c.opposite[k] % 4, c.frame[k].offset());
+            add_side(c, k, across, c.opposite[k] % 4, c.frame[k].offset());
         }
     }
     for (const int cell : removed) {
         cells_[cell].site[0] = -1;
         gaps_.push_back(cell);
     }
+}
+
+/// Adds the cells of the star, and collects their sides.
+void GrowingOrbits::add_star() {
     for (const StarFacet& facet : star_) {
         // Of the translates in which the new site is another corner, keep one.
         const bool is_first = std::all_of(facet.begin(), facet.end(), [&](const Corner3& c) {
@@ -246,7 +249,7 @@ void GrowingOrbits::replace_cavity() {
         }
         c.site[3] = new_number_;
         c.corner[3] = Step();
-        for (int k = 0; k < 4; ++k) add_side(facet_of(c, k), number, k, {});
+        for (int k = 0; k < 4; ++k) add_side(c, k, number, k, {});
         last_cell_ = number;
     }
 }

@@ -97,7 +97,10 @@ class GrowingOrbits {
     void find_cavity(int cell, Offset3 shift);
     std::vector<Offset3> near_images() const;
     void insert_into_star(Offset3 image);
-    void replace_cavity();
+    /// Collects the side k of a cell as that of `cell`, whose frame has the offset.
+    void add_side(const Cell& c, int k, int cell, int cell_side, Offset3 frame);
+    void remove_cavity();
+    void add_star();
     int number_of_new_cell();
     void link_sides();
     void forget();
