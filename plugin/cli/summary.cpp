@@ -198,6 +198,28 @@ std::string seed_text(const Job& job, const RunSummary& summary) {
            (summary.seed - job.seed > 1 ? " to " + std::to_string(summary.seed - 1) : "");
 }
 
+/// The lines of what constrains the cells: their aspect, symmetry, walls and inclusions.
+std::string constraint_lines(const Job& job, const RunSummary& summary) {
+    std::string text;
+    if (job.aspect) {
+        text += summary_line("aspect", figure(job.aspect->ratio) + " along " +
+                                           figure(job.aspect->degrees) + " degrees");
+    }
+    if (job.symmetry) {
+        text += summary_line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
+                                             std::to_string(summary.n_orbits) + " orbits");
+    }
+    if (job.walls != Walls::kNone) {
+        const std::string on_walls = std::to_string(summary.n_on_walls) + " sites on walls";
+        text += summary_line("walls", std::string(walls_row(job.walls).word) + ", " +
+                                          wall_cells_row(job.wall_cells).word + " cells" +
+                                          (summary.n_on_walls > 0 ? ", " + on_walls : ""));
+    }
+    if (summary.interfaces) text += summary_line("inclusions", inclusion_text(*summary.interfaces));
+    if (!job.holes.empty()) text += summary_line("holes", hole_text(job, summary));
+    return text;
+}
+
 }  // namespace
 
 std::string summary_line(const char* label, const std::string& text) {
@@ -274,22 +296,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (summary.start.pattern) text += pattern_lines(*summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
     if (summary.areas) text += area_lines(job, *summary.areas);
-    if (job.aspect) {
-        text += summary_line("aspect", figure(job.aspect->ratio) + " along " +
-                                           figure(job.aspect->degrees) + " degrees");
-    }
-    if (job.symmetry) {
-        text += summary_line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
-                                             std::to_string(summary.n_orbits) + " orbits");
-    }
-    if (job.walls != Walls::kNone) {
-        const std::string on_walls = std::to_string(summary.n_on_walls) + " sites on walls";
-        text += summary_line("walls", std::string(walls_row(job.walls).word) + ", " +
-                                          wall_cells_row(job.wall_cells).word + " cells" +
-                                          (summary.n_on_walls > 0 ? ", " + on_walls : ""));
-    }
-    if (summary.interfaces) text += summary_line("inclusions", inclusion_text(*summary.interfaces));
-    if (!job.holes.empty()) text += summary_line("holes", hole_text(job, summary));
+    text += constraint_lines(job, summary);
     text += phase_lines(summary);
     if (summary.angles) text += summary_line("angles", angle_text(*summary.angles));
     text += material_lines(job, summary);
