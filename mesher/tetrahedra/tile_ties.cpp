@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
@@ -27,7 +28,10 @@ struct Move {
     std::vector<int> tetrahedra;
     Offset3 translation;
 
-    friend auto operator<=>(const Move&, const Move&) = default;
+    friend bool operator<(const Move& one, const Move& other) {
+        return std::tie(one.tetrahedra, one.translation) <
+               std::tie(other.tetrahedra, other.translation);
+    }
     bool contains(int t) const {
         return std::binary_search(tetrahedra.begin(), tetrahedra.end(), t);
     }
@@ -71,7 +75,7 @@ class TileTies {
     }
 
     std::span<const int> corners_at(SiteId s) const {
-        return {corners_.begin() + begin_[s], corners_.begin() + begin_[s + 1]};
+        return std::span(corners_).subspan(begin_[s], begin_[s + 1] - begin_[s]);
     }
 
     /// The translation from the tetrahedron of facet f to the image that would join it to the
