@@ -40,13 +40,13 @@ BungeAngles parse_angles(const LineScanner& scanner, const std::vector<std::stri
 
 bool look_like_radians(std::span<const BungeAngles> angles) {
     double largest = 0;
-    double largest_Phi = 0;
+    double largest_tilt = 0;
     for (const BungeAngles& a : angles) {
-        largest_Phi = std::max(largest_Phi, std::abs(a.Phi));
+        largest_tilt = std::max(largest_tilt, std::abs(a.Phi));
         largest = std::max({largest, std::abs(a.phi1), std::abs(a.Phi), std::abs(a.phi2)});
     }
     return angles.size() >= kFewestAngles && largest <= kFullTurn * (1 + kRounding) &&
-           largest_Phi <= kHalfTurn * (1 + kRounding) && largest > kSmallAngle;
+           largest_tilt <= kHalfTurn * (1 + kRounding) && largest > kSmallAngle;
 }
 
 std::vector<BungeAngles> parse_orientations(const std::string& name, std::string_view text,
