@@ -42,8 +42,9 @@ TEST(ElasticChoices, OtherTextsAreRefusedWithTheEntry) {
              {"a:1,0.3 A:2,0.3", "given twice"},
              {"same a:1,0.3", "exclude each other"},
              {"a\x01:1,0.3", "'a?' is no name of a phase"}}) {
-        EXPECT_THAT(fault_of_choices([&] { parse_elastic_choices(text); }), HasSubstr(words))
-            << text;
+        const std::string& given = text;
+        EXPECT_THAT(fault_of_choices([&] { parse_elastic_choices(given); }), HasSubstr(words))
+            << given;
     }
 }
 
