@@ -7,6 +7,7 @@
 
 #include "io/bytes/output_error.hpp"
 #include "io/bytes/text.hpp"
+#include "io/gltf/gltf_place.hpp"
 #include "io/mpas/mpas_graph.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/error.hpp"
@@ -53,7 +54,7 @@ struct ProvedLabels {
 };
 
 ProvedLabels prove_labels(const TileFile& file) {
-    TileProof proof = prove_tile(file.tile, file.precision);
+    TileProof proof = prove_tile(file.tile, file.precision, file.tolerance);
     if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
     if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
     if (file.has_wall_edges || !file.tile.holes.empty()) compare_wall_edges(file.tile, proof);
@@ -103,10 +104,16 @@ bool has_orbits(const TileFormat& format, const TileFile& file, const FileOption
                       [](int orbit, int wanted) { return orbit == -1 || orbit == wanted; });
 }
 
-[[noreturn]] void refuse_single_precision(const std::string& path, const Vec2& origin) {
-    throw InvalidInput(path + ": the format's single precision is too coarse for this tile; " +
-                       "take another format" +
-                       (origin == Vec2::Zero() ? "" : ", or an origin nearer to 0,0"));
+/// Throws CoarsePrecision if the format stores the tile in single precision, which does not resolve
+/// it.
+void refuse_coarse_precision(const TileFormat& format, const std::string& path, const Tile& tile,
+                             const Vec2& origin, const FileOptions& options) {
+    if (!format.holds_single_precision(options)) return;
+    const Vec2 from = format.moves_distant_tiles ? gltf_translation(tile) : Vec2::Zero();
+    if (fits_single_precision(tile, from)) return;
+    throw CoarsePrecision(path + ": the format's single precision is too coarse for this tile; " +
+                          "take another format" +
+                          (origin == Vec2::Zero() ? "" : ", or an origin nearer to 0,0"));
 }
 
 }  // namespace
@@ -134,10 +141,8 @@ TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& f
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
                       const Tile& original, const Vec2& origin, const FileOptions& options) {
     const std::string& path = files.front().path;
-    Precision precision = Precision::kDouble;
     try {
         const TileFile file = decode_tile(format, files, std::nullopt);
-        precision = file.precision;
         if (file.materials != held_materials(format, options)) {
             throw BadFile(path + ": the phases and orientations are others");
         }
@@ -150,11 +155,10 @@ void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& 
         }
         if (!is_the_same(file, original)) prove_file(format, files, file);
     } catch (const NotATile& error) {
-        if (precision == Precision::kSingle && !fits_single_precision(original)) {
-            refuse_single_precision(path, origin);
-        }
+        refuse_coarse_precision(format, path, original, origin, options);
         throw InternalError(path + " breaks a law of tiles: " + error.what());
     } catch (const BadFile& error) {
+        refuse_coarse_precision(format, path, original, origin, options);
         throw InternalError(std::string("a file is not read back: ") + error.what());
     }
 }

@@ -44,7 +44,7 @@ TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& f
 /// @param original  the encoded tile, proved.
 /// @param origin    the corner of its domain, for the advice in a message.
 /// @param options   with which it was encoded; materials and orbits are compared.
-/// @throws InvalidInput   `original` is too fine for the format's single precision.
+/// @throws CoarsePrecision  `original` is too fine for the format's single precision.
 /// @throws InternalError  a law is violated: a fault of pcvt.
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
                       const Tile& original, const Vec2& origin, const FileOptions& options = {});

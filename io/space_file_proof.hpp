@@ -27,8 +27,9 @@ struct SpaceFileProof {
 ///     const SpaceFileProof proof = prove_space_files(encode_space_vtu(tile, "tile.vtu"));
 ///
 /// @pre space_file_kind(files) is kPolyhedra.
+/// @param tolerance  least_tolerance of prove_polyhedra().
 /// @throws BadFile, NotATile as the readers and the proofs do.
-SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files);
+SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double tolerance = 0);
 
 /// The boundary of a tile in a file, and the figures that its proof finds.
 struct BoundaryFileProof {
@@ -43,7 +44,8 @@ BoundaryFileProof prove_boundary_files(const std::vector<EncodedFile>& files);
 
 /// Proves a file, of any of these kinds, that pcvt is about to write, which must hold `tile` as
 /// well.
-/// @throws InternalError  a law is violated: a fault of pcvt.
+/// @throws CoarsePrecision  the tile is too fine for the single precision of the format.
+/// @throws InternalError    a law is violated: a fault of pcvt.
 void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTile& tile);
 
 /// The tetrahedra of a file, and the figures that their proof finds.
@@ -55,8 +57,9 @@ struct TetrahedralFileProof {
 /// Proves all that an MSH or a VTU states: the laws of TetrahedralMesh, the groups and the links of
 /// the seam, the images of points.
 /// @pre space_file_kind({file}) is kTetrahedra.
+/// @param tolerance  least_tolerance of prove_tetrahedra().
 /// @throws BadFile, NotATile as the reader and the proof do.
-TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file);
+TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tolerance = 0);
 
 /// The same for a file that pcvt is about to write, which must hold `mesh` as well.
 /// @throws InternalError  a law is violated: a fault of pcvt.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/bytes/extension.hpp"
+#include "io/openfoam/foam_text.hpp"
 #include "io/pictures/space_picture.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
@@ -95,7 +96,8 @@ constexpr std::array kSpaceFormats{
                 .encode = encode_volumes<encode_space_foam>,
                 .encode_tetrahedra = nullptr,
                 .kind = case_kind,
-                .states_short_edges = true},
+                .states_short_edges = true,
+                .check_path = require_foam_path},
     SpaceFormat{.extension = ".msh",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kNone,
@@ -129,7 +131,8 @@ constexpr std::array kSpaceFormats{
                 .paths = itself,
                 .encode = encode_surfaces<encode_surface_glb>,
                 .encode_tetrahedra = nullptr,
-                .kind = kind_where<SpaceFileKind::kTriangles, is_surface_glb>},
+                .kind = kind_where<SpaceFileKind::kTriangles, is_surface_glb>,
+                .is_single_precision = true},
     SpaceFormat{.extension = ".om",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kBoundary,

@@ -66,6 +66,10 @@ struct SpaceFormat {
     /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
     /// lost edges.
     bool states_short_edges = false;
+    /// Whether positions are 32-bit floats.
+    bool is_single_precision = false;
+    /// As TileFormat::check_path.
+    void (*check_path)(const std::string& path) = nullptr;
 
     /// Whether its files hold the tetrahedra.
     bool shows_tetrahedra(const SpaceFileOptions& options) const {

@@ -21,6 +21,7 @@
 #include "io/mpas/mpas_writer.hpp"
 #include "io/openfoam/foam_fields.hpp"
 #include "io/openfoam/foam_reader.hpp"
+#include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/page/html_writer.hpp"
 #include "io/pictures/png_writer.hpp"
@@ -28,6 +29,7 @@
 #include "io/run_files/cell_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
+#include "io/single_precision.hpp"
 #include "io/solvers/inp_fields.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
@@ -50,8 +52,7 @@ constexpr double kLargestThickness = 1e3;
 
 /// Pieces of cells are slivers where the box cuts a cell near its corner.
 void require_prisms(const FormatRequest& request) {
-    const double h = std::sqrt(request.lattice.area() / (request.n_sites * request.n_periods));
-    const double layers = request.files.thickness / h;
+    const double layers = request.files.thickness / request.spacing();
     if (layers != 0 && !(layers >= kLeastThickness && layers <= kLargestThickness)) {
         throw InvalidInput(
             "the thickness is not between 0.001 and 1000 times the mean distance of the sites, "
@@ -115,8 +116,9 @@ void require_voxel_grid(const FormatRequest& request) {
 std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {
     MpasGrid grid = mpas_grid(torus.cells, torus.origin);
     if (!torus.site_densities.empty()) fill_mesh_density(torus.site_densities, grid);
+    if (torus.coriolis) fill_coriolis({(*torus.coriolis)[0], (*torus.coriolis)[1]}, grid);
     const std::vector<std::string> paths = mpas_paths(path);
-    std::vector<EncodedFile> files = only_file(paths[0], encode_mpas(grid));
+    std::vector<EncodedFile> files = only_file(paths[0], encode_mpas(grid, torus.history));
     files.push_back({paths[1], encode_mpas_graph(grid)});
     return files;
 }
@@ -176,6 +178,7 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .description = "PLY, ASCII with double coordinates, or float with --float32",
      .write = encode_ply,
      .read = decode_ply,
+     .check = require_ply_precision,
      .takes_single_precision = true,
      .takes_colouring = true,
      .takes_phases = true},
@@ -183,6 +186,9 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .description = "glTF 2.0, one binary file",
      .write = encode_glb,
      .read = decode_gltf,
+     .check = require_gltf_precision,
+     .is_single_precision = true,
+     .moves_distant_tiles = true,
      .takes_gltf_nodes = true,
      .takes_colouring = true,
      .takes_phases = true},
@@ -190,6 +196,9 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .description = "glTF 2.0, one text file",
      .write = encode_gltf,
      .read = decode_gltf,
+     .check = require_gltf_precision,
+     .is_single_precision = true,
+     .moves_distant_tiles = true,
      .takes_gltf_nodes = true,
      .takes_colouring = true,
      .takes_phases = true},
@@ -217,6 +226,7 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .check = require_job_without_walls,
      .takes_element = true,
      .takes_job = true,
+     .takes_constants = true,
      .takes_phases = true,
      .takes_orientations = true,
      .states_materials = true,
@@ -262,6 +272,7 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .paths = foam_paths,
      .is_folder = true,
      .check = require_prisms,
+     .check_path = require_foam_path,
      .takes_thickness = true,
      .takes_phases = true,
      .states_materials = true},
@@ -271,7 +282,8 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .write = write_mpas,
      .read = read_mpas,
      .paths = mpas_paths,
-     .check = require_mpas_torus},
+     .check = require_mpas_torus,
+     .takes_coriolis = true},
     {.extension = ".vti",
      .description =
          "cells as voxels of a rectangle for DAMASK, VTK image data, with .material.yaml beside it",
@@ -280,6 +292,7 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
      .paths = vti_paths,
      .check = require_voxel_grid,
      .takes_voxels = true,
+     .takes_constants = true,
      .takes_phases = true,
      .takes_orientations = true},
     {.extension = ".csv",
@@ -296,11 +309,14 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
 
 }  // namespace
 
+double FormatRequest::spacing() const { return std::sqrt(lattice.area() / (n_sites * n_periods)); }
+
 VoxelCounts requested_voxels(const FormatRequest& request) {
-    const VoxelCounts counts =
-        request.files.voxels == VoxelCounts{}
-            ? default_voxels(request.lattice, request.n_sites * request.n_periods)
-            : request.files.voxels;
+    VoxelCounts counts = request.files.voxels;
+    if (counts.x == 0) {
+        counts = default_voxels(request.lattice, request.n_sites * request.n_periods);
+        counts.z = request.files.voxels.z;
+    }
     voxel_grid(request.lattice, {0, 0}, counts);
     return counts;
 }

@@ -25,6 +25,10 @@ struct Torus {
     Vec2 origin;
     /// The density at each site; empty where it is uniform.
     std::span<const double> site_densities;
+    /// As FileOptions::coriolis.
+    std::optional<std::array<double, 2>> coriolis = {};
+    /// The run that made the cells; may be empty.
+    std::string history = {};
 };
 
 using TileWriter = std::vector<EncodedFile>(const Tile& tile, const std::string& path);
@@ -36,9 +40,10 @@ using SiteWriter = std::vector<EncodedFile>(const Points& sites, const std::stri
 /// Writes measures of the cells at the sites.
 using CellWriter = std::vector<EncodedFile>(const CellRows& rows, const std::string& path);
 
-/// Writes the cells as voxels, with the phases and orientations of the cells.
+/// Writes the cells as voxels, with the phases, orientations and elastic constants of the cells.
 using VoxelWriter = std::vector<EncodedFile>(const VoxelImage& image, const VoxelCells& cells,
                                              const CellMaterials& materials,
+                                             const ElasticChoices& elastic,
                                              const std::string& path);
 
 using TileReader = TileFile(const std::vector<EncodedFile>& files,
@@ -65,7 +70,14 @@ struct FormatRequest {
     double n_periods = 1;
     Walls walls = Walls::kNone;
     bool has_holes = false;
+    /// Whether the cells are power cells.
+    bool has_weights = false;
+    /// The corner of the domain.
+    Vec2 origin = Vec2::Zero();
     FileOptions files = {};
+
+    /// The mean distance of the sites.
+    double spacing() const;
 };
 
 /// The voxels of a request, or the default.
@@ -107,14 +119,24 @@ struct TileFormat {
     /// Throws InvalidInput with the reason if the format cannot hold the request, OutputError if
     /// its writer cannot be loaded; nullptr if it holds every request.
     void (*check)(const FormatRequest& request) = nullptr;
+    /// Whether positions are 32-bit floats, and whether those of a distant tile are relative to
+    /// whole periods near it.
+    bool is_single_precision = false;
+    bool moves_distant_tiles = false;
+    /// Refuses a path that the programs for this format cannot open; nullptr if they open any.
+    /// Throws InvalidInput.
+    void (*check_path)(const std::string& path) = nullptr;
     /// The choices of FileOptions that the format takes.
     bool takes_gltf_nodes = false;
     bool takes_single_precision = false;
     bool takes_pixels = false;
     bool takes_voxels = false;
+    bool takes_coriolis = false;
     bool takes_cut_width = false;
     bool takes_element = false;
     bool takes_job = false;
+    /// Beside a job, if the format takes one.
+    bool takes_constants = false;
     bool takes_thickness = false;
     bool takes_colouring = false;
     bool takes_background = false;
@@ -126,6 +148,9 @@ struct TileFormat {
     /// The file of a tile states the orbit of the site of each element; the reader reads them.
     bool states_orbits = false;
 
+    bool holds_single_precision(const FileOptions& options) const {
+        return is_single_precision || (takes_single_precision && options.single_precision);
+    }
     bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {
         return std::holds_alternative<TileWriter*>(write) ||

@@ -141,6 +141,9 @@ enum {
     PCVT_WALL_HOLE = 4
 };
 
+/** What becomes of given sites that are nearer to an earlier one than 1e-9 h. */
+enum { PCVT_DUPLICATES_REFUSE = 0, PCVT_DUPLICATES_DROP = 1 };
+
 /** Why a run ended. */
 enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED = 2 };
 
@@ -268,12 +271,18 @@ typedef struct pcvt_options {
                           pcvt_sites, and the others are numbered from 0 again [NULL] */
     int32_t dimension; /**< 2 or 3. With 3 the cells are polyhedra, and the fields that apply are
                           sites, n_sites, start, seed, solver, max_iterations, tolerance,
-                          n_threads, progress, progress_data and lattice3; any other field is
-                          refused unless it has its default [2] */
+                          n_threads, progress, progress_data, short_edges, lattice3 and duplicates;
+                          any other field is refused unless it has its default [2] */
     int32_t reserved4;
     double lattice3[9]; /**< ax, ay, az, bx, by, bz, cx, cy, cz: any three independent period
                            vectors, of either orientation; refused unless it has its default with
                            dimension 2 [1, 0, 0, 0, 1, 0, 0, 0, 1] */
+    int32_t duplicates; /**< PCVT_DUPLICATES_...: `sites` or `fixed_sites` nearer to an earlier one
+                           than 1e-9 h, h = sqrt(area / n_sites), in three dimensions the cube root
+                           of volume / n_sites, modulo the lattice: an error that names them all, or
+                           left out, with their areas and orientations, and the others are numbered
+                           from 0 again; see pcvt_statistics [PCVT_DUPLICATES_REFUSE] */
+    int32_t reserved5;
 } pcvt_options;
 
 /** The optimised sites. */
@@ -402,7 +411,8 @@ typedef struct pcvt_cells {
     const int32_t* neighbour;      /**< n_faces cells, in front of the faces; -1 on the boundary */
     const int32_t* partner;        /**< n_faces - n_inner_faces faces */
     const int32_t* partner_offset; /**< n_faces - n_inner_faces triples i, j, k */
-    const double* volumes;         /**< n_cells numbers, length^3 */
+    const double* volumes;         /**< n_cells numbers, length^3; with short_edges, which bends
+                                      faces, those that finite-volume solvers compute */
     const double* site_points;     /**< n_cells triples: the image of each site in its cell */
     const double* sites; /**< n_cells triples: the image of each site in the domain of the reduced
                             period vectors, as .txt files hold it */
@@ -434,11 +444,13 @@ typedef struct pcvt_statistics {
     int32_t iterations;
     int32_t evaluations;
     int32_t n_threads;
-    int32_t n_mirrors;    /**< -1 if the triangulation was built without mirrors, and in three
-                             dimensions */
-    double area_error;    /**< largest |area - wished| / wished; NaN without areas */
-    int32_t newton_steps; /**< that found the weights; 0 without areas */
-    int32_t reserved;
+    int32_t n_mirrors;      /**< -1 if the triangulation was built without mirrors, and in three
+                               dimensions */
+    double area_error;      /**< largest |area - wished| / wished; NaN without areas */
+    int32_t newton_steps;   /**< that found the weights; 0 without areas */
+    int32_t n_dropped;      /**< sites that PCVT_DUPLICATES_DROP left out */
+    const int32_t* dropped; /**< n_dropped pairs: the number of such a site in the options, and that
+                               of the earlier one; NULL for none */
 } pcvt_statistics;
 
 /** The options of pcvt_write(). Zero in all fields but struct_size is the default. In three
@@ -462,10 +474,17 @@ typedef struct pcvt_write_options {
     const char* background; /**< of .svg, "#rrggbb" or "none" [NULL: none] */
     int32_t voxels[2];      /**< of .vti, along x and y [0, 0: about 16 along h] */
     int32_t job;            /**< of .inp: PCVT_JOB_... [PCVT_JOB_NONE] */
-    int32_t reserved;
+    int32_t voxel_layers;   /**< of .vti: equal layers along z [0: 1] */
     double thickness; /**< of .foam: height of the layer of cells along z [0: sqrt(area / faces)] */
     int32_t surface;  /**< PCVT_SURFACE_..., in three dimensions alone [PCVT_SURFACE_CELLS] */
     int32_t reserved2;
+    const char* materials; /**< of .inp with PCVT_JOB_ELASTIC, and of .vti: elastic constants of
+                              each phase, "NAME:E,NU", "NAME:C11,C12,C44" of cubic crystals or
+                              "NAME:C11,C12,C13,C33,C44" of hexagonal ones (axis z), with blanks or
+                              line ends between them; without phases the name is GRAINS; "same":
+                              all phases are the same steel, or with orientations iron, in MPa.
+                              A job with two phases needs it [NULL] */
+    double coriolis[2];    /**< of .nc: the parameter coriolis[0] + coriolis[1] y [0, 0: none] */
 } pcvt_write_options;
 
 /** An optimised periodic tessellation. */
@@ -541,7 +560,10 @@ PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view,
 /** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
  * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the
  * Delaunay tetrahedra (.msh, and .vtu for PCVT_DELAUNAY) or the sites (.txt). Either all files
- * appear, complete and proved to be a periodic tile, or none. Missing folders are made.
+ * appear, complete and proved to be a periodic tile, or none; only the report appears where the
+ * single precision of the file does not hold the tile (PCVT_ERROR_ARGUMENT). Missing folders are
+ * made. Calls and runs that write to one folder at the same time rename their files one after the
+ * other.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.

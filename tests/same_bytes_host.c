@@ -214,7 +214,9 @@ static void misuse(const pcvt_options* options, const pcvt_result* result) {
 /* The state between the words of the command line. */
 typedef struct state {
     pcvt_options options;
+    char beyond_options[4096]; /* what a larger struct_size reaches: fields that are not zero */
     pcvt_write_options choices;
+    char beyond_choices[4096];
     pcvt_result* result;
     watch of_run, of_write;
     char density[16];
@@ -222,7 +224,9 @@ typedef struct state {
 
 static void reset(state* s) {
     said("pcvt_options_init", pcvt_options_init(&s->options, sizeof s->options, PCVT_ABI_VERSION));
+    memset(s->beyond_options, 1, sizeof s->beyond_options);
     memset(&s->choices, 0, sizeof s->choices);
+    memset(s->beyond_choices, 1, sizeof s->beyond_choices);
     s->choices.struct_size = sizeof s->choices;
 }
 

@@ -21,13 +21,10 @@ void append_msh_link(std::string& text, int dimension, int slave, int master,
 }
 
 void append_msh_data(std::string& text, const char* section, const char* view,
-                     const std::vector<int>& values, int n_rest) {
-    constexpr int kRest = -1;
-    const int n = static_cast<int>(values.size());
+                     const std::vector<MshValue>& values) {
     text += std::string("$") + section + "\n1\n\"" + view + "\"\n1\n0\n3\n0\n1\n";
-    append_msh_line(text, {n + n_rest});
-    for (int k = 0; k < n; ++k) append_msh_line(text, {k + 1, values[k]});
-    for (int k = n; k < n + n_rest; ++k) append_msh_line(text, {k + 1, kRest});
+    append_msh_line(text, {static_cast<int>(values.size())});
+    for (const auto& [number, value] : values) append_msh_line(text, {number, value});
     text += std::string("$End") + section + "\n";
 }
 

@@ -44,10 +44,18 @@ void append_msh_name(std::string& text, int dimension, int group, const std::str
 void append_msh_link(std::string& text, int dimension, int slave, int master,
                      const std::array<double, 3>& translation, std::size_t n_nodes);
 
-/// Appends a view: a section with the values of the first elements or nodes, and -1 for `n_rest`
-/// more.
+/// The value of an element or a node in a view.
+struct MshValue {
+    int number;
+    int value;
+};
+
+/// Appends a view: a section with one row for each value.
 /// @param section  "ElementData" or "NodeData".
+/// @param values   in the order in which the file lists the elements or nodes: some programs,
+/// meshio
+///                 among them, skip the numbers in the rows.
 void append_msh_data(std::string& text, const char* section, const char* view,
-                     const std::vector<int>& values, int n_rest);
+                     const std::vector<MshValue>& values);
 
 }  // namespace pcvt

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "mesher/base/error.hpp"
 
 namespace pcvt {
@@ -18,6 +20,19 @@ class OutputError : public Error {
 class OutputExists : public OutputError {
    public:
     using OutputError::OutputError;
+};
+
+/// The single precision of a file does not hold the tile. The other files of a run are written.
+class CoarsePrecision : public InvalidInput {
+   public:
+    using InvalidInput::InvalidInput;
+};
+
+/// A file that a run left out for CoarsePrecision.
+struct RefusedFile {
+    std::string path;
+    /// Begins with the path.
+    std::string reason;
 };
 
 }  // namespace pcvt

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
@@ -11,8 +12,8 @@
 namespace pcvt {
 namespace {
 
-/// Texture coordinates are compared within this many ulps of the largest.
-constexpr float kTextureUlps = 4;
+/// Texture coordinates are compared within this many ulps of the largest, and of positions.
+constexpr double kTextureUlps = 4;
 /// Lines this many ulps of the largest coordinate long may be missing.
 constexpr double kShortUlps = 64;
 
@@ -50,16 +51,27 @@ void require_flat(const GltfDocument& document, const Json& primitive, const Til
     }
 }
 
+/// Returns how far the coordinates u and v in a file may be from those of its rounded vertices.
+Vec2 texture_rounding(const Tile& tile, const std::vector<TextureCoordinate>& wanted) {
+    constexpr double kEpsilon = std::numeric_limits<float>::epsilon();
+    float largest = 1;
+    for (const auto& [u, v] : wanted) largest = std::max({largest, std::abs(u), std::abs(v)});
+    Vec2 place = Vec2::Zero();
+    for (const Vec2& p : tile.points) place = place.cwiseMax(p.cwiseAbs());
+    // The inverse lattice maps the rounding of positions to that of lattice coordinates.
+    const Vec2 by_x = tile.lattice.to_lattice(Vec2(place.x(), 0)).cwiseAbs();
+    const Vec2 by_y = tile.lattice.to_lattice(Vec2(0, place.y())).cwiseAbs();
+    return kTextureUlps * kEpsilon * (Vec2::Constant(largest) + by_x + by_y);
+}
+
 void require_texture(const GltfDocument& document, const Json& primitive, const Tile& tile) {
     const auto numbers = attribute(document, primitive, "TEXCOORD_0", 2, tile.points.size());
     const std::vector<TextureCoordinate> wanted = texture_coordinates(tile);
-    float largest = 1;
-    for (const auto& [u, v] : wanted) largest = std::max({largest, std::abs(u), std::abs(v)});
-    const float allowed = kTextureUlps * std::numeric_limits<float>::epsilon() * largest;
+    const Vec2 allowed = texture_rounding(tile, wanted);
     for (std::size_t v = 0; v < wanted.size(); ++v) {
         checkpoint_each(v);
-        if (std::abs(numbers[2 * v] - wanted[v][0]) <= allowed &&
-            std::abs(1 - numbers[2 * v + 1] - wanted[v][1]) <= allowed) {
+        if (std::abs(double(numbers[2 * v]) - wanted[v][0]) <= allowed.x() &&
+            std::abs(1 - double(numbers[2 * v + 1]) - wanted[v][1]) <= allowed.y()) {
             continue;
         }
         throw_bad(document, "the texture coordinates of vertex " + std::to_string(v) +
@@ -86,55 +98,44 @@ void require_colours(const GltfDocument& document, const Json& primitive, const 
     }
 }
 
-/// For each vertex, sums of hashes of the vertices that edges join it with.
-class EdgeSums {
+/// The lines of the outlines, each from its lower to its higher end, and those that sides of faces
+/// have met.
+class Outlines {
    public:
-    explicit EdgeSums(std::size_t n) : lines_(n), leaving_(n), arriving_(n) {}
-
-    void add_line(int v, int w) {
-        lines_[v] += hash(w);
-        lines_[w] += hash(v);
-    }
-    void add_side(int v, int w) {
-        leaving_[v] += hash(w);
-        arriving_[w] += hash(v);
+    /// @param ends  in pairs, of sorted lines.
+    Outlines(const std::vector<int>& ends, std::size_t n_vertices)
+        : ends_(ends), begin_(n_vertices + 1, 0), is_met_(ends.size() / 2, false) {
+        for (std::size_t k = 0; k < ends.size(); k += 2) ++begin_[std::size_t(ends[k]) + 1];
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     }
 
-    /// Whether the lines are the sides of faces, each once. One side leaves each vertex of the
-    /// boundary that none answers, and one arrives there: at a vertex in the interior, each side
-    /// is answered.
+    /// Meets the line between two vertices, if there is one.
+    void meet(int v, int w) {
+        const auto [low, high] = std::minmax(v, w);
+        for (std::size_t k = begin_[low]; k < begin_[std::size_t(low) + 1]; ++k) {
+            if (ends_[2 * k + 1] != high) continue;
+            is_met_[k] = true;
+            return;
+        }
+        ++n_missing_;
+    }
+
+    /// Whether the lines are the sides that were met.
     bool agree() const {
-        std::vector<std::pair<std::uint32_t, int>> boundary;
-        for (std::size_t v = 0; v < lines_.size(); ++v) {
-            checkpoint_each(v);
-            if (lines_[v] == leaving_[v] && lines_[v] == arriving_[v]) continue;
-            boundary.emplace_back(hash(static_cast<int>(v)), static_cast<int>(v));
-        }
-        std::sort(boundary.begin(), boundary.end());
-        for (const auto& [own, v] : boundary) {
-            // The unanswered side that arrives comes from w.
-            const std::uint32_t from = lines_[v] - leaving_[v];
-            const auto w = std::lower_bound(boundary.begin(), boundary.end(), std::pair(from, 0));
-            if (w == boundary.end() || w->first != from) return false;
-            if (lines_[w->second] - arriving_[w->second] != own) return false;
-        }
-        return true;
+        return n_missing_ == 0 && std::find(is_met_.begin(), is_met_.end(), false) == is_met_.end();
     }
 
    private:
-    static std::uint32_t hash(int v) {
-        std::uint64_t bits = (static_cast<std::uint64_t>(v) + 1) * 0x9e3779b97f4a7c15;
-        bits = (bits ^ bits >> 29) * 0xbf58476d1ce4e5b9;
-        return static_cast<std::uint32_t>(bits >> 32);
-    }
-
-    std::vector<std::uint32_t> lines_;
-    std::vector<std::uint32_t> leaving_;
-    std::vector<std::uint32_t> arriving_;
+    const std::vector<int>& ends_;
+    /// The lines whose lower end is vertex v begin at begin_[v].
+    std::vector<std::size_t> begin_;
+    std::vector<bool> is_met_;
+    std::size_t n_missing_ = 0;
 };
 
-/// Adds the sides of the faces that the triangles make up, without those inside of a fan.
-void add_sides(const Tile& tile, EdgeSums& sums) {
+/// Meets the sides of the faces that the triangles make up, without those inside of a fan, and
+/// those of no length.
+void meet_sides(const Tile& tile, Outlines& outlines) {
     const auto is_joined = [&](int f) {
         if (f <= 0 || f >= tile.n_faces() || tile.kind != MeshKind::kVoronoi) return false;
         const auto before = tile.faces[f - 1];
@@ -145,9 +146,12 @@ void add_sides(const Tile& tile, EdgeSums& sums) {
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
         const auto face = tile.faces[f];
-        if (!is_joined(f)) sums.add_side(face[0], face[1]);
-        sums.add_side(face[1], face[2]);
-        if (!is_joined(f + 1)) sums.add_side(face[2], face[0]);
+        const auto meet = [&](int v, int w) {
+            if (tile.points[v] != tile.points[w]) outlines.meet(v, w);
+        };
+        if (!is_joined(f)) meet(face[0], face[1]);
+        meet(face[1], face[2]);
+        if (!is_joined(f + 1)) meet(face[2], face[0]);
     }
 }
 
@@ -185,15 +189,16 @@ void require_outlines(const GltfDocument& document, const Json& primitive, const
     }
     const std::vector<int> ends =
         document.indices(document.count_in(primitive, "indices"), tile.points.size());
-    EdgeSums sums(tile.points.size());
     bool rises = ends.size() % 2 == 0;
     for (std::size_t k = 0; rises && k < ends.size(); k += 2) {
         rises = ends[k] < ends[k + 1] &&
                 (k == 0 || std::tie(ends[k - 2], ends[k - 1]) < std::tie(ends[k], ends[k + 1]));
-        sums.add_line(ends[k], ends[k + 1]);
     }
-    add_sides(tile, sums);
-    if (rises && (sums.agree() || has_short_sides(tile))) return;
+    if (rises) {
+        Outlines outlines(ends, tile.points.size());
+        meet_sides(tile, outlines);
+        if (outlines.agree() || has_short_sides(tile)) return;
+    }
     throw_bad(document, "the outlines are not the edges of the faces");
 }
 

@@ -103,6 +103,12 @@ const Json& GltfDocument::entry(const std::string& table, std::size_t index) con
     return entries[index];
 }
 
+std::string GltfDocument::material_name(const Json& primitive) const {
+    if (!primitive.contains("material")) return "";
+    const Json& name = member(entry("materials", count_in(primitive, "material")), "name");
+    return name.is_string() ? std::string(name.text()) : "";
+}
+
 GltfDocument::Elements GltfDocument::elements(std::size_t accessor, const std::string& type,
                                               std::size_t width) const {
     // The accessor gives the size of its elements.

@@ -36,6 +36,8 @@ class GltfDocument {
     /// Returns object[key] as an index or a count; `otherwise` if the object lacks the key.
     std::size_t count_in(const Json& object, const std::string& key) const;
     std::size_t count_in(const Json& object, const std::string& key, std::size_t otherwise) const;
+    /// Returns the name of the material of a primitive; "" if it has none.
+    std::string material_name(const Json& primitive) const;
 
     /// Returns object[key]; null if `object` lacks the key or is not an object.
     static const Json& member(const Json& object, const std::string& key);

@@ -173,6 +173,7 @@ void append_node(std::string& json, const tinygltf::Node& node, std::string_view
     }
     if (node.mesh >= 0) append_entry(json, "mesh", node.mesh);
     append_entry(json, "name", node.name);
+    append_entry(json, "translation", node.translation);
     json += '}';
 }
 

@@ -111,6 +111,11 @@ class LayoutProof {
         }
         if (text(document_.entry("nodes", 0), "name") != "tile")
             throw_bad("node 0 is not the tile");
+        const Json& translation = GltfDocument::member(document_.entry("nodes", 0), "translation");
+        if (translation.size() == 3 &&
+            !(translation[2].is_number() && translation[2].get<double>() == 0)) {
+            throw_bad("the tile is moved along z");
+        }
         const Json& nodes = GltfDocument::member(document_.entry("scenes", 0), "nodes");
         if (nodes.size() != 1 || nodes[0] != 0) throw_bad("the scene does not show node 0 alone");
         const Json& children = GltfDocument::member(document_.entry("nodes", 0), "children");
@@ -126,6 +131,7 @@ class LayoutProof {
         const bool is_last = k + 1 == size_of("nodes");
         require_equal(document_.count_in(node, "mesh"), next_mesh_++, name + " has another mesh");
         if (node.contains("children")) throw_bad(name + " has children");
+        if (node.contains("translation")) throw_bad(name + " has a translation");
         const Json& mesh = document_.entry("meshes", k - 1);
         if (text(mesh, "name") != name || name.empty() || (name == "outlines") != is_last) {
             throw_bad("node " + std::to_string(k) + " has not the name of its mesh");

@@ -10,6 +10,8 @@
 #include "io/gltf/gltf_document.hpp"
 #include "io/gltf/gltf_layout.hpp"
 #include "io/gltf/gltf_periodic.hpp"
+#include "io/gltf/gltf_scene.hpp"
+#include "io/tiles/material_words.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
@@ -33,6 +35,8 @@ struct Finding {
     GltfDocument document;
     /// extras.periodic of the one node that has it.
     const Json* periodic = nullptr;
+    /// That of the nodes with triangles.
+    std::optional<Vec2> translation = std::nullopt;
     std::vector<Vec2> points;
     /// The vertices of each POSITION accessor, each read once.
     std::map<std::size_t, VertexRange> ranges;
@@ -41,6 +45,8 @@ struct Finding {
     std::vector<SiteId> face_site;
     /// One site per point; -1 likewise.
     std::vector<SiteId> vertex_site;
+    /// The name of the material of each face; "" where the file names none.
+    std::vector<std::string> materials;
 
     const Json& periodic_member(const std::string& key) const {
         static const Json kNone;
@@ -129,66 +135,46 @@ void add_triangles(const Json& node, const Json& primitive, Finding& finding) {
                   finding.vertex_site.begin() + std::ptrdiff_t(range.first));
     }
     add_faces(corners, cells, named_site(node), finding);
+    finding.materials.resize(finding.face_site.size(), document.material_name(primitive));
     for (const int corner : corners)
         finding.corners.push_back(static_cast<int>(range.first) + corner);
     if (finding.corners.size() > kMaxVertices) document.throw_bad_file("too many triangles");
 }
 
-void add_mesh(const Json& node, Finding& finding) {
+/// Notes the translation of a node with triangles, which is the same for all of them.
+void take_translation(const Vec2& translation, Finding& finding) {
+    if (finding.translation.value_or(translation) != translation) {
+        finding.document.throw_bad_file(
+            "two nodes have different translations; apply them before exporting");
+    }
+    finding.translation = translation;
+}
+
+void add_mesh(const Json& node, const Vec2& translation, Finding& finding) {
     const GltfDocument& document = finding.document;
     const Json& mesh = document.entry("meshes", document.count_in(node, "mesh"));
     const Json& primitives = GltfDocument::member(mesh, "primitives");
     if (!primitives.is_array()) document.throw_bad_file("a mesh has no list of primitives");
     for (const Json& primitive : primitives) {
         const std::size_t mode = document.count_in(primitive, "mode", kGltfTriangles);
-        if (mode == kGltfTriangles) add_triangles(node, primitive, finding);
+        if (mode == kGltfTriangles) {
+            take_translation(translation, finding);
+            add_triangles(node, primitive, finding);
+        }
         if (mode > kGltfTriangles)
             document.throw_bad_file("triangle strips and fans; export triangles");
     }
 }
 
-void visit(const Json& node, Finding& finding) {
-    for (const char* key : {"matrix", "translation", "rotation", "scale"}) {
-        if (node.contains(key)) {
-            finding.document.throw_bad_file("a node is moved by '" + std::string(key) +
-                                            "'; apply the transformation before exporting");
-        }
-    }
-    const Json& extras = GltfDocument::member(node, "extras");
+/// Notes extras.periodic of a node and adds its triangles.
+void visit(const SceneNode& placed, Finding& finding) {
+    const Json& extras = GltfDocument::member(*placed.node, "extras");
     if (extras.contains("periodic")) {
         if (finding.periodic)
             finding.document.throw_bad_file("two nodes have extras.periodic; keep one");
         finding.periodic = &GltfDocument::member(extras, "periodic");
     }
-    if (node.contains("mesh")) add_mesh(node, finding);
-}
-
-void push_nodes(const Json& parent, const std::string& key, const GltfDocument& document,
-                std::vector<std::size_t>& stack) {
-    const Json& children = GltfDocument::member(parent, key);
-    if (children.is_null()) return;
-    if (!children.is_array()) document.throw_bad_file("'" + key + "' is not a list");
-    for (std::size_t k = children.size(); k-- > 0;) {
-        stack.push_back(document.count(children[k], key));
-    }
-}
-
-void walk_scene(Finding& finding) {
-    const GltfDocument& document = finding.document;
-    std::vector<std::size_t> stack;
-    const std::size_t scene = document.count_in(document.root(), "scene", 0);
-    push_nodes(document.entry("scenes", scene), "nodes", document, stack);
-    std::vector<bool> seen(GltfDocument::member(document.root(), "nodes").size());
-    while (!stack.empty()) {
-        const std::size_t index = stack.back();
-        stack.pop_back();
-        const Json& node = document.entry("nodes", index);
-        if (seen[index]) document.throw_bad_file("a node has two parents; export the file again");
-        seen[index] = true;
-        visit(node, finding);
-        push_nodes(node, "children", document, stack);
-    }
-    if (finding.corners.empty()) document.throw_bad_file("there are no triangles in its scene");
+    if (placed.node->contains("mesh")) add_mesh(*placed.node, placed.translation, finding);
 }
 
 Lattice read_lattice(const GltfDocument& document, const Json& rows) {
@@ -308,6 +294,16 @@ MeshKind tile_kind(const Finding& finding) {
     return MeshKind::kDelaunay;
 }
 
+/// The translation in a file of pcvt is that of whole periods.
+void require_whole_periods(const GltfDocument& document, const Lattice& lattice,
+                           const Vec2& translation) {
+    const Vec2 periods = lattice.to_lattice(translation).array().round().matrix();
+    if (translation == lattice.to_plane(periods)) return;
+    document.throw_bad_file(
+        "the translation of its node is not a sum of whole periods; write the file again with "
+        "pcvt");
+}
+
 bool all_known(const std::vector<SiteId>& sites) {
     return std::find(sites.begin(), sites.end(), -1) == sites.end();
 }
@@ -316,7 +312,10 @@ bool all_known(const std::vector<SiteId>& sites) {
 
 TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
     Finding finding(files.at(0));
-    walk_scene(finding);
+    for (const SceneNode& node : scene_nodes(finding.document)) visit(node, finding);
+    if (finding.corners.empty()) {
+        finding.document.throw_bad_file("there are no triangles in its scene");
+    }
     const Json& cells = finding.periodic_member("cellTriangles");
     if (!cells.is_null()) read_cells(cells, finding);
     Tile tile{.lattice = find_lattice(finding, lattice), .kind = tile_kind(finding)};
@@ -335,9 +334,13 @@ TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<
     if (finding.periodic) read_site_notes(finding.document, *finding.periodic, tile);
     if (is_own_gltf(finding.document)) {
         require_own_layout(finding.document);
+        require_whole_periods(finding.document, tile.lattice, finding.translation.value());
         require_own_attributes(finding.document, tile);
     }
-    return {std::move(tile), Precision::kSingle, !pairs.is_null(), false};
+    TileFile file{std::move(tile), Precision::kSingle, !pairs.is_null(), false};
+    file.translation = finding.translation.value();
+    file.shown = shown_phases(file.tile, finding.materials);
+    return file;
 }
 
 }  // namespace pcvt

@@ -14,7 +14,8 @@ namespace pcvt {
 /// them, the file holds Delaunay triangles, whose sites come from _SITE_ID. Vertex pairs are read;
 /// glTF files store no edge pairs. Lines, points, z, normals and colours are skipped,
 /// but in files that pcvt wrote they must be as it writes them (gltf_layout.hpp,
-/// gltf_attributes.hpp).
+/// gltf_attributes.hpp). Nodes may have translations, the same for all triangles:
+/// TileFile::translation.
 ///
 /// Example usage:
 ///     const std::vector<EncodedFile> files = {{"tile.glb", read_whole_file("tile.glb")}};
@@ -22,7 +23,8 @@ namespace pcvt {
 ///     const TileProof proof = prove_tile(file.tile, file.precision);
 ///
 /// @param lattice  used if the file has no lattice.
-/// @throws BadFile if the file is damaged, transforms its nodes, keeps data in other files, or has
+/// @throws BadFile if the file is damaged, turns or scales its nodes, keeps data in other files, or
+/// has
 ///                 no triangles or no lattice.
 TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
 

@@ -42,7 +42,8 @@ struct Surface {
 
 /// Returns the surface of a tile. Cells and grains have one group for each cell, or in one node one
 /// for each colour.
-/// @throws InvalidInput naming the path if float32 cannot hold a coordinate or the area of a cell.
+/// @throws CoarsePrecision naming the path if float32 cannot hold a coordinate or the area of a
+/// cell.
 Surface make_surface(const Tile& tile, const TileColours& colours, GltfNodes nodes,
                      const std::string& path);
 

@@ -13,6 +13,7 @@
 #include "io/gltf/gltf_container.hpp"
 #include "io/gltf/gltf_json.hpp"
 #include "io/gltf/gltf_model_builder.hpp"
+#include "io/gltf/gltf_place.hpp"
 #include "io/gltf/gltf_surface.hpp"
 #include "io/tiles/finite.hpp"
 #include "io/tiles/site_notes.hpp"
@@ -245,8 +246,8 @@ struct ModelParts {
     std::string periodic;
 };
 
+/// @param tile  near 0.
 ModelParts make_model(const Tile& tile, const FileOptions& options, const std::string& path) {
-    require_finite(tile);
     const std::vector<SiteId>& sites =
         faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     if (*std::max_element(sites.begin(), sites.end()) >= kMaxFloatSite) {
@@ -271,8 +272,13 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
     return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface, notes)};
 }
 
-std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path,
-                                Container container) {
+std::vector<EncodedFile> encode(const Tile& tile, const FileOptions& options,
+                                const std::string& path, Container container) {
+    require_finite(tile);
+    const Vec2 translation = gltf_translation(tile);
+    const bool is_near = translation == Vec2::Zero();
+    ModelParts parts = make_model(is_near ? tile : moved_by(tile, -translation), options, path);
+    if (!is_near) parts.model.nodes[0].translation = {translation.x(), translation.y(), 0};
     const bool is_text = container == Container::kText;
     std::string json = gltf_json(parts.model, parts.periodic, parts.buffer, is_text);
     if (!is_text) return only_file(path, glb_bytes(json, parts.buffer));
@@ -283,12 +289,12 @@ std::vector<EncodedFile> encode(const ModelParts& parts, const std::string& path
 
 std::vector<EncodedFile> encode_gltf(const Tile& tile, const FileOptions& options,
                                      const std::string& path) {
-    return encode(make_model(tile, options, path), path, Container::kText);
+    return encode(tile, options, path, Container::kText);
 }
 
 std::vector<EncodedFile> encode_glb(const Tile& tile, const FileOptions& options,
                                     const std::string& path) {
-    return encode(make_model(tile, options, path), path, Container::kBinary);
+    return encode(tile, options, path, Container::kBinary);
 }
 
 }  // namespace pcvt

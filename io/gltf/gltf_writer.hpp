@@ -19,8 +19,9 @@ namespace pcvt {
 /// one without edges shorter than Tile::short_edges has "shortEdges", one of elongated cells has
 /// "metric": [ratio, degrees], and one of power cells has "siteWeights", the accessor of a weight
 /// for each site (io/tiles/site_notes.hpp).
-/// Grains add "kind": "grains". Coordinates are float32; the lattice keeps double precision. The
-/// children of `tile`:
+/// Grains add "kind": "grains". Coordinates are float32; the lattice keeps double precision. A tile
+/// more than 8 periods away from 0 gives the node `tile` a translation of whole periods, in double
+/// precision, to which all positions are relative (gltf_place.hpp). The children of `tile`:
 ///
 ///   GltfNodes::kCells   one node and one material per cell or grain, both named `cell_<site>`
 ///   GltfNodes::kOne     one node `cells` with one primitive and one material for each
@@ -40,7 +41,7 @@ namespace pcvt {
 ///         output.stage(file.path, file.bytes);
 ///     }
 ///
-/// @throws InvalidInput   naming the path if float32 cannot hold the tile.
+/// @throws CoarsePrecision  naming the path if float32 cannot hold the tile.
 /// @throws LimitExceeded  naming the path if there are more sites or bytes than glTF can count.
 std::vector<EncodedFile> encode_gltf(const Tile& tile, const FileOptions& options,
                                      const std::string& path);

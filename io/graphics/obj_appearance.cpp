@@ -183,6 +183,14 @@ void require_material_file(const ObjAppearance& appearance, const std::string& p
 
 }  // namespace
 
+std::vector<std::string> material_names(const ObjAppearance& appearance, int n_faces) {
+    std::vector<std::string> names(static_cast<std::size_t>(n_faces));
+    for (const auto& [name, first] : appearance.materials) {
+        std::fill(names.begin() + first, names.end(), name);
+    }
+    return names;
+}
+
 void require_own_appearance(const Tile& tile, const ObjAppearance& appearance,
                             const std::string& path, const EncodedFile* materials) {
     require_coordinates(tile, appearance, path);

@@ -30,6 +30,9 @@ struct ObjAppearance {
     std::vector<std::string_view> libraries = {};
 };
 
+/// The name of the material of each face; "" before the first `usemtl`.
+std::vector<std::string> material_names(const ObjAppearance& appearance, int n_faces);
+
 /// Proves that the tile has the appearance that encode_obj() gives it:
 ///   - texture coordinates are the lattice coordinates of the vertices, one each, within 4 ulps of
 ///     float32;

@@ -9,6 +9,7 @@
 #include "io/graphics/obj_appearance.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/file_tile_builder.hpp"
+#include "io/tiles/material_words.hpp"
 
 namespace pcvt {
 namespace {
@@ -220,6 +221,7 @@ TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<L
     TileFile file = finish(std::move(builder), lattice, Precision::kDouble);
     // The appearance of files of other programs is free.
     if (is_own) require_own_appearance(file.tile, parser.appearance(), obj.path, materials);
+    file.shown = shown_phases(file.tile, material_names(parser.appearance(), file.tile.n_faces()));
     return file;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "io/bytes/extension.hpp"
 #include "io/bytes/text.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
@@ -154,10 +155,8 @@ std::string mtl_text(const TileColours& colours) {
 }  // namespace
 
 std::vector<std::string> obj_paths(const std::string& path) {
-    const auto with = [&](const char* extension) {
-        return std::filesystem::path(path).replace_extension(extension).string();
-    };
-    return {path, with(".mtl"), with(".seam.json")};
+    return {path, one_word_beside(path, ".mtl"),
+            std::filesystem::path(path).replace_extension(".seam.json").string()};
 }
 
 std::vector<EncodedFile> encode_obj(const Tile& tile, const FileOptions& options,

@@ -9,7 +9,8 @@
 
 namespace pcvt {
 
-/// Returns the paths of NAME.obj, NAME.mtl and NAME.seam.json, in the order of encode_obj().
+/// Returns the paths of NAME.obj, NAME.mtl and NAME.seam.json, in the order of encode_obj(). Blanks
+/// in the name of the .mtl become '_', because `mtllib` lists names with blanks between them.
 std::vector<std::string> obj_paths(const std::string& path);
 
 /// Encodes a tile as Wavefront OBJ: polygons with z = 0, one material for each colour, by default

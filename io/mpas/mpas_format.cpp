@@ -5,18 +5,38 @@ namespace {
 
 using Size = MpasSize;
 
-MpasVariable indices(const char* name, Size rows, Size columns, std::vector<int> MpasGrid::*table) {
-    return {.name = name, .rows = rows, .columns = columns, .indices = table};
+/// The dimensions of a variable: of one column without `columns`.
+struct Shape {
+    Size rows;
+    Size columns = Size::kOne;
+};
+
+MpasVariable indices(const char* name, Shape shape, const char* long_name,
+                     std::vector<int> MpasGrid::*table) {
+    return {.name = name,
+            .rows = shape.rows,
+            .columns = shape.columns,
+            .units = "unitless",
+            .long_name = long_name,
+            .indices = table};
 }
-MpasVariable counts(const char* name, Size rows, std::vector<int> MpasGrid::*table) {
-    return {.name = name, .rows = rows, .columns = Size::kOne, .counts = table};
+MpasVariable counts(const char* name, Shape shape, const char* long_name,
+                    std::vector<int> MpasGrid::*table) {
+    return {.name = name,
+            .rows = shape.rows,
+            .columns = shape.columns,
+            .units = "unitless",
+            .long_name = long_name,
+            .counts = table};
 }
-MpasVariable numbers(const char* name, Size rows, Size columns,
+MpasVariable numbers(const char* name, Shape shape, const char* units, const char* long_name,
                      std::vector<double> MpasGrid::*table) {
-    return {.name = name, .rows = rows, .columns = columns, .numbers = table};
-}
-MpasVariable numbers(const char* name, Size rows, std::vector<double> MpasGrid::*table) {
-    return numbers(name, rows, Size::kOne, table);
+    return {.name = name,
+            .rows = shape.rows,
+            .columns = shape.columns,
+            .units = units,
+            .long_name = long_name,
+            .numbers = table};
 }
 
 }  // namespace
@@ -54,34 +74,74 @@ int mpas_size(const MpasGrid& grid, MpasSize size) {
     return 1;
 }
 
-const std::vector<MpasVariable>& mpas_variables() {
-    static const std::vector<MpasVariable> variables{
-        numbers("xCell", Size::kCells, &MpasGrid::x_cell),
-        numbers("yCell", Size::kCells, &MpasGrid::y_cell),
-        numbers("xEdge", Size::kEdges, &MpasGrid::x_edge),
-        numbers("yEdge", Size::kEdges, &MpasGrid::y_edge),
-        numbers("xVertex", Size::kVertices, &MpasGrid::x_vertex),
-        numbers("yVertex", Size::kVertices, &MpasGrid::y_vertex),
-        counts("nEdgesOnCell", Size::kCells, &MpasGrid::n_edges_on_cell),
-        counts("nEdgesOnEdge", Size::kEdges, &MpasGrid::n_edges_on_edge),
-        indices("cellsOnCell", Size::kCells, Size::kMaxEdges, &MpasGrid::cells_on_cell),
-        indices("edgesOnCell", Size::kCells, Size::kMaxEdges, &MpasGrid::edges_on_cell),
-        indices("verticesOnCell", Size::kCells, Size::kMaxEdges, &MpasGrid::vertices_on_cell),
-        indices("cellsOnEdge", Size::kEdges, Size::kTwo, &MpasGrid::cells_on_edge),
-        indices("verticesOnEdge", Size::kEdges, Size::kTwo, &MpasGrid::vertices_on_edge),
-        indices("edgesOnEdge", Size::kEdges, Size::kMaxEdges2, &MpasGrid::edges_on_edge),
-        numbers("weightsOnEdge", Size::kEdges, Size::kMaxEdges2, &MpasGrid::weights_on_edge),
-        indices("cellsOnVertex", Size::kVertices, Size::kVertexDegree, &MpasGrid::cells_on_vertex),
-        indices("edgesOnVertex", Size::kVertices, Size::kVertexDegree, &MpasGrid::edges_on_vertex),
-        numbers("kiteAreasOnVertex", Size::kVertices, Size::kVertexDegree,
-                &MpasGrid::kite_areas_on_vertex),
-        numbers("areaCell", Size::kCells, &MpasGrid::area_cell),
-        numbers("areaTriangle", Size::kVertices, &MpasGrid::area_triangle),
-        numbers("dcEdge", Size::kEdges, &MpasGrid::dc_edge),
-        numbers("dvEdge", Size::kEdges, &MpasGrid::dv_edge),
-        numbers("angleEdge", Size::kEdges, &MpasGrid::angle_edge),
-        numbers("meshDensity", Size::kCells, &MpasGrid::mesh_density)};
+const std::vector<MpasPlain>& mpas_plain_variables() {
+    static const std::vector<MpasPlain> variables = [] {
+        std::vector<MpasPlain> all;
+        const auto append = [&](const std::string& word, const std::string& plural, Size rows) {
+            all.push_back({"lat" + word, rows, false, "rad", "latitude of " + plural});
+            all.push_back({"lon" + word, rows, false, "rad", "longitude of " + plural});
+            all.push_back({"z" + word, rows, false, "m", "coordinate z of " + plural});
+            all.push_back({"indexTo" + word + "ID", rows, true, "unitless", "ids of " + plural});
+        };
+        append("Cell", "cells", Size::kCells);
+        append("Edge", "edges", Size::kEdges);
+        append("Vertex", "vertices", Size::kVertices);
+        return all;
+    }();
     return variables;
+}
+
+const std::vector<MpasVariable>& mpas_variables() {
+    constexpr Shape cells{Size::kCells};
+    constexpr Shape edges{Size::kEdges};
+    constexpr Shape vertices{Size::kVertices};
+    constexpr Shape on_cell{Size::kCells, Size::kMaxEdges};
+    constexpr Shape on_edge{Size::kEdges, Size::kTwo};
+    constexpr Shape around_edge{Size::kEdges, Size::kMaxEdges2};
+    constexpr Shape on_vertex{Size::kVertices, Size::kVertexDegree};
+    using Grid = MpasGrid;
+    static const std::vector<MpasVariable> variables{
+        numbers("xCell", cells, "m", "coordinate x of cells", &Grid::x_cell),
+        numbers("yCell", cells, "m", "coordinate y of cells", &Grid::y_cell),
+        numbers("xEdge", edges, "m", "coordinate x of edges", &Grid::x_edge),
+        numbers("yEdge", edges, "m", "coordinate y of edges", &Grid::y_edge),
+        numbers("xVertex", vertices, "m", "coordinate x of vertices", &Grid::x_vertex),
+        numbers("yVertex", vertices, "m", "coordinate y of vertices", &Grid::y_vertex),
+        counts("nEdgesOnCell", cells, "number of edges of each cell", &Grid::n_edges_on_cell),
+        counts("nEdgesOnEdge", edges, "number of edges that reconstruct the tangential velocity",
+               &Grid::n_edges_on_edge),
+        indices("cellsOnCell", on_cell, "cells that neighbour each cell", &Grid::cells_on_cell),
+        indices("edgesOnCell", on_cell, "edges of each cell", &Grid::edges_on_cell),
+        indices("verticesOnCell", on_cell, "vertices of each cell", &Grid::vertices_on_cell),
+        indices("cellsOnEdge", on_edge, "cells on both sides of each edge", &Grid::cells_on_edge),
+        indices("verticesOnEdge", on_edge, "vertices at the ends of each edge",
+                &Grid::vertices_on_edge),
+        indices("edgesOnEdge", around_edge, "edges that reconstruct the tangential velocity",
+                &Grid::edges_on_edge),
+        numbers("weightsOnEdge", around_edge, "unitless",
+                "weights of the edges that reconstruct the tangential velocity",
+                &Grid::weights_on_edge),
+        indices("cellsOnVertex", on_vertex, "cells at each vertex", &Grid::cells_on_vertex),
+        indices("edgesOnVertex", on_vertex, "edges at each vertex", &Grid::edges_on_vertex),
+        numbers("kiteAreasOnVertex", on_vertex, "m^2",
+                "areas of the parts of each dual cell in its cells", &Grid::kite_areas_on_vertex),
+        numbers("areaCell", cells, "m^2", "area of each cell", &Grid::area_cell),
+        numbers("areaTriangle", vertices, "m^2", "area of each dual cell", &Grid::area_triangle),
+        numbers("dcEdge", edges, "m", "distance between the cells of each edge", &Grid::dc_edge),
+        numbers("dvEdge", edges, "m", "length of each edge", &Grid::dv_edge),
+        numbers("angleEdge", edges, "rad", "angle from x to the normal of each edge",
+                &Grid::angle_edge),
+        numbers("meshDensity", cells, "unitless", "density of the mesh over its largest value",
+                &Grid::mesh_density),
+        numbers("fCell", cells, "s^{-1}", "Coriolis parameter at cells", &Grid::f_cell),
+        numbers("fEdge", edges, "s^{-1}", "Coriolis parameter at edges", &Grid::f_edge),
+        numbers("fVertex", vertices, "s^{-1}", "Coriolis parameter at vertices", &Grid::f_vertex)};
+    return variables;
+}
+
+bool is_coriolis(const MpasVariable& variable) {
+    return variable.numbers == &MpasGrid::f_cell || variable.numbers == &MpasGrid::f_edge ||
+           variable.numbers == &MpasGrid::f_vertex;
 }
 
 }  // namespace pcvt

@@ -27,6 +27,9 @@ struct MpasVariable {
     MpasSize rows;
     /// kOne: the variable has one dimension.
     MpasSize columns;
+    /// As MPAS writes them: "m", "m^2", "s^{-1}", "unitless".
+    const char* units;
+    const char* long_name;
     std::vector<int> MpasGrid::*indices = nullptr;
     std::vector<int> MpasGrid::*counts = nullptr;
     std::vector<double> MpasGrid::*numbers = nullptr;
@@ -37,11 +40,32 @@ inline constexpr std::array<std::array<const char*, 2>, 2> kMpasPlane{
 inline constexpr const char* kMpasSphereRadius = "sphere_radius";
 /// The mean of meshDensity over the area.
 inline constexpr const char* kMpasMeanDensity = "mesh_density_mean";
-/// `latCell` and so on are 0, because the plane has neither latitudes nor heights.
-inline constexpr std::array<const char*, 3> kMpasZeros{"lat", "lon", "z"};
+/// The attributes that state the Coriolis parameter, where the file has one.
+inline constexpr std::array<const char*, 2> kMpasCoriolis{"coriolis_f", "coriolis_beta"};
+
+/// The beginning of a history that pcvt wrote, in whose file all attributes are its own.
+inline constexpr const char* kMpasOwnHistory = "pcvt ";
+
+/// A variable with equal values in all meshes of one size, and its attributes.
+struct MpasPlain {
+    std::string name;
+    MpasSize rows;
+    /// Whether it holds the ids, which count from 1; else all values are 0, because the plane has
+    /// neither latitudes nor heights.
+    bool is_id;
+    const char* units;
+    std::string long_name;
+};
+/// Returns `latCell`, `lonCell`, `zCell`, `indexToCellID`, and the same of edges and vertices, in
+/// the order of the file.
+const std::vector<MpasPlain>& mpas_plain_variables();
 
 /// Returns the variables in the order of the file, without the ids and without the latitudes,
-/// longitudes and z, which are 0.
+/// longitudes and z, which are 0. The last ones are the Coriolis parameter, which a file without
+/// kMpasCoriolis lacks.
 const std::vector<MpasVariable>& mpas_variables();
+
+/// Whether a variable is the Coriolis parameter.
+bool is_coriolis(const MpasVariable& variable);
 
 }  // namespace pcvt

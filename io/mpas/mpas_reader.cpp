@@ -30,21 +30,42 @@ void require_text(const NetcdfFile& file, const std::string& name, const std::st
                         "; give the mesh of a torus in the plane");
 }
 
-/// Requires that the ids of "Cell", "Edge" or "Vertex" count from 1, as the indices do, and that
-/// latitudes, longitudes and heights are 0.
-void require_plain(const NetcdfFile& file, const std::string& word, int n) {
-    const std::string id_name = "indexTo" + word + "ID";
+/// Requires that ids count from 1, as the indices do, and that latitudes, longitudes and heights
+/// are 0.
+void require_plain(const NetcdfFile& file, const MpasPlain& plain, int n) {
     const std::vector<std::size_t> size{static_cast<std::size_t>(n)};
-    const std::vector<int> ids = file.integers(id_name, size);
+    if (!plain.is_id) {
+        const std::vector<double> values = file.numbers(plain.name, size);
+        if (std::all_of(values.begin(), values.end(), [](double x) { return x == 0; })) return;
+        file.throw_bad_file(plain.name + " is not 0; give the mesh of a torus in the plane");
+    }
+    const std::vector<int> ids = file.integers(plain.name, size);
     for (int k = 0; k < n; ++k) {
         if (ids[k] == k + 1) continue;
-        file.throw_bad_file(id_name +
+        file.throw_bad_file(plain.name +
                             " does not count from 1; give the whole file, or renumber it");
     }
-    for (const std::string axis : kMpasZeros) {
-        const std::vector<double> values = file.numbers(axis + word, size);
-        if (std::all_of(values.begin(), values.end(), [](double x) { return x == 0; })) continue;
-        file.throw_bad_file(axis + word + " is not 0; give the mesh of a torus in the plane");
+}
+
+/// Requires that a variable of a file that pcvt wrote has the attributes that pcvt gives it.
+void require_words(const NetcdfFile& file, const std::string& name, const std::string& units,
+                   const std::string& long_name) {
+    if (file.text_of(name, "units") == units && file.text_of(name, "long_name") == long_name) {
+        return;
+    }
+    file.throw_bad_file(name + " has not the units " + units + " and the long_name \"" + long_name +
+                        "\"; write the file again with pcvt");
+}
+
+void require_own_words(const NetcdfFile& file, const MpasGrid& grid) {
+    if (!file.has_attribute("history")) return;
+    if (!file.text("history").starts_with(kMpasOwnHistory)) return;
+    for (const MpasVariable& variable : mpas_variables()) {
+        if (is_coriolis(variable) && !grid.coriolis) continue;
+        require_words(file, variable.name, variable.units, variable.long_name);
+    }
+    for (const MpasPlain& plain : mpas_plain_variables()) {
+        require_words(file, plain.name, plain.units, plain.long_name);
     }
 }
 
@@ -60,6 +81,9 @@ MpasGrid decode_mpas(const std::string& path, const std::string& bytes) {
     }
     if (file.has_attribute(kMpasMeanDensity)) {
         grid.stated_mean_density = file.attribute(kMpasMeanDensity);
+    }
+    if (file.has_attribute(kMpasCoriolis[0])) {
+        grid.coriolis = {file.attribute(kMpasCoriolis[0]), file.attribute(kMpasCoriolis[1])};
     }
     grid.x_period = file.attribute("x_period");
     grid.y_period = file.attribute("y_period");
@@ -77,6 +101,7 @@ MpasGrid decode_mpas(const std::string& path, const std::string& bytes) {
     }
     // Variables, with indices counted from 0 and -1 for unused entries.
     for (const MpasVariable& variable : mpas_variables()) {
+        if (is_coriolis(variable) && !grid.coriolis) continue;
         if (variable.indices != nullptr) {
             grid.*variable.indices = file.integers(variable.name, sizes(variable, grid));
             for (int& index : grid.*variable.indices) index = index > 0 ? index - 1 : -1;
@@ -86,9 +111,10 @@ MpasGrid decode_mpas(const std::string& path, const std::string& bytes) {
             grid.*variable.numbers = file.numbers(variable.name, sizes(variable, grid));
         }
     }
-    require_plain(file, "Cell", grid.n_cells);
-    require_plain(file, "Edge", grid.n_edges);
-    require_plain(file, "Vertex", grid.n_vertices);
+    for (const MpasPlain& plain : mpas_plain_variables()) {
+        require_plain(file, plain, mpas_size(grid, plain.rows));
+    }
+    require_own_words(file, grid);
     return grid;
 }
 

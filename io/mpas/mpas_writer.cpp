@@ -30,7 +30,8 @@ class MpasFile {
 
     void state(const char* name, const std::string& text) { encoder_.add_attribute(name, text); }
     void state(const char* name, double number) { encoder_.add_attribute(name, number); }
-    void define(const std::string& name, NetcdfType type, MpasSize rows, MpasSize columns) {
+    void define(const std::string& name, NetcdfType type, MpasSize rows, MpasSize columns,
+                const std::vector<NetcdfEncoder::Attribute>& attributes) {
         const double entries = double(mpas_size(grid_, rows)) * mpas_size(grid_, columns);
         const std::uint32_t width = type == NetcdfType::kDouble ? 8 : 4;
         if (entries * width > kMostBytes) {
@@ -39,7 +40,8 @@ class MpasFile {
         }
         std::vector<std::uint32_t> dimensions{dimension_[rows]};
         if (columns != MpasSize::kOne) dimensions.push_back(dimension_[columns]);
-        encoder_.add_variable(name, type, dimensions, static_cast<std::uint64_t>(entries) * width);
+        encoder_.add_variable(name, type, dimensions, static_cast<std::uint64_t>(entries) * width,
+                              attributes);
     }
     template <class Number>
     void fill(const std::vector<Number>& values) {
@@ -58,54 +60,58 @@ std::vector<int> counted_from_one(std::vector<int> indices) {
     return indices;
 }
 
-void state_attributes(const MpasGrid& grid, MpasFile& file) {
+void state_attributes(const MpasGrid& grid, const std::string& history, MpasFile& file) {
     for (const auto& [name, value] : kMpasPlane) file.state(name, value);
     file.state(kMpasSphereRadius, 0.0);
     file.state("x_period", grid.x_period);
     file.state("y_period", grid.y_period);
     file.state(kMpasMeanDensity, mean_density(grid));
-    file.state("mesh_spec", "1.0");
-}
-
-/// The variables with equal values in all meshes of one size: the third dimension and the ids.
-struct PlainVariables {
-    const char* word;
-    MpasSize rows;
-};
-constexpr PlainVariables kPlain[] = {
-    {"Cell", MpasSize::kCells}, {"Edge", MpasSize::kEdges}, {"Vertex", MpasSize::kVertices}};
-
-void define_plain(const PlainVariables& plain, MpasFile& file) {
-    for (const char* axis : kMpasZeros) {
-        file.define(axis + std::string(plain.word), NetcdfType::kDouble, plain.rows,
-                    MpasSize::kOne);
+    if (grid.coriolis) {
+        file.state(kMpasCoriolis[0], grid.coriolis->f);
+        file.state(kMpasCoriolis[1], grid.coriolis->beta);
     }
-    file.define("indexTo" + std::string(plain.word) + "ID", NetcdfType::kInt, plain.rows,
-                MpasSize::kOne);
+    file.state("mesh_spec", "1.0");
+    if (!history.empty()) file.state("history", history);
 }
 
-void fill_plain(const PlainVariables& plain, const MpasGrid& grid, MpasFile& file) {
+std::vector<NetcdfEncoder::Attribute> words_of(const char* units, std::string_view long_name) {
+    return {{"units", units}, {"long_name", long_name}};
+}
+
+void fill_plain(const MpasPlain& plain, const MpasGrid& grid, MpasFile& file) {
     const auto n = static_cast<std::size_t>(mpas_size(grid, plain.rows));
-    for ([[maybe_unused]] const char* axis : kMpasZeros) file.fill(std::vector<double>(n, 0));
+    if (!plain.is_id) {
+        file.fill(std::vector<double>(n, 0));
+        return;
+    }
     std::vector<int> ids(n);
     std::iota(ids.begin(), ids.end(), 1);
     file.fill(ids);
 }
 
+bool is_left_out(const MpasVariable& variable, const MpasGrid& grid) {
+    return is_coriolis(variable) && !grid.coriolis;
+}
+
 }  // namespace
 
-std::string encode_mpas(const MpasGrid& grid) {
+std::string encode_mpas(const MpasGrid& grid, const std::string& history) {
     MpasFile file(grid);
     // Define attributes and variables.
-    state_attributes(grid, file);
+    state_attributes(grid, history, file);
     for (const MpasVariable& variable : mpas_variables()) {
+        if (is_left_out(variable, grid)) continue;
         const bool is_real = variable.numbers != nullptr;
         file.define(variable.name, is_real ? NetcdfType::kDouble : NetcdfType::kInt, variable.rows,
-                    variable.columns);
+                    variable.columns, words_of(variable.units, variable.long_name));
     }
-    for (const PlainVariables& plain : kPlain) define_plain(plain, file);
+    for (const MpasPlain& plain : mpas_plain_variables()) {
+        file.define(plain.name, plain.is_id ? NetcdfType::kInt : NetcdfType::kDouble, plain.rows,
+                    MpasSize::kOne, words_of(plain.units, plain.long_name));
+    }
     // Append their values in the same order.
     for (const MpasVariable& variable : mpas_variables()) {
+        if (is_left_out(variable, grid)) continue;
         if (variable.indices != nullptr) {
             file.fill(counted_from_one(grid.*variable.indices));
         } else if (variable.counts != nullptr) {
@@ -114,7 +120,7 @@ std::string encode_mpas(const MpasGrid& grid) {
             file.fill(grid.*variable.numbers);
         }
     }
-    for (const PlainVariables& plain : kPlain) fill_plain(plain, grid, file);
+    for (const MpasPlain& plain : mpas_plain_variables()) fill_plain(plain, grid, file);
     return file.close();
 }
 

@@ -33,6 +33,12 @@ void append_list(std::string& bytes, std::uint32_t tag, std::size_t n_entries) {
     append_number(bytes, static_cast<std::uint32_t>(n_entries));
 }
 
+void append_attribute(std::string& bytes, std::string_view name, std::string_view text) {
+    append_text(bytes, name);
+    append_number(bytes, static_cast<std::uint32_t>(NetcdfType::kText));
+    append_text(bytes, text);
+}
+
 }  // namespace
 
 void NetcdfEncoder::add_dimension(std::string_view name, std::uint32_t size) {
@@ -42,9 +48,7 @@ void NetcdfEncoder::add_dimension(std::string_view name, std::uint32_t size) {
 }
 
 void NetcdfEncoder::add_attribute(std::string_view name, std::string_view text) {
-    append_text(attributes_, name);
-    append_number(attributes_, static_cast<std::uint32_t>(NetcdfType::kText));
-    append_text(attributes_, text);
+    append_attribute(attributes_, name, text);
     ++n_attributes_;
 }
 
@@ -58,12 +62,13 @@ void NetcdfEncoder::add_attribute(std::string_view name, double number) {
 
 void NetcdfEncoder::add_variable(std::string_view name, NetcdfType type,
                                  const std::vector<std::uint32_t>& dimensions,
-                                 std::uint64_t n_bytes) {
+                                 std::uint64_t n_bytes, const std::vector<Attribute>& attributes) {
     std::string definition;
     append_text(definition, name);
     append_number(definition, static_cast<std::uint32_t>(dimensions.size()));
     for (const std::uint32_t dimension : dimensions) append_number(definition, dimension);
-    append_list(definition, kAttributeList, 0);
+    append_list(definition, kAttributeList, attributes.size());
+    for (const auto& [key, text] : attributes) append_attribute(definition, key, text);
     append_number(definition, static_cast<std::uint32_t>(type));
     append_number(definition, static_cast<std::uint32_t>(n_bytes));
     variables_.push_back({std::move(definition), n_bytes});

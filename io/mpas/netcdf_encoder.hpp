@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/mpas/netcdf_file.hpp"
@@ -25,10 +26,13 @@ class NetcdfEncoder {
     /// Add an attribute of the file.
     void add_attribute(std::string_view name, std::string_view text);
     void add_attribute(std::string_view name, double number);
+    /// A name and a text.
+    using Attribute = std::pair<std::string_view, std::string_view>;
     /// @param dimensions  by their order; none is unlimited.
     /// @param n_bytes     of the values, below 2^32.
     void add_variable(std::string_view name, NetcdfType type,
-                      const std::vector<std::uint32_t>& dimensions, std::uint64_t n_bytes);
+                      const std::vector<std::uint32_t>& dimensions, std::uint64_t n_bytes,
+                      const std::vector<Attribute>& attributes = {});
 
     /// Append the values of the next variable.
     void append(const std::vector<int>& values);

@@ -82,7 +82,7 @@ class NetcdfHeaderScanner {
             variable.values.name = name();
             for (auto k = possible(count(), count_bytes_); k > 0; --k)
                 variable.dimensions.push_back(count());
-            attributes();
+            variable.attributes = attributes();
             variable.values.type = type();
             count();  // of bytes, which the dimensions state as well
             variable.values.begin = number(offset_bytes_);
@@ -198,6 +198,14 @@ std::string_view NetcdfFile::text(std::string_view name) const {
     const Values& values = find(attributes_, name);
     if (values.type != kText) throw_bad_file("attribute " + std::string(name) + " is no text");
     return part(bytes_, values.begin, values.count);
+}
+
+std::string_view NetcdfFile::text_of(std::string_view variable, std::string_view name) const {
+    for (const Values& values : find(variables_, variable).attributes) {
+        if (values.name != name || values.type != kText) continue;
+        return part(bytes_, values.begin, values.count);
+    }
+    return "";
 }
 
 double NetcdfFile::attribute(std::string_view name) const {

@@ -34,6 +34,8 @@ class NetcdfFile {
     bool has_attribute(std::string_view name) const;
     /// Returns an attribute of the file that is a text.
     std::string_view text(std::string_view name) const;
+    /// Returns an attribute of a variable that is a text; empty if it has none.
+    std::string_view text_of(std::string_view variable, std::string_view name) const;
     /// Returns an attribute of the file that is one number.
     double attribute(std::string_view name) const;
     /// Returns the values of a variable of these dimensions, row by row.
@@ -57,6 +59,7 @@ class NetcdfFile {
         Values values;
         /// Indices of dimensions.
         std::vector<std::uint64_t> dimensions;
+        std::vector<Values> attributes;
     };
 
     template <class Entries>

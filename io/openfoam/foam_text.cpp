@@ -1,8 +1,20 @@
 #include "io/openfoam/foam_text.hpp"
 
+#include <filesystem>
+#include <system_error>
+
 #include "io/bytes/text.hpp"
+#include "mesher/base/error.hpp"
 
 namespace pcvt {
+
+void require_foam_path(const std::string& path) {
+    std::error_code fault;
+    const std::string whole = std::filesystem::absolute(path, fault).string();
+    if ((fault ? path : whole).find_first_of(" '\"") == std::string::npos) return;
+    throw InvalidInput("OpenFOAM leaves blanks and quotes out of paths, so it would not find " +
+                       (fault ? path : whole) + "; take a folder and a name without them");
+}
 
 std::string foam_header(const std::string& kind, const std::string& location,
                         const std::string& object, const std::string& note) {

@@ -12,6 +12,12 @@ inline constexpr const char* kMeshFolder = "constant/polyMesh";
 inline constexpr const char* kCaseNote =
     "// pcvt check compares this file with its mesh; remove this line to change the file.\n";
 
+/// Requires a path of a case that OpenFOAM opens: it leaves blanks and quotes out of every path, so
+/// that it would look for another folder. A relative path counts with the folder in which pcvt
+/// runs.
+/// @throws InvalidInput  with the remedy.
+void require_foam_path(const std::string& path);
+
 /// Returns the first lines of a file of an OpenFOAM case: the class `kind`, the folder `location`
 /// and the name `object`.
 std::string foam_header(const std::string& kind, const std::string& location,

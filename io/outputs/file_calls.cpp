@@ -1,12 +1,14 @@
 #include "io/outputs/file_calls.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "io/outputs/free_name.hpp"
 
@@ -24,6 +26,15 @@ int above_standard(int file) {
 }
 
 int error_of(int result) { return result == 0 ? 0 : errno; }
+
+int open_regular(const char* path, int access, int& file) {
+    file = above_standard(::open(path, access | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (file < 0) return errno;
+    struct stat status {};
+    const int error = ::fstat(file, &status) != 0 ? errno : S_ISREG(status.st_mode) ? 0 : EINVAL;
+    if (error != 0) close_file(file);
+    return error;
+}
 
 /// Whether an error says that the file system lacks a call.
 bool is_missing_call(int error) { return error == EINVAL || error == ENOSYS; }
@@ -47,13 +58,41 @@ int create_file(const char* path, int& file) noexcept {
     return file < 0 ? errno : 0;
 }
 
-int open_file(const char* path, int& file) noexcept {
-    file = above_standard(::open(path, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-    if (file < 0) return errno;
-    struct stat status {};
-    const int error = ::fstat(file, &status) != 0 ? errno : S_ISREG(status.st_mode) ? 0 : EINVAL;
-    if (error != 0) ::close(file);
+int open_file(const char* path, int& file) noexcept { return open_regular(path, O_RDWR, file); }
+
+int open_lock_file(const char* path, int& file, bool& is_fresh) noexcept {
+    int error = EEXIST;
+    // Another run may make or remove the file between the two calls.
+    while (error == EEXIST) {
+        error = open_regular(path, O_RDWR, file);
+        if (error == EACCES) error = open_regular(path, O_RDONLY, file);
+        if (error != ENOENT) break;
+        error = create_file(path, file);
+        is_fresh = error == 0;
+    }
     return error;
+}
+
+bool is_of_this_user(int file) noexcept {
+    struct stat status {};
+    return ::fstat(file, &status) == 0 && status.st_uid == ::geteuid();
+}
+
+int try_lock(int file) noexcept {
+    struct stat status {};
+    if (::flock(file, LOCK_EX | LOCK_NB) != 0 || ::fstat(file, &status) != 0) return errno;
+    // A run that found the file before it was locked may have removed it.
+    return status.st_nlink > 0 ? 0 : EWOULDBLOCK;
+}
+
+void unlock(int file) noexcept { ::flock(file, LOCK_UN); }
+
+bool lacks_locks(int error) noexcept {
+    return error == ENOSYS || error == ENOTSUP || error == ENOLCK || error == EINVAL;
+}
+
+void close_file(int& file) noexcept {
+    if (file >= 0) ::close(std::exchange(file, -1));
 }
 
 int write_all(int file, std::string_view bytes) noexcept {

@@ -43,6 +43,18 @@ int look_up(const char* path, NameStatus& status) noexcept;
 int create_file(const char* path, int& file) noexcept;
 /// Opens a regular file, for reading and writing, under the same rule.
 int open_file(const char* path, int& file) noexcept;
+/// Opens a regular file that serves as a lock, and makes it where it is missing. A file of another
+/// user may be opened for reading alone.
+int open_lock_file(const char* path, int& file, bool& is_fresh) noexcept;
+bool is_of_this_user(int file) noexcept;
+/// Locks a file against all other descriptors if it still has a name. Returns EWOULDBLOCK if it is
+/// locked, or has lost its name since it was opened.
+int try_lock(int file) noexcept;
+void unlock(int file) noexcept;
+/// Whether an error says that the file system has no locks, and not that another run holds one.
+bool lacks_locks(int error) noexcept;
+/// Closes a descriptor and sets it to -1; does nothing for -1.
+void close_file(int& file) noexcept;
 int write_all(int file, std::string_view bytes) noexcept;
 /// Waits until the file is on the disk. Files that cannot be synchronised are no error.
 int sync_file(int file) noexcept;

@@ -1,11 +1,12 @@
 #include "io/outputs/file_moves.hpp"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <utility>
+
+#include "io/outputs/writable_paths.hpp"
 
 namespace pcvt {
 namespace {
@@ -32,6 +33,8 @@ int keep(const FileMove& move, const MoveStatus& status) {
     if (!status.target.exists || status.backup.exists) return 0;
     if (status.target.is_folder) return EISDIR;
     if (::link(move.target.c_str(), move.backup.c_str()) == 0) return 0;
+    // Somebody has removed the file since it was looked up.
+    if (errno == ENOENT) return 0;
     // Hard links are not supported, or not permitted to another user's file.
     return ::rename(move.target.c_str(), move.backup.c_str()) == 0 ? 0 : errno;
 }
@@ -84,7 +87,7 @@ int take_back(const FileMove& move) {
         return status.target.is_same_file(status.temporary) ? remove_name(move.target.c_str()) : 0;
     }
     if (move.kind == FileMove::Kind::kNewFolder) {
-        if (!status.target.is_folder) return 0;
+        if (!status.target.is_folder || status.target.stamp != move.fresh) return 0;
         return move_folder_to_free_name(move.target.c_str(), move.temporary.c_str());
     }
     if (!status.target.exists || status.target.stamp != move.fresh) return 0;
@@ -105,9 +108,10 @@ bool can_be_put(const FileMove& move) {
 
 }  // namespace
 
-FileMoves::FileMoves(std::vector<FileMove> moves, std::vector<std::string> missing,
-                     std::vector<std::string> staging)
-    : moves_(std::move(moves)), missing_(std::move(missing)), staging_(std::move(staging)) {}
+FileMoves::FileMoves(std::vector<FileMove> moves, std::set<std::string> staging)
+    : moves_(std::move(moves)), folders_(std::move(staging)) {
+    for (const FileMove& move : moves_) folders_.insert(folder_of(move.target));
+}
 
 bool FileMoves::can_be_completed() const noexcept {
     for (const FileMove& move : moves_) {
@@ -117,9 +121,6 @@ bool FileMoves::can_be_completed() const noexcept {
 }
 
 FileMoves::Fault FileMoves::put_all() noexcept {
-    for (const std::string& folder : missing_) {
-        if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) return {errno, folder.c_str()};
-    }
     for (const FileMove& move : moves_) {
         if (const int error = put(move)) return {error, move.target.c_str()};
     }
@@ -136,10 +137,6 @@ FileMoves::Fault FileMoves::take_all_back() noexcept {
         if (fault.error == 0) break;
     }
     if (fault.error != 0) return fault;
-    // Folders into which somebody else has put a file stay.
-    for (auto folder = missing_.rbegin(); folder != missing_.rend(); ++folder) {
-        ::rmdir(folder->c_str());
-    }
     return sync_folders();
 }
 
@@ -154,12 +151,10 @@ FileMoves::Fault FileMoves::remove_backups() noexcept {
 }
 
 FileMoves::Fault FileMoves::sync_folders() noexcept {
-    for (const auto* folders : {&staging_, &missing_}) {
-        for (const std::string& folder : *folders) {
-            const int error = sync_folder(folder.c_str());
-            // Taking files back removes the folders that were missing.
-            if (error != 0 && error != ENOENT && error != ENOTDIR) return {error, folder.c_str()};
-        }
+    for (const std::string& folder : folders_) {
+        const int error = sync_folder(folder.c_str());
+        // A target whose folder is missing cannot be moved, which is reported.
+        if (error != 0 && error != ENOENT && error != ENOTDIR) return {error, folder.c_str()};
     }
     return {};
 }

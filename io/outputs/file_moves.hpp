@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct FileMove {
 /// move half way. No old file loses its last name before remove_backups().
 ///
 /// Example usage:
-///     FileMoves moves(std::move(list), missing_folders, staging_folders);
+///     FileMoves moves(std::move(list), staging_folders);
 ///     FileMoves::Fault fault = moves.put_all();
 ///     if (fault.error == 0) moves.remove_backups();
 ///     else moves.take_all_back();
@@ -44,18 +45,15 @@ class FileMoves {
         const char* path = "";
     };
 
-    /// @param missing  folders that the targets need, outer ones first.
     /// @param staging  the folders that hold the temporary files.
-    FileMoves(std::vector<FileMove> moves, std::vector<std::string> missing,
-              std::vector<std::string> staging);
+    FileMoves(std::vector<FileMove> moves, std::set<std::string> staging);
 
     /// Whether nobody else has changed the files of the moves that are not done yet.
     bool can_be_completed() const noexcept;
-    /// Makes the missing folders, moves every file that is not done, and waits until the names are
-    /// on the disk.
+    /// Moves every file that is not done, and waits until the names are on the disk.
     Fault put_all() noexcept;
-    /// Restores all targets, and removes the folders if they are empty. Tries each move several
-    /// times. A target that somebody else has written since stays as it is.
+    /// Restores all targets. Tries each move several times. A target that somebody else has written
+    /// since stays as it is.
     Fault take_all_back() noexcept;
     /// Removes the last names of the old files, and waits until that is on the disk.
     Fault remove_backups() noexcept;
@@ -66,8 +64,8 @@ class FileMoves {
 
    private:
     std::vector<FileMove> moves_;
-    std::vector<std::string> missing_;
-    std::vector<std::string> staging_;
+    /// The folders in which names change.
+    std::set<std::string> folders_;
 };
 
 }  // namespace pcvt

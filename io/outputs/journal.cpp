@@ -7,7 +7,7 @@
 namespace pcvt {
 namespace {
 
-constexpr std::string_view kJournal = "pcvt journal 1";
+constexpr std::string_view kJournal = "pcvt journal 2";
 constexpr std::string_view kPointer = "pcvt pointer 1";
 /// No more than a file of kMostBytes can hold.
 constexpr long long kMostItems = 1 << 24;
@@ -130,11 +130,6 @@ std::string encode_journal(const Journal& journal) {
         fields.add(folder.path);
         fields.add(folder.token);
     }
-    fields.add(static_cast<long long>(journal.missing.size()));
-    for (const Journal::MissingFolder& missing : journal.missing) {
-        fields.add(static_cast<long long>(missing.folder));
-        fields.add(missing.path);
-    }
     fields.add(static_cast<long long>(journal.moves.size()));
     for (const Journal::Move& move : journal.moves) {
         fields.add(static_cast<long long>(move.kind));
@@ -154,12 +149,6 @@ std::optional<Journal> decode_journal(std::string_view bytes) {
     for (std::size_t n = fields.count(kMostItems); n > 0 && fields.is_good(); --n) {
         const std::string path(fields.text());
         journal.folders.push_back({path, std::string(fields.text())});
-    }
-    const long long last_folder = static_cast<long long>(journal.folders.size()) - 1;
-    for (std::size_t n = fields.count(kMostItems); n > 0 && fields.is_good(); --n) {
-        const std::size_t folder = fields.count(last_folder);
-        journal.missing.push_back({folder, std::string(fields.text())});
-        fields.require(stays_below(journal.missing.back().path));
     }
     for (std::size_t n = fields.count(kMostItems); n > 0 && fields.is_good(); --n) {
         journal.moves.push_back(read_move(fields, journal));

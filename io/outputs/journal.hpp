@@ -30,15 +30,8 @@ struct Journal {
         FileStamp fresh;
         FileStamp old;
     };
-    struct MissingFolder {
-        std::size_t folder = 0;
-        /// Relative to the folder.
-        std::string path;
-    };
     std::vector<Folder> folders;
     std::vector<Move> moves;
-    /// The folders that the targets need, outer ones first.
-    std::vector<MissingFolder> missing;
 };
 
 std::string encode_journal(const Journal& journal);

@@ -13,8 +13,10 @@
 #include <utility>
 
 #include "io/bytes/output_error.hpp"
+#include "io/outputs/commit_locks.hpp"
 #include "io/outputs/journal.hpp"
 #include "io/outputs/run_file.hpp"
+#include "io/outputs/writable_paths.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,6 +28,7 @@ struct RunNames {
     std::vector<std::string> tokens;
     /// Names of temporary files, each with its token.
     std::vector<std::pair<std::string, std::string>> temporaries;
+    bool has_lock = false;
 };
 
 /// Reads a folder by the functions of POSIX, because the step of
@@ -40,6 +43,8 @@ RunNames run_names(const std::string& folder) {
             names.tokens.push_back(*std::move(token));
         } else if ((token = temporary_token(leaf))) {
             names.temporaries.emplace_back(leaf, *std::move(token));
+        } else if (is_commit_lock(leaf)) {
+            names.has_lock = true;
         }
     }
     return names;
@@ -127,7 +132,7 @@ class UnfinishedSet {
                              .fresh = move.fresh,
                              .old = move.old});
         }
-        return {std::move(moves), missing(), agreed_folders()};
+        return {std::move(moves), agreed_folders()};
     }
 
     /// Removes all other names of the set; the run file of the journal goes last.
@@ -150,19 +155,10 @@ class UnfinishedSet {
         const std::optional<std::string> target = decode_pointer(*bytes);
         return target && absolute_path(*target) == absolute_path(master.path());
     }
-    std::vector<std::string> missing() const {
-        std::vector<std::string> paths;
-        for (const Journal::MissingFolder& folder : journal_.missing) {
-            const std::string& above = folders_[folder.folder];
-            if (!is_agreed_[folder.folder] || !has_plain_folders(above, folder.path)) continue;
-            paths.push_back(above + "/" + folder.path);
-        }
-        return paths;
-    }
-    std::vector<std::string> agreed_folders() const {
-        std::vector<std::string> paths;
+    std::set<std::string> agreed_folders() const {
+        std::set<std::string> paths;
         for (std::size_t f = 0; f < folders_.size(); ++f) {
-            if (is_agreed_[f]) paths.push_back(folders_[f]);
+            if (is_agreed_[f]) paths.insert(folders_[f]);
         }
         return paths;
     }
@@ -172,10 +168,15 @@ class UnfinishedSet {
     std::vector<bool> is_agreed_;
 };
 
-/// Completes the set of a journal, or takes it back. Returns a line that says so.
-std::string finish_set(RunFile& master, const Journal& journal) {
+/// Completes the set of a journal, or takes it back. Returns a line that says so; nothing where
+/// another set is being committed in one of the folders, which is left for the next run.
+std::optional<std::string> finish_set(RunFile& master, const Journal& journal) {
     const UnfinishedSet set(master, journal);
     FileMoves moves = set.moves();
+    std::set<std::string> targets;
+    for (const FileMove& move : moves.moves()) targets.insert(existing_folder_of(move.target));
+    CommitLocks locks;
+    if (!locks.try_take(targets)) return {};
     const std::string line = master.folder() + ": an earlier run ended while it wrote; its " +
                              std::to_string(moves.moves().size()) + " files are ";
     if (moves.can_be_completed()) {
@@ -246,16 +247,35 @@ void recover(const std::string& folder, const std::string& token, std::vector<st
         return;
     }
     run.release();
-    lines.push_back(finish_set(*evidence.master, *evidence.journal));
+    std::optional<std::string> line = finish_set(*evidence.master, *evidence.journal);
+    if (line) lines.push_back(*std::move(line));
+}
+
+/// Whether a folder that is moved as a whole contains one of the files, which are absolute paths.
+bool contains_below(const std::string& temporary, const std::string& target,
+                    const std::set<std::string>& files) {
+    NameStatus waiting;
+    if (look_up(temporary.c_str(), waiting) != 0) return true;
+    const std::string below = target + "/";
+    for (auto file = files.lower_bound(below); file != files.end() && file->starts_with(below);
+         ++file) {
+        NameStatus status;
+        const std::string path = waiting.exists ? temporary + file->substr(target.size()) : *file;
+        if (look_up(path.c_str(), status) != 0 || status.exists) return true;
+    }
+    return false;
 }
 
 /// Whether a set contains one of the files, which are absolute paths.
 bool contains(const Journal& journal, const std::string& own_folder,
               const std::set<std::string>& files) {
     return std::any_of(journal.moves.begin(), journal.moves.end(), [&](const Journal::Move& move) {
-        const std::string& folder = journal.folders[move.folder].path;
-        const std::string target = (folder.empty() ? own_folder : folder) + "/" + move.target;
-        return files.contains(absolute_path(target));
+        const std::string& named = journal.folders[move.folder].path;
+        const std::string folder = (named.empty() ? own_folder : named) + "/";
+        const std::string target = absolute_path(folder + move.target);
+        if (files.contains(target)) return true;
+        return move.kind == FileMove::Kind::kNewFolder &&
+               contains_below(folder + move.temporary, target, files);
     });
 }
 
@@ -273,6 +293,7 @@ std::vector<std::string> recover_unfinished(const std::vector<std::string>& path
                 remove_temporaries(folder, token);
             }
         }
+        if (names.has_lock) remove_stale_lock(folder);
     }
     return lines;
 }

@@ -1,7 +1,5 @@
 #include "io/outputs/run_file.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -48,11 +46,6 @@ std::string fresh_token() {
 bool is_token(std::string_view text) {
     return text.size() == kTokenLength &&
            text.find_first_not_of(kLetters) == std::string_view::npos;
-}
-
-/// Whether an error says that the file system has no locks, and not that another run holds one.
-bool lacks_locks(int error) {
-    return error == ENOSYS || error == ENOTSUP || error == ENOLCK || error == EINVAL;
 }
 
 }  // namespace
@@ -102,20 +95,13 @@ RunFile::RunFile(RunFile&& other) noexcept
 
 RunFile::~RunFile() { release(); }
 
-int RunFile::lock() {
-    struct stat status {};
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 || ::fstat(file_, &status) != 0) return errno;
-    // A run that found the file before it was locked may have removed it.
-    return status.st_nlink > 0 ? 0 : EWOULDBLOCK;
-}
-
 RunFile RunFile::create(const std::string& folder, const std::string& target) {
     for (int attempt = 0;; ++attempt) {
         RunFile run(folder, fresh_token());
         int error = create_file(run.path_.c_str(), run.file_);
         if (error == 0) {
             run.owner_ = RunFileOwner::kThisProcess;
-            error = run.lock();
+            error = try_lock(run.file_);
             // Where there are no locks, other runs cannot lock either and leave the file alone.
             if (error == 0 || lacks_locks(error)) return run;
             run.remove();
@@ -131,10 +117,9 @@ RunFile RunFile::open(const std::string& folder, const std::string& token) {
     const int error = open_file(run.path_.c_str(), run.file_);
     if (error == ENOENT) return run;
     run.owner_ = RunFileOwner::kLivingRun;
-    struct stat status {};
     // A file of another user may say anything about the files of this one.
-    if (error != 0 || ::fstat(run.file_, &status) != 0 || status.st_uid != ::geteuid()) return run;
-    if (run.lock() == 0) run.owner_ = RunFileOwner::kThisProcess;
+    if (error != 0 || !is_of_this_user(run.file_)) return run;
+    if (try_lock(run.file_) == 0) run.owner_ = RunFileOwner::kThisProcess;
     return run;
 }
 
@@ -143,9 +128,8 @@ std::optional<std::string> RunFile::content_of(const std::string& folder,
     RunFile run(folder, token);
     const int error = open_file(run.path_.c_str(), run.file_);
     if (error == ENOENT || error == ENOTDIR) return "";
-    struct stat status {};
-    if (error != 0 || ::fstat(run.file_, &status) != 0) return {};
-    return status.st_uid == ::geteuid() ? run.read() : "";
+    if (error != 0) return {};
+    return is_of_this_user(run.file_) ? run.read() : "";
 }
 
 std::optional<std::string> RunFile::read() const {
@@ -177,7 +161,7 @@ void RunFile::remove() noexcept {
 }
 
 void RunFile::release() noexcept {
-    if (file_ >= 0) ::close(std::exchange(file_, -1));
+    close_file(file_);
     owner_ = RunFileOwner::kNobody;
 }
 

@@ -66,8 +66,6 @@ class RunFile {
 
    private:
     RunFile(std::string folder, std::string token);
-    /// Locks the file if it still has its name. Returns 0, or the system's error.
-    int lock();
 
     std::string folder_;
     std::string token_;

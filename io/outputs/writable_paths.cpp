@@ -64,7 +64,7 @@ void require_writable_folder(const std::string& folder, const std::vector<std::s
     if (::stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
         throw_unwritable(folder, "it exists and is not a folder; choose another name");
     }
-    if (!force) throw_unwritable(folder, "it exists; use --force to replace the files in it");
+    if (!force) refuse_existing(folder);
     for (const std::string& path : paths) {
         require_writable(path, force);
     }

@@ -22,4 +22,9 @@ Density png_density(const std::string& path, const GreyRange& range) {
     return image_density(decode_png(path, read_whole_file(path, kPictureInput)), range);
 }
 
+double png_height_over_width(const std::string& path) {
+    const GreyImage image = decode_png(path, read_whole_file(path, kPictureInput));
+    return double(image.height) / image.width;
+}
+
 }  // namespace pcvt

@@ -28,4 +28,7 @@ Density image_density(GreyImage image, const GreyRange& range);
 ///         LimitExceeded also for more than 256 MiB.
 Density png_density(const std::string& path, const GreyRange& range);
 
+/// Returns the height over the width of the picture in a PNG file. @throws as png_density().
+double png_height_over_width(const std::string& path);
+
 }  // namespace pcvt

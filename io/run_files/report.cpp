@@ -79,7 +79,9 @@ std::string word(const Report::Pattern& pattern) {
 }
 
 std::string word(const Report::Areas& areas) {
-    return "{\"law\": " + word(areas.law) + ", \"std_over_mean\": " + word(areas.std_over_mean) +
+    return "{\"law\": " + word(areas.law) +
+           (areas.scale ? ", \"scale\": " + word(*areas.scale) : "") +
+           ", \"std_over_mean\": " + word(areas.std_over_mean) +
            ", \"largest_relative_error\": " + word(areas.largest_relative_error) +
            ", \"largest_relative_mesh_error\": " + word(areas.largest_relative_mesh_error) +
            ", \"newton_steps\": " + word(areas.newton_steps) +
@@ -127,6 +129,24 @@ std::string word(const std::vector<Report::Phase>& phases) {
     return text + "]";
 }
 
+std::string word(const Report::Orientations& orientations) {
+    const auto range = [](const std::array<double, 2>& angles) {
+        return "[" + word(angles[0]) + ", " + word(angles[1]) + "]";
+    };
+    return "{\"phi1\": " + range(orientations.phi1) + ", \"Phi\": " + range(orientations.Phi) +
+           ", \"phi2\": " + range(orientations.phi2) + "}";
+}
+
+std::string word(const std::vector<Report::Material>& materials) {
+    std::string text;
+    for (const auto& [name, constants] : materials) {
+        text += (text.empty() ? "[{\"name\": " : ", {\"name\": ") + word(name);
+        for (const auto& [key, value] : constants) text += ", \"" + key + "\": " + word(value);
+        text += "}";
+    }
+    return text + "]";
+}
+
 std::string word(bool value) { return value ? "true" : "false"; }
 
 std::string word(const std::array<std::array<double, 3>, 3>& vectors) {
@@ -147,6 +167,20 @@ std::string word(const SpaceReport::Pattern& pattern) {
 std::string word(const SpaceReport::Seconds& s) {
     return "{\"optimize\": " + word(s.optimize) + ", \"write\": " + word(s.write) +
            ", \"total\": " + word(s.total) + "}";
+}
+
+std::string word(const std::vector<CoincidentSite>& pairs) {
+    std::string text;
+    for (const auto& [site, earlier] : pairs) {
+        text += (text.empty() ? "[[" : ", [") + word(site) + ", " + word(earlier) + "]";
+    }
+    return text.empty() ? "[]" : text + "]";
+}
+
+std::string word(const DroppedSites& dropped) {
+    const auto n = static_cast<int>(dropped.sites.size());
+    return "{\"dropped\": " + word(n) + ", \"sites\": " + word(dropped.sites) +
+           (dropped.lines.empty() ? "" : ", \"lines\": " + word(dropped.lines)) + "}";
 }
 
 /// The keys with their values.
@@ -214,6 +248,9 @@ std::string encode_report(const Report& report) {
     if (report.inclusions) entries.emplace_back("inclusions", word(*report.inclusions));
     if (report.walls) entries.emplace_back("walls", word(*report.walls));
     if (!report.phases.empty()) entries.emplace_back("phases", word(report.phases));
+    if (report.duplicates) entries.emplace_back("duplicates", word(*report.duplicates));
+    if (report.orientations) entries.emplace_back("orientations", word(*report.orientations));
+    if (!report.materials.empty()) entries.emplace_back("materials", word(report.materials));
     return object_text(entries);
 }
 
@@ -246,6 +283,7 @@ std::string encode_report(const SpaceReport& report) {
     add("seconds", report.seconds);
     add("files", report.files);
     if (report.pattern) add("pattern", *report.pattern);
+    if (report.duplicates) add("duplicates", *report.duplicates);
     return object_text(entries);
 }
 

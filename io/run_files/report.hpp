@@ -5,8 +5,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "mesher/base/coincident_sites.hpp"
 #include "mesher/lattice/lattice.hpp"
 
 namespace pcvt {
@@ -74,6 +76,9 @@ struct Report {
     struct Areas {
         /// The law, or the path of the file.
         std::string law;
+        /// The factor that took given areas to the area of the domain; the key is left out without
+        /// them.
+        std::optional<double> scale = {};
         /// Of the equivalent diameters.
         double std_over_mean;
         double largest_relative_error;
@@ -123,6 +128,18 @@ struct Report {
         int cells;
     };
 
+    /// The least and the greatest of each angle of the orientations, degrees.
+    struct Orientations {
+        std::array<double, 2> phi1;
+        std::array<double, 2> Phi;
+        std::array<double, 2> phi2;
+    };
+    /// A material of the files, and its elastic constants by name.
+    struct Material {
+        std::string name;
+        std::vector<std::pair<std::string, double>> constants;
+    };
+
     std::string version;
     int sites;
     Lattice lattice;
@@ -166,6 +183,12 @@ struct Report {
     std::optional<Walls> walls = {};
     std::optional<Inclusions> inclusions = {};
     std::vector<Phase> phases = {};
+    /// Sites that were left out because they coincide with earlier ones; runs that refuse such
+    /// sites leave this key out.
+    std::optional<DroppedSites> duplicates = {};
+    std::optional<Orientations> orientations = {};
+    /// Of files that state elastic constants.
+    std::vector<Material> materials = {};
 };
 
 /// The report of a run in three dimensions, in the order of the file's keys.
@@ -217,6 +240,8 @@ struct SpaceReport {
     std::vector<std::string> files;
     /// Runs that do not begin at a lattice leave this key out.
     std::optional<Pattern> pattern = {};
+    /// As in Report.
+    std::optional<DroppedSites> duplicates = {};
 };
 
 /// Encodes the report as JSON: one key per line, numbers as the shortest decimals that read back,

@@ -4,6 +4,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
+#include "mesher/base/site_id.hpp"
 
 namespace pcvt {
 namespace {
@@ -64,14 +65,25 @@ bool are_read_back(const std::string& name, std::string_view text,
     return same && n == sites.cols();
 }
 
-/// "file:7: the site coincides with the site of line 3 modulo the lattice".
 template <int Dimension>
-std::string coincidence(const SiteFileOf<Dimension>& file, const DuplicateSites& duplicate) {
-    const int first = file.lines[static_cast<std::size_t>(duplicate.first())];
-    const int second = file.lines[static_cast<std::size_t>(duplicate.second())];
-    return file.name + ":" + std::to_string(second) +
-           ": the site coincides with the site of line " + std::to_string(first) +
-           " modulo the lattice";
+BadFile with_lines(const SiteFileOf<Dimension>& file, const DuplicateSites& duplicate) {
+    const auto line = [&file](SiteId s) { return std::to_string(file.lines[std::size_t(s)]); };
+    const std::string first = line(duplicate.first());
+    const std::string second = line(duplicate.second());
+    const std::string place = file.name + ":" + second + ": ";
+    const std::string how = " modulo the lattice, to 1e-9 of the spacing";
+    const bool same = file.points.col(duplicate.first()) == file.points.col(duplicate.second());
+    const std::string remedy =
+        std::string(same ? "" : ", or give the periods by --period or --lattice") +
+        ", or add --duplicates drop";
+    const auto& pairs = duplicate.pairs();
+    if (pairs.size() == 1) {
+        return BadFile(place + "the site coincides with the site of line " + first + how +
+                       "; remove one" + remedy);
+    }
+    return BadFile(place + std::to_string(pairs.size()) + " sites coincide with earlier ones" +
+                   how + ": " + coincidence_list(pairs, [&](int s) { return "line " + line(s); }) +
+                   "; remove them" + remedy);
 }
 
 }  // namespace
@@ -113,13 +125,11 @@ bool reads_back(const std::string& name, std::string_view text, const Eigen::Mat
 }
 
 BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate) {
-    const bool same = file.points.col(duplicate.first()) == file.points.col(duplicate.second());
-    return BadFile(coincidence(file, duplicate) + ", to 1e-9 of the spacing; remove one" +
-                   (same ? "" : ", or give the periods by --period or --lattice"));
+    return with_lines(file, duplicate);
 }
 
 BadFile duplicate_lines(const SpaceSiteFile& file, const DuplicateSites& duplicate) {
-    return BadFile(coincidence(file, duplicate) + "; remove one");
+    return with_lines(file, duplicate);
 }
 
 }  // namespace pcvt

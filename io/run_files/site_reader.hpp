@@ -43,8 +43,10 @@ SiteFileOf<Dimension> read_sites(const std::string& path);
 bool reads_back(const std::string& name, std::string_view text, const Eigen::Matrix2Xd& sites);
 bool reads_back(const std::string& name, std::string_view text, const Eigen::Matrix3Xd& sites);
 
-/// Returns `duplicate` with lines in its message:
-/// "file:7: the site coincides with the site of line 3 ...; remove one".
+/// Returns `duplicate` with lines in its message: "file:7: the site coincides with the site of line
+/// 3
+/// ...; remove one ...", or "file:7: 2 sites coincide with earlier ones ...: line 7 with line 3,
+/// line 9 with line 3; ...".
 BadFile duplicate_lines(const SiteFile& file, const DuplicateSites& duplicate);
 BadFile duplicate_lines(const SpaceSiteFile& file, const DuplicateSites& duplicate);
 

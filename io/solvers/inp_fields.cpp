@@ -24,7 +24,7 @@ constexpr std::string_view kOrbitCard = "*ELSET,ELSET=ORBIT_";
 std::string card_name(const std::vector<std::string_view>& words) {
     std::string card;
     for (const std::string_view word : words) card += word;
-    card = upper_case(std::move(card));
+    card = upper_case(card);
     const std::size_t type = card.find("TYPE=CPS");
     if (type != std::string::npos) card.replace(type, 8, "TYPE=CPE");
     return card;
@@ -51,7 +51,7 @@ std::string_view comment_key(const std::vector<std::string_view>& words) {
 
 /// The names of the sets of nodes and of sides on a hole.
 void add_hole_sets(std::string_view hole, std::vector<std::string>& sets) {
-    const std::string name = upper_case(std::string(hole));
+    const std::string name = upper_case(hole);
     if (std::find(sets.begin(), sets.end(), name) != sets.end()) return;
     sets.push_back(name);
     sets.push_back(name + "_SIDES,TYPE=ELEMENT");
@@ -88,7 +88,8 @@ void normalise_set(std::vector<FileWord>& words) {
 
 }  // namespace
 
-std::string upper_case(std::string word) {
+std::string upper_case(std::string_view text) {
+    std::string word(text);
     for (char& c : word) {
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     }

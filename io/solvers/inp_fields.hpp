@@ -19,6 +19,6 @@ namespace pcvt {
 std::optional<FileFields> inp_fields(const std::string& name, std::string_view text);
 
 /// Returns a word in upper case, as solvers read names.
-std::string upper_case(std::string word);
+std::string upper_case(std::string_view text);
 
 }  // namespace pcvt

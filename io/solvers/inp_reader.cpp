@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr const char* kCellSet = "CELL_";
+constexpr const char* kCellSetUpper = "CELL_";
 constexpr std::size_t kTerms = 4;
 /// The types of plane triangles; the last character of a name is the number of nodes.
 const std::array<const char*, 4> kTypes{"CPE3", "CPS3", "CPE6", "CPS6"};
@@ -134,7 +134,7 @@ class InpParser {
             handler_ = &InpParser::parse_element;
         } else if (card == "*ELSET") {
             set_ = parameter(fields, "ELSET");
-            if (set_.starts_with(kCellSet)) handler_ = &InpParser::parse_cell;
+            if (set_.starts_with(kCellSetUpper)) handler_ = &InpParser::parse_cell;
         } else if (card == "*EQUATION") {
             handler_ = &InpParser::parse_equation;
         }
@@ -168,7 +168,7 @@ class InpParser {
 
     void parse_cell(const Words& fields) {
         const int cell =
-            scanner_.integer(std::string_view(set_).substr(std::string_view(kCellSet).size()));
+            scanner_.integer(std::string_view(set_).substr(std::string_view(kCellSetUpper).size()));
         for (const std::string_view field : fields) {
             file_.numbered.triangle_sites.push_back(
                 {scanner_.integer(field), scanner_.line(), cell});

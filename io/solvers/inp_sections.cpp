@@ -1,10 +1,14 @@
 #include "io/solvers/inp_sections.hpp"
 
 #include <array>
+#include <cmath>
+#include <initializer_list>
 
 #include "io/bytes/text.hpp"
 #include "io/elements/fixed_width_numbers.hpp"
+#include "io/solvers/inp_fields.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/lattice/set_names.hpp"
 #include "mesher/materials/orientations.hpp"
 
 namespace pcvt {
@@ -16,13 +20,14 @@ constexpr std::size_t kSetsALine = 8;
 /// @param class_of  of each site.
 void append_cell_sets(std::string& text, std::span<const int> class_of,
                       std::span<const std::string> set_names, std::span<const SiteId> cells) {
+    const std::string cell_set = upper_case(kCellSet);
     std::vector<std::vector<SiteId>> members(set_names.size());
     for (const SiteId s : cells) members[class_of[s]].push_back(s);
     for (std::size_t p = 0; p < members.size(); ++p) {
         if (members[p].empty()) continue;
         text += "*ELSET,ELSET=" + set_names[p] + "\n";
         for (std::size_t k = 0; k < members[p].size(); ++k) {
-            text += "CELL_" + std::to_string(members[p][k]);
+            text += cell_set + std::to_string(members[p][k]);
             text += (k + 1) % kSetsALine == 0 || k + 1 == members[p].size() ? '\n' : ',';
         }
     }
@@ -31,14 +36,15 @@ void append_cell_sets(std::string& text, std::span<const int> class_of,
 void append_phase_sets(std::string& text, const CellMaterials& materials,
                        std::span<const SiteId> cells) {
     std::vector<std::string> names;
-    for (const std::string& phase : materials.phase_names) names.push_back("PHASE_" + phase);
+    for (const std::string& phase : materials.phase_names)
+        names.push_back(upper_case(kPhaseSet) + phase);
     append_cell_sets(text, materials.site_phase, names, cells);
 }
 
 void append_orientation(std::string& text, SiteId site, const BungeAngles& angles) {
     const FixedWidthNumbers numbers(1);
     const Eigen::Matrix3d g = bunge_matrix(angles);
-    text += "*ORIENTATION,NAME=ORI_" + std::to_string(site) + "\n";
+    text += "*ORIENTATION,NAME=" + upper_case(kOrientationSet) + std::to_string(site) + "\n";
     for (int k = 0; k < 6; ++k) {
         if (k > 0) text += ',';
         if (!numbers.append(text, g(k / 3, k % 3))) {
@@ -48,6 +54,10 @@ void append_orientation(std::string& text, SiteId site, const BungeAngles& angle
     text += '\n';
 }
 
+constexpr const char* kGiven =
+    "** Materials: the constants are those that the user gave. *ELASTIC has E, nu; TYPE=ORTHO has\n"
+    "** C11, C12, C22, C13, C23, C33, C66, C55 and, on a line of its own, C44, along the axes of "
+    "each\n** crystal.\n";
 constexpr const char* kIsotropic =
     "** Materials: edit the constants. The default is steel in MPa, isotropic: E, nu.\n";
 constexpr const char* kCubic =
@@ -65,12 +75,43 @@ constexpr std::array kLoadCases{LoadCase{"e_xx = 1", "1.", "0.", "0."},
                                 LoadCase{"e_yy = 1", "0.", "1.", "0."},
                                 LoadCase{"e_xy = 1/2", "0.", "0.", "0.5"}};
 
-void append_material(std::string& text, const std::string& name, bool is_cubic) {
-    text += "*MATERIAL,NAME=" + name + "\n";
-    text += is_cubic ? "*ELASTIC,TYPE=ORTHO\n"
-                       "231400.,134700.,231400.,134700.,134700.,231400.,116400.,116400.\n"
-                       "116400.\n"
-                     : "*ELASTIC\n210000.,0.3\n";
+/// The rounding that the width of a number allows, over its last digit.
+constexpr double kUlpsOfConstants = 1 << 10;
+
+/// Appends a constant with a decimal point, in the width that solvers read.
+void append_constant(std::string& text, double value) {
+    std::string number;
+    const FixedWidthNumbers numbers(kUlpsOfConstants * std::abs(value));
+    if (!numbers.append(number, value)) {
+        throw InvalidInput(
+            "an elastic constant is too small or too large for solvers; take another "
+            "unit of stress");
+    }
+    if (number.find_first_of(".e") == std::string::npos) number += '.';
+    text += number;
+}
+
+/// Appends constants with commas between them.
+void append_constants(std::string& text, std::initializer_list<double> values) {
+    for (const double value : values) {
+        append_constant(text, value);
+        text += ',';
+    }
+    text.back() = '\n';
+}
+
+void append_material(std::string& text, const NamedConstants& material) {
+    text += "*MATERIAL,NAME=" + material.name + "\n";
+    const std::vector<double>& numbers = material.constants.numbers;
+    if (material.constants.is_isotropic()) {
+        text += "*ELASTIC\n";
+        append_constants(text, {numbers[0], numbers[1]});
+        return;
+    }
+    const auto [c11, c12, c13, c33, c44, c66] = stiffness_of(material.constants);
+    text += "*ELASTIC,TYPE=ORTHO\n";
+    append_constants(text, {c11, c12, c11, c13, c13, c33, c66, c44});
+    append_constants(text, {c44});
 }
 
 void append_step(std::string& text, const LoadCase& load) {
@@ -88,35 +129,51 @@ std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const Sit
     std::string text;
     std::vector<std::string> names;
     for (const int orbit : site_orbits) {
-        if (orbit == std::ssize(names)) names.push_back("ORBIT_" + std::to_string(orbit));
+        if (orbit == std::ssize(names))
+            names.push_back(upper_case(kOrbitSet) + std::to_string(orbit));
     }
     if (!names.empty()) append_cell_sets(text, site_orbits, names, cells);
     return text;
 }
 
 std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells) {
+    const std::string cell_set = upper_case(kCellSet);
     std::string text;
     if (!materials.site_phase.empty()) append_phase_sets(text, materials, cells);
     for (const SiteId s : cells) {
         const bool turned = !materials.site_orientation.empty();
         if (turned) append_orientation(text, s, materials.site_orientation[s]);
-        text += "*SOLID SECTION,ELSET=CELL_" + std::to_string(s) + ",MATERIAL=" +
+        text += "*SOLID SECTION,ELSET=" + cell_set + std::to_string(s) + ",MATERIAL=" +
                 (materials.site_phase.empty() ? kOneMaterial
                                               : materials.phase_names[materials.site_phase[s]]);
-        if (turned) text += ",ORIENTATION=ORI_" + std::to_string(s);
+        if (turned) text += ",ORIENTATION=" + upper_case(kOrientationSet) + std::to_string(s);
         text += "\n1.\n";
     }
     return text;
 }
 
-std::string inp_elastic_job(const CellMaterials& materials) {
-    const bool is_cubic = !materials.site_orientation.empty();
-    std::string text = is_cubic ? kCubic : kIsotropic;
-    if (materials.phase_names.empty()) append_material(text, kOneMaterial, is_cubic);
-    for (const std::string& name : materials.phase_names) append_material(text, name, is_cubic);
+ElasticConstants inp_standard_constants(const CellMaterials& materials) {
+    if (materials.site_orientation.empty()) return {{210000, 0.3}};
+    return {{231400, 134700, 116400}};
+}
+
+std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
+                            double period_area) {
+    const ElasticConstants standard = inp_standard_constants(materials);
+    std::string text = !choices.materials.empty() ? kGiven
+                       : standard.is_isotropic()  ? kIsotropic
+                                                  : kCubic;
+    for (const NamedConstants& material : chosen_materials(choices, materials, standard)) {
+        append_material(text, material);
+    }
     if (materials.empty()) {
         text += std::string("*SOLID SECTION,ELSET=EALL,MATERIAL=") + kOneMaterial + "\n1.\n";
     }
+    text += "** The area of the period is ";
+    append_number(text, period_area);
+    text +=
+        ", and its volume the same, because elements are 1 thick. The mean\n"
+        "** stress of a step is the sum of S x volume over that volume, which counts holes, too.\n";
     for (const LoadCase& load : kLoadCases) append_step(text, load);
     return text;
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mesher/lattice/sites.hpp"
-#include "mesher/materials/cell_materials.hpp"
+#include "mesher/materials/elastic_choices.hpp"
 
 namespace pcvt {
 
@@ -12,9 +12,6 @@ namespace pcvt {
 /// @param site_orbits  of all sites; empty: no sets.
 /// @param cells        the sites that have a set CELL_s, rising.
 std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const SiteId> cells);
-
-/// The name of the material of cells without phases.
-inline constexpr const char* kOneMaterial = "GRAINS";
 
 /// Returns the sections of the cells:
 ///
@@ -31,23 +28,28 @@ inline constexpr const char* kOneMaterial = "GRAINS";
 /// @param cells  the sites that have a set CELL_s, rising.
 std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells);
 
-/// Returns the materials and the steps with which the mesh of a tile becomes a job that CalculiX
-/// runs as it is. Behind a line that asks for the user's constants, one *MATERIAL a phase
-/// has the default ones, in MPa:
+/// The elastic constants of all materials of a job where the user gives none, in MPa:
 ///
 ///   without orientations  steel, isotropic: E = 210000, nu = 0.3
 ///   with orientations     iron, cubic: C11 = 231400, C12 = 134700, C44 = 116400, along the axes of
 ///                         each crystal
+ElasticConstants inp_standard_constants(const CellMaterials& materials);
+
+/// Returns the materials and the steps with which the mesh of a tile becomes a job that CalculiX
+/// runs as it is: one *MATERIAL a phase, with the chosen constants or the standard ones.
 ///
 /// Three linear steps prescribe a unit mean strain each, at the control nodes: e_xx = 1, e_yy = 1
 /// and e_xy = 1/2, which is the shear gamma_xy = 1. The mean stress of a step, that is the sum of S
-/// x volume over the sum of the volumes, is a column of the homogenised stiffness. The results are
-/// S, E and the volumes of the elements as text (.dat), and U, S and E for pictures (.frd).
+/// x volume over the volume of the period, is a column of the homogenised stiffness. The results
+/// are S, E and the volumes of the elements as text (.dat), and U, S and E for pictures (.frd).
 ///
 /// Example usage:
-///     text += inp_elastic_job(materials);
+///     text += inp_elastic_job(materials, options.elastic, tile.lattice.area());
 ///
-/// @param materials  without phases and orientations: a section of all elements is added.
-std::string inp_elastic_job(const CellMaterials& materials);
+/// @param materials    without phases and orientations: a section of all elements is added.
+/// @param period_area  by which the sum of S x volume is divided, also where the elements leave
+///                     holes; a comment states it.
+std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
+                            double period_area);
 
 }  // namespace pcvt

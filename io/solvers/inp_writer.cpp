@@ -86,7 +86,8 @@ class InpText {
         append_wall_sides();
         append_equations();
         if (options_.materials != nullptr) text_ += inp_sections(*options_.materials, cell_sets_);
-        if (options_.job == SolverJob::kElastic) text_ += inp_elastic_job(materials());
+        if (options_.job == SolverJob::kElastic)
+            text_ += inp_elastic_job(materials(), options_.elastic, tile_.lattice.area());
         return std::move(text_);
     }
 
@@ -145,20 +146,21 @@ class InpText {
     }
 
     void append_nodes() {
-        text_ += "*NODE,NSET=NALL\n";
+        text_ += "*NODE,NSET=" + upper_case(kAllNodesSet) + "\n";
         for (int v = 0; v < nodes_.n_nodes(); ++v) append_node(v + 1, nodes_.points[v]);
         if (is_box()) return;
-        text_ += "*NODE,NSET=CONTROL_1\n";
-        append_node(control(1), tile_.points[0]);
-        text_ += "*NODE,NSET=CONTROL_2\n";
-        append_node(control(2), tile_.points[0]);
+        for (const int k : {1, 2}) {
+            text_ += "*NODE,NSET=" + upper_case(kControlSet) + std::to_string(k) + "\n";
+            append_node(control(k), tile_.points[0]);
+        }
     }
 
     void append_elements() {
         text_ += std::string("*ELEMENT,TYPE=") + find_row(kPlaneElements, [this](const auto& row) {
                                                      return row.element == options_.element;
                                                  })->word;
-        text_ += tile_.order == 2 ? "6,ELSET=EALL\n" : "3,ELSET=EALL\n";
+        text_ += tile_.order == 2 ? "6,ELSET=" : "3,ELSET=";
+        text_ += upper_case(kAllElementsSet) + "\n";
         for (int f = 0; f < tile_.n_faces(); ++f) {
             append_number(text_, f + 1);
             for (const int v : element_nodes(tile_, nodes_, f)) {
@@ -182,7 +184,7 @@ class InpText {
         add_cells_without_triangles(elements);
         for (const auto& [cell, ids] : elements) {
             cell_sets_.push_back(cell);
-            text_ += "*ELSET,ELSET=CELL_" + std::to_string(cell) + "\n";
+            text_ += "*ELSET,ELSET=" + upper_case(kCellSet) + std::to_string(cell) + "\n";
             append_ids(ids);
         }
     }
@@ -211,8 +213,8 @@ class InpText {
 
     void append_node_sets() {
         const CellContacts contacts = cell_contacts(tile_, nodes_, cells_);
-        append_node_set("GRAIN_BOUNDARY", contacts.of_two_cells);
-        append_node_set("TRIPLE_POINTS", contacts.of_three_cells);
+        append_node_set(upper_case(kGrainBoundarySet), contacts.of_two_cells);
+        append_node_set(upper_case(kTriplePointsSet), contacts.of_three_cells);
         std::map<Offset, std::set<int>> seams;
         std::map<WallId, std::set<int>> walls;
         for (const SeamSegment& segment : seam_segments(tile_, nodes_.middles)) {
@@ -228,7 +230,7 @@ class InpText {
             for (const VertexPair& pair : nodes_.pairs) ids.erase(pair.w);
             append_node_set(upper_case(wall_name(tile_, wall)), {ids.begin(), ids.end()});
         }
-        if (!is_box()) text_ += "*NSET,NSET=FIXED\n1\n";
+        if (!is_box()) text_ += "*NSET,NSET=" + upper_case(kFixedSet) + "\n1\n";
     }
 
     /// Appends the sides of elements on each wall: side k of a triangle begins at its corner k.
@@ -247,7 +249,7 @@ class InpText {
         }
         for (const auto& [wall, lines] : sides) {
             text_ += "*SURFACE,NAME=" + upper_case(wall_name(tile_, wall)) +
-                     "_SIDES,TYPE=ELEMENT\n" + lines;
+                     upper_case(kSidesSuffix) + ",TYPE=ELEMENT\n" + lines;
         }
     }
 

@@ -9,7 +9,8 @@
 namespace pcvt {
 
 /// Returns the fields of an MSH file: the rows of each section that encode_msh() writes, among the
-/// views those of the name "cell_id". $Comments and sections of other programs are left out.
+/// views those of the name "cell_id", by rising number. $Comments and sections of other programs
+/// are left out.
 ///
 /// Example usage:
 ///     compare_fields(*msh_fields(path, text), *msh_fields(path, expected_text));

@@ -11,10 +11,6 @@
 
 namespace pcvt {
 
-/// The physical group of the curves between cells, and the beginning of the name of a cell's group.
-inline constexpr const char* kGrainBoundary = "grain_boundary";
-inline constexpr const char* kCellGroup = "cell_";
-
 /// A line of an MSH file, and the tag of its curve.
 struct MshLine {
     int curve;

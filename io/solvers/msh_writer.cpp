@@ -43,9 +43,11 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model,
     for (const auto& [wall, group] : model.wall_groups) {
         append_msh_name(text, kMshCurves, group, wall_name(tile, wall));
     }
-    if (model.has_boundary) append_msh_name(text, kMshCurves, model.boundary_group, kGrainBoundary);
+    if (model.has_boundary)
+        append_msh_name(text, kMshCurves, model.boundary_group, std::string(kGrainBoundarySet));
     for (const MshSurface& cell : model.entities.surfaces) {
-        append_msh_name(text, kMshSurfaces, cell.site + 1, kCellGroup + std::to_string(cell.site));
+        append_msh_name(text, kMshSurfaces, cell.site + 1,
+                        std::string(kCellSet) + std::to_string(cell.site));
     }
     for (const int phase : model.phases) {
         append_msh_name(text, kMshSurfaces, model.phase_group + phase,
@@ -219,11 +221,27 @@ void append_curve_link(std::string& text, const Tile& tile, const MshModel& mode
     append_pairs(slave.middles, master.middles);
 }
 
-void append_periodic(std::string& text, const Tile& tile, const MshModel& model) {
-    std::map<int, VertexPair> point_links;
+/// The link of each point to the image of it with the smallest offset, by the tags of the slaves.
+std::map<int, VertexPair> point_links(const Tile& tile, const MshModel& model) {
+    // The image with the smallest offset, by the representative.
+    std::map<int, VertexPair> masters;
     for (const VertexPair& pair : tile.vertex_pairs) {
-        if (model.point_tag[pair.w] > 0) point_links.emplace(model.point_tag[pair.w], pair);
+        VertexPair& master = masters.try_emplace(pair.v, VertexPair{pair.v, pair.v, Offset{}}).first->second;
+        if (pair.offset < master.offset) master = pair;
     }
+    std::map<int, VertexPair> links;
+    const auto link = [&](int v, int representative, Offset offset) {
+        const VertexPair& master = masters.at(representative);
+        if (model.point_tag[v] == 0 || v == master.w) return;
+        links.emplace(model.point_tag[v], VertexPair{master.w, v, offset - master.offset});
+    };
+    for (const auto& [representative, master] : masters) link(representative, representative, {});
+    for (const VertexPair& pair : tile.vertex_pairs) link(pair.w, pair.v, pair.offset);
+    return links;
+}
+
+void append_periodic(std::string& text, const Tile& tile, const MshModel& model) {
+    const std::map<int, VertexPair> links = point_links(tile, model);
     std::vector<int> slaves;
     for (int k = 0; k < model.n_curves(); ++k) {
         const MshCurve& curve = model.entities.curves[k];
@@ -232,14 +250,40 @@ void append_periodic(std::string& text, const Tile& tile, const MshModel& model)
     // A box between four walls has no periodic entities.
     if (slaves.empty()) return;
     text += "$Periodic\n";
-    append_msh_line(text, {static_cast<int>(point_links.size() + slaves.size())});
-    for (const auto& [point, pair] : point_links) {
+    append_msh_line(text, {static_cast<int>(links.size() + slaves.size())});
+    for (const auto& [point, pair] : links) {
         append_msh_link(text, kMshPoints, point, model.point_tag[pair.v],
                         translation(tile, pair.offset), 1);
         append_msh_line(text, {pair.w + 1, pair.v + 1});
     }
     for (const int k : slaves) append_curve_link(text, tile, model, k);
     text += "$EndPeriodic\n";
+}
+
+/// The values of triangles, and -1 for lines, in the order of append_elements().
+std::vector<MshValue> element_values(const Tile& tile, const MshModel& model,
+                                     const std::vector<int>& of_triangle) {
+    constexpr int kNoCell = -1;
+    std::vector<MshValue> values;
+    for (int e = tile.n_faces(); e < tile.n_faces() + n_lines(model); ++e) {
+        values.push_back({e + 1, kNoCell});
+    }
+    for (const MshSurface& cell : model.entities.surfaces) {
+        for (const int f : cell.triangles) values.push_back({f + 1, of_triangle[f]});
+    }
+    return values;
+}
+
+/// The values of nodes in the order of append_nodes(), of order 1.
+std::vector<MshValue> node_values(const MshModel& model, const std::vector<int>& of_node) {
+    std::vector<MshValue> values;
+    const auto append = [&](const std::vector<int>& nodes) {
+        for (const int v : nodes) values.push_back({v + 1, of_node[v]});
+    };
+    append(model.entities.points);
+    for (const MshCurve& curve : model.entities.curves) append(inner_nodes(curve));
+    for (const MshSurface& cell : model.entities.surfaces) append(cell.nodes);
+    return values;
 }
 
 }  // namespace
@@ -258,12 +302,13 @@ std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path,
     append_elements(text, tile, nodes, model);
     append_periodic(text, tile, model);
     std::vector<int> values = element_cells(tile);
-    append_msh_data(text, "ElementData", kCellView, values, n_lines(model));
-    if (!tile.vertex_site.empty())
-        append_msh_data(text, "NodeData", kCellView, tile.vertex_site, 0);
+    append_msh_data(text, "ElementData", kCellView, element_values(tile, model, values));
+    if (!tile.vertex_site.empty()) {
+        append_msh_data(text, "NodeData", kCellView, node_values(model, tile.vertex_site));
+    }
     if (!site_orbits.empty()) {
         for (int& value : values) value = site_orbits[value];
-        append_msh_data(text, "ElementData", kOrbitView, values, n_lines(model));
+        append_msh_data(text, "ElementData", kOrbitView, element_values(tile, model, values));
     }
     return only_file(path, std::move(text));
 }

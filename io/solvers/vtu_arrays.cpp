@@ -35,17 +35,19 @@ std::string_view type_class(std::string_view type) {
     return type == "Int32" || type == "Int64" ? "integers" : type;
 }
 
-/// Appends the fields of the array that begins here, and advances to its end.
-void append_array(XmlScanner& scanner, bool with_values, std::vector<FileWord>& words) {
+/// Appends the type, the form and the sizes of the array that begins here.
+void append_attributes(const XmlScanner& scanner, std::vector<FileWord>& words) {
     words.push_back({type_class(scanner.attribute("type").value_or("")), scanner.line()});
     words.push_back({scanner.attribute("format").value_or("no format"), scanner.line()});
     words.push_back({scanner.attribute("NumberOfComponents").value_or("1"), scanner.line()});
     if (const auto tuples = scanner.attribute("NumberOfTuples")) {
         words.push_back({*tuples, scanner.line()});
     }
-    scanner.for_each_word([&](std::string_view word, int line) {
-        if (with_values) words.push_back({word, line});
-    });
+}
+
+/// Whether SECTION/NAME holds names, in a String array in files of earlier versions.
+bool holds_names(std::string_view key) {
+    return key == "FieldData/PhaseNames" || key == "FieldData/HoleNames";
 }
 
 /// Whether SECTION/NAME is an array that encode_vtu() writes.
@@ -173,7 +175,11 @@ std::optional<FileFields> vtu_fields(const std::string& name, std::string_view t
             const std::string array(scanner.attribute("Name").value_or(""));
             const std::string key = section + "/" + (of_points ? "Points" : array);
             if (!is_vtu_array(key)) continue;
-            append_array(scanner, !of_points, fields.parts[key]);
+            std::vector<FileWord>& words = fields.parts[key];
+            if (!holds_names(key)) append_attributes(scanner, words);
+            scanner.for_each_word([&](std::string_view word, int line) {
+                if (!of_points) words.push_back({word, line});
+            });
         } else {
             section = std::string(scanner.element());
             if (const auto ids = scanner.attribute("GlobalIds")) {

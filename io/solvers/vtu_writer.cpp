@@ -42,11 +42,12 @@ void append_note(std::string& text, const StatedNote& stated) {
     close_vtk_array(text);
 }
 
-/// Appends strings as VTK's text files hold them: the codes of their characters, each string ended
-/// by 0.
+/// Appends strings as numbers: the codes of their characters, each string ended by 0. VTK's own
+/// String arrays hold the same numbers, but meshio reads no file with such an array.
 void append_strings(std::string& text, const char* name, const std::vector<std::string>& strings) {
-    open_vtk_array(text, "String", name,
-                   " NumberOfTuples=\"" + std::to_string(strings.size()) + '"');
+    std::size_t n_codes = 0;
+    for (const std::string& string : strings) n_codes += string.size() + 1;
+    open_vtk_array(text, "UInt8", name, " NumberOfTuples=\"" + std::to_string(n_codes) + '"');
     for (const std::string& string : strings) {
         for (const char c : string) append_vtk_word(text, int{c});
         append_vtk_word(text, 0);

@@ -26,8 +26,8 @@ namespace pcvt {
 ///              the numbers of periods along both, `SitePositions`, and `ShortEdges`, the length
 ///              below which edges of cells were removed, in units of h; for elongated cells
 ///              `Metric`, ratio and degrees, for power cells `SiteWeights`
-///              (io/tiles/site_notes.hpp); with phases `PhaseNames`, a String array,
-///              and `SitePhases`, that of each site.
+///              (io/tiles/site_notes.hpp); with phases `PhaseNames`, the codes of the
+///              characters of all names, each name ended by 0, and `SitePhases`, that of each site.
 ///
 /// The arrays are ASCII, because the shortest decimals that round-trip are exact, take no more room
 /// than raw binary arrays (12.7 MB for the triangles of 1e5 sites, against 12.6 MB), and let a

@@ -178,7 +178,7 @@ bool is_space_case(const std::vector<EncodedFile>& files) {
     return boundary != files.end() && boundary->bytes.find(kSpaceKind) != std::string::npos;
 }
 
-SpaceTile decode_space_foam(const std::vector<EncodedFile>& files) {
+SpaceTile decode_space_foam(const std::vector<EncodedFile>& files, double tolerance) {
     for (const EncodedFile& file : files) {
         refuse_binary(file.path, file.bytes, "write the case with writeFormat ascii");
     }
@@ -192,7 +192,7 @@ SpaceTile decode_space_foam(const std::vector<EncodedFile>& files) {
     mesh.neighbour = foam_labels(foam_mesh_file(files, "neighbour"));
     require_numbers(files, mesh);
     read_patches(boundary, mesh);
-    PolyhedralMesh joined = assembled_mesh(mesh.lattice, polyhedron_list(mesh));
+    PolyhedralMesh joined = assembled_mesh(mesh.lattice, polyhedron_list(mesh), tolerance);
     mesh.point_orbit = std::move(joined.point_orbit);
     mesh.point_offset = std::move(joined.point_offset);
     const std::vector<double> sites = comment_numbers(boundary, "site", 3);

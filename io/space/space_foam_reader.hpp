@@ -17,10 +17,11 @@ bool is_space_case(const std::vector<EncodedFile>& files);
 ///     const SpaceTile tile = decode_space_foam(files);
 ///     const PolyhedralProof proof = prove_polyhedra(tile.mesh);
 ///
+/// @param tolerance  within which partners on the seam agree at least, length units.
 /// @throws BadFile   a file is missing or is not in OpenFOAM's ASCII format, or a number refers to
 ///                   something that does not exist.
 /// @throws NotATile  a boundary face has no partner.
-SpaceTile decode_space_foam(const std::vector<EncodedFile>& files);
+SpaceTile decode_space_foam(const std::vector<EncodedFile>& files, double tolerance = 0);
 
 /// Compares the files of a case with those that encode_space_foam() gives for its tile: the words
 /// of the mesh, the solver's settings and the initial state. Files outside of constant/polyMesh

@@ -146,14 +146,17 @@ class TetrahedraParser {
         for (int k = 0; k < kRowsBeforeCount; ++k) rows_.next_row();
         rows_.next_row(1);
         const int n = rows_.count(0);
+        if (n != mesh().n_points()) rows_.throw_bad_file("the view has not one site a node");
+        std::vector<SiteId>& sites = mesh().point_site;
+        sites.assign(mesh().points.size(), -1);
         for (int k = 0; k < n; ++k) {
             rows_.next_row(2);
-            if (rows_.integer(0) != k + 1) rows_.throw_bad_file("the nodes are not in order");
-            const int site = rows_.integer(1);
-            if (site < 0 || site >= mesh().n_points()) {
-                rows_.throw_bad_file(std::to_string(site) + " is no site; correct it");
+            const int v = index(0, n);
+            if (sites[v] >= 0) rows_.throw_bad_file("the node occurs twice; correct it");
+            sites[v] = rows_.integer(1);
+            if (sites[v] < 0 || sites[v] >= n) {
+                rows_.throw_bad_file(std::to_string(sites[v]) + " is no site; correct it");
             }
-            mesh().point_site.push_back(site);
         }
     }
 

@@ -6,6 +6,7 @@
 
 #include "io/bytes/msh_text.hpp"
 #include "io/space/seam_entities.hpp"
+#include "mesher/lattice/set_names.hpp"
 #include "mesher/polyhedra/polyhedral_mesh.hpp"
 
 namespace pcvt {
@@ -16,7 +17,6 @@ constexpr int kCurves = 1;
 constexpr int kSurfaces = 2;
 constexpr int kVolumes = 3;
 /// Gmsh's element types.
-constexpr int kLine = 1;
 constexpr int kTriangle = 2;
 /// The tag of the volume.
 constexpr int kDomain = 1;
@@ -36,7 +36,7 @@ class MshText {
         append_nodes();
         append_elements();
         append_periodic();
-        append_msh_data(text_, "NodeData", "cell_id", mesh_.point_site, 0);
+        append_msh_data(text_, "NodeData", "cell_id", sites_);
         return std::move(text_);
     }
 
@@ -52,7 +52,7 @@ class MshText {
         for (int k = 0; k < count(entities_.surfaces); ++k) {
             append_msh_name(text_, kSurfaces, k + 1, seam_name(entities_.surfaces[k].offset));
         }
-        append_msh_name(text_, kVolumes, domain_group(), "domain");
+        append_msh_name(text_, kVolumes, domain_group(), std::string(kDomainSet));
         text_ += "$EndPhysicalNames\n";
     }
 
@@ -116,7 +116,10 @@ class MshText {
     void append_block(int dimension, int entity, const std::vector<int>& points) {
         if (points.empty()) return;
         append_msh_line(text_, {dimension, entity, 0, count(points)});
-        for (const int v : points) append_msh_line(text_, {v + 1});
+        for (const int v : points) {
+            append_msh_line(text_, {v + 1});
+            sites_.push_back({v + 1, mesh_.point_site[v]});
+        }
         for (const int v : points) {
             append_vector(mesh_.points[v]);
             text_.back() = '\n';
@@ -158,20 +161,15 @@ class MshText {
 
     void append_elements() {
         int n_elements = mesh_.n_tetrahedra();
-        for (const SeamCurve& curve : entities_.curves) n_elements += count(curve.edges);
         for (const SeamSurface& surface : entities_.surfaces) {
             n_elements += count(surface.triangles);
         }
         text_ += "$Elements\n";
-        append_msh_line(text_, {1 + count(entities_.surfaces) + count(entities_.curves), n_elements,
-                                1, n_elements});
+        append_msh_line(text_, {1 + count(entities_.surfaces), n_elements, 1, n_elements});
         int last = 0;
         append_elements_of(kVolumes, kDomain, kMshTetrahedron, mesh_.tetrahedra, last);
         for (int k = 0; k < count(entities_.surfaces); ++k) {
             append_elements_of(kSurfaces, k + 1, kTriangle, entities_.surfaces[k].triangles, last);
-        }
-        for (int k = 0; k < count(entities_.curves); ++k) {
-            append_elements_of(kCurves, k + 1, kLine, entities_.curves[k].edges, last);
         }
         text_ += "$EndElements\n";
     }
@@ -228,6 +226,8 @@ class MshText {
     const TetrahedralMesh& mesh_;
     const SeamEntities& entities_;
     std::string text_;
+    /// The site of each node, in the order of $Nodes.
+    std::vector<MshValue> sites_ = {};
 };
 
 }  // namespace

@@ -100,6 +100,24 @@ std::vector<Vec3> read_space_points(const std::string& name, const VtuArrays& ar
     return points;
 }
 
+double stated_mismatch(const VtuArrays& arrays, const SpaceLattice& lattice,
+                       const std::vector<Vec3>& points) {
+    if (arrays.find("PointData/PeriodicPointIds") == nullptr) return 0;
+    const auto n = static_cast<int>(points.size());
+    const VtuArray& orbits = arrays.get("PointData/PeriodicPointIds", n, 1, true);
+    const VtuArray& offsets = arrays.get("PointData/PeriodicOffset", n, 3, true);
+    double largest = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        const int first = orbits.integer(v);
+        if (first < 0 || first >= n) continue;
+        const Offset3 offset{offsets.integer(3 * v), offsets.integer(3 * v + 1),
+                             offsets.integer(3 * v + 2)};
+        const Vec3 image = points[first] + lattice.translation(offset);
+        largest = std::max(largest, (image - points[v]).cwiseAbs().maxCoeff());
+    }
+    return largest;
+}
+
 void compare_images(const std::string& name, const VtuArrays& arrays,
                     const std::vector<int>& orbits, const std::vector<Offset3>& offsets) {
     if (arrays.find("PointData/PeriodicPointIds") == nullptr) return;

@@ -44,6 +44,12 @@ double read_short_edges(const std::string& name, const VtuArrays& arrays);
 /// @throws BadFile  there are none in double precision.
 std::vector<Vec3> read_space_points(const std::string& name, const VtuArrays& arrays);
 
+/// Returns the largest distance of a point from the image that the file states for it, in one
+/// coordinate, length units; 0 if it states none.
+/// @throws BadFile  the images are not one for each point.
+double stated_mismatch(const VtuArrays& arrays, const SpaceLattice& lattice,
+                       const std::vector<Vec3>& points);
+
 /// Compares the images that a file states, if it does, with those of its points.
 /// @throws BadFile  naming the point.
 void compare_images(const std::string& name, const VtuArrays& arrays,

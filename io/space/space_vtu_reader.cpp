@@ -13,6 +13,7 @@
 #include "io/space/space_vtu_parts.hpp"
 #include "io/space/space_vtu_writer.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/proof/validate.hpp"
 
 namespace pcvt {
 namespace {
@@ -62,14 +63,17 @@ class ArrayWalk {
 class VtuCells {
    public:
     VtuCells(const EncodedFile& vtu)
-        : name_(vtu.path), arrays_(vtu.path, vtu.bytes, kArrays), n_(arrays_.n_cells()) {}
+        : name_(vtu.path),
+          is_own_(vtu.bytes.find(kSpaceVtuMark) != std::string::npos),
+          arrays_(vtu.path, vtu.bytes, kArrays),
+          n_(arrays_.n_cells()) {}
 
-    SpaceTile read() const {
+    SpaceTile read(double tolerance) const {
         if (n_ == 0) throw BadFile(name_ + ": holds no cell; give a grid of polyhedra");
         require_types();
         const PolyhedronList cells = read_cells();
         compare_connectivity(cells);
-        SpaceTile tile{.mesh = assembled_mesh(read_space_lattice(name_, arrays_), cells)};
+        SpaceTile tile{.mesh = assembled(cells, tolerance)};
         tile.mesh.short_edges = read_short_edges(name_, arrays_);
         compare_images(name_, arrays_, tile.mesh.point_orbit, tile.mesh.point_offset);
         compare_cells(tile.mesh, cells);
@@ -81,6 +85,18 @@ class VtuCells {
     }
 
    private:
+    /// A file whose sides agree less closely than within the tolerance may state how far.
+    PolyhedralMesh assembled(const PolyhedronList& cells, double tolerance) const {
+        const SpaceLattice lattice = read_space_lattice(name_, arrays_);
+        try {
+            return assembled_mesh(lattice, cells, tolerance);
+        } catch (const NotATile& fault) {
+            const double mismatch = stated_mismatch(arrays_, lattice, cells.points);
+            if (!(mismatch > tolerance)) throw;
+            throw SeamMismatch(fault.what(), mismatch);
+        }
+    }
+
     [[noreturn]] void fail(int line, const std::string& complaint) const {
         throw BadFile(name_ + ":" + std::to_string(line) + ": " + complaint);
     }
@@ -155,7 +171,7 @@ class VtuCells {
                 fail(faces->lines[k], cell + "has " + std::to_string(n_faces) + " faces");
             }
             const double volume = bodies[k].volume;
-            if (volumes != nullptr &&
+            if (volumes != nullptr && is_own_ &&
                 !(std::abs(volumes->values[k] - volume) <= kVolumeError * volume)) {
                 fail(volumes->lines[k], cell + "has another volume; write the file again");
             }
@@ -163,6 +179,8 @@ class VtuCells {
     }
 
     std::string name_;
+    /// Whether pcvt wrote the file; other programs may take volumes by other rules, and round them.
+    bool is_own_;
     VtuArrays arrays_;
     int n_;
 };
@@ -173,9 +191,9 @@ bool holds_polyhedra(const EncodedFile& vtu) {
     return vtu.bytes.find("Name=\"faceoffsets\"") != std::string::npos;
 }
 
-SpaceTile decode_space_vtu(const EncodedFile& vtu) {
+SpaceTile decode_space_vtu(const EncodedFile& vtu, double tolerance) {
     refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
-    return VtuCells(vtu).read();
+    return VtuCells(vtu).read(tolerance);
 }
 
 }  // namespace pcvt

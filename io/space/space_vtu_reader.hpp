@@ -16,8 +16,9 @@ bool holds_polyhedra(const EncodedFile& vtu);
 ///     const SpaceTile tile = decode_space_vtu({"tile.vtu", read_whole_file("tile.vtu")});
 ///     const PolyhedralProof proof = prove_polyhedra(tile.mesh);
 ///
+/// @param tolerance  within which partners on the seam agree at least, length units.
 /// @throws BadFile   the text is no such file, or states something else of its cells.
 /// @throws NotATile  a face has no partner, or more than two cells.
-SpaceTile decode_space_vtu(const EncodedFile& vtu);
+SpaceTile decode_space_vtu(const EncodedFile& vtu, double tolerance = 0);
 
 }  // namespace pcvt

@@ -40,8 +40,13 @@ struct Fan {
         for (const Vec3& p : points) sum += p;
         return sum / double(points.size());
     }
-    /// The error of a direction by errors of the corners of this size.
-    double tilt(double error) const { return error * perimeter / area.norm(); }
+    /// The error of a direction by errors of the corners of this size; infinite for a face without
+    /// area.
+    double tilt(double error) const {
+        const double moved = perimeter + 2 * error * double(points.size());
+        return area.norm() > 0 ? error * moved / area.norm()
+                               : std::numeric_limits<double>::infinity();
+    }
 };
 
 std::vector<Fan> fans_of(const GlbPart& part) {
@@ -208,7 +213,10 @@ void compare_sites(const SurfaceGlb& glb, double largest) {
             const double height = arm.dot(fan.normal);
             const double tilt = kSingle + fan.tilt(off);
             const double tolerance = 4 * (kSingle * largest + tilt * arm.norm());
-            if (height > 0 && images.any_at(site + 2 * height * fan.normal, tolerance)) continue;
+            // The rounding of corners may move a plane to the other side of a site near it.
+            if (height > -tolerance && images.any_at(site + 2 * height * fan.normal, tolerance)) {
+                continue;
+            }
             throw_violation(kSiteLaw, "the site of " + glb.parts[s].name +
                                           ", mirrored in a face of its cell, is no site");
         }

@@ -230,6 +230,31 @@ void require_same_surfaces(const SurfaceGlb& glb, const SurfaceList& list) {
     if (!same_names) throw NotATile("the nodes are not the parts of the surface");
 }
 
+bool fits_single_precision(const SurfaceList& list) {
+    constexpr double kResolved = 4e3;
+    double largest = 0;
+    for (const Vec3& p : list.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < list.faces.n_faces(); ++f) {
+        checkpoint_each(f);
+        const auto face = list.faces[f];
+        const Vec3& first = list.points[face.front()];
+        Vec3 from = list.points[face.back()];
+        Vec3 area = Vec3::Zero();
+        double perimeter = 0;
+        for (const int v : face) {
+            const Vec3& to = list.points[v];
+            area += (from - first).cross(to - first) / 2;
+            perimeter += (to - from).norm();
+            smallest = std::min(smallest, (to - from).norm());
+            from = to;
+        }
+        // A face is nowhere longer than half of its perimeter.
+        smallest = std::min(smallest, area.norm() / (perimeter / 2));
+    }
+    return kResolved * double(std::numeric_limits<float>::epsilon()) * largest <= smallest;
+}
+
 SurfaceGlbProof prove_surface_glb(const SurfaceGlb& glb) {
     const bool is_boundary = glb.form == SurfaceForm::kBoundary;
     SurfaceGlbProof proof{.n_parts = static_cast<int>(glb.parts.size())};

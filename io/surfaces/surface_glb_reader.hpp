@@ -37,6 +37,10 @@ SurfaceGlb decode_surface_glb(const EncodedFile& glb);
 /// @throws NotATile if another triangle or name is found.
 void require_same_surfaces(const SurfaceGlb& glb, const SurfaceList& list);
 
+/// Whether single precision resolves the smallest feature of the surfaces of cells, so that the
+/// proofs hold there.
+bool fits_single_precision(const SurfaceList& list);
+
 /// Figures that the proof of the triangles finds.
 struct SurfaceGlbProof {
     int n_parts = 0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/bytes/json.hpp"
+#include "io/bytes/output_error.hpp"
 #include "io/bytes/text.hpp"
 #include "io/gltf/gltf_container.hpp"
 #include "io/gltf/gltf_json.hpp"
@@ -129,9 +130,9 @@ void add_one_node(const SurfaceList& list, const SurfaceParts& parts, ModelBuild
 void require_range(const SurfaceList& list, const std::string& path) {
     for (const Vec3& p : list.points) {
         if (p.cwiseAbs().maxCoeff() < double(std::numeric_limits<float>::max())) continue;
-        throw InvalidInput(path +
-                           ": a coordinate is too large for the single precision of glTF; take a "
-                           "larger unit of length");
+        throw CoarsePrecision(path +
+                              ": a coordinate is too large for the single precision of glTF; take "
+                              "another unit of length");
     }
 }
 

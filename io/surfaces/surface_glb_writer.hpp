@@ -15,7 +15,7 @@ namespace pcvt {
 /// Example usage:
 ///     const auto files = encode_surface_glb(surface_list(tile, SurfaceForm::kCells), "tile.glb");
 ///
-/// @throws InvalidInput   single precision cannot hold a coordinate.
+/// @throws CoarsePrecision  single precision cannot hold a coordinate.
 /// @throws LimitExceeded  the file would have more than 2 GiB.
 std::vector<EncodedFile> encode_surface_glb(const SurfaceList& list, const std::string& path);
 

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "io/bytes/extension.hpp"
 #include "io/bytes/text.hpp"
 #include "io/surfaces/surface_parts.hpp"
 #include "mesher/base/checkpoint.hpp"
@@ -108,7 +109,7 @@ std::string mtl_text(const SurfaceParts& parts) {
 }  // namespace
 
 std::vector<std::string> surface_obj_paths(const std::string& path) {
-    return {path, std::filesystem::path(path).replace_extension(".mtl").string()};
+    return {path, one_word_beside(path, ".mtl")};
 }
 
 std::vector<EncodedFile> encode_surface_obj(const SurfaceList& list, const std::string& path) {

@@ -8,6 +8,7 @@
 #include "io/tiles/plane_element.hpp"
 #include "io/tiles/solver_job.hpp"
 #include "mesher/materials/cell_materials.hpp"
+#include "mesher/materials/elastic_choices.hpp"
 #include "mesher/voxels/voxel_grid.hpp"
 
 namespace pcvt {
@@ -45,8 +46,10 @@ struct FileOptions {
     bool single_precision = false;
     /// Images: the number of pixels of a row; 0: kDefaultPixels.
     int pixels = 0;
-    /// Voxel images: the number of voxels along x and y; 0 x 0: default_voxels().
+    /// Voxel images: the numbers of voxels and of layers; 0 x 0 voxels: default_voxels().
     VoxelCounts voxels = {};
+    /// MPAS: f and beta of the Coriolis parameter f + beta y; `nullopt`: none.
+    std::optional<std::array<double, 2>> coriolis = {};
     /// SVG and DXF for cutters: the width of the tile in millimetres; 0: a coloured picture as SVG,
     /// and DXF in the unit of the period vectors.
     double cut_width = 0;
@@ -54,6 +57,8 @@ struct FileOptions {
     PlaneElement element = PlaneElement::kStrain;
     /// Inputs of solvers that can hold more than the mesh.
     SolverJob job = SolverJob::kNone;
+    /// Inputs of solvers that hold elastic constants.
+    ElasticChoices elastic = {};
     /// Of one layer of prisms, length units; 0: the mean distance of the cells.
     double thickness = 0;
 };

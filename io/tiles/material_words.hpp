@@ -4,9 +4,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/bytes/text.hpp"
 #include "mesher/materials/cell_materials.hpp"
+#include "mesher/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -30,5 +32,16 @@ bool take_material(const LineScanner& scanner, std::string_view key,
 /// @param name  of the file, for the message of BadFile.
 void require_materials(const std::string& name, const CellMaterials& materials,
                        std::int64_t n_sites);
+
+/// Returns the phases of the cells of sites 0 ... n - 1 that the names of materials show,
+/// `phase_steel` for the phase steel, as in files that are coloured by phase.
+///
+/// Example usage:
+///     file.shown = shown_phases(file.tile, {"phase_soft", "phase_hard", "phase_soft"});
+///
+/// @param materials  the name of the material of each face.
+/// @returns  without phases where a material has another name, a site has no face, or two faces of
+///           a site have different materials.
+CellMaterials shown_phases(const Tile& tile, const std::vector<std::string>& materials);
 
 }  // namespace pcvt

@@ -8,6 +8,7 @@
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
 #include "mesher/base/cancellable_sort.hpp"
+#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {
@@ -65,8 +66,9 @@ Offset offset_of(const Lattice& lattice, const Vec2& translation, const std::str
     }
     throw_bad_file(
         name, line,
-        "the nodes are tied by a translation that is not a lattice vector; write the file "
-        "again with pcvt");
+        "the nodes are tied by the translation (" + in_words(translation.x()) + ", " +
+            in_words(translation.y()) +
+            "), which is not a lattice vector; correct the periods, or write the file again");
 }
 
 class Resolver {

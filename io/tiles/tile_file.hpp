@@ -14,7 +14,7 @@ namespace pcvt {
 /// Offsets beyond this are refused, so that sums of offsets stay integers.
 inline constexpr int kLargestOffset = 1 << 28;
 
-/// The numbers of columns and rows of periods that a file may state.
+/// The most columns, and the most rows, of periods that a tile may have.
 inline constexpr int kMostPeriods = 10000;
 /// The largest Tile::short_edges that a file may state.
 inline constexpr double kLongestRemovedEdge = 1;
@@ -32,11 +32,17 @@ struct TileFile {
     bool states_lattice = false;
     /// Of the sites of one period; empty where the file states none.
     CellMaterials materials = {};
+    /// The phases that the names of materials show, of a file that states none; may be empty.
+    CellMaterials shown = {};
     /// The orbit of each site of one period under the symmetry of the run, -1 for a site that has
     /// no element; empty where the file states none.
     std::vector<int> site_orbits = {};
     /// Of a file of prisms: their height, length units; else 0.
     double thickness = 0;
+    /// To which the positions of the tile are relative, length units; not 0 for distant tiles only.
+    Vec2 translation = Vec2::Zero();
+    /// As the user stated it, least_tolerance of prove_tile().
+    double tolerance = 0;
 };
 
 }  // namespace pcvt

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesher/base/error.hpp"
+#include "io/bytes/output_error.hpp"
 
 namespace pcvt {
 namespace {
@@ -77,7 +77,8 @@ std::vector<Point32> single_precision_points(const Tile& tile, const std::string
         // Adding zero turns -0 into 0.
         points.push_back({static_cast<float>(p.x()) + 0.0f, static_cast<float>(p.y()) + 0.0f});
         if (!std::isfinite(points.back()[0]) || !std::isfinite(points.back()[1])) {
-            throw InvalidInput(path + ": coordinates too large for float32; write another format");
+            throw CoarsePrecision(path +
+                                  ": coordinates too large for float32; write another format");
         }
     }
     return points;
@@ -96,9 +97,9 @@ void append_fan(const Tile& cells, int face, int before, const std::vector<Point
         if (continues) fan = triangle_fan(polygon, first[0]);
     }
     if (fan.empty()) {
-        throw InvalidInput(path + ": the cell of site " + std::to_string(cells.face_site[face]) +
-                           " has no area in float32; write another format or bring the tile " +
-                           "nearer to the origin");
+        throw CoarsePrecision(
+            path + ": the cell of site " + std::to_string(cells.face_site[face]) +
+            " has no area in float32; write another format or bring the tile nearer to the origin");
     }
     for (const FanTriangle& triangle : fan) {
         for (const int corner : triangle) corners.push_back(vertex(corner));

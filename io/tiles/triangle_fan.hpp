@@ -26,7 +26,7 @@ using FanTriangle = std::array<int, 3>;
 std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners, int excluded = -1);
 
 /// Returns the vertices of a tile in single precision.
-/// @throws InvalidInput naming the path if float32 cannot hold a coordinate.
+/// @throws CoarsePrecision naming the path if float32 cannot hold a coordinate.
 std::vector<Point32> single_precision_points(const Tile& tile, const std::string& path);
 
 /// Appends the corners of the fan of a face of cells, three vertices of the tile per triangle.
@@ -35,7 +35,7 @@ std::vector<Point32> single_precision_points(const Tile& tile, const std::string
 /// would continue the fan of the first, so that readers find the edge between them.
 /// @param before  the face whose fan `corners` ends with; -1: there is none.
 /// @param points  as single_precision_points() returns them.
-/// @throws InvalidInput naming the path if the face has no area in float32.
+/// @throws CoarsePrecision naming the path if the face has no area in float32.
 void append_fan(const Tile& cells, int face, int before, const std::vector<Point32>& points,
                 std::vector<int>& corners, const std::string& path);
 

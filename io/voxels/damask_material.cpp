@@ -12,9 +12,14 @@ namespace pcvt {
 namespace {
 
 constexpr const char* kHead =
-    "# The materials of the cells in the .vti file beside it, for DAMASK 3, written by pcvt.\n"
+    "# The materials of the cells in the .vti file beside it, for DAMASK 3, written by pcvt.\n";
+constexpr const char* kStandard =
     "# pcvt knows no material laws: each phase has the elastic constants of aluminium in Pa\n"
-    "# (J. Vallin et al., Journal of Applied Physics 35, 1964, 1825); replace them by yours.\n"
+    "# (J. Vallin et al., Journal of Applied Physics 35, 1964, 1825); replace them by yours.\n";
+constexpr const char* kGiven =
+    "# Each phase has the elastic constants that the user gave, in the same unit; DAMASK takes "
+    "Pa.\n";
+constexpr const char* kHomogenizations =
     "# O: unit quaternions of Bunge's angles, P = -1.\n"
     "homogenization:\n"
     "  direct:\n"
@@ -23,11 +28,14 @@ constexpr const char* kHead =
     "\n"
     "phase:\n";
 
-constexpr const char* kPhase =
-    "    lattice: cF\n"
+constexpr const char* kCubicLattice = "    lattice: cF\n";
+/// DAMASK requires the ratio of the axes, but linear elasticity does not depend on it.
+constexpr const char* kHexagonalLattice = "    lattice: hP\n    c/a: 1.633\n";
+constexpr const char* kMechanical =
     "    mechanical:\n"
     "      output: [F, P]\n"
-    "      elastic: {type: Hooke, C_11: 107.3e+9, C_12: 60.8e+9, C_44: 28.3e+9}\n";
+    "      elastic: {type: Hooke, ";
+constexpr const char* kAluminium = "C_11: 107.3e+9, C_12: 60.8e+9, C_44: 28.3e+9";
 
 constexpr const char* kHomogenization = "direct";
 
@@ -42,6 +50,31 @@ void append_real(std::string& text, double value) {
         number.insert(std::min(number.find('e'), number.size()), ".0");
     }
     text += number;
+}
+
+/// Appends the elastic law of a phase; that of aluminium without constants.
+void append_law(std::string& text, const ElasticConstants& constants) {
+    const bool is_given = !constants.numbers.empty();
+    const bool is_hexagonal = is_given && !constants.is_isotropic() && !constants.is_cubic();
+    text += is_hexagonal ? kHexagonalLattice : kCubicLattice;
+    text += kMechanical;
+    if (!is_given) {
+        text += kAluminium;
+    } else {
+        const Stiffness c = stiffness_of(constants);
+        const auto append = [&text](const char* key, double value) {
+            text += key;
+            append_real(text, value);
+        };
+        append("C_11: ", c.c11);
+        append(", C_12: ", c.c12);
+        if (is_hexagonal) {
+            append(", C_13: ", c.c13);
+            append(", C_33: ", c.c33);
+        }
+        append(", C_44: ", c.c44);
+    }
+    text += "}\n";
 }
 
 std::string phase_of(const CellMaterials& materials, int cell) {
@@ -202,12 +235,14 @@ Quaternion damask_quaternion(const BungeAngles& angles) {
     return q;
 }
 
-std::string encode_damask_material(int n_cells, const CellMaterials& materials) {
-    std::string text = kHead;
+std::string encode_damask_material(int n_cells, const CellMaterials& materials,
+                                   const ElasticChoices& choices) {
+    const bool are_given = !choices.materials.empty();
+    std::string text = std::string(kHead) + (are_given ? kGiven : kStandard) + kHomogenizations;
     const bool one_phase = materials.site_phase.empty();
-    for (const std::string& phase :
-         one_phase ? std::vector<std::string>{kOnlyPhase} : materials.phase_names) {
-        text += "  " + phase + ":\n" + kPhase;
+    for (const NamedConstants& phase : chosen_materials(choices, materials, {})) {
+        text += "  " + (one_phase ? std::string(kOnlyPhase) : phase.name) + ":\n";
+        append_law(text, phase.constants);
     }
     text += "\nmaterial:\n";
     for (int cell = 0; cell < n_cells; ++cell) {

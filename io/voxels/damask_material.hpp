@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesher/materials/cell_materials.hpp"
+#include "mesher/materials/elastic_choices.hpp"
 
 namespace pcvt {
 
@@ -33,14 +33,16 @@ inline constexpr const char* kOnlyPhase = "default";
 Quaternion damask_quaternion(const BungeAngles& angles);
 
 /// Encodes the configuration of materials of DAMASK 3, which has one entry a cell. pcvt knows no
-/// material laws: each phase has the elastic constants of aluminium, for the user to replace.
+/// material laws: each phase has the chosen elastic constants, or those of aluminium, for the user
+/// to replace.
 ///
 /// Example usage:
 ///     outputs.stage("tile.material.yaml", encode_damask_material(n_cells, materials));
 ///
 /// @param materials  without phases, all cells belong to kOnlyPhase; without orientations, their
 ///                   axes are those of the sample.
-std::string encode_damask_material(int n_cells, const CellMaterials& materials);
+std::string encode_damask_material(int n_cells, const CellMaterials& materials,
+                                   const ElasticChoices& choices = {});
 
 /// The entries of a file as encode_damask_material() writes it; users may change its phases.
 /// @param name  the file's name in messages.

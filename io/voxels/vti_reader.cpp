@@ -93,12 +93,12 @@ class VtiFile {
         const auto extent = numbers<6>("WholeExtent");
         const auto origin = numbers<3>("Origin");
         const auto spacing = numbers<3>("Spacing");
-        if (extent[0] != 0 || extent[2] != 0 || extent[4] != 0 || extent[5] != 1) {
-            refuse("the extent is not that of one layer of voxels from 0; export it so");
+        if (extent[0] != 0 || extent[2] != 0 || extent[4] != 0) {
+            refuse("the extent does not begin at 0; export it so");
         }
         VoxelGrid& grid = file_.image.grid;
-        grid.counts = {count(extent[1]), count(extent[3])};
-        if (double(grid.counts.x) * grid.counts.y > kMostVoxels) {
+        grid.counts = {count(extent[1]), count(extent[3]), count(extent[5])};
+        if (double(grid.counts.x) * grid.counts.y * grid.counts.z > kMostVoxels) {
             refuse("there are more than 2^28 voxels; give a smaller image");
         }
         grid.corner = {origin[0], origin[1]};
@@ -161,21 +161,40 @@ class VtiFile {
         if (scanner_.attribute("format") != "binary" || (type != "Int32" && type != "Int64")) {
             refuse("the array material is not Int32 or Int64 in binary form, inline; export it so");
         }
-        const auto n_voxels = static_cast<double>(file_.image.grid.n_voxels());
+        const auto n_voxels = static_cast<double>(n_in_all_layers());
         if (number_attribute(scanner_, "NumberOfComponents").value_or(1) != 1 ||
             number_attribute(scanner_, "NumberOfTuples").value_or(n_voxels) != n_voxels) {
             refuse("the array material states another size than one number a voxel; correct it");
         }
     }
 
+    std::size_t n_in_all_layers() const {
+        const VoxelGrid& grid = file_.image.grid;
+        return grid.n_voxels() * static_cast<std::size_t>(grid.counts.z);
+    }
+
+    /// Requires that all layers are equal.
+    /// @param bytes  of all layers, `n_bytes` each.
+    void require_equal_layers(std::string_view bytes, std::size_t n_bytes, int line) const {
+        const std::string_view first = bytes.substr(0, n_bytes);
+        for (std::size_t begin = n_bytes; begin < bytes.size(); begin += n_bytes) {
+            checkpoint();
+            if (bytes.substr(begin, n_bytes) == first) continue;
+            scanner_.throw_bad_file(
+                line, "layer " + std::to_string(begin / n_bytes) +
+                          " along z is not equal to layer 0; give an image of the plane");
+        }
+    }
+
     void read_material(std::string_view text, std::size_t width, int line) {
         const std::size_t n_bytes = file_.image.grid.n_voxels() * width;
         std::string bytes;
-        if (!decode_vtk_array(text, form_, n_bytes, bytes)) {
+        if (!decode_vtk_array(text, form_, n_in_all_layers() * width, bytes)) {
             scanner_.throw_bad_file(line,
                                     "the array material is damaged, or has not one number a "
                                     "voxel; write the file again");
         }
+        require_equal_layers(bytes, n_bytes, line);
         file_.image.site.reserve(file_.image.grid.n_voxels());
         for (std::size_t k = 0; k < n_bytes; k += width) {
             checkpoint_each(static_cast<long>(k));

@@ -19,8 +19,8 @@ struct VoxelFile {
 };
 
 /// Reads a voxel image in the form that DAMASK 3 reads: VTK image data, little-endian, of one
-/// layer, with the array `material` of the cells as Int32 or Int64 in inline base64, compressed by
-/// zlib or not. Beside it, a second file of `files` holds the materials.
+/// layer or of equal ones, with the array `material` of the cells as Int32 or Int64 in inline
+/// base64, compressed by zlib or not. Beside it, a second file of `files` holds the materials.
 ///
 /// Example usage:
 ///     const VoxelFile file = decode_vti({{"tile.vti", read_whole_file("tile.vti")}});

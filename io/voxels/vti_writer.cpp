@@ -24,22 +24,24 @@ void append_in_base64(std::string& text, const std::string& bytes) {
     append_base64(text, std::vector<unsigned char>(bytes.begin(), bytes.end()));
 }
 
-/// Appends 32-bit integers as VTK's compressed arrays: the number of blocks, their size, the size
-/// of the last one if it is smaller, the sizes of all after compression; then the blocks.
-void append_compressed(std::string& text, const std::vector<SiteId>& values) {
+/// Appends 32-bit integers, `n_layers` times, as VTK's compressed arrays: the number of blocks,
+/// their size, the size of the last one if it is smaller, the sizes of all after compression; then
+/// the blocks.
+void append_compressed(std::string& text, const std::vector<SiteId>& values, int n_layers) {
     constexpr std::size_t kValuesOfABlock = kBlockSize / sizeof(std::int32_t);
+    const std::size_t n = values.size() * static_cast<std::size_t>(n_layers);
     std::string header;
-    const std::size_t n_blocks = (values.size() + kValuesOfABlock - 1) / kValuesOfABlock;
+    const std::size_t n_blocks = (n + kValuesOfABlock - 1) / kValuesOfABlock;
     append_little_endian(header, n_blocks, 8);
     append_little_endian(header, kBlockSize, 8);
-    append_little_endian(header, values.size() * sizeof(std::int32_t) % kBlockSize, 8);
+    append_little_endian(header, n * sizeof(std::int32_t) % kBlockSize, 8);
     std::string packed;
-    for (std::size_t begin = 0; begin < values.size(); begin += kValuesOfABlock) {
+    for (std::size_t begin = 0; begin < n; begin += kValuesOfABlock) {
         checkpoint();
         std::string block;
-        const std::size_t end = std::min(begin + kValuesOfABlock, values.size());
+        const std::size_t end = std::min(begin + kValuesOfABlock, n);
         for (std::size_t k = begin; k < end; ++k) {
-            append_little_endian(block, static_cast<std::uint32_t>(values[k]), 4);
+            append_little_endian(block, static_cast<std::uint32_t>(values[k % values.size()]), 4);
         }
         block = zlib_compressed(block);
         append_little_endian(header, block.size(), 8);
@@ -89,7 +91,8 @@ std::string encode_image(const VoxelImage& image, const VoxelCells& cells) {
     const VoxelGrid& grid = image.grid;
     const Vec2 spacing = grid.spacing();
     const std::string extent = "Extent=\"0 " + std::to_string(grid.counts.x) + " 0 " +
-                               std::to_string(grid.counts.y) + " 0 1\"";
+                               std::to_string(grid.counts.y) + " 0 " +
+                               std::to_string(grid.counts.z) + '"';
     std::string text =
         "<?xml version=\"1.0\"?>\n<!-- The cells of a periodic tile as voxels, written by pcvt "
         "-->\n"
@@ -101,13 +104,13 @@ std::string encode_image(const VoxelImage& image, const VoxelCells& cells) {
     text += "0\" Spacing=\"";
     append_with(text, spacing.x(), ' ');
     append_with(text, spacing.y(), ' ');
-    // The layer is as thick as a voxel is wide.
+    // A layer is as thick as a voxel is wide.
     append_with(text, spacing.x(), '"');
     text += " Direction=\"1 0 0 0 1 0 0 0 1\">\n";
     append_field_data(text, cells);
     text += "<Piece " + extent +
             ">\n<CellData>\n<DataArray type=\"Int32\" Name=\"material\" format=\"binary\">\n";
-    append_compressed(text, image.site);
+    append_compressed(text, image.site, grid.counts.z);
     text += "\n</DataArray>\n</CellData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
     return text;
 }
@@ -119,10 +122,11 @@ std::vector<std::string> vti_paths(const std::string& path) {
 }
 
 std::vector<EncodedFile> encode_vti(const VoxelImage& image, const VoxelCells& cells,
-                                    const CellMaterials& materials, const std::string& path) {
+                                    const CellMaterials& materials, const ElasticChoices& elastic,
+                                    const std::string& path) {
     const std::vector<std::string> paths = vti_paths(path);
     std::vector<EncodedFile> files = only_file(paths[0], encode_image(image, cells));
-    files.push_back({paths[1], encode_damask_material(cells.n_cells(), materials)});
+    files.push_back({paths[1], encode_damask_material(cells.n_cells(), materials, elastic)});
     return files;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/materials/cell_materials.hpp"
+#include "mesher/materials/elastic_choices.hpp"
 #include "mesher/voxels/voxel_proof.hpp"
 
 namespace pcvt {
@@ -12,17 +12,18 @@ namespace pcvt {
 /// The image and, beside it, the materials: tile.vti, tile.material.yaml.
 std::vector<std::string> vti_paths(const std::string& path);
 
-/// Encodes a voxel image as VTK image data (`.vti`) in the form that DAMASK 3 reads: one layer,
-/// little-endian, whole extent from 0, the array `material` of the cells, x fastest, inline base64
-/// on one line, compressed by zlib in blocks with 64-bit headers. The field data hold the
+/// Encodes a voxel image as VTK image data (`.vti`) in the form that DAMASK 3 reads: equal
+/// layers, little-endian, whole extent from 0, the array `material` of the cells, x fastest, inline
+/// base64 on one line, compressed by zlib in blocks with 64-bit headers. The field data hold the
 /// positions, weights and metric of the sites, by which `pcvt check` proves each voxel. Beside it
 /// lies encode_damask_material().
 ///
 /// Example usage:
-///     for (const EncodedFile& file : encode_vti(image, cells, materials, "tile.vti")) {
+///     for (const EncodedFile& file : encode_vti(image, cells, materials, {}, "tile.vti")) {
 ///         outputs.stage(file.path, file.bytes);
 ///     }
 std::vector<EncodedFile> encode_vti(const VoxelImage& image, const VoxelCells& cells,
-                                    const CellMaterials& materials, const std::string& path);
+                                    const CellMaterials& materials, const ElasticChoices& elastic,
+                                    const std::string& path);
 
 }  // namespace pcvt

@@ -98,9 +98,16 @@ Progress progress_of(int step, const Evaluation& here) {
             .rms_residual = here.rms_residual};
 }
 
+/// Why a limited number of steps ended.
+Stop stop_after_steps(const Evaluation& here, const AreaFigures& figures, double tolerance) {
+    if (!figures.converged) return Stop::kStalled;
+    return here.residual <= tolerance ? Stop::kConverged : Stop::kIterationLimit;
+}
+
 /// Moves each site to the centroid of its cell, a number of times.
 /// @param figures  of the objective's last evaluation.
-RunStatistics run_centroidal_steps(Objective& objective, const AreaFigures& figures, int n_steps,
+RunStatistics run_centroidal_steps(Objective& objective, const AreaFigures& figures,
+                                   const AreaCvtOptions& options,
                                    const ProgressCallback& progress) {
     Eigen::VectorXf direction(objective.n_variables());
     Evaluation here;
@@ -108,7 +115,7 @@ RunStatistics run_centroidal_steps(Objective& objective, const AreaFigures& figu
     for (int step = 0;; ++step) {
         if (!objective.evaluate(direction, step == 0 ? 0 : 1, here)) return run;
         objective.accept();
-        run = {.stop = figures.converged ? Stop::kConverged : Stop::kStalled,
+        run = {.stop = stop_after_steps(here, figures, options.tolerance),
                .iterations = step,
                .evaluations = step + 1,
                .energy = here.value,
@@ -118,7 +125,7 @@ RunStatistics run_centroidal_steps(Objective& objective, const AreaFigures& figu
             run.stop = Stop::kCancelled;
             return run;
         }
-        if (step == n_steps) return run;
+        if (step == options.centroidal_steps) return run;
         objective.lloyd_step(here, direction);
     }
 }
@@ -131,7 +138,7 @@ RunStatistics minimize(AreaObjective& all, const OrbitEmbedding* orbits, double 
     if (orbits != nullptr) symmetric.emplace(all, *orbits);
     Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;
     if (options.centroidal_steps >= 0) {
-        return run_centroidal_steps(objective, all.figures(), options.centroidal_steps, progress);
+        return run_centroidal_steps(objective, all.figures(), options, progress);
     }
     OptimizerOptions optimizer{
         .tolerance = options.tolerance, .max_move = kLargestMove * spacing, .progress = progress};

@@ -24,7 +24,7 @@ struct AreaCvtOptions {
     /// 0: the sites stay. k: k times each site moves to the centroid of its cell, and the weights
     /// follow. Negative: the sites move until each is the centroid of its cell.
     int centroidal_steps = 0;
-    /// Of the fully centroidal run, as CvtOptions::tolerance.
+    /// As CvtOptions::tolerance; a limited number of steps does not end before.
     double tolerance = 1e-6;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
@@ -38,8 +38,8 @@ struct AreaCvtResult {
     /// The regular triangulation, with the weights, which sum to zero.
     PeriodicDelaunay delaunay;
     /// energy: the sum of the integrals of |p - x_i|^2 over the power cells, length^4. residual,
-    /// rms_residual: of |x_i - g_i| / h. converged: the areas were reached and, without a limit on
-    /// the steps, the sites too.
+    /// rms_residual: of |x_i - g_i| / h. converged: the areas were reached, and the residual is at
+    /// most the tolerance; stalled: the areas were not reached.
     RunStatistics run;
     /// Of the last areas; newton_steps, products and trials are those of the whole run.
     AreaFigures areas;

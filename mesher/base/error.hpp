@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace pcvt {
 
@@ -28,20 +30,34 @@ class InvalidInput : public Error {
     using Error::Error;
 };
 
-/// Two sites coincide modulo the lattice. Ids number the sites of the input from 0.
+/// A site that coincides with an earlier one. Ids number the sites of the input from 0.
+struct CoincidentSite {
+    int site;
+    int earlier;
+
+    friend bool operator==(const CoincidentSite&, const CoincidentSite&) = default;
+};
+
+/// Lists coincident sites in words, "line 9 with line 3, line 12 with line 3 and 7 more"; of more
+/// than a thousand, the first thousand.
+/// @param name  the name of a site: "line 9".
+std::string coincidence_list(const std::vector<CoincidentSite>& pairs,
+                             const std::function<std::string(int)>& name);
+
+/// Sites coincide modulo the lattice.
 class DuplicateSites : public InvalidInput {
    public:
-    DuplicateSites(int first, int second)
-        : InvalidInput("sites " + std::to_string(first) + " and " + std::to_string(second) +
-                       " coincide modulo the lattice; remove one"),
-          first_(first),
-          second_(second) {}
-    int first() const { return first_; }
-    int second() const { return second_; }
+    DuplicateSites(int first, int second) : DuplicateSites({{second, first}}) {}
+    /// @pre there is at least one pair.
+    explicit DuplicateSites(std::vector<CoincidentSite> pairs);
+
+    const std::vector<CoincidentSite>& pairs() const { return pairs_; }
+    /// The sites of the first pair, the earlier one first.
+    int first() const { return pairs_.front().earlier; }
+    int second() const { return pairs_.front().site; }
 
    private:
-    int first_;
-    int second_;
+    std::vector<CoincidentSite> pairs_;
 };
 
 /// The problem is too large for pcvt or for its integer types.

@@ -195,8 +195,8 @@ std::vector<int> inclusions_of_sites(const Sites& sites, const InterfaceSites& i
         grid.add(s, sites.coordinates().col(s));
     }
     for (std::size_t i = 0; i < interfaces.polygons.size(); ++i) {
-        const Shape shape = interfaces.polygons[i];
-        const Circle bounds = bounding_circle(shape);
+        const PolygonSides sides(interfaces.polygons[i]);
+        const Circle bounds = bounding_circle(interfaces.polygons[i]);
         const Vec2 u = reduced.to_lattice(bounds.centre);
         const Vec2 whole(std::floor(u.x()), std::floor(u.y()));
         const auto visit = [&](int s, Offset offset) {
@@ -204,7 +204,7 @@ std::vector<int> inclusions_of_sites(const Sites& sites, const InterfaceSites& i
             const Vec2 place = sites.coordinates().col(s) + whole + Vec2(offset.i, offset.j);
             const Vec2 p = reduced.to_plane(place);
             if ((p - bounds.centre).squaredNorm() > bounds.radius * bounds.radius) return;
-            if (signed_distance(shape, p) < 0) inclusion[s] = static_cast<int>(i);
+            if (sides.signed_distance(p) < 0) inclusion[s] = static_cast<int>(i);
         };
         grid.visit(u - whole, bounds.radius, visit);
     }

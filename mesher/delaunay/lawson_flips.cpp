@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "mesher/base/checkpoint.hpp"
@@ -147,9 +148,16 @@ std::int64_t LawsonFlips::flip(std::vector<int>& suspects, FlipObserver* observe
 }
 
 std::int64_t LawsonFlips::flip_all() {
+    return flip_edges(std::numeric_limits<std::int64_t>::max());
+}
+
+bool LawsonFlips::flip_all_within(std::int64_t most) { return flip_edges(most) <= most; }
+
+/// Flips until all edges are Delaunay or there were more than `most` flips; returns their number.
+std::int64_t LawsonFlips::flip_edges(std::int64_t most) {
     std::int64_t n_flips = 0;
     std::vector<int> stack;
-    for (int h = 0; h < triangulation_.n_halfedges(); ++h) {
+    for (int h = 0; h < triangulation_.n_halfedges() && n_flips <= most; ++h) {
         checkpoint_each(h);
         if (h < triangulation_.opposite(h)) n_flips += flip_from(h, h, stack, nullptr);
     }

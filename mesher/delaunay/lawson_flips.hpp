@@ -54,8 +54,12 @@ class LawsonFlips {
     std::int64_t flip(std::vector<int>& suspects, FlipObserver* observer = nullptr);
     /// The same, starting with every edge as a suspect.
     std::int64_t flip_all();
+    /// The same, but gives up soon after `most` flips.
+    /// @returns whether no more were needed.
+    bool flip_all_within(std::int64_t most);
 
    private:
+    std::int64_t flip_edges(std::int64_t most);
     std::int64_t flip_from(int first, int last, std::vector<int>& stack, FlipObserver* observer);
 
     TorusTriangulation& triangulation_;

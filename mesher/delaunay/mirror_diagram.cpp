@@ -3,6 +3,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "mesher/base/checkpoint.hpp"
@@ -149,17 +150,20 @@ class Flooding {
     /// Inserts the images that the pieces of `front` require, then the images that the new pieces
     /// require, until none is missing. Cells only shrink in the meantime, so each image needs to be
     /// examined only once.
-    void flood(std::vector<Vertex> front) {
+    /// @returns false if more than `most` images would be inserted.
+    bool flood(std::vector<Vertex> front, std::size_t most) {
         while (!front.empty()) {
             checkpoint();
             std::vector<Image> required;
             for (const Vertex v : front) require_images(v, required);
+            if (mirrors_.size() > most) return false;
             front.clear();
             for (const Image& image : required) {
                 const auto hint = front.empty() ? Euclidean::Face_handle() : front.back()->face();
                 front.push_back(euclidean_.insert(image, hint));
             }
         }
+        return true;
     }
 
     std::size_t n_triangles() const { return euclidean_.number_of_faces(); }
@@ -269,13 +273,12 @@ void require_torus(const Sites& sites, const MirrorDiagram& diagram) {
     }
 }
 
-}  // namespace
-
-MirrorDiagram mirror_diagram(const Sites& sites, WithPieces with_pieces) {
+std::optional<MirrorDiagram> diagram_within(const Sites& sites, WithPieces with_pieces,
+                                            std::size_t most_mirrors) {
     Flooding flooding(sites);
     flooding.insert_sites();
     const auto boundary = flooding.boundary_sites();
-    flooding.flood(boundary);
+    if (!flooding.flood(boundary, most_mirrors)) return std::nullopt;
 
     MirrorDiagram diagram;
     diagram.triangles = flooding.triangles_of_domain();
@@ -285,6 +288,16 @@ MirrorDiagram mirror_diagram(const Sites& sites, WithPieces with_pieces) {
     if (with_pieces == WithPieces::kYes) diagram.pieces = flooding.pieces();
     require_torus(sites, diagram);
     return diagram;
+}
+
+}  // namespace
+
+MirrorDiagram mirror_diagram(const Sites& sites, WithPieces with_pieces) {
+    return *diagram_within(sites, with_pieces, std::numeric_limits<std::size_t>::max());
+}
+
+std::optional<MirrorDiagram> mirror_diagram_within(const Sites& sites, int most_mirrors) {
+    return diagram_within(sites, WithPieces::kNo, static_cast<std::size_t>(most_mirrors));
 }
 
 std::size_t euclidean_delaunay(const Sites& sites) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesher/delaunay/torus_triangulation.hpp"
@@ -52,6 +53,10 @@ enum class WithPieces { kNo, kYes };
 /// @throws InternalError if the number of triangles is not 2 n.
 /// @throws InternalError if the triangles do not add up to 2 n.
 MirrorDiagram mirror_diagram(const Sites& sites, WithPieces with_pieces = WithPieces::kNo);
+
+/// The same where at most `most_mirrors` images suffice, as for sites that are spread evenly; else
+/// nullopt, before most of the work.
+std::optional<MirrorDiagram> mirror_diagram_within(const Sites& sites, int most_mirrors);
 
 /// The first step alone: the Euclidean Delaunay triangulation of the n sites, the reference for the
 /// cost of the other methods.

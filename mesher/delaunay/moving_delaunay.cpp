@@ -9,6 +9,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/base/huge_pages.hpp"
 #include "mesher/delaunay/mirror_diagram.hpp"
+#include "mesher/delaunay/site_insertion.hpp"
 #include "mesher/delaunay/untangling.hpp"
 
 namespace pcvt {
@@ -20,6 +21,12 @@ constexpr int kSitesPerTask = 1 << 14;
 /// than a new build.
 constexpr double kMostHeldShare = 0.02;
 constexpr std::size_t kMostHeldAtLeast = 16;
+
+/// Flips, and mirrors, beyond which the insertion of sites in random order takes less time. Sites
+/// that are spread evenly need 1.1 flips each, or some sqrt(n) mirrors.
+constexpr int kMostFlipsPerSite = 40;
+constexpr int kMostMirrorsAtLeast = 8000;
+constexpr int kSitesPerMirror = 2;
 
 double unit_near(double length) {
     int exponent = 0;
@@ -89,12 +96,19 @@ void MovingDelaunay::build(const SpatialSort& columns) {
     if (auto strips = strip_triangulation(coordinates_, columns)) {
         triangulation_ = std::move(*strips);
         counts_.n_mirrors.reset();
-        LawsonFlips(triangulation_, coordinates_, gram_).flip_all();
-        return;
+        const auto most = static_cast<std::int64_t>(kMostFlipsPerSite) * n_sites();
+        if (LawsonFlips(triangulation_, coordinates_, gram_).flip_all_within(most)) return;
+    } else {
+        const int most = std::max(kMostMirrorsAtLeast, n_sites() / kSitesPerMirror);
+        if (const auto diagram = mirror_diagram_within(wrapped_sites(), most)) {
+            triangulation_ = TorusTriangulation(n_sites(), diagram->triangles);
+            counts_.n_mirrors = diagram->n_mirrors;
+            return;
+        }
     }
-    const MirrorDiagram diagram = mirror_diagram(wrapped_sites());
-    triangulation_ = TorusTriangulation(n_sites(), diagram.triangles);
-    counts_.n_mirrors = diagram.n_mirrors;
+    // Sites on a line, on a circle, or otherwise spread unevenly.
+    triangulation_ = TorusTriangulation(n_sites(), inserted_triangles(wrapped_sites()));
+    counts_.n_mirrors.reset();
 }
 
 bool MovingDelaunay::rebuild() {

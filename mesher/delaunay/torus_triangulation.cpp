@@ -106,6 +106,35 @@ void TorusTriangulation::flip(int h) {
     set_triangle(o / 3, turned(o, c, d, b));
 }
 
+std::array<int, 3> TorusTriangulation::insert(int triangle, Offset offset) {
+    const std::array<Corner, 3> old{corner(3 * triangle), corner(3 * triangle + 1),
+                                    corner(3 * triangle + 2)};
+    const Corner site{n_sites_++, offset};
+    const int second = n_triangles();
+    const std::array<int, 3> sides{3 * triangle, 3 * second, 3 * second + 3};
+    sites_.resize(sites_.size() + 6);
+    opposite_.resize(opposite_.size() + 6);
+    offsets_.resize(offsets_.size() + 2);
+    // Link the outer sides, of which two may face each other.
+    std::array<int, 3> beyond{};
+    for (int k = 0; k < 3; ++k) {
+        const int o = opposite_[3 * triangle + k];
+        beyond[k] = o / 3 == triangle ? sides[o % 3] : o;
+    }
+    for (int k = 0; k < 3; ++k) {
+        opposite_[sides[k]] = beyond[k];
+        opposite_[beyond[k]] = sides[k];
+    }
+    // Link the sides between the three, and set their corners.
+    for (int k = 0; k < 3; ++k) {
+        const int after = sides[(k + 1) % 3];
+        opposite_[sides[k] + 1] = after + 2;
+        opposite_[after + 2] = sides[k] + 1;
+        set_triangle(sides[k] / 3, {old[k], old[(k + 1) % 3], site});
+    }
+    return sides;
+}
+
 void TorusTriangulation::add_to_offsets(const std::vector<Offset>& change) {
     for (int t = 0; t < n_triangles(); ++t) {
         checkpoint_each(t);

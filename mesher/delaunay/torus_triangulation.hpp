@@ -102,6 +102,11 @@ class TorusTriangulation {
     /// Replaces the diagonal h of the quadrilateral formed by its two triangles with the other
     /// diagonal; h and its opposite become the two sides of the new edge.
     void flip(int h);
+    /// Divides a triangle into three at a new site, the number of which is n_sites(); the offset of
+    /// its image in the triangle is in the triangle's frame.
+    /// @returns the halfedges of the sides of the triangle, which now have the new site opposite to
+    ///          them, in the order of its corners.
+    std::array<int, 3> insert(int triangle, Offset offset);
     /// Adds change[s] to the offset of every corner at site s.
     void add_to_offsets(const std::vector<Offset>& change);
     /// Renumbers site s as number[s], a permutation of 0 ... n - 1.

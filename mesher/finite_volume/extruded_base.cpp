@@ -102,11 +102,11 @@ void require_planes(const ExtrudedMesh& extruded) {
     }
 }
 
-const ExtrudedPatch& patch_named(const ExtrudedMesh& extruded, const std::string& name) {
+const ExtrudedPatch& patch_named(const ExtrudedMesh& extruded, std::string_view name) {
     for (const ExtrudedPatch& patch : extruded.patches) {
         if (patch.name == name && patch.partner < 0) return patch;
     }
-    throw_violation(kOrder, "there is no empty patch " + name);
+    throw_violation(kOrder, "there is no empty patch " + std::string(name));
 }
 
 /// Whether `lid` has the points above the points of `face`, in the same cyclic order.
@@ -135,8 +135,8 @@ std::vector<int> lids(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) 
 void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
     const int above = extruded.n_points() / 2;
     // Find the two lids of each cell.
-    const std::vector<int> back = lids(extruded, patch_named(extruded, "back"));
-    const std::vector<int> front = lids(extruded, patch_named(extruded, "front"));
+    const std::vector<int> back = lids(extruded, patch_named(extruded, kBackPatch));
+    const std::vector<int> front = lids(extruded, patch_named(extruded, kFrontPatch));
     const int n_cells = *std::max_element(extruded.owner.begin(), extruded.owner.end()) + 1;
     if (back.size() != front.size() || static_cast<int>(back.size()) != n_cells) {
         throw_violation(kOrder, "back and front have " + to_string(back.size()) + " and " +

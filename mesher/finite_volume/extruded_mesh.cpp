@@ -193,7 +193,7 @@ ExtrudedMesh extruded_mesh(const Tile& tile, double thickness) {
     add_seams(tile, sides, extruded);
     add_walls(tile, sides, extruded);
     for (const bool front : {false, true}) {
-        extruded.patches.push_back({.name = front ? "front" : "back",
+        extruded.patches.push_back({.name = std::string(front ? kFrontPatch : kBackPatch),
                                     .first_face = extruded.n_faces(),
                                     .n_faces = tile.n_faces(),
                                     .partner = -1,

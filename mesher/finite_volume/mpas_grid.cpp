@@ -280,6 +280,19 @@ double mean_density(const MpasGrid& grid) {
            (grid.x_period * grid.y_period);
 }
 
+void fill_coriolis(const Coriolis& coriolis, MpasGrid& grid) {
+    grid.coriolis = coriolis;
+    const auto parameters = [&](const std::vector<double>& y) {
+        std::vector<double> values;
+        values.reserve(y.size());
+        for (const double at : y) values.push_back(coriolis.at(at));
+        return values;
+    };
+    grid.f_cell = parameters(grid.y_cell);
+    grid.f_edge = parameters(grid.y_edge);
+    grid.f_vertex = parameters(grid.y_vertex);
+}
+
 void fill_mesh_density(std::span<const double> site_densities, MpasGrid& grid) {
     const double largest = *std::max_element(site_densities.begin(), site_densities.end());
     for (std::size_t f = 0; f < grid.mesh_density.size(); ++f) {

@@ -8,6 +8,17 @@
 
 namespace pcvt {
 
+/// The Coriolis parameter f + beta y of a plane that turns, and of a beta plane.
+struct Coriolis {
+    /// 1 / s.
+    double f = 0;
+    /// 1 / (s length).
+    double beta = 0;
+
+    double at(double y) const { return f + beta * y; }
+    friend bool operator==(const Coriolis&, const Coriolis&) = default;
+};
+
 /// The staggered mesh of an ocean or atmosphere model (MPAS): cells, their edges and the vertices
 /// of the dual triangles on a rectangular torus, with the weights of the TRiSK scheme.
 ///
@@ -34,6 +45,8 @@ namespace pcvt {
 ///       (J. Thuburn et al., J. Comput. Phys. 228, 2009, section 3).
 ///   (5) mesh_density lies above 0, its largest value is 1, and its mean over the area is the
 ///       stated one.
+///   (6) The Coriolis parameter is f + beta y at cells, edges and vertices, y as the tables have
+///   it.
 struct MpasGrid {
     double x_period;
     double y_period;
@@ -53,6 +66,10 @@ struct MpasGrid {
     std::vector<double> mesh_density;
     /// Of a file that states it: the mean of mesh_density over the area.
     std::optional<double> stated_mean_density;
+    /// As stated; nullopt: no Coriolis parameter.
+    std::optional<Coriolis> coriolis;
+    /// 1 / s; empty without one.
+    std::vector<double> f_cell, f_edge, f_vertex;
 };
 
 /// Returns the mean of mesh_density over the area.
@@ -81,6 +98,9 @@ class UnsuitableCells : public InvalidInput {
 /// @throws InvalidInput if the lattice is not rectangular, or if neighbours lie half a period
 ///         apart, so that the nearest image is ambiguous.
 MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin);
+
+/// Sets the Coriolis parameter of cells, edges and vertices from their positions.
+void fill_coriolis(const Coriolis& coriolis, MpasGrid& grid);
 
 /// Sets mesh_density from the density of each site. The grid may contain several copies of the
 /// sites: cell k n_sites + i belongs to site i.

@@ -21,6 +21,7 @@ const char* const kGeometry = "(2) of C-grids, geometry";
 const char* const kAreas = "(3) of C-grids, areas";
 const char* const kTrisk = "(4) of C-grids, TRiSK";
 const char* const kDensity = "(5) of C-grids, density";
+const char* const kCoriolis = "(6) of C-grids, Coriolis parameter";
 
 constexpr double kTolerance = 1e-12;
 constexpr double kGeometryTolerance = 1e-10;
@@ -180,6 +181,21 @@ void require_density(const MpasGrid& g) {
     }
 }
 
+/// Law (6).
+void require_coriolis(const MpasGrid& g) {
+    if (!g.coriolis) return;
+    MpasGrid wanted{};
+    wanted.y_cell = g.y_cell;
+    wanted.y_edge = g.y_edge;
+    wanted.y_vertex = g.y_vertex;
+    fill_coriolis(*g.coriolis, wanted);
+    if (g.f_cell == wanted.f_cell && g.f_edge == wanted.f_edge && g.f_vertex == wanted.f_vertex) {
+        return;
+    }
+    throw_violation(kCoriolis, "it is not " + in_words(g.coriolis->f) + " + " +
+                                   in_words(g.coriolis->beta) + " y everywhere");
+}
+
 }  // namespace
 
 MpasGridProof prove_mpas_grid(const MpasGrid& grid) {
@@ -192,6 +208,7 @@ MpasGridProof prove_mpas_grid(const MpasGrid& grid) {
     proof.areas = require_areas(grid, rows, h);
     proof.trisk = require_trisk(grid, rows, h);
     require_density(grid);
+    require_coriolis(grid);
     return proof;
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/base/error.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
 #include "mesher/portable/portable_angles.hpp"
@@ -58,7 +57,8 @@ class Refiner {
             checkpoint_each(step);
             if (progress_ && step % kStepsBetweenReports == 0) progress_(share());
             if (grains_.n_vertices() > most_vertices_) {
-                throw LimitExceeded(kTooThin);
+                left_.too_thin = finest_cell();
+                return std::move(left_);
             }
             if (!encroached_.empty()) {
                 split_encroached();
@@ -80,6 +80,14 @@ class Refiner {
             sum += cross(q - p, r - p) / 2 / (size(t) * size(t));
         }
         return sum;
+    }
+
+    /// Returns the face with the most triangles.
+    int finest_cell() const {
+        std::vector<int> n_triangles(sizes_.of_cell.size(), 0);
+        for (int t = 0; t < grains_.n_triangles(); ++t) ++n_triangles[grains_.cell(t)];
+        const auto most = std::max_element(n_triangles.begin(), n_triangles.end());
+        return static_cast<int>(most - n_triangles.begin());
     }
 
     double share() const { return std::min(1.0, (grains_.n_vertices() - n_before_) / n_expected_); }

@@ -11,11 +11,6 @@ namespace pcvt {
 /// slightly.
 inline constexpr double kWantedAngle = 22;
 
-/// The message for cells that need too many triangles.
-inline constexpr const char* kTooThin =
-    "a piece of a cell is too thin to be meshed by grains; give another origin, or use the whole "
-    "outline";
-
 struct RefinementSizes {
     /// For each face of the cells, the target length of the edges inside it, length units.
     std::vector<double> of_cell;
@@ -30,6 +25,9 @@ struct RefinementLeft {
     /// The end vertices of firm edges that prevented the improvement of a triangle with an angle of
     /// at most kSmallestAngle.
     std::vector<int> in_the_way;
+    /// The face of the cells that has the most triangles, if these became too many and refinement
+    /// stopped; else -1.
+    int too_thin = -1;
 };
 
 /// Refines until edges have about the lengths in `sizes` and no angle is smaller than kWantedAngle,

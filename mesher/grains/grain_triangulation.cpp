@@ -157,10 +157,10 @@ bool GrainTriangulation::must_flip(int h) const {
     const Vec2 cb = b - c;
     const Vec2 da = a - d;
     const Vec2 db = b - d;
-    // sin(gamma + delta) times the four lengths.
+    // sin(gamma + delta) times the four lengths, whose squares have no product in large units.
     const double sine = cross(ca, cb) * da.dot(db) + ca.dot(cb) * cross(db, da);
-    const double scale =
-        std::sqrt(ca.squaredNorm() * cb.squaredNorm() * da.squaredNorm() * db.squaredNorm());
+    const double scale = std::sqrt(ca.squaredNorm() * cb.squaredNorm()) *
+                         std::sqrt(da.squaredNorm() * db.squaredNorm());
     return sine < -kClearFlip * scale && cross(a - d, c - d) < 0 && cross(b - d, c - d) > 0;
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/base/error.hpp"
 #include "mesher/grains/corner_guards.hpp"
 #include "mesher/grains/grain_refinement.hpp"
 #include "mesher/grains/grain_smoothing.hpp"
@@ -95,6 +94,7 @@ Attempt attempt(const PeriodicMesh& cells, const Sizes& sizes) {
     RefinementLeft left;
     for (int pass = 0; pass < kPasses; ++pass) {
         left = refine(result.grains, sizes.refinement, sizes.progress);
+        if (left.too_thin >= 0) throw ThinCell(cells.site[left.too_thin]);
         if (left.n_given_up == 0) break;
         widen_angles(result.grains, kWantedAngle);
     }
@@ -153,15 +153,22 @@ void require_meshable(const PeriodicMesh& cells) {
     constexpr double kMostSharp = 1e5;
     constexpr double kMostSharpAVertex = 50;
     double sum = 0;
+    int sharpest = 0;
+    double least_sine = 1;
     for (int c = 0; c < cells.n_corners(); ++c) {
         checkpoint_each(c);
         const Vec2 before = cells.point(cells.previous(c)) - cells.point(c);
         const Vec2 after = cells.point(cells.next(c)) - cells.point(c);
         const double sine = std::abs(cross(after, before)) / (before.norm() * after.norm());
-        if (after.dot(before) > 0) sum += 1 / sine;
+        if (!(after.dot(before) > 0)) continue;
+        sum += 1 / sine;
+        if (sine < least_sine) {
+            least_sine = sine;
+            sharpest = c;
+        }
     }
     if (sum <= kMostSharp + kMostSharpAVertex * cells.n_vertices()) return;
-    throw LimitExceeded(kTooThin);
+    throw ThinCell(cells.site[cells.corner_face[sharpest]]);
 }
 
 Grains mesh(const PeriodicMesh& cells, const Sizes& sizes) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
+#include "mesher/base/error.hpp"
 #include "mesher/lattice/triangle_shape.hpp"
 #include "mesher/mesh/periodic_mesh.hpp"
 
@@ -35,6 +37,19 @@ struct Grains {
     double smallest_angle;
 };
 
+/// A cell, or a piece of one, needs too many triangles.
+class ThinCell : public LimitExceeded {
+   public:
+    explicit ThinCell(SiteId site)
+        : LimitExceeded("the cell of site " + std::to_string(site) +
+                        " is too thin to be meshed by grains"),
+          site_(site) {}
+    SiteId site() const { return site_; }
+
+   private:
+    SiteId site_;
+};
+
 /// Meshes each cell, or each piece of one, by triangles with edges about `size` long.
 ///
 /// Example usage:
@@ -55,7 +70,7 @@ struct Grains {
 /// @param cells  simple polygons. In a tile, a triangle takes the placement of its cell.
 /// @param size   length units, above 0.
 /// @param progress  as refine()'s.
-/// @throws LimitExceeded if a cell is thousands of times longer than wide.
+/// @throws ThinCell if a cell is thousands of times longer than wide.
 Grains mesh_grains(const PeriodicMesh& cells, double size,
                    const std::function<void(double)>& progress = {});
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "mesher/interfaces/polygon_sides.hpp"
 #include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
@@ -56,12 +57,6 @@ double signed_distance_of(const EllipseAxes& ellipse, const Vec2& p) {
     const double distance = distance_in_quadrant(ellipse.a, ellipse.b, x, y);
     const bool inside = Vec2(x / ellipse.a, y / ellipse.b).squaredNorm() < 1;
     return inside ? -distance : distance;
-}
-
-double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
-    const Vec2 side = to - from;
-    const double t = std::clamp(side.dot(p - from) / side.squaredNorm(), 0.0, 1.0);
-    return (from + t * side - p).norm();
 }
 
 double signed_distance_of(const Polygon& polygon, const Vec2& p) {
@@ -118,31 +113,8 @@ bool meet(const EllipseAxes& ellipse, const Polygon& polygon) {
 
 bool meet(const Polygon& polygon, const EllipseAxes& ellipse) { return meet(ellipse, polygon); }
 
-bool segments_cross(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
-    const auto side = [](const Vec2& from, const Vec2& to, const Vec2& at) {
-        return cross(to - from, at - from) > 0;
-    };
-    return side(p, q, r) != side(p, q, s) && side(r, s, p) != side(r, s, q);
-}
-
-/// Whether a corner of one lies in the other or near its sides, or sides cross.
 bool meet(const Polygon& first, const Polygon& second) {
-    const double near = kTouching * bounding_circle(first).radius;
-    for (const Vec2& corner : first) {
-        if (signed_distance_of(second, corner) <= near) return true;
-    }
-    for (const Vec2& corner : second) {
-        if (signed_distance_of(first, corner) <= near) return true;
-    }
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        for (std::size_t j = 0; j < second.size(); ++j) {
-            if (segments_cross(first[i], first[(i + 1) % first.size()], second[j],
-                               second[(j + 1) % second.size()])) {
-                return true;
-            }
-        }
-    }
-    return false;
+    return PolygonSides(first).meet(PolygonSides(second), Vec2(0, 0));
 }
 
 /// Calls the function with the shape as EllipseAxes or as Polygon.

@@ -45,14 +45,8 @@ void require_polygon(Inclusion& inclusion, Polygon& polygon) {
         refuse(inclusion, "the polygon has no area");
     }
     if (area < 0) std::reverse(polygon.begin(), polygon.end());
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        for (std::size_t j = i + 1; j < polygon.size(); ++j) {
-            const bool adjacent = j == i + 1 || (i == 0 && j + 1 == polygon.size());
-            const Polygon first{polygon[i], polygon[i + 1]};
-            const Polygon second{polygon[j], polygon[(j + 1) % polygon.size()]};
-            const bool touches = !adjacent && shapes_meet(first, second, Vec2(0, 0));
-            if (touches) refuse(inclusion, "the polygon crosses or touches itself");
-        }
+    if (PolygonSides(polygon).touch_themselves()) {
+        refuse(inclusion, "the polygon crosses or touches itself");
     }
 }
 
@@ -85,6 +79,10 @@ InclusionSet::InclusionSet(const Lattice& domain, std::vector<Inclusion> inclusi
         require_between_walls(inclusion);
     }
     add_mirror_images();
+    for (const Inclusion& inclusion : inclusions_) {
+        const auto* const polygon = std::get_if<Polygon>(&inclusion.shape);
+        sides_.push_back(polygon != nullptr ? PolygonSides(*polygon) : PolygonSides());
+    }
     const Lattice& reduced = reduction_.reduced;
     grid_.emplace(reduced, size());
     for (const Inclusion& inclusion : inclusions_) {
@@ -156,7 +154,11 @@ void InclusionSet::require_apart() const {
         int other = size();
         const auto compare = [&](int j, const Vec2& translation) {
             if (j < i || j >= other || (j == i && translation.isZero(0))) return;
-            if (shapes_meet(inclusions_[i].shape, inclusions_[j].shape, translation)) other = j;
+            const bool are_polygons = sides_[i].size() > 0 && sides_[j].size() > 0;
+            const bool meet =
+                are_polygons ? sides_[i].meet(sides_[j], translation)
+                             : shapes_meet(inclusions_[i].shape, inclusions_[j].shape, translation);
+            if (meet) other = j;
         };
         visit_images(bounds_[i].centre, bounds_[i].radius * (1 + kSameVertex), compare);
         if (other == i) {
@@ -170,10 +172,15 @@ void InclusionSet::require_apart() const {
     }
 }
 
+double InclusionSet::signed_distance_to(int k, const Vec2& p) const {
+    return sides_[k].size() > 0 ? sides_[k].signed_distance(p)
+                                : signed_distance(inclusions_[k].shape, p);
+}
+
 int InclusionSet::containing(const Vec2& p) const {
     int found = -1;
     visit_images(p, 0, [&](int k, const Vec2& translation) {
-        if (signed_distance(inclusions_[k].shape, p - translation) < 0) found = k;
+        if (signed_distance_to(k, p - translation) < 0) found = k;
     });
     return found;
 }
@@ -183,7 +190,7 @@ std::optional<Vec2> InclusionSet::in_frame_of(int k, const Vec2& p) const {
     double least = bounds_[k].radius / 2;
     visit_images(p, least, [&](int image, const Vec2& translation) {
         if (image != k) return;
-        const double distance = std::abs(signed_distance(inclusions_[k].shape, p - translation));
+        const double distance = std::abs(signed_distance_to(k, p - translation));
         if (distance > least) return;
         least = distance;
         found = p - translation;
@@ -197,7 +204,7 @@ double InclusionSet::distance_to_others(int own, const Vec2& p, double reach) co
         if (k == own && translation.isZero(0)) return;
         const Vec2 there = p - translation;
         if ((there - bounds_[k].centre).norm() - bounds_[k].radius >= least) return;
-        least = std::min(least, std::abs(signed_distance(inclusions_[k].shape, there)));
+        least = std::min(least, std::abs(signed_distance_to(k, there)));
     });
     return least;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "mesher/interfaces/inclusion.hpp"
+#include "mesher/interfaces/polygon_sides.hpp"
 #include "mesher/interfaces/torus_grid.hpp"
 
 namespace pcvt {
@@ -46,6 +47,8 @@ class InclusionSet {
     const Reduction& reduction() const { return reduction_; }
     /// As given, polygons counter-clockwise.
     const Inclusion& operator[](int k) const { return inclusions_[k]; }
+    /// The sides of inclusion k; none unless it is a polygon.
+    const PolygonSides& sides(int k) const { return sides_[k]; }
 
     /// The inclusion that contains a point, or -1.
     /// @param p  length units, anywhere.
@@ -77,12 +80,14 @@ class InclusionSet {
     void require_between_walls(const Inclusion& inclusion) const;
     void add_mirror_images();
     void require_apart() const;
+    double signed_distance_to(int k, const Vec2& p) const;
 
     Lattice domain_;
     Walls walls_;
     Lattice lattice_;
     Reduction reduction_;
     std::vector<Inclusion> inclusions_;
+    std::vector<PolygonSides> sides_;
     std::vector<Circle> bounds_;
     /// Of each bounding circle's centre: the whole periods that wrap() removed.
     std::vector<Offset> whole_;

@@ -24,8 +24,6 @@ constexpr double kFewestChords = 6;
 /// The square of the longest chord over the shortest one and the radius. Scaling moves a circle's
 /// chords by l^2 / (12 R): by an eighth of the narrowest gap.
 constexpr double kCurvedPerGap = 2.5;
-/// Up to this distance from a limit, in chords, it holds without growth.
-constexpr double kPlateau = 2;
 /// Samples per chord, and the largest step in degrees.
 constexpr double kSamples = 4;
 constexpr double kLargestStep = 10;
@@ -44,11 +42,11 @@ constexpr double kSpareChord = 0.25;
 class CurveSizes {
    public:
     CurveSizes(const InclusionSet& set, int k, const InterfaceSizing& sizing)
-        : set_(set), k_(k), sizing_(sizing) {}
+        : set_(set), k_(k), sizing_(sizing), limits_(sizing.limits[k]) {}
 
     /// @param most  a bound from the curve itself.
     double at(const Vec2& p, double most) const {
-        const double size = std::min({most, sizing_.spacing(p), size_at(sizing_.limits[k_], p)});
+        const double size = std::min({most, sizing_.spacing(p), limits_.at(p)});
         return kChordPerGap * set_.distance_to_others(k_, p, size / kChordPerGap);
     }
 
@@ -63,6 +61,7 @@ class CurveSizes {
     const InclusionSet& set_;
     int k_;
     const InterfaceSizing& sizing_;
+    SizeLimits limits_;
 };
 
 /// Sets the radii of nodes that have none from their two chords.
@@ -161,8 +160,8 @@ struct CornerPlan {
 
 class PolygonNodes {
    public:
-    PolygonNodes(const InclusionSet& set, const Polygon& polygon, const CurveSizes& sizes)
-        : set_(set), polygon_(polygon), sizes_(sizes) {}
+    PolygonNodes(const InclusionSet& set, int k, const Polygon& polygon, const CurveSizes& sizes)
+        : set_(set), k_(k), polygon_(polygon), sizes_(sizes) {}
 
     std::vector<InterfaceNode> nodes() {
         for (std::size_t k = 0; k < n(); ++k) plans_.push_back(plan_of(k));
@@ -185,10 +184,12 @@ class PolygonNodes {
     double size_of_gap(std::size_t k, const Vec2& p) const {
         const Vec2 along = side(k).normalized();
         const Vec2 normal = turned_left(along);
-        double width = std::numeric_limits<double>::infinity();
-        for (std::size_t m = k + 2; m + 1 < k + n(); ++m) {
-            width = std::min(width, touching_width(p, normal, corner(m), corner(m + 1)));
-        }
+        const double infinite = std::numeric_limits<double>::infinity();
+        const double width = set_.sides(k_).least(p, infinite, [&](std::size_t m) {
+            const std::size_t after = m >= k ? m - k : m + n() - k;
+            const bool is_beside = after <= 1 || after + 1 == n();
+            return is_beside ? infinite : touching_width(p, normal, corner(m), corner(m + 1));
+        });
         return kChordPerGap * width;
     }
 
@@ -278,6 +279,7 @@ class PolygonNodes {
     }
 
     const InclusionSet& set_;
+    int k_;
     const Polygon& polygon_;
     const CurveSizes& sizes_;
     std::vector<CornerPlan> plans_;
@@ -288,13 +290,19 @@ class PolygonNodes {
 
 }  // namespace
 
-double size_at(const std::vector<SizeLimit>& limits, const Vec2& p) {
-    double size = std::numeric_limits<double>::infinity();
-    for (const SizeLimit& limit : limits) {
-        const double beyond = (p - limit.point).norm() - kPlateau * limit.size;
-        size = std::min(size, limit.size + kGrading * std::max(0.0, beyond));
+double fewest_seeds(const Shape& shape) {
+    // Each side of a polygon has a chord.
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) {
+        return 2 * static_cast<double>(polygon->size());
     }
-    return size;
+    const auto* circle = std::get_if<Circle>(&shape);
+    const EllipseAxes axes =
+        circle ? ellipse_axes(*circle) : ellipse_axes(std::get<Ellipse>(shape));
+    if (!(axes.b > 0)) return 0;
+    // The integral of 1 / kChordPerCurve / inner (ellipse_samples) round the ellipse, less the
+    // rounding of its samples.
+    const double chords = 0.99 * 2 * std::numbers::pi * axes.a / axes.b / kChordPerCurve;
+    return 2 * std::max(kFewestChords, std::ceil(chords));
 }
 
 std::vector<InterfaceNode> interface_nodes(const InclusionSet& set, int k,
@@ -302,7 +310,7 @@ std::vector<InterfaceNode> interface_nodes(const InclusionSet& set, int k,
     const CurveSizes sizes(set, k, sizing);
     const Shape& shape = set[k].shape;
     if (const auto* polygon = std::get_if<Polygon>(&shape)) {
-        return PolygonNodes(set, *polygon, sizes).nodes();
+        return PolygonNodes(set, k, *polygon, sizes).nodes();
     }
     const auto* circle = std::get_if<Circle>(&shape);
     return ellipse_nodes(

@@ -3,16 +3,9 @@
 #include <functional>
 
 #include "mesher/interfaces/inclusion_set.hpp"
+#include "mesher/interfaces/size_limits.hpp"
 
 namespace pcvt {
-
-/// A limit on the length of chords at a point; from there it grows with the distance.
-struct SizeLimit {
-    Vec2 point;
-    double size;
-};
-/// The least size at p that the limits allow.
-double size_at(const std::vector<SizeLimit>& limits, const Vec2& p);
 
 /// What the chords along an interface are as long as.
 struct InterfaceSizing {
@@ -31,6 +24,9 @@ struct InterfaceNode {
     /// inclusion, -1 outside; else 0.
     int shared_side = 0;
 };
+
+/// A number of seeds, two a chord, that the curve of a shape has at least, whatever the spacing.
+double fewest_seeds(const Shape& shape);
 
 /// Divides the curve of inclusion k into chords, shorter than the spacing where the curve is bent,
 /// where another part of the interface is near, and at the limits. Corners of a polygon are nodes.

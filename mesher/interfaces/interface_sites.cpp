@@ -7,6 +7,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/interfaces/place_tree.hpp"
 
 namespace pcvt {
 namespace {
@@ -123,11 +124,13 @@ class Placement {
         wrapped_.clear();
         first_bad_.reset();
         for (int i = 0; i < set_.size(); ++i) {
-            checkpoint();
             Curve& curve = curves_[i];
             curve.inside.assign(curve.nodes.size(), -1);
             curve.outside.assign(curve.nodes.size(), -1);
-            for (int k = 0; k < curve.n(); ++k) add_pair(i, k);
+            for (int k = 0; k < curve.n(); ++k) {
+                checkpoint_each(k);
+                add_pair(i, k);
+            }
         }
     }
 
@@ -165,18 +168,20 @@ class Placement {
 
     /// Shortens the chords of each circle with a foreign seed inside, and those of the seed.
     void check_circles() {
-        const Lattice& reduced = set_.reduction().reduced;
-        TorusGrid grid(reduced, static_cast<int>(seeds_.size()));
+        Points places(2, static_cast<Eigen::Index>(seeds_.size()));
         for (std::size_t s = 0; s < seeds_.size(); ++s) {
-            grid.add(static_cast<int>(s), wrapped_[s].fraction);
+            places.col(Eigen::Index(s)) = wrapped_[s].fraction;
         }
+        const PlaceTree tree(set_.reduction().reduced, std::move(places));
         for (int i = 0; i < set_.size(); ++i) {
-            checkpoint();
-            for (int k = 0; k < curves_[i].n(); ++k) check_circle(grid, i, k);
+            for (int k = 0; k < curves_[i].n(); ++k) {
+                checkpoint_each(k);
+                check_circle(tree, i, k);
+            }
         }
     }
 
-    void check_circle(const TorusGrid& grid, int i, int k) {
+    void check_circle(const PlaceTree& tree, int i, int k) {
         const Curve& curve = curves_[i];
         const Lattice& reduced = set_.reduction().reduced;
         const double reach = (1 + kMargin) * curve.nodes[k].radius;
@@ -184,14 +189,12 @@ class Placement {
         const int before = curve.previous(k);
         const std::array<SiteId, 4> own{curve.inside[k], curve.outside[k], curve.inside[before],
                                         curve.outside[before]};
-        grid.visit(centre.fraction, reach, [&](int s, Offset offset) {
-            const Vec2 d = wrapped_[s].fraction + Vec2(offset.i, offset.j) - centre.fraction;
-            if (reduced.to_plane(d).norm() >= reach) return;
+        for (const auto& [s, offset] : tree.within(centre.fraction, reach)) {
             const bool is_own = std::find(own.begin(), own.end(), s) != own.end();
-            if (is_own && offset == wrapped_[s].whole - centre.whole) return;
+            if (is_own && offset == wrapped_[s].whole - centre.whole) continue;
             shorten(i, k);
             shorten(seeds_[s].inclusion, seeds_[s].node);
-        });
+        }
     }
 
     InterfaceSites result() const {

@@ -61,6 +61,12 @@ class TorusGrid {
         }
     }
 
+    /// The row and the column of the bucket of an image: visit() goes row by row, and visits the
+    /// items of a bucket in reverse.
+    std::array<int, 2> row_and_column(const Vec2& u, Offset offset) const {
+        return {place(u, 1) + offset.j * count_[1], place(u, 0) + offset.i * count_[0]};
+    }
+
    private:
     static constexpr double kRounding = 1e-12;
 

@@ -23,6 +23,9 @@ class Domain {
     /// @throws InvalidInput as reduce().
     Domain(const Lattice& lattice, const Vec2& origin);
 
+    /// The vectors of the parallelogram.
+    const Lattice& basis() const { return basis_; }
+
     /// The corners with the lattice coordinates (0, 0) and (1, 1) of the domain's own basis.
     const Vec2& corner() const { return corner_; }
     Vec2 opposite_corner() const { return corner_ + basis_.a() + basis_.b(); }

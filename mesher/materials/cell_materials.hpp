@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "mesher/lattice/set_names.hpp"
+
 namespace pcvt {
 
 /// The orientation of a crystal by Bunge's Euler angles, degrees: turns by phi1 about z, by Phi
@@ -38,6 +40,8 @@ struct CellMaterials {
 };
 
 /// The name of the group of the elements of a phase, in every format: `phase_steel`.
-inline std::string phase_group(const std::string& phase_name) { return "phase_" + phase_name; }
+inline std::string phase_group(const std::string& phase_name) {
+    return std::string(kPhaseSet) + phase_name;
+}
 
 }  // namespace pcvt

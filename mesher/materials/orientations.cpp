@@ -1,5 +1,6 @@
 #include "mesher/materials/orientations.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -39,6 +40,17 @@ std::vector<BungeAngles> random_orientations(int n, std::uint64_t seed) {
                                 360 * uniform(generator)});
     }
     return orientations;
+}
+
+AngleRange angle_range(std::span<const BungeAngles> orientations) {
+    AngleRange range{orientations.front(), orientations.front()};
+    for (double BungeAngles::*angle : {&BungeAngles::phi1, &BungeAngles::Phi, &BungeAngles::phi2}) {
+        for (const BungeAngles& angles : orientations) {
+            range.least.*angle = std::min(range.least.*angle, angles.*angle);
+            range.greatest.*angle = std::max(range.greatest.*angle, angles.*angle);
+        }
+    }
+    return range;
 }
 
 }  // namespace pcvt

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesher/materials/cell_materials.hpp"
@@ -22,5 +23,13 @@ Eigen::Matrix3d bunge_matrix(const BungeAngles& angles);
 /// Draws n orientations without a texture: phi1 and phi2 in [0, 360), Phi in (0, 180) with a
 /// uniform cosine, degrees. The same seed gives the same bits on every machine.
 std::vector<BungeAngles> random_orientations(int n, std::uint64_t seed);
+
+/// The least and the greatest of each angle.
+struct AngleRange {
+    BungeAngles least;
+    BungeAngles greatest;
+};
+/// @pre there is an orientation.
+AngleRange angle_range(std::span<const BungeAngles> orientations);
 
 }  // namespace pcvt

@@ -32,7 +32,10 @@ class CellFaces {
 };
 
 /// Returns the volumes and centroids of the cells. Corners of a face may lie off its plane by
-/// rounding; each face counts as the fan of triangles from its first corner.
+/// rounding; each face counts as the fan of triangles from its first corner. Where short edges were
+/// removed, faces are bent, and the volume is the one that finite-volume solvers compute
+/// (OpenFOAM): a third of the sum over the faces of their vector area times their centre, which is
+/// the mean of the triangles round the mean of the corners, by their areas.
 std::vector<CellBody> cell_bodies(const PolyhedralMesh& mesh);
 
 }  // namespace pcvt

@@ -150,11 +150,13 @@ PolyhedronList polyhedron_list(const PolyhedralMesh& mesh) {
     return list;
 }
 
-PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const PolyhedronList& cells) {
+PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const PolyhedronList& cells,
+                              double least_tolerance) {
     PolyhedralMesh mesh{.lattice = lattice, .n_cells = cells.n_cells()};
     mesh.points = cells.points;
     add_faces(cells, mesh);
-    const std::vector<FacePair> pairs = seam_pairs(mesh, tolerance_of(mesh.points));
+    const double tolerance = std::max(tolerance_of(mesh.points), least_tolerance);
+    const std::vector<FacePair> pairs = seam_pairs(mesh, tolerance);
     set_orbits(pairs, mesh);
     order_boundary(pairs, mesh);
     return mesh;

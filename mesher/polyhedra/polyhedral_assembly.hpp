@@ -31,7 +31,9 @@ PolyhedronList polyhedron_list(const PolyhedralMesh& mesh);
 /// Law, tested by number:
 ///   (1) assembled_mesh(lattice, polyhedron_list(mesh)) has the points, cells and pairs of `mesh`.
 ///
+/// @param least_tolerance  within which partners agree, as prove_polyhedra() takes it.
 /// @throws NotATile if a face belongs to more than two cells, or a boundary face has no partner.
-PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const PolyhedronList& cells);
+PolyhedralMesh assembled_mesh(const SpaceLattice& lattice, const PolyhedronList& cells,
+                              double least_tolerance = 0);
 
 }  // namespace pcvt

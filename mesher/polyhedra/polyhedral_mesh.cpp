@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/lattice/set_names.hpp"
 #include "mesher/polyhedra/cell_choice.hpp"
 
 namespace pcvt {
@@ -143,7 +144,7 @@ class MeshBuilder {
 }  // namespace
 
 std::string seam_name(Offset3 offset) {
-    return "seam_" + std::to_string(offset.i) + "_" + std::to_string(offset.j) + "_" +
+    return std::string(kSeamSet) + std::to_string(offset.i) + "_" + std::to_string(offset.j) + "_" +
            std::to_string(offset.k);
 }
 

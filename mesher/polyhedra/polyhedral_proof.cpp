@@ -144,9 +144,21 @@ void prove_orbits(const PolyhedralMesh& mesh, DisjointSets& glued, double tolera
 
 }  // namespace
 
-PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh) {
+double largest_mismatch(const PolyhedralMesh& mesh) {
+    double largest = 0;
+    for (int v = 0; v < mesh.n_points(); ++v) {
+        const int first = mesh.point_orbit[v];
+        if (first < 0 || first >= mesh.n_points()) continue;
+        const Vec3 image = mesh.points[first] + mesh.lattice.translation(mesh.point_offset[v]);
+        largest = std::max(largest, (image - mesh.points[v]).cwiseAbs().maxCoeff());
+    }
+    return largest;
+}
+
+PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh, double least_tolerance) {
     const double tolerance =
-        kPositionUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(mesh);
+        std::max(kPositionUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(mesh),
+                 least_tolerance);
     prove_face_order(mesh);
     const double volume = prove_cells(mesh, tolerance);
     const std::vector<FacePair> pairs = seam_pairs(mesh, tolerance);
@@ -167,6 +179,8 @@ PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh) {
             .n_boundary_pairs = static_cast<int>(pairs.size()),
             .n_translations = static_cast<int>(mesh.patches.size()) / 2,
             .volume = volume,
+            .tolerance = tolerance,
+            .mismatch = largest_mismatch(mesh),
             .boundary_is_manifold = boundary_is_manifold(mesh)};
 }
 

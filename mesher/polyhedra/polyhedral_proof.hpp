@@ -12,10 +12,18 @@ struct PolyhedralProof {
     /// The number of translations of the seam, counted once for both directions.
     int n_translations = 0;
     double volume = 0;
+    /// Of positions, and the largest distance of a point from its representative plus the
+    /// translation, in one coordinate; length units.
+    double tolerance = 0;
+    double mismatch = 0;
     /// Whether each edge of the boundary belongs to two boundary faces, and the boundary faces at
     /// each point are one fan.
     bool boundary_is_manifold = false;
 };
+
+/// The largest distance of a point from its stated representative plus the stated translation, in
+/// one coordinate: how far a file is rounded.
+double largest_mismatch(const PolyhedralMesh& mesh);
 
 /// Proves the laws of PolyhedralMesh from positions and period vectors alone: the pairs of boundary
 /// faces are found again from their positions and then compared with the patches. Positions may
@@ -24,7 +32,9 @@ struct PolyhedralProof {
 /// Example usage:
 ///   const PolyhedralProof proof = prove_polyhedra(mesh);
 ///
-/// @throws NotATile with the law and the first faces that break it.
-PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh);
+/// @param least_tolerance  of positions, length units: of files of other programs.
+/// @throws NotATile with the law and the first faces that break it; as SeamMismatch where a wider
+///         tolerance may help.
+PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh, double least_tolerance = 0);
 
 }  // namespace pcvt

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "mesher/base/checkpoint.hpp"
@@ -14,10 +15,12 @@ namespace {
 
 /// Corners nearer than this part of h are one.
 constexpr double kMerged = 1e-9;
-/// The volume of a tetrahedron over the product of its edges at a corner below which it is flat.
-/// Sites of exact lattices are rounded to 2^-50 of a period, which makes flat tetrahedra of volumes
-/// near 1e-13; ten million random sites have none below this.
+/// The height of a tetrahedron above its largest face over its shortest edge below which it is
+/// flat. Sites of exact lattices are rounded to 2^-50 of a period, which makes flat tetrahedra of
+/// heights near 1e-13; ten million random sites have none below this.
 constexpr double kFlat = 1e-11;
+/// The same over the rounding of the sites, for sites that are near to each other.
+constexpr double kFlatRoundings = 16;
 
 using WideVector = Eigen::Matrix<WideDouble, 3, 1>;
 using WideMatrix = Eigen::Matrix<WideDouble, 3, 3>;
@@ -27,6 +30,28 @@ struct Centre {
     bool is_determined;
 };
 
+/// By how much the rounding of coordinates to 2^-50 may move a site.
+double site_rounding(const SpaceLattice& reduced) {
+    double sum = 0;
+    for (const Vec3& period : reduced.periods()) sum += period.norm();
+    return sum / (2 * kGrid3);
+}
+
+/// Whether four sites lie in a plane up to their rounding.
+/// @param volume  six times that of the tetrahedron.
+bool is_flat(const WideMatrix& edges, double volume, double rounding) {
+    const Eigen::Matrix3d e = edges.unaryExpr([](const WideDouble& x) { return double(x); });
+    const Vec3 a = e.row(0);
+    const Vec3 b = e.row(1);
+    const Vec3 c = e.row(2);
+    const double shortest =
+        std::min({a.norm(), b.norm(), c.norm(), (b - a).norm(), (c - a).norm(), (c - b).norm()});
+    const double largest_face = std::max(
+        {a.cross(b).norm(), b.cross(c).norm(), c.cross(a).norm(), (b - a).cross(c - a).norm()});
+    return !(std::abs(volume) >
+             std::max(kFlat * shortest, kFlatRoundings * rounding) * largest_face);
+}
+
 WideMatrix wide_periods(const SpaceLattice& lattice) {
     WideMatrix periods;
     for (int k = 0; k < 3; ++k) periods.col(k) = lattice.periods()[k].cast<WideDouble>();
@@ -35,23 +60,21 @@ WideMatrix wide_periods(const SpaceLattice& lattice) {
 
 /// Computes in wide numbers from differences of lattice coordinates, which are exact: nearly
 /// flat tetrahedra lose half of the digits.
-Centre circumcentre(const SpaceSites& sites, const WideMatrix& periods,
-                    const Tetrahedron& corners) {
+Centre circumcentre(const SpaceSites& sites, const WideMatrix& periods, const Tetrahedron& corners,
+                    double rounding) {
     const Points3& u = sites.coordinates();
     const auto first = u.col(corners[0].site);
     WideMatrix edges;
     WideVector halves;
-    double product = 1;
     for (int k = 0; k < 3; ++k) {
         const Offset3 offset = corners[k + 1].offset - corners[0].offset;
         const Vec3 step = (u.col(corners[k + 1].site) - first) + offset.vector();
         const WideVector edge = periods * step.cast<WideDouble>();
         edges.row(k) = edge.transpose();
         halves[k] = edge.squaredNorm() / 2;
-        product *= std::sqrt(static_cast<double>(edge.squaredNorm()));
     }
     const WideDouble volume = edges.determinant();
-    if (!(std::abs(static_cast<double>(volume)) > kFlat * product)) return {Vec3::Zero(), false};
+    if (is_flat(edges, static_cast<double>(volume), rounding)) return {Vec3::Zero(), false};
     const WideVector a = edges.row(0);
     const WideVector b = edges.row(1);
     const WideVector c = edges.row(2);
@@ -63,11 +86,12 @@ Centre circumcentre(const SpaceSites& sites, const WideMatrix& periods,
 
 std::vector<Centre> circumcentres(const SpaceSites& sites, const TorusTetrahedra& tetrahedra) {
     const WideMatrix periods = wide_periods(sites.reduction().reduced);
+    const double rounding = site_rounding(sites.reduction().reduced);
     std::vector<Centre> centres;
     centres.reserve(static_cast<std::size_t>(tetrahedra.n_tetrahedra()));
     for (int t = 0; t < tetrahedra.n_tetrahedra(); ++t) {
         checkpoint_each(t);
-        centres.push_back(circumcentre(sites, periods, tetrahedra.tetrahedron(t)));
+        centres.push_back(circumcentre(sites, periods, tetrahedra.tetrahedron(t), rounding));
     }
     return centres;
 }

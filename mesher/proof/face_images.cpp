@@ -150,14 +150,17 @@ class FaceImageSearch {
         part.lead = -part.lead;
     }
 
+    /// An unclear face may be that of any image of its site.
     void require_each_image() const {
         const auto n_copies = static_cast<std::size_t>(images_.copies());
         std::vector<bool> found(static_cast<std::size_t>(images_.n_sites()) * n_copies, false);
+        std::vector<bool> is_unclear(static_cast<std::size_t>(images_.n_sites()), false);
         for (int f = 0; f < faces_.n_faces(); ++f) {
             found[std::size_t(site(f)) * n_copies + images_.copy_of(found_.image[f])] = true;
+            if (found_.is_unclear[f]) is_unclear[site(f)] = true;
         }
         for (std::size_t k = 0; k < found.size(); ++k) {
-            if (found[k]) continue;
+            if (found[k] || is_unclear[k / n_copies]) continue;
             throw_violation(kSiteLaw, "site " + to_string(k / n_copies) +
                                           " has no cell in one of the periods of the tile");
         }

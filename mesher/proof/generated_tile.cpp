@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/site_labels.hpp"
 
 namespace pcvt {
@@ -16,17 +17,24 @@ constexpr double kPositionUlps = 4;
 /// A tile whose smallest feature is this many times that rounding keeps its laws.
 constexpr double kResolved = 1e3;
 
-double shortest_edge(const Tile& tile) {
-    double shortest = std::numeric_limits<double>::infinity();
+/// Returns the least of the lengths of edges and of the widths of faces.
+double finest_feature(const Tile& tile) {
+    double finest = std::numeric_limits<double>::infinity();
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
         Vec2 from = tile.points[tile.faces[f].back()];
+        double perimeter = 0;
         for (const int v : tile.faces[f]) {
-            shortest = std::min(shortest, (tile.points[v] - from).norm());
+            const double length = (tile.points[v] - from).norm();
+            finest = std::min(finest, length);
+            perimeter += length;
             from = tile.points[v];
         }
+        // A face is nowhere longer than half of its perimeter.
+        const double area = polygon_area(face_polygon(tile.points, tile.faces[f]));
+        finest = std::min(finest, area / (perimeter / 2));
     }
-    return shortest;
+    return finest;
 }
 
 }  // namespace
@@ -44,10 +52,12 @@ TileProof verify_generated_tile(const Tile& tile) {
     }
 }
 
-bool fits_single_precision(const Tile& tile) {
+bool fits_single_precision(const Tile& tile, const Vec2& from) {
     double largest = 0;
-    for (const Vec2& point : tile.points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
-    const double smallest = std::min({shortest_edge(tile), reduce(tile.lattice).reduced.a().norm(),
+    for (const Vec2& point : tile.points) {
+        largest = std::max(largest, (point - from).cwiseAbs().maxCoeff());
+    }
+    const double smallest = std::min({finest_feature(tile), reduce(tile.lattice).reduced.a().norm(),
                                       std::sqrt(tile.lattice.area() / tile.n_faces())});
     return kResolved * kPositionUlps * largest * double(std::numeric_limits<float>::epsilon()) <=
            smallest;

@@ -11,6 +11,7 @@ TileProof verify_generated_tile(const Tile& tile);
 
 /// Whether single precision resolves the smallest feature of a proved tile, so that the tile keeps
 /// its laws there.
-bool fits_single_precision(const Tile& tile);
+/// @param from  the point to which stored positions are relative.
+bool fits_single_precision(const Tile& tile, const Vec2& from);
 
 }  // namespace pcvt

@@ -19,6 +19,10 @@ using std::to_string;
 const char* const kSeamLaw = "(2), seam";
 const char* const kHoleLaw = "(7), holes";
 
+/// More boundary edges without partners are not compared with each other: each pair takes some 20
+/// ns.
+constexpr std::size_t kMostCompared = 10000;
+
 /// A halfedge with the key that all images of its edge share.
 struct Side {
     int low;
@@ -194,29 +198,44 @@ class Gluing {
     }
 
     void require_partners() const {
-        const auto lonely = std::find(faces_.opposite.begin(), faces_.opposite.end(), -1);
-        if (lonely == faces_.opposite.end()) return;
-        const int h = static_cast<int>(lonely - faces_.opposite.begin());
+        std::vector<int> lonely;
+        for (int h = 0; h < faces_.n_halfedges(); ++h) {
+            checkpoint_each(h);
+            if (faces_.opposite[h] < 0) lonely.push_back(h);
+        }
+        if (lonely.empty()) return;
+        const int h = lonely.front();
         std::string what = "boundary edge " + edge(h) + " of " + face(h) +
                            " has no reversed partner by any lattice vector";
-        const auto [nearest, apart] = nearest_lonely(h);
+        const Lattice reduced = reduce(tile_.lattice).reduced;
+        const auto [nearest, apart] = nearest_to(h, lonely, reduced);
         if (nearest >= 0) {
             what += "; the nearest is edge " + edge(nearest) + " of " + face(nearest) +
                     ", off by " + in_words(apart);
         }
-        throw_violation(kSeamLaw, what);
+        throw SeamMismatch(violation_in_words(kSeamLaw, what),
+                           lonely.size() > kMostCompared ? std::numeric_limits<double>::infinity()
+                                                         : largest_mismatch(lonely, reduced));
+    }
+
+    double largest_mismatch(const std::vector<int>& lonely, const Lattice& reduced) const {
+        double largest = 0;
+        for (const int h : lonely) {
+            checkpoint();
+            largest = std::max(largest, nearest_to(h, lonely, reduced).second);
+        }
+        return largest;
     }
 
     /// Returns the halfedge without a partner that comes nearest to the reverse of h, and its
     /// deviation.
-    std::pair<int, double> nearest_lonely(int h) const {
-        const Lattice reduced = reduce(tile_.lattice).reduced;
+    std::pair<int, double> nearest_to(int h, const std::vector<int>& lonely,
+                                      const Lattice& reduced) const {
         const Vec2 from = tile_.points[faces_.corners[h]];
         const Vec2 to = tile_.points[faces_.corners[faces_.next(h)]];
         std::pair nearest(-1, std::numeric_limits<double>::infinity());
-        for (int g = 0; g < faces_.n_halfedges(); ++g) {
-            checkpoint_each(g);
-            if (g == h || faces_.opposite[g] >= 0) continue;
+        for (const int g : lonely) {
+            if (g == h) continue;
             const Vec2 start = tile_.points[faces_.corners[faces_.next(g)]] - from;
             const Vec2 end = tile_.points[faces_.corners[g]] - to;
             const Vec2 u = reduced.to_lattice(start);

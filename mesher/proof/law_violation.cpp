@@ -7,8 +7,12 @@
 
 namespace pcvt {
 
+std::string violation_in_words(const std::string& law, const std::string& what) {
+    return "law " + law + ": " + what;
+}
+
 void throw_violation(const std::string& law, const std::string& what) {
-    throw NotATile("law " + law + ": " + what);
+    throw NotATile(violation_in_words(law, what));
 }
 
 std::string in_words(double amount) {

@@ -11,7 +11,10 @@ inline constexpr const char* kFaceLaw = "(1), faces";
 /// The name of the laws of prove_sites() in messages.
 inline constexpr const char* kSiteLaw = "of the sites";
 
-/// Throws NotATile with the message "law <law>: <what>".
+/// The message of a violation, "law <law>: <what>".
+std::string violation_in_words(const std::string& law, const std::string& what);
+
+/// Throws NotATile with violation_in_words().
 ///
 /// Example usage:
 ///   throw_violation("(2), seam", "edge " + edge_in_words(3, 4) + " has no partner");

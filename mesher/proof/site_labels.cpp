@@ -134,11 +134,11 @@ std::vector<Offset> images_of_faces(const Tile& tile, const SiteImages& images) 
 /// The differences between the distances of an orbit from the sites of its faces.
 struct Meeting {
     double first_distance = -1;
-    float spread = 0;
+    double spread = 0;
 
     void add(double distance) {
         if (first_distance < 0) first_distance = distance;
-        spread = std::max(spread, static_cast<float>(std::abs(distance - first_distance)));
+        spread = std::max(spread, std::abs(distance - first_distance));
     }
 };
 

@@ -263,15 +263,16 @@ void require_sound(const Tile& tile) {
 
 /// Finds the orbits and glues the faces (laws 1 and 2).
 /// @param tile  require_sound(); without walls.
-Gluing glued(const Tile& tile, Precision precision) {
+Gluing glued(const Tile& tile, Precision precision, double tolerance) {
     Gluing gluing;
     TileProof& proof = gluing.proof;
     proof.precision = precision;
-    proof.tolerance = position_tolerance(tile, precision);
+    proof.tolerance = tolerance;
     const VertexOrbits orbits =
         find_vertex_orbits(tile.lattice, tile.points, proof.tolerance, tile.copies);
     if (precision == Precision::kDouble) require_distinct_vertices(tile, orbits);
     require_vertices_in_use(tile, orbits);
+    proof.mismatch = orbits.mismatch;
     gluing.faces = glue_faces(tile, orbits, precision);
     proof.n_faces = gluing.faces.n_faces();
     collect_vertices(orbits, gluing.faces, proof);
@@ -310,22 +311,24 @@ void require_torus(const Tile& tile, const Gluing& gluing) {
 
 TileProof prove_cover(const Tile& tile, Precision precision) {
     require_sound(tile);
-    Gluing gluing = glued(tile, precision);
+    Gluing gluing = glued(tile, precision, position_tolerance(tile, precision));
     require_torus(tile, gluing);
     return std::move(gluing.proof);
 }
 
-TileProof prove_tile(const Tile& tile, Precision precision) {
+TileProof prove_tile(const Tile& tile, Precision precision, double least_tolerance) {
     require_sound(tile);
+    const double tolerance = std::max(position_tolerance(tile, precision), least_tolerance);
     if (tile.walls == Walls::kNone) {
-        Gluing gluing = glued(tile, precision);
+        Gluing gluing = glued(tile, precision, tolerance);
         require_disc(tile, gluing);
         require_torus(tile, gluing);
         return std::move(gluing.proof);
     }
     require_between_walls(tile, precision);
-    const Tile torus = mirrored_tile(with_exact_walls(tile, position_tolerance(tile, precision)));
-    const Gluing whole = glued(torus, precision);
+    const Tile torus = mirrored_tile(with_exact_walls(tile, tolerance));
+    const Gluing whole =
+        glued(torus, precision, std::max(position_tolerance(torus, precision), least_tolerance));
     Gluing part = part_of_tile(tile, whole);
     require_disc(tile, part);
     require_torus(torus, whole);

@@ -16,6 +16,19 @@ class NotATile : public InvalidInput {
     using InvalidInput::InvalidInput;
 };
 
+/// Boundary edges have no partner within the tolerance.
+class SeamMismatch : public NotATile {
+   public:
+    SeamMismatch(const std::string& what, double mismatch) : NotATile(what), mismatch_(mismatch) {}
+
+    /// The largest distance of a boundary edge from the image of the edge that comes nearest to it,
+    /// in one coordinate, length units. Infinite where it was not measured.
+    double mismatch() const { return mismatch_; }
+
+   private:
+    double mismatch_;
+};
+
 /// The result of prove_tile, derived from positions, faces and the lattice alone.
 struct TileProof {
     int n_vertices;        ///< distinct vertices of the tile, after merging
@@ -24,7 +37,8 @@ struct TileProof {
     int n_boundary_edges;  ///< before gluing
     int n_orbits;          ///< vertices after gluing
     double area;           ///< sum of the face areas, length^2
-    double tolerance;      ///< length units, 4 ulps of the largest coordinate
+    double tolerance;      ///< length units, 4 ulps of the largest coordinate or more
+    double mismatch;       ///< the largest one of a vertex and its image, in one coordinate
     /// For each vertex of the file, the first vertex that coincides with it, usually itself.
     std::vector<int> first_copy;
     /// As in Tile, between first copies.
@@ -77,8 +91,12 @@ struct TileProof {
 /// faces with fewer than three remaining corners are dropped, and an area may be negative by at
 /// most tolerance times perimeter. Cost: O(n log n), plus the square of the number of corners for
 /// each non-convex face.
-/// @throws NotATile naming the law, the vertex or face (from 0), and the measured amount.
-TileProof prove_tile(const Tile& tile, Precision precision);
+/// @param least_tolerance  of positions, length units: of files of other programs, whose sides
+/// agree
+///                         less closely than 4 ulps.
+/// @throws NotATile naming the law, the vertex or face (from 0), and the measured amount; as
+///         SeamMismatch where a wider tolerance may help.
+TileProof prove_tile(const Tile& tile, Precision precision, double least_tolerance = 0);
 
 /// Compares the stored pairs with the proven ones as sets of identifications: the vertex pairs may
 /// be any generating set, and an edge pair may be stored from either side.

@@ -304,6 +304,7 @@ Gluing part_of_tile(const Tile& tile, const Gluing& torus) {
     TileProof& proof = part.proof;
     proof.precision = torus.proof.precision;
     proof.tolerance = torus.proof.tolerance;
+    proof.mismatch = torus.proof.mismatch;
     take_faces(tile, torus.faces, part);
     take_vertices(tile, torus.proof, part);
     const int n_points = tile.n_vertices() - static_cast<int>(tile.copies.size());

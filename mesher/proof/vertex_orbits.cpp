@@ -110,7 +110,9 @@ class OrbitFinder {
             checkpoint_each(v);
             const int r = orbits_.find(v);
             const Offset offset = r == v ? Offset{} : offset_between(r, v);
-            if (r != v) require_short_chain(r, v, offset);
+            if (r != v) {
+                result.mismatch = std::max(result.mismatch, length_of_chain(r, v, offset));
+            }
             result.representative.push_back(r);
             result.offset.push_back(offset);
         }
@@ -122,10 +124,11 @@ class OrbitFinder {
     void require_small_tolerance() const {
         const double shortest = reduction_.reduced.a().norm();
         if (tolerance_ <= kLargestTolerance * shortest) return;
-        throw_violation("(1)", "the coordinates are so large that 4 of their ulps, " +
-                                   in_words(tolerance_) +
-                                   ", are not small against the shortest period, " +
-                                   in_words(shortest) + "; move the tile nearer to the origin");
+        throw_violation("(1)", "the tolerance of positions, " + in_words(tolerance_) +
+                                   ", at least 4 ulps of the largest coordinate, is not small "
+                                   "against the shortest period, " +
+                                   in_words(shortest) +
+                                   "; take a smaller one, or move the tile nearer to the origin");
     }
 
     void require_countable_periods() const {
@@ -161,9 +164,10 @@ class OrbitFinder {
         return static_cast<double>(std::max(along(0), along(1)));
     }
 
-    void require_short_chain(int r, int v, Offset offset) const {
+    /// Returns the distance between the ends of a chain, modulo the lattice.
+    double length_of_chain(int r, int v, Offset offset) const {
         const double apart = mismatch(r, v, offset);
-        if (apart <= kLongestChain * tolerance_) return;
+        if (apart <= kLongestChain * tolerance_) return apart;
         throw_violation("(1)",
                         "vertices " + std::to_string(r) + " and " + std::to_string(v) +
                             " are joined by a chain of vertices that coincide modulo the lattice, "

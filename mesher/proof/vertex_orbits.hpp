@@ -14,6 +14,9 @@ struct VertexOrbits {
     std::vector<Offset> offset;
     /// For each vertex, the smallest vertex index with the same representative and offset.
     std::vector<int> first_copy;
+    /// The largest distance of a vertex from its representative plus the translation, in one
+    /// coordinate, length units.
+    double mismatch = 0;
 };
 
 /// Groups vertices from positions and lattice alone, in O(n log n).

@@ -58,14 +58,6 @@ bool has_small_spheres(const SpaceSites& sites, const Gram3& gram,
     });
 }
 
-SpaceSites some_of(const SpaceSites& sites, const std::vector<SiteId>& chosen) {
-    Points3 coordinates(3, static_cast<Eigen::Index>(chosen.size()));
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-        coordinates.col(Eigen::Index(k)) = sites.coordinates().col(chosen[k]);
-    }
-    return {sites.lattice(), sites.reduction(), std::move(coordinates)};
-}
-
 /// A sample with small spheres, and its triangulation.
 struct Start {
     std::vector<SiteId> sample;

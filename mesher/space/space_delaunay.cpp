@@ -1,5 +1,6 @@
 #include "mesher/space/space_delaunay.hpp"
 
+#include "mesher/space/orbit_insertion.hpp"
 #include "mesher/space/site_insertion.hpp"
 #include "mesher/space/space_mirrors.hpp"
 
@@ -7,6 +8,7 @@ namespace pcvt {
 
 TorusTetrahedra space_tetrahedra(const SpaceSites& sites) {
     if (auto inserted = inserted_tetrahedra(sites)) return *std::move(inserted);
+    if (auto inserted = orbit_tetrahedra(sites)) return *std::move(inserted);
     return {sites.n_sites(), space_mirrors(sites).tetrahedra};
 }
 

@@ -15,9 +15,9 @@ struct SpaceDelaunay {
     TorusTetrahedra tetrahedra;
 };
 
-/// Triangulates sites by inserted_tetrahedra(), which is three times as fast as the mirrors, or by
-/// space_mirrors() where the sites are too few or too unevenly spread for it. Both give the same
-/// tetrahedra.
+/// Triangulates sites by inserted_tetrahedra(), which is three times as fast as the mirrors; by
+/// orbit_tetrahedra() where they are too unevenly spread for it; or by space_mirrors() where they
+/// are few, or the box is long. All give the same tetrahedra.
 TorusTetrahedra space_tetrahedra(const SpaceSites& sites);
 
 /// The sites and space_tetrahedra().

@@ -9,10 +9,9 @@
 #include <cmath>
 #include <set>
 
-#include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/space/site_grid.hpp"
+#include "mesher/space/image_search.hpp"
 #include "mesher/space_base/unspoilt_thread.hpp"
 
 namespace pcvt {
@@ -122,22 +121,11 @@ constexpr double kNeighbours = 2;
 
 bool in_domain(const Corner3& corner) { return corner.offset == Offset3{}; }
 
-/// Writes the least corner first and the least of the others second; the orientation stays.
-void put_in_order(Tetrahedron& t) {
-    const auto least = std::min_element(t.begin(), t.end()) - t.begin();
-    if (least != 0) {
-        // Two exchanges keep the orientation.
-        std::swap(t[0], t[least]);
-        std::swap(t[least % 3 + 1], t[(least + 1) % 3 + 1]);
-    }
-    std::rotate(t.begin() + 1, std::min_element(t.begin() + 1, t.end()), t.end());
-}
-
 /// The Euclidean triangulation of the sites and a growing set of their images.
 class Flooding {
    public:
     explicit Flooding(const SpaceSites& sites)
-        : sites_(sites), grid_(sites), euclidean_(SpaceTraits{grid_.gram()}) {}
+        : sites_(sites), images_(sites), euclidean_(SpaceTraits{images_.gram()}) {}
 
     /// Inserts the images in the domain widened by `band` (reduced coordinates).
     void insert_band(const Vec3& band) {
@@ -171,7 +159,7 @@ class Flooding {
         }
     }
 
-    Vec3 first_band() const { return (kBand * grid_.spacing() * grid_.extent()).cwiseMin(1); }
+    Vec3 first_band() const { return (kBand * images_.spacing() * images_.extent()).cwiseMin(1); }
     std::size_t n_tetrahedra() const { return euclidean_.number_of_finite_cells(); }
     int n_mirrors() const {
         return static_cast<int>(euclidean_.number_of_vertices()) - sites_.n_sites();
@@ -184,11 +172,11 @@ class Flooding {
         for (const Cell cell : euclidean_.finite_cell_handles()) {
             Tetrahedron corners;
             for (int k = 0; k < 4; ++k) corners[k] = cell->vertex(k)->point().name;
-            put_in_order(corners);
-            if (in_domain(corners[0])) tetrahedra.push_back(corners);
+            const Corner3 least = *std::min_element(corners.begin(), corners.end());
+            if (in_domain(least)) tetrahedra.push_back(corners);
         }
         // The order of CGAL's cells follows that of the standard library's partial sorts.
-        bucket_sort(tetrahedra, sites_.n_sites(), [](const Tetrahedron& t) { return t[0].site; });
+        put_in_canonical_order(sites_.n_sites(), tetrahedra);
         return tetrahedra;
     }
 
@@ -257,27 +245,27 @@ class Flooding {
     Vec3 centre_from(const Image3& origin, Cell cell) const {
         const auto corner = [&](int k) -> const Image3& { return cell->vertex(k)->point(); };
         const Vec3 centre =
-            corner(0).at + circumcentre(grid_.gram(), corner(0), corner(1), corner(2), corner(3));
+            corner(0).at + circumcentre(images_.gram(), corner(0), corner(1), corner(2), corner(3));
         return centre - origin.at;
     }
 
     void require_in_sphere(const Image3& origin, const Vec3& to_centre,
                            std::set<Corner3>& required) const {
-        const double radius = kRounding * std::sqrt(grid_.gram().squared_length(
+        const double radius = kRounding * std::sqrt(images_.gram().squared_length(
                                               to_centre.x(), to_centre.y(), to_centre.z()));
         const Vec3 centre = origin.at + to_centre;
-        const Vec3 reach = radius * grid_.extent() + band_ * (1 - kRounding);
+        const Vec3 reach = radius * images_.extent() + band_ * (1 - kRounding);
         if (((centre - reach + band_).array() >= 0).all() &&
             ((centre + reach - band_).array() < 1).all()) {
             return;
         }
-        const Corner3 nearest = grid_.nearest(
+        const Corner3 nearest = images_.nearest(
             centre, radius, [this](const Corner3& corner) { return is_missing(corner); });
         if (nearest.site >= 0) required.insert(nearest);
     }
 
     const SpaceSites& sites_;
-    SiteGrid grid_;
+    ImageSearch images_;
     Euclidean euclidean_;
     Vec3 band_ = Vec3::Zero();
     /// The images outside of the band that are inserted.

@@ -45,6 +45,14 @@ double SpaceSites::spacing() const { return portable_cbrt(lattice_.volume() / n_
 
 std::pair<SiteId, SiteId> SpaceSites::duplicates() const { return first_equal_sites(coordinates_); }
 
+SpaceSites some_of(const SpaceSites& sites, std::span<const SiteId> chosen) {
+    Points3 coordinates(3, static_cast<Eigen::Index>(chosen.size()));
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        coordinates.col(Eigen::Index(k)) = sites.coordinates().col(chosen[k]);
+    }
+    return {sites.lattice(), sites.reduction(), std::move(coordinates)};
+}
+
 Points3 uniform_points(const SpaceLattice& lattice, int n, std::uint64_t seed) {
     if (n < 1) throw InvalidInput("the number of sites must be at least 1");
     std::mt19937_64 generator(seed);

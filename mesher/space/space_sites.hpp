@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "mesher/base/site_id.hpp"
@@ -52,6 +53,9 @@ class SpaceSites {
     SpaceReduction reduction_;
     Points3 coordinates_;
 };
+
+/// The chosen sites, in their order.
+SpaceSites some_of(const SpaceSites& sites, std::span<const SiteId> chosen);
 
 /// Draws n points uniformly from the fundamental domain; the same seed gives the same points on
 /// every machine.

@@ -53,7 +53,29 @@ SiteId first_site(const std::vector<Tetrahedron>& tetrahedra, int f) {
     return std::min({t[corners[0]].site, t[corners[1]].site, t[corners[2]].site});
 }
 
+/// Writes the least corner first and the least of the others second; the orientation stays.
+void put_in_order(Tetrahedron& t) {
+    const auto least = std::min_element(t.begin(), t.end()) - t.begin();
+    if (least != 0) {
+        // Two exchanges keep the orientation.
+        std::swap(t[0], t[least]);
+        std::swap(t[least % 3 + 1], t[(least + 1) % 3 + 1]);
+    }
+    std::rotate(t.begin() + 1, std::min_element(t.begin() + 1, t.end()), t.end());
+}
+
 }  // namespace
+
+void put_in_canonical_order(int n_sites, std::vector<Tetrahedron>& tetrahedra) {
+    for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
+        checkpoint_each(static_cast<long>(k));
+        Tetrahedron& t = tetrahedra[k];
+        put_in_order(t);
+        const Offset3 first = t[0].offset;
+        for (Corner3& corner : t) corner.offset = corner.offset - first;
+    }
+    bucket_sort(tetrahedra, n_sites, [](const Tetrahedron& t) { return t[0].site; });
+}
 
 std::optional<std::vector<int>> match_facets(int n_sites,
                                              const std::vector<Tetrahedron>& tetrahedra) {

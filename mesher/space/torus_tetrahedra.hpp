@@ -136,6 +136,11 @@ class TorusTetrahedra {
     std::vector<TetrahedronOffsets> offsets_;
 };
 
+/// Puts tetrahedra, one of each orbit, into the one order that does not depend on how they were
+/// found: of each, the least corner (by site, then by offset) comes first, with the offset (0, 0,
+/// 0), and the least of the others second; tetrahedra are sorted.
+void put_in_canonical_order(int n_sites, std::vector<Tetrahedron>& tetrahedra);
+
 /// Pairs the facets of tetrahedra that are equal up to a translation.
 /// @returns the opposite of each facet, or nullopt unless each has exactly one.
 std::optional<std::vector<int>> match_facets(int n_sites,

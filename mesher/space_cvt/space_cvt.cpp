@@ -2,10 +2,11 @@
 
 #include <cmath>
 
+#include "mesher/base/coincident_sites.hpp"
 #include "mesher/optimize/lbfgs.hpp"
 #include "mesher/optimize/lloyd.hpp"
 #include "mesher/portable/portable_functions.hpp"
-#include "mesher/space/moving_tetrahedra.hpp"
+#include "mesher/space_energy/moving_tetrahedra.hpp"
 
 namespace pcvt {
 namespace {
@@ -64,11 +65,20 @@ class SpaceObjective final : public Objective {
     SpaceEnergy energy_;
 };
 
+SpaceSites distinct_sites(const SpaceLattice& lattice, const Points3& points) {
+    SpaceSites sites(lattice, points);
+    Eigen::Matrix3d periods;
+    for (int k = 0; k < 3; ++k) periods.col(k) = sites.reduction().reduced.periods()[k];
+    auto pairs = coincident_sites(sites.coordinates(), periods, kCoincident * sites.spacing());
+    if (!pairs.empty()) throw DuplicateSites(std::move(pairs));
+    return sites;
+}
+
 }  // namespace
 
 SpaceCvtResult compute_space_cvt(const SpaceLattice& lattice, const Points3& points,
                                  const SpaceCvtOptions& options) {
-    MovingTetrahedra moving(SpaceSites(lattice, points));
+    MovingTetrahedra moving(distinct_sites(lattice, points));
     Workers workers(options.n_threads);
     SpaceObjective objective(moving, workers);
     const double value_unit = std::pow(moving.unit(), 5);

@@ -35,7 +35,8 @@ struct SpaceCvtResult {
 ///   const SpaceCvtResult result = compute_space_cvt(cube, uniform_points(cube, 1000, 1), {});
 ///
 /// @param points  3 x n, length units; need not be wrapped.
-/// @throws InvalidInput and DuplicateSites as SpaceSites does.
+/// @throws InvalidInput as SpaceSites does, and DuplicateSites with all sites that are nearer than
+///         1e-9 h to an earlier one.
 SpaceCvtResult compute_space_cvt(const SpaceLattice& lattice, const Points3& points,
                                  const SpaceCvtOptions& options);
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "mesher/base/block_matrix.hpp"
-#include "mesher/space/tetrahedron_terms.hpp"
 #include "mesher/space/torus_tetrahedra.hpp"
+#include "mesher/space_energy/tetrahedron_terms.hpp"
 
 namespace pcvt {
 

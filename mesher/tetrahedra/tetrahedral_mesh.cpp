@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/tetrahedra/tile_ties.hpp"
 
 namespace pcvt {
 namespace {
@@ -103,7 +104,7 @@ void append_points(TetrahedralMesh& mesh, const SpaceSites& sites,
 
 TetrahedralMesh tetrahedral_mesh(const SpaceDelaunay& delaunay) {
     // One image of each tetrahedron, with offsets in the given basis.
-    const std::vector<Offset3> frames = TileGrowth(delaunay).grow();
+    const std::vector<Offset3> frames = tied_frames(delaunay, TileGrowth(delaunay).grow());
     std::vector<Tetrahedron> placed;
     std::vector<Corner3> images;
     for (int t = 0; t < delaunay.tetrahedra.n_tetrahedra(); ++t) {

@@ -11,7 +11,8 @@ namespace pcvt {
 /// the sites.
 ///
 /// Laws, which prove_tetrahedra() proves by number:
-///   (1) Each tetrahedron is positively oriented, and its volume is above kFlatTetrahedron V / n.
+///   (1) Each tetrahedron is positively oriented, and its volume is above kFlatTetrahedron
+///       times the smaller of V / n and the cube over its longest edge.
 ///   (2) Points have the sites 0 ... n - 1, each at least once. Each point is the first point of
 ///       its site plus the translation by its offset.
 ///   (3) Each triangle has two tetrahedra, which traverse it in opposite orders: both at its three
@@ -39,13 +40,14 @@ struct TetrahedralMesh {
 /// Lays the tetrahedra of a Delaunay triangulation out as one connected tile round the domain at
 /// the origin. The tile grows from the tetrahedron whose barycentre lies next to the centre of the
 /// domain, across triangles, always by the image whose barycentre is nearest to that centre; the
-/// distance is the largest difference of the coordinates in the reduced basis.
+/// distance is the largest difference of the coordinates in the reduced basis. Then tied_frames()
+/// moves the few tetrahedra that leave points without a partner on a slave of the seam.
 ///
 /// Example usage:
 ///   const TetrahedralMesh mesh = tetrahedral_mesh(space_delaunay(SpaceSites(lattice, points)));
 ///   const TetrahedralProof proof = prove_tetrahedra(mesh);
 ///
-/// Cost: t log t for t tetrahedra.
+/// Cost: t log t for t tetrahedra, and that of tied_frames().
 TetrahedralMesh tetrahedral_mesh(const SpaceDelaunay& delaunay);
 
 }  // namespace pcvt

@@ -20,6 +20,28 @@ constexpr double kVolumeError = 1e-9;
 
 std::string tetrahedron_in_words(int t) { return "tetrahedron " + std::to_string(t); }
 
+double longest_edge(const TetrahedralMesh& mesh, int t) {
+    double square = 0;
+    const std::array<int, 4>& v = mesh.tetrahedra[t];
+    for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t l = 0; l < k; ++l) {
+            square = std::max(square, (mesh.points[v[k]] - mesh.points[v[l]]).squaredNorm());
+        }
+    }
+    return std::sqrt(square);
+}
+
+/// The volume that a tetrahedron must exceed.
+double least_volume(double longest, double mean_cell) {
+    return kFlatTetrahedron * std::min(mean_cell, longest * longest * longest);
+}
+
+double largest_coordinate(const TetrahedralMesh& mesh) {
+    double largest = 0;
+    for (const Vec3& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+    return largest;
+}
+
 /// Images of sites, sorted, of which the first has the offset 0: the same for all translations.
 template <std::size_t n>
 std::array<Corner3, n> orbit(const TetrahedralMesh& mesh, std::array<int, n> points) {
@@ -32,24 +54,42 @@ std::array<Corner3, n> orbit(const TetrahedralMesh& mesh, std::array<int, n> poi
     return corners;
 }
 
+/// The tolerance of positions.
+double tolerance_of(const TetrahedralMesh& mesh, double least) {
+    return std::max(kUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(mesh),
+                    least);
+}
+
+/// Requires that no point is farther from its image than the tolerance.
+/// @param worst  the point that is farthest.
+void require_images(const TetrahedralProof& proof, int worst) {
+    if (proof.mismatch <= proof.tolerance) return;
+    throw SeamMismatch(
+        violation_in_words("(2), points", "point " + std::to_string(worst) + " is off by " +
+                                              in_words(proof.mismatch)),
+        proof.mismatch);
+}
+
 void prove_points(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
-    double largest = 0;
-    for (const Vec3& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
-    const double tolerance = kUlps * std::numeric_limits<double>::epsilon() * largest;
+    int worst = 0;
     std::map<SiteId, int> first;
     std::set<Corner3> images;
     for (int v = 0; v < mesh.n_points(); ++v) {
         const int w = first.emplace(mesh.point_site[v], v).first->second;
         const Vec3 expected = mesh.points[w] + mesh.lattice.translation(mesh.point_offset[v]);
         const double off = (mesh.points[v] - expected).lpNorm<Eigen::Infinity>();
-        if (!(off <= tolerance)) {
-            throw_violation("(2), points",
-                            "point " + std::to_string(v) + " is off by " + in_words(off));
+        if (!std::isfinite(off)) {
+            throw_violation("(2), points", "point " + std::to_string(v) + " is not finite");
+        }
+        if (off > proof.mismatch) {
+            proof.mismatch = off;
+            worst = v;
         }
         if (!images.insert({mesh.point_site[v], mesh.point_offset[v]}).second) {
             throw_violation("(2), points", "point " + std::to_string(v) + " occurs twice");
         }
     }
+    require_images(proof, worst);
     proof.n_sites = static_cast<int>(first.size());
     if (first.empty() || first.begin()->first != 0 || first.rbegin()->first != proof.n_sites - 1) {
         throw_violation("(2), points", "the sites are not 0 ... n - 1");
@@ -61,7 +101,7 @@ void prove_volumes(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
     proof.smallest_volume = domain;
     for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
         const double volume = tetrahedron_volume(mesh, t);
-        if (!(volume > kFlatTetrahedron * domain / proof.n_sites)) {
+        if (!(volume > least_volume(longest_edge(mesh, t), domain / proof.n_sites))) {
             throw_violation("(1), volumes", tetrahedron_in_words(t) +
                                                 " is flat or turned over, its volume is " +
                                                 in_words(volume));
@@ -184,17 +224,32 @@ double tetrahedron_volume(const TetrahedralMesh& mesh, int t) {
     return (mesh.points[b] - p).cross(mesh.points[c] - p).dot(mesh.points[d] - p) / 6;
 }
 
-int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
-    const double least = kFlatTetrahedron * mesh.lattice.volume() / n_sites;
-    int n = 0;
+std::vector<int> flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
+    const double mean_cell = mesh.lattice.volume() / n_sites;
+    const double rounding =
+        kUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(mesh);
+    std::vector<int> flat;
     for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
-        n += std::abs(tetrahedron_volume(mesh, t)) <= least ? 1 : 0;
+        const double longest = longest_edge(mesh, t);
+        const double least = least_volume(longest, mean_cell);
+        const double volume = tetrahedron_volume(mesh, t);
+        const double turned = std::max(least, rounding * longest * longest);
+        if (volume <= least && volume >= -turned) flat.push_back(t);
     }
-    return n;
+    return flat;
 }
 
-TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh) {
-    TetrahedralProof proof;
+int n_untied_points(const TetrahedralMesh& mesh, const TetrahedralProof& proof) {
+    std::vector<bool> is_slave(mesh.points.size(), false);
+    for (const TrianglePair& pair : proof.pairs) {
+        for (const int v : pair.second) is_slave[v] = true;
+    }
+    const auto n_free = std::count(is_slave.begin(), is_slave.end(), false);
+    return static_cast<int>(n_free) - proof.n_sites;
+}
+
+TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh, double least_tolerance) {
+    TetrahedralProof proof{.tolerance = tolerance_of(mesh, least_tolerance)};
     prove_points(mesh, proof);
     prove_volumes(mesh, proof);
     prove_sides(mesh, proof);

@@ -7,8 +7,9 @@
 
 namespace pcvt {
 
-/// Solvers cannot use flatter tetrahedra: parts of V / n, the mean volume of a cell. Sites of exact
-/// lattices that doubles do not represent may have tetrahedra as flat as the rounding.
+/// Solvers cannot use flatter tetrahedra: parts of the smaller of V / n, the mean volume of a cell,
+/// and of the cube over the longest edge. Sites of exact lattices that doubles do not represent may
+/// have tetrahedra as flat as the rounding.
 inline constexpr double kFlatTetrahedron = 1e-9;
 
 /// Two triangles of the boundary, counter-clockwise seen from outside. Point k of the second is
@@ -28,14 +29,21 @@ struct TetrahedralProof {
     std::vector<TrianglePair> pairs = {};
     double volume = 0;           ///< length^3
     double smallest_volume = 0;  ///< of a tetrahedron, length^3
+    double tolerance = 0;        ///< of positions, length units
+    double mismatch = 0;         ///< the largest one of a point and its image, in one coordinate
 };
 
 /// The volume of a tetrahedron, length^3; negative where it is turned over.
 double tetrahedron_volume(const TetrahedralMesh& mesh, int t);
 
-/// Returns the number of tetrahedra that are too flat for law (1), of the Delaunay tetrahedra of
-/// `n_sites` sites.
-int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites);
+/// Returns the tetrahedra that are too flat for law (1), or that rounding has turned over, of the
+/// Delaunay tetrahedra of `n_sites` sites.
+std::vector<int> flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites);
+
+/// Returns the number of points, but for one of each site, that are corners of no second triangle
+/// of a pair. Programs that give each node of a second triangle one master, and no other node, find
+/// as many nodes too many.
+int n_untied_points(const TetrahedralMesh& mesh, const TetrahedralProof& proof);
 
 /// Proves the laws of a tile of tetrahedra from positions, tetrahedra, sites and period vectors.
 ///
@@ -43,7 +51,9 @@ int n_flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites);
 ///   const TetrahedralProof proof = prove_tetrahedra(mesh);
 ///   for (const TrianglePair& pair : proof.pairs) glue(pair.first, pair.second);
 ///
-/// @throws NotATile  naming the law and the place.
-TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh);
+/// @param least_tolerance  of positions, length units: of files of other programs.
+/// @throws NotATile  naming the law and the place; as SeamMismatch where a wider tolerance may
+/// help.
+TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh, double least_tolerance = 0);
 
 }  // namespace pcvt

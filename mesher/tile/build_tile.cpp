@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "mesher/grains/grains.hpp"
@@ -119,15 +120,29 @@ Vec2 translation_of(const LaidOut& laid_out, int f) {
     return laid_out.mesh.lattice.translation(laid_out.placement[f] + between);
 }
 
-LaidOut mesh_cells(const TileOptions& options, const LaidOut& cells, double h,
-                   TileFigures& figures) {
+/// The cells, meshed by triangles.
+Grains grains_of(const TileOptions& options, const LaidOut& cells, double h) {
     const double size = options.grain_size > 0 ? options.grain_size : kUsualGrainSize * h;
     const auto progress = [&options](double share) {
         report(options, kGrainsBegin + (kGrainsEnd - kGrainsBegin) * share);
     };
-    Grains grains = options.grain_per_edge > 0
-                        ? mesh_grains_per_edge(cells.mesh, options.grain_per_edge, progress)
-                        : mesh_grains(cells.mesh, size, progress);
+    try {
+        return options.grain_per_edge > 0
+                   ? mesh_grains_per_edge(cells.mesh, options.grain_per_edge, progress)
+                   : mesh_grains(cells.mesh, size, progress);
+    } catch (const ThinCell& thin) {
+        if (options.outline == Outline::kWhole) {
+            throw LimitExceeded(std::string(thin.what()) +
+                                "; take more sites, optimise them, or shorten the longer period");
+        }
+        throw LimitExceeded("a piece of " + std::string(thin.what()) +
+                            "; give another origin, or use the whole outline");
+    }
+}
+
+LaidOut mesh_cells(const TileOptions& options, const LaidOut& cells, double h,
+                   TileFigures& figures) {
+    Grains grains = grains_of(options, cells, h);
     figures.grains = {0, grains.smallest_angle, {}};
     for (const NamedCorner& corner : grains.named_corners) {
         const int f = cells.mesh.corner_face[corner.corner];

@@ -10,11 +10,16 @@ namespace {
 /// Tiles nearer than this to 0 keep their lattice coordinates.
 constexpr double kNear = 8;
 
-/// Returns the lattice coordinates of each vertex, less the whole periods of a distant tile.
-std::vector<Vec2> near_coordinates(const Tile& tile) {
+/// Returns the lattice coordinates of each vertex.
+std::vector<Vec2> lattice_coordinates(const Tile& tile) {
     std::vector<Vec2> coordinates;
     coordinates.reserve(tile.points.size());
     for (const Vec2& p : tile.points) coordinates.push_back(tile.lattice.to_lattice(p));
+    return coordinates;
+}
+
+/// Returns the whole periods of a distant tile with these lattice coordinates.
+Vec2 distant_periods(const std::vector<Vec2>& coordinates) {
     Vec2 low = coordinates.front();
     Vec2 high = low;
     for (const Vec2& u : coordinates) {
@@ -25,8 +30,7 @@ std::vector<Vec2> near_coordinates(const Tile& tile) {
     for (double& n : periods) {
         if (std::abs(n) <= kNear) n = 0;
     }
-    for (Vec2& u : coordinates) u -= periods;
-    return coordinates;
+    return periods;
 }
 
 /// Returns the finest power of two, at most 1, of which float32 represents every multiple up to
@@ -44,8 +48,12 @@ double finest_step(const std::vector<Vec2>& coordinates) {
 
 }  // namespace
 
+Vec2 distant_periods(const Tile& tile) { return distant_periods(lattice_coordinates(tile)); }
+
 std::vector<TextureCoordinate> texture_coordinates(const Tile& tile) {
-    std::vector<Vec2> coordinates = near_coordinates(tile);
+    std::vector<Vec2> coordinates = lattice_coordinates(tile);
+    const Vec2 periods = distant_periods(coordinates);
+    for (Vec2& u : coordinates) u -= periods;
     const double step = finest_step(coordinates);
     for (Vec2& u : coordinates) u = step * (u / step).array().round().matrix();
     // A vertex of the seam is its representative plus whole periods.

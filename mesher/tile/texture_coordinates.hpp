@@ -11,6 +11,10 @@ namespace pcvt {
 /// copy of the texture.
 using TextureCoordinate = std::array<float, 2>;
 
+/// Returns the whole numbers of periods, along a and b, that a tile lies away from 0; 0 along a
+/// period vector along which these are at most 8.
+Vec2 distant_periods(const Tile& tile);
+
 /// Returns for each vertex of a tile its lattice coordinates (u, v), which lay one copy of a
 /// texture on one domain: position = u a + v b. They are not wrapped, so that a repeating texture
 /// has no seam.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesher/lattice/metric.hpp"
+#include "mesher/lattice/set_names.hpp"
 #include "mesher/lattice/sites.hpp"
 #include "mesher/lattice/walls.hpp"
 #include "mesher/mesh/mesh_kind.hpp"
@@ -65,7 +66,7 @@ struct WallEdge {
 /// The name of the part of a boundary that `offset` takes to its partners, in every format:
 /// `seam_1_0`, `seam_-1_0`.
 inline std::string seam_name(Offset offset) {
-    return "seam_" + std::to_string(offset.i) + "_" + std::to_string(offset.j);
+    return std::string(kSeamSet) + std::to_string(offset.i) + "_" + std::to_string(offset.j);
 }
 
 /// A tile as plain arrays: what writers take and readers give back.

@@ -39,9 +39,11 @@ void require_counts(VoxelCounts counts) {
     if (counts.x < kLeastVoxels || counts.y < kLeastVoxels) {
         throw InvalidInput("there are fewer than 2 voxels along an axis; take at least 2");
     }
-    const double n = double(counts.x) * counts.y;
-    if (n <= kMostVoxels && std::max(counts.x, counts.y) <= kMostVoxelsOfARow) return;
+    if (counts.z < 1) throw InvalidInput("there is no layer of voxels along z; take at least 1");
+    const double n = double(counts.x) * counts.y * counts.z;
+    if (n <= kMostVoxels && std::max({counts.x, counts.y, counts.z}) <= kMostVoxelsOfARow) return;
     throw LimitExceeded(std::to_string(counts.x) + " x " + std::to_string(counts.y) +
+                        (counts.z > 1 ? " x " + std::to_string(counts.z) : "") +
                         " voxels are too many; take at most 2^28, and 2^20 along an axis");
 }
 

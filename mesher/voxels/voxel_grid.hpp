@@ -4,10 +4,11 @@
 
 namespace pcvt {
 
-/// Voxels along x and y.
+/// Voxels along x and y, and equal layers along z.
 struct VoxelCounts {
     int x = 0;
     int y = 0;
+    int z = 1;
 
     friend bool operator==(const VoxelCounts&, const VoxelCounts&) = default;
 };
@@ -26,6 +27,7 @@ struct VoxelGrid {
     Vec2 size;
     VoxelCounts counts;
 
+    /// Of one layer.
     std::size_t n_voxels() const { return static_cast<std::size_t>(counts.x) * counts.y; }
     /// The sides of a voxel.
     Vec2 spacing() const { return {size.x() / counts.x, size.y() / counts.y}; }
@@ -41,9 +43,9 @@ VoxelCounts default_voxels(const Lattice& lattice, double n_cells);
 ///   const VoxelGrid grid = voxel_grid(Lattice::rectangle(2, 1), {0, 0}, {200, 100});
 ///
 /// @param lattice  rectangular, or a repetition of another lattice that is.
-/// @throws InvalidInput   the lattice has no periods along x and y, or there are fewer than
-///                        kLeastVoxels along one of them.
-/// @throws LimitExceeded  there are more than kMostVoxels voxels.
+/// @throws InvalidInput   the lattice has no periods along x and y, there are fewer than
+///                        kLeastVoxels along one of them, or no layer.
+/// @throws LimitExceeded  there are more than kMostVoxels voxels in all layers.
 VoxelGrid voxel_grid(const Lattice& lattice, const Vec2& origin, VoxelCounts counts);
 
 }  // namespace pcvt

@@ -8,7 +8,7 @@
 
 namespace pcvt {
 
-/// The cells of a torus as an image: the site of each voxel.
+/// The cells of a torus as an image: the site of each voxel of one layer, which all layers repeat.
 struct VoxelImage {
     VoxelGrid grid;
     /// Of voxel (k, l): site[l counts.x + k].

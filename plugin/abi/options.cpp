@@ -56,6 +56,9 @@ static_assert(WallId::side(WallSide::kBottom).number == PCVT_WALL_BOTTOM);
 static_assert(WallId::side(WallSide::kTop).number == PCVT_WALL_TOP);
 static_assert(WallId::hole(0).number == PCVT_WALL_HOLE);
 
+static_assert(find_abi_value(kDuplicates, PCVT_DUPLICATES_REFUSE)->duplicates ==
+              Duplicates::kRefuse);
+static_assert(find_abi_value(kDuplicates, PCVT_DUPLICATES_DROP)->duplicates == Duplicates::kDrop);
 static_assert(find_word(kGltfNodes, "cells")->abi_value == PCVT_NODES_CELLS);
 static_assert(find_word(kGltfNodes, "one")->abi_value == PCVT_NODES_ONE);
 
@@ -173,10 +176,20 @@ Points fixed_sites(const pcvt_options& options) {
 
 }  // namespace
 
-void check_struct_size(const char* name, std::size_t size, std::size_t known) {
-    if (size < known || size > kLargestStruct) {
+Duplicates duplicates(const pcvt_options& options) {
+    const Duplicates chosen = chosen_row("duplicates", options.duplicates, kDuplicates).duplicates;
+    if (chosen == Duplicates::kRefuse || options.sites != nullptr ||
+        options.fixed_sites != nullptr) {
+        return chosen;
+    }
+    throw InvalidInput("duplicates is for given sites; leave it at its default, or give sites");
+}
+
+void check_struct_size(const char* name, std::size_t size, std::size_t oldest) {
+    // Fields are appended in multiples of eight bytes.
+    if (size < oldest || size > kLargestStruct || size % alignof(double) != 0) {
         throw AbiMismatch(std::string(name) + " has size " + std::to_string(size) +
-                          " in place of " + std::to_string(known) +
+                          " in place of " + std::to_string(oldest) +
                           "; build the host with the header of this pcvt");
     }
 }
@@ -188,12 +201,10 @@ void throw_unknown_fields(const char* name) {
 
 bool uses_reserved_fields(const pcvt_options& options) {
     return options.reserved != 0 || options.reserved2 != 0 || options.reserved3 != 0 ||
-           options.reserved4 != 0;
+           options.reserved4 != 0 || options.reserved5 != 0;
 }
 
-bool uses_reserved_fields(const pcvt_write_options& options) {
-    return options.reserved != 0 || options.reserved2 != 0;
-}
+bool uses_reserved_fields(const pcvt_write_options& options) { return options.reserved2 != 0; }
 
 void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known) {
     const char* bytes = static_cast<const char*>(begin);
@@ -254,7 +265,12 @@ FileOptions file_options(const pcvt_write_options& options) {
         (options.voxels[0] < kLeastVoxels || options.voxels[1] < kLeastVoxels)) {
         throw InvalidInput("voxels are fewer than 2 along an axis; take 2 or more, or 0 for both");
     }
-    result.voxels = {options.voxels[0], options.voxels[1]};
+    if (options.voxel_layers < 0) throw InvalidInput("voxel_layers is negative; take 0 or more");
+    result.voxels = {options.voxels[0], options.voxels[1], std::max(options.voxel_layers, 1)};
+    require_finite("coriolis", options.coriolis, 2);
+    if (options.coriolis[0] != 0 || options.coriolis[1] != 0) {
+        result.coriolis = {options.coriolis[0], options.coriolis[1]};
+    }
     require_finite("cut_width", &options.cut_width, 1);
     if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
     result.cut_width = options.cut_width;
@@ -264,6 +280,13 @@ FileOptions file_options(const pcvt_write_options& options) {
     result.element = chosen_row("element", options.element, kPlaneElements).element;
     if (options.job != PCVT_JOB_NONE) {
         result.job = chosen_row("job", options.job, kSolverJobs).job;
+    }
+    if (options.materials != nullptr) {
+        try {
+            result.elastic = parse_elastic_choices(options.materials);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput(std::string("materials: ") + error.what());
+        }
     }
     return result;
 }
@@ -307,6 +330,7 @@ Job make_job(const pcvt_options& options) {
     }
     if (options.fibres != nullptr) job.fibres = parse_fibres(options.fibres);
     if (options.holes != nullptr) job.holes = parse_tags(options.holes);
+    job.duplicates = duplicates(options);
     return job;
 }
 

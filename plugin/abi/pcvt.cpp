@@ -1,5 +1,6 @@
 #include "plugin/pcvt.h"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "plugin/abi/run_status.hpp"
 #include "plugin/abi/space_options.hpp"
 #include "plugin/abi/space_result.hpp"
+#include "plugin/job/job_start.hpp"
 #include "plugin/job/version.hpp"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that C knows.
@@ -73,7 +75,7 @@ JobCallback job_callback(const HostProgress& to, double energy_bound, const std:
 /// Of runs without a density, else NaN.
 double bound_of(const pcvt_options& options, const Job& job) {
     const bool uniform = options.density == nullptr && options.density_source == nullptr;
-    return uniform ? energy_bound(job, options.n_sites) : std::numeric_limits<double>::quiet_NaN();
+    return uniform ? energy_bound(job, job.n_sites) : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// @returns false if the callback cancelled.
@@ -91,6 +93,7 @@ bool read_density(const pcvt_options& options, const JobCallback& callback, cons
 pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
                               const std::fenv_t& host) {
     Job job = make_job(options);
+    settle_duplicates(job);
     const JobCallback callback =
         job_callback({options.progress, options.progress_data, &job}, bound_of(options, job), host);
     std::optional<Computation> computed;
@@ -106,6 +109,7 @@ pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
 pcvt_status generate_in_space(const pcvt_options& options, pcvt_result** result,
                               const std::fenv_t& host) {
     SpaceJob job = make_space_job(options);
+    settle_duplicates(job);
     const JobCallback callback =
         job_callback({options.progress, options.progress_data}, pcvt::energy_bound(job), host);
     std::optional<SpaceComputation> computed = compute_space_job(job, callback);
@@ -144,10 +148,10 @@ template <class View, class Look>
 pcvt_status give(const char* name, View* view, std::size_t size, const Look& look) {
     return guarded([&](const std::fenv_t&) {
         if (view == nullptr) throw InvalidInput("view is a null pointer");
-        check_struct_size(name, size, sizeof(View));
+        check_struct_size(name, size, kOldestSize<View>);
         const View full = look();
         std::memset(static_cast<void*>(view), 0, size);
-        std::memcpy(static_cast<void*>(view), &full, sizeof full);
+        std::memcpy(static_cast<void*>(view), &full, std::min(size, sizeof full));
         return pcvt_status{PCVT_OK};
     });
 }
@@ -235,9 +239,10 @@ pcvt_status pcvt_options_init(pcvt_options* options, size_t struct_size, uint32_
     return guarded([&](const std::fenv_t&) {
         if (options == nullptr) throw pcvt::InvalidInput("options is a null pointer");
         check_version(abi_version);
-        check_struct_size("pcvt_options", struct_size, sizeof(pcvt_options));
+        check_struct_size("pcvt_options", struct_size, kOldestSize<pcvt_options>);
         std::memset(static_cast<void*>(options), 0, struct_size);
-        *options = default_options();
+        const pcvt_options defaults = default_options();
+        std::memcpy(static_cast<void*>(options), &defaults, std::min(struct_size, sizeof defaults));
         options->struct_size = struct_size;
         return pcvt_status{PCVT_OK};
     });

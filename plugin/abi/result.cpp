@@ -205,7 +205,8 @@ pcvt_statistics Result::statistics() const {
             .area_error = cells.areas ? cells.areas->largest_relative_error
                                       : std::numeric_limits<double>::quiet_NaN(),
             .newton_steps = cells.areas ? cells.areas->newton_steps : 0,
-            .reserved = 0};
+            .n_dropped = static_cast<std::int32_t>(job_.dropped.sites.size()),
+            .dropped = dropped_pairs(job_.dropped)};
 }
 
 std::int32_t Result::minimum() const {
@@ -275,7 +276,9 @@ bool Result::write(const WriteRequest& request, const JobCallback& callback) con
         if (!has_tile) return {};
         return {&arrays(request.layout, monitor).built, 1};
     };
-    return write_job(job, computed_, tiles, callback).run.stop != Stop::kCancelled;
+    const RunSummary summary = write_job(job, computed_, tiles, callback);
+    if (!summary.refused.empty()) throw CoarsePrecision(summary.refused.front().reason);
+    return summary.run.stop != Stop::kCancelled;
 }
 
 }  // namespace pcvt::abi

@@ -22,6 +22,11 @@ pcvt_status status_of(int max_iterations, const RunStatistics& run) {
     return PCVT_NOT_CONVERGED;
 }
 
+const std::int32_t* dropped_pairs(const DroppedSites& dropped) {
+    static_assert(sizeof(CoincidentSite) == 2 * sizeof(std::int32_t));
+    return dropped.sites.empty() ? nullptr : &dropped.sites.front().site;
+}
+
 pcvt_status cancelled_status() {
     set_last_error("cancelled by the progress callback");
     return PCVT_CANCELLED;

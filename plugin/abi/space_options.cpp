@@ -75,8 +75,11 @@ void refuse_plane_files(const pcvt_write_options& options) {
     plane.refuse("cut_width", &pcvt_write_options::cut_width);
     plane.refuse("background", &pcvt_write_options::background);
     plane.refuse("voxels", &pcvt_write_options::voxels);
+    plane.refuse("voxel_layers", &pcvt_write_options::voxel_layers);
+    plane.refuse("coriolis", &pcvt_write_options::coriolis);
     plane.refuse("job", &pcvt_write_options::job);
     plane.refuse("thickness", &pcvt_write_options::thickness);
+    plane.refuse("materials", &pcvt_write_options::materials);
 }
 
 SpaceLattice space_lattice(const double* numbers) {
@@ -137,6 +140,7 @@ SpaceJob make_space_job(const pcvt_options& options) {
     job.max_iterations = options.max_iterations;
     job.n_threads = thread_count(options.n_threads);
     job.points = space_sites(options);
+    job.duplicates = duplicates(options);
     require_finite("short_edges", &options.short_edges, 1);
     job.short_edges = options.short_edges;
     return job;

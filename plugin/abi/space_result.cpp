@@ -127,6 +127,8 @@ pcvt_statistics SpaceResult::statistics() const {
     view.n_threads = job_.n_threads;
     view.n_mirrors = -1;
     view.area_error = std::numeric_limits<double>::quiet_NaN();
+    view.n_dropped = static_cast<std::int32_t>(job_.dropped.sites.size());
+    view.dropped = dropped_pairs(job_.dropped);
     return view;
 }
 
@@ -146,6 +148,7 @@ bool SpaceResult::write(const SpaceWriteRequest& request, const JobCallback& cal
     };
     const SpaceSummary summary =
         from_geometry([&] { return write_space_job(job, computed_, make_tile, callback); });
+    if (!summary.refused.empty()) throw CoarsePrecision(summary.refused.front().reason);
     return summary.run.stop != Stop::kCancelled;
 }
 

@@ -31,6 +31,7 @@ constexpr Field<pcvt_options, std::int32_t> kIntegers[] = {
     {"walls", &pcvt_options::walls},
     {"wall_cells", &pcvt_options::wall_cells},
     {"dimension", &pcvt_options::dimension},
+    {"duplicates", &pcvt_options::duplicates},
 };
 constexpr Field<pcvt_options, double> kReals[] = {
     {"tolerance", &pcvt_options::tolerance},           {"grain_size", &pcvt_options::grain_size},
@@ -185,6 +186,14 @@ EMSCRIPTEN_KEEPALIVE int run_valences(const Run* run, const std::int32_t** valen
     if (pcvt_get_statistics(run->result, &found, sizeof found) != PCVT_OK) return 0;
     *valences = found.valences;
     return found.n_valences;
+}
+
+/// Sets the address of the pairs of dropped sites; returns the number of numbers.
+EMSCRIPTEN_KEEPALIVE int run_dropped(const Run* run, const std::int32_t** pairs) {
+    pcvt_statistics found;
+    if (pcvt_get_statistics(run->result, &found, sizeof found) != PCVT_OK) return -1;
+    *pairs = found.dropped;
+    return 2 * found.n_dropped;
 }
 
 /// Sets the address of the sites, two or three numbers each; returns the number of numbers.

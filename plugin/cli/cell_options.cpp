@@ -3,10 +3,12 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cmath>
 #include <filesystem>
 
 #include "io/bytes/text.hpp"
 #include "io/run_files/area_reader.hpp"
+#include "io/run_files/density_image.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "mesher/areas/target_areas.hpp"
@@ -87,8 +89,8 @@ void add_cell_options(CLI::App& app, CellOptions& options) {
         "cells of prescribed areas, exact to 1e-10: a law of the equivalent\n"
         "diameter, drawn from --seed, S its standard deviation over its\n"
         "mean; or a file with one area a line, one for each site (below the\n"
-        "word diameter: one diameter), scaled to the area of the domain;\n"
-        "see --max-iterations");
+        "word diameter: one diameter), scaled to the area of the domain,\n"
+        "which with --period auto is their sum; see --max-iterations");
     add("--aspect", options.aspect, "R[,DEGREES]",
         "elongated cells, R times as long along DEGREES from x as across\n"
         "it, from 0.01 to 100 [1,0]");
@@ -128,7 +130,9 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
         job.wall_cells = chosen_row("--wall-cells", options.wall_cells, kWallCells).cells;
     }
     if (app.count("--fixed") > 0) {
-        job.fixed = read_sites<2>(options.fixed).points;
+        SiteFile file = read_sites<2>(options.fixed);
+        job.fixed = std::move(file.points);
+        job.lines = std::move(file.lines);
         job.inputs.push_back(options.fixed);
     }
     if (app.count("--inclusions") > 0) {
@@ -144,6 +148,25 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     }
     job.holes = options.holes;
     read_density(app, options, job);
+}
+
+Lattice automatic_period(const CellOptions& options) {
+    double width = 1;
+    double height = 1;
+    if (!options.areas.empty() && !names_area_law(options.areas)) {
+        width = height = std::sqrt(read_areas(options.areas).areas.sum());
+    } else if (names_picture(options.density)) {
+        height = png_height_over_width(options.density);
+    } else {
+        throw InvalidInput(
+            "--period auto takes the area of the domain from --areas FILE, or its aspect from "
+            "--density FILE.png; add one of the two, or give W,H");
+    }
+    std::string sides;
+    append_number(sides, width);
+    sides += ',';
+    append_number(sides, height);
+    return rectangle_lattice("--period", sides);
 }
 
 void read_area_file(Job& job) {

@@ -34,6 +34,11 @@ void add_cell_options(CLI::App& app, CellOptions& options);
 /// @throws InvalidInput, BadFile, BadDensity, LimitExceeded naming the option.
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job);
 
+/// The domain of --period auto: a square of the sum of the areas in a file, or a rectangle of the
+/// width 1 with the aspect of a picture.
+/// @throws InvalidInput if the options name neither; BadFile.
+Lattice automatic_period(const CellOptions& options);
+
 /// Reads the file of areas of a job that has its sites, if it names one.
 /// @throws BadFile naming the line.
 void read_area_file(Job& job);

@@ -69,6 +69,9 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     if (app.count("--lattice") > 0) {
         question.lattice = vector_lattice("--lattice", options.lattice);
     }
+    if (app.count("--tolerance") > 0) {
+        question.tolerance = positive_number("--tolerance", options.tolerance);
+    }
     read_cvt(app, options, question);
     for (std::string& path : question.files) path = without_slash(path);
     read_density(app, options, question);
@@ -100,6 +103,10 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
         ->type_name("W,H");
     app.add_option("--lattice", options.lattice, "the same, any two period vectors")
         ->type_name("AX,AY,BX,BY");
+    app.add_option("--tolerance", options.tolerance,
+                   "a length within which the sides of a tile of another program agree\n"
+                   "[4 ulps of the largest coordinate, in the precision of the file]")
+        ->type_name("L");
     app.add_option("--cvt", options.cvt,
                    "prove as well that cells are centroidal Voronoi, triangles Delaunay,\n"
                    "within TOL h, h = sqrt(area / n); in single precision at least\n"
@@ -136,7 +143,8 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
         "  pcvt check tile.obj --cvt 1e-4\n"
         "  pcvt check grains.obj --areas grains.txt\n"
         "  pcvt check composite.obj --inclusions shapes.txt\n"
-        "  pcvt check --period 2,1 from-elsewhere.obj\n");
+        "  pcvt check --period 2,1 from-elsewhere.obj\n"
+        "  pcvt check --period 1,1 --tolerance 1e-9 from-gmsh.msh\n");
 }
 
 ExitCode run_check(const CLI::App& app, const CheckOptions& options) {

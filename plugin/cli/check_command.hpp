@@ -16,6 +16,7 @@ struct CheckOptions {
     std::vector<std::string> files;
     std::string period;
     std::string lattice;
+    std::string tolerance;
     std::string cvt;
     std::string areas;
     std::string inclusions;

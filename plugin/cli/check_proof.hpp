@@ -20,6 +20,8 @@ struct Question {
     std::optional<AreaFile> areas = {};
     /// Of which each cell lies inside or outside.
     std::optional<InclusionFile> inclusions = {};
+    /// Of positions, length units; 0: that of the precision of each file.
+    double tolerance = 0;
     /// As typed; empty: rho = 1.
     std::string density = {};
     std::string density_range = {};

@@ -12,6 +12,7 @@
 #include "plugin/cli/terminal/progress_display.hpp"
 #include "plugin/job/available_memory.hpp"
 #include "plugin/job/job_memory.hpp"
+#include "plugin/job/job_start.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -51,8 +52,21 @@ RunSummary run_watched(const Job& job, bool quiet) {
     });
 }
 
+/// Runs the job, of which the file has points or fixed sites. Reports coincident sites by their
+/// lines in the file.
+RunSummary run_distinct(Job& job, const SiteFile& file, bool quiet) {
+    try {
+        settle_duplicates(job);
+        return run_watched(job, quiet);
+    } catch (const DuplicateSites& duplicate) {
+        // Without the sites that were dropped, the others have other numbers.
+        if (!job.dropped.sites.empty()) throw;
+        throw duplicate_lines(file, duplicate);
+    }
+}
+
 /// Runs the job. Reports sites that are too far away or coincident by their lines in the file.
-RunSummary run_file(const Job& job, const SiteFile& file, bool quiet) {
+RunSummary run_file(Job& job, const SiteFile& file, bool quiet) {
     const Lattice reduced = reduce(job.lattice).reduced;
     for (std::size_t s = 0; s < file.lines.size(); ++s) {
         const Vec2 u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
@@ -60,11 +74,20 @@ RunSummary run_file(const Job& job, const SiteFile& file, bool quiet) {
         throw BadFile(file.name + ":" + std::to_string(file.lines[s]) +
                       ": the site lies more than 2^30 periods away; wrap it into the domain");
     }
-    try {
-        return run_watched(job, quiet);
-    } catch (const DuplicateSites& duplicate) {
-        throw duplicate_lines(file, duplicate);
-    }
+    return run_distinct(job, file, quiet);
+}
+
+/// Requires that no site is dropped whose area the period holds.
+void require_all_sites(Job& job) {
+    if (job.duplicates != Duplicates::kDrop) return;
+    settle_duplicates(job);
+    const auto n = static_cast<int>(job.dropped.sites.size());
+    if (n == 0) return;
+    throw InvalidInput("--period auto takes the areas of all sites, but " + std::to_string(n) +
+                       (n == 1 ? " of them coincides with an earlier one; remove it from the file "
+                                 "of sites, and its area"
+                               : " of them coincide with earlier ones; remove them from the file "
+                                 "of sites, and their areas"));
 }
 
 void print_summary(const Job& job, const RunSummary& summary) {
@@ -96,19 +119,36 @@ ExitCode report_not_converged(const RunStatistics& run, double tolerance) {
     return ExitCode::kNotConverged;
 }
 
+ExitCode report_refused(const std::vector<RefusedFile>& refused, std::size_t n_written) {
+    std::string line = refused.front().reason;
+    for (std::size_t k = 1; k < refused.size(); ++k) {
+        line += (k == 1 ? "; so for " : ", ") + refused[k].path;
+    }
+    if (n_written > 0) line += "; the other files are written";
+    std::fprintf(stderr, "pcvt: %s\n", line.c_str());
+    return ExitCode::kBadInput;
+}
+
 ExitCode run_mesh(Job job, const MeshOptions& options) {
     RunSummary summary;
     if (options.input.empty()) {
         read_area_file(job);
-        summary = run_watched(job, options.quiet);
+        const SiteFile fixed{options.cells.fixed, job.fixed, job.lines};
+        summary = job.fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
+                                       : run_watched(job, options.quiet);
     } else {
         const SiteFile file = read_sites<2>(options.input);
         job.points = file.points;
+        job.lines = file.lines;
         read_area_file(job);
+        if (options.period == "auto" && job.areas) require_all_sites(job);
         summary = run_file(job, file, options.quiet);
     }
     if (summary.run.stop == Stop::kCancelled) return report_cancelled();
     if (!options.quiet) print_summary(job, summary);
+    if (!summary.refused.empty()) {
+        return report_refused(summary.refused, summary.files.size() + (job.report.empty() ? 0 : 1));
+    }
     if (options.strict && summary.run.stop != Stop::kConverged) {
         return report_not_converged(summary.run, job.tolerance);
     }

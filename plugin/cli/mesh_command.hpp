@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "plugin/cli/exit_code.hpp"
 #include "plugin/cli/mesh_options.hpp"
@@ -20,5 +21,10 @@ void announce_memory(double estimate, const std::optional<double>& available);
 /// @returns the exit code of the command.
 ExitCode report_cancelled();
 ExitCode report_not_converged(const RunStatistics& run, double tolerance);
+
+/// Reports the outputs that a run has left out on standard error, in one line.
+/// @param n_written  the number of the other files.
+/// @pre `refused` is not empty.
+ExitCode report_refused(const std::vector<RefusedFile>& refused, std::size_t n_written);
 
 }  // namespace pcvt::cli

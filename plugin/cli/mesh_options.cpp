@@ -10,6 +10,7 @@
 
 #include "io/bytes/extension.hpp"
 #include "plugin/cli/help_command.hpp"
+#include "plugin/cli/options/command_words.hpp"
 #include "plugin/cli/options/mesh_examples.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/cli/options/site_source.hpp"
@@ -90,7 +91,12 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--input", options.input, "FILE",
         "read the sites, \"x y\" a line (in space \"x y z\"), # comments, from a\n"
         "regular file of at most 16 GiB; - is standard input, at most 1 GiB");
-    add(app, "--period", options.period, "W,H", "a rectangle [1,1]; W,H,D: a box in space");
+    add(app, "--duplicates", options.duplicates, form_of(kDuplicates),
+        "sites of a file within 1e-9 h of an earlier one: refuse names all of\n"
+        "their lines, drop leaves them out [refuse]");
+    add(app, "--period", options.period, "W,H|auto",
+        "a rectangle [1,1]; W,H,D: a box in space; auto: a square of the sum of\n"
+        "the areas of --areas FILE, or 1,H with the aspect of --density FILE.png");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY",
         "two independent period vectors; nine numbers: three, in space");
     add(app, "--symmetry", options.symmetry, "GROUP",
@@ -167,6 +173,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
 Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
                        const std::optional<PlaneGroupName>& symmetry) {
     require_one_lattice(app);
+    if (options.period == "auto") return automatic_period(options.cells);
     if (app.count("--period") > 0) return rectangle_lattice("--period", options.period);
     if (app.count("--lattice") > 0) return vector_lattice("--lattice", options.lattice);
     if (symmetry) return example_lattice(*symmetry);
@@ -185,6 +192,7 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
         job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
     }
     if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
+    job.duplicates = chosen_duplicates(app, options.duplicates);
 }
 
 void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
@@ -301,6 +309,8 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_numbers(app, options, job);
     job.materials = material_choices(app, options.materials, job.inputs);
     job.file_options = file_options(app, options.files);
+    job.file_options.elastic = elastic_choices(options.materials);
+    job.command = command_words(app);
     job.outputs = options.outputs;
     if (app.count("--cells") > 0) {
         if (lower_case_extension(options.table) != ".csv") {

@@ -20,6 +20,7 @@ struct MeshOptions {
     std::string seed;
     std::string retry;
     std::string input;
+    std::string duplicates;
     std::string period;
     std::string lattice;
     std::string symmetry;

@@ -19,11 +19,13 @@ constexpr const char* kPatternExamples =
     "      54 truncated octahedra in space\n";
 
 /// Options of `pcvt mesh` that do not apply, because pattern computes the sites, does not move them
-/// and gives all cells one area.
+/// and gives all cells one area and one form.
 constexpr const char* kForeign[] = {"--seed",      "--input",          "--start",  "--solver",
                                     "--tolerance", "--max-iterations", "--strict", "--budget",
                                     "--density",   "--density-range",  "--areas",  "--retry",
-                                    "--stability"};
+                                    "--stability", "--symmetry",       "--walls",  "--wall-cells",
+                                    "--fixed",     "--inclusions",     "--fibres", "--hole",
+                                    "--duplicates"};
 
 void require_pattern_options(const CLI::App& app) {
     for (const char* name : kForeign) {
@@ -33,6 +35,9 @@ void require_pattern_options(const CLI::App& app) {
         }
     }
     if (app.count("--sites") == 0) throw InvalidInput("no sites; give --sites N");
+    if (app.count("--period") > 0 && app["--period"]->as<std::string>() == "auto") {
+        throw InvalidInput("--period auto is not for pattern, whose cells are all alike; give W,H");
+    }
 }
 
 }  // namespace
@@ -40,7 +45,9 @@ void require_pattern_options(const CLI::App& app) {
 void add_pattern_options(CLI::App& app, MeshOptions& options) {
     add_mesh_options(app, options);
     app.get_option("--sites")->description("the number of cells, 1 to 268435456");
-    app.get_option("--period")->description("a rectangle [1,1]; W,H,D: a box in space");
+    app.get_option("--period")
+        ->type_name("W,H")
+        ->description("a rectangle [1,1]; W,H,D: a box in space");
     app.get_option("--lattice")
         ->description("any two independent period vectors; nine numbers: three, in space");
     app.get_option("--threads")->group("Output");

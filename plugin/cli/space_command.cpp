@@ -24,10 +24,11 @@ namespace pcvt::cli {
 namespace {
 
 /// The options of `pcvt mesh` that apply in space.
-constexpr std::array<std::string_view, 21> kOptions{
-    "--help",   "--sites",  "--seed",    "--input",  "--period", "--lattice",   "--start",
-    "--solver", "--strict", "--threads", "-o",       "--force",  "--tolerance", "--max-iterations",
-    "--quiet",  "-h",       "--surface", "--report", "--mesh",   "--stability", "--short-edges"};
+constexpr std::array<std::string_view, 22> kOptions{
+    "--help",      "--sites",          "--seed",        "--input",     "--period",  "--lattice",
+    "--start",     "--solver",         "--strict",      "--threads",   "-o",        "--force",
+    "--tolerance", "--max-iterations", "--quiet",       "-h",          "--surface", "--report",
+    "--mesh",      "--stability",      "--short-edges", "--duplicates"};
 
 template <class Table>
 const auto& space_row(const char* option, const std::string& word, const Table& table) {
@@ -69,6 +70,7 @@ void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJo
     if (app.count("--start") > 0)
         job.start = space_row("--start", options.start, kSpaceStarts).start;
     if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
+    job.duplicates = chosen_duplicates(app, options.duplicates);
 }
 
 void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
@@ -177,6 +179,14 @@ std::string seam_text(const PolyhedralProof& proof) {
            (proof.boundary_is_manifold ? "" : "; the boundary touches itself");
 }
 
+Eigen::ArrayXXd lattice_coordinates(const SpaceLattice& lattice, const Points3& points) {
+    Eigen::ArrayXXd coordinates(3, points.cols());
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        coordinates.col(s) = lattice.to_lattice(points.col(s));
+    }
+    return coordinates;
+}
+
 }  // namespace
 
 bool means_space(const MeshOptions& options) {
@@ -201,7 +211,12 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
 }
 
 std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary) {
-    std::string text = summary_line("sites", std::to_string(summary.n_sites));
+    const Eigen::ArrayXXd given = lattice_coordinates(job.lattice, job.points);
+    const Eigen::ArrayXXd reduced = lattice_coordinates(reduce(job.lattice).reduced, job.points);
+    std::string text = summary_line(
+        "sites", std::to_string(summary.n_sites) + domain_note(job.points.array(), given, reduced));
+    if (job.duplicates == Duplicates::kDrop)
+        text += duplicates_line(job.dropped, job.points.cols());
     text +=
         summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()) +
                                     " " + vector_text(job.lattice.c()));
@@ -239,9 +254,12 @@ ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
     } else {
         const SpaceSiteFile file = read_sites<3>(options.input);
         job.points = file.points;
+        job.lines = file.lines;
         try {
+            settle_duplicates(job);
             summary = run_watched(job, options.quiet);
         } catch (const DuplicateSites& duplicate) {
+            if (!job.dropped.sites.empty()) throw;
             throw duplicate_lines(file, duplicate);
         }
     }
@@ -253,6 +271,9 @@ ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
         } else {
             print_after_files(text);
         }
+    }
+    if (!summary.refused.empty()) {
+        return report_refused(summary.refused, summary.files.size() + (job.report.empty() ? 0 : 1));
     }
     if (options.strict && summary.run.stop != Stop::kConverged) {
         return report_not_converged(summary.run, job.tolerance);

@@ -64,16 +64,27 @@ ExitCode cancelled() {
     return cancel_signal() == SIGTERM ? ExitCode::kTerminated : ExitCode::kInterrupted;
 }
 
+void print_recovered(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) std::fprintf(stderr, "pcvt: %s\n", line.c_str());
+}
+
+/// Returns one line for each set of files that was recovered.
+std::vector<std::string> write_files(const MergedStudy& done, const StudyResult& result,
+                                     const std::vector<StudyFile>& files,
+                                     const StudyOptions& options) {
+    StatusLine line(!options.quiet);
+    catch_cancel_signals();
+    return write_study(done.study, result, files, options.force,
+                       [&line](const auto& words) { line.draw({words}); });
+}
+
 ExitCode run_to_the_end(const StudyRequest& request, const StudyOptions& options) {
     const StudyRecipe& recipe = find_study_recipe(request.study.name);
     const std::vector<StudyFile> files =
         plan_study_files(options.outputs, recipe.name, request.shard, request.merge);
     std::vector<std::string> paths;
     for (const StudyFile& file : files) paths.push_back(file.path);
-    const std::vector<std::string> recovered = recover_unfinished(paths);
-    for (const std::string& words : recovered) {
-        if (!options.quiet) std::fprintf(stderr, "pcvt: %s\n", words.c_str());
-    }
+    if (!options.quiet) print_recovered(recover_unfinished(paths));
     for (const std::string& path : paths) require_writable(path, options.force);
     if (request.shard.count > 1 && files.empty()) {
         throw InvalidInput("--shard makes a file of runs; give -o FILE.csv");
@@ -90,7 +101,8 @@ ExitCode run_to_the_end(const StudyRequest& request, const StudyOptions& options
     const bool is_part = request.shard.count > 1;
     const StudyResult result =
         is_part ? StudyResult{{done.runs}, {}} : conclude_study(done.study, done.runs);
-    write_study(done.study, result, files, options.force);
+    const std::vector<std::string> recovered = write_files(done, result, files, options);
+    if (!options.quiet) print_recovered(recovered);
     if (!options.quiet && !is_part) {
         const auto text = [&] {
             return aligned_text(result.tables.front(), recipe.printed_columns);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "mesher/lattice/domain.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
@@ -10,6 +11,10 @@ namespace {
 
 /// Sites that are farther from the domain than this lie outside, in units of the period vectors.
 constexpr double kDomainMargin = 1e-9;
+
+/// So many sites in such a part of each period are hardly all that a user has of the domain.
+constexpr int kFewestFractions = 4;
+constexpr double kSmallPart = 0.25;
 
 std::string vector_text(const Vec2& v) {
     // Adding 0 turns -0 into 0.
@@ -25,21 +30,25 @@ std::string valence_text(const RunSummary& summary) {
     return text;
 }
 
-/// The number of sites, and how many of those that a file gave lie outside of the domain.
-std::string site_text(const Job& job, const RunSummary& summary) {
-    const auto is_outside = [&job](const Vec2& p) {
-        const Eigen::Array2d u = job.lattice.to_lattice(p - job.origin).array();
-        return (u < -kDomainMargin).any() || (u > 1 + kDomainMargin).any();
-    };
-    const auto columns = job.points.colwise();
-    const auto n_outside = std::count_if(columns.begin(), columns.end(), is_outside);
-    std::string text = std::to_string(summary.n_sites);
-    if (n_outside > 0) {
-        text += "; " + std::to_string(n_outside) +
-                " of the file lie outside of the domain and count modulo the lattice";
+/// The number of sites outside of the domain.
+Eigen::Index n_outside(const Eigen::ArrayXXd& periods) {
+    return (periods < -kDomainMargin || periods > 1 + kDomainMargin).colwise().any().count();
+}
+
+Eigen::ArrayXXd lattice_coordinates(const Points& points, const Lattice& lattice,
+                                    const Vec2& corner) {
+    Eigen::ArrayXXd coordinates(2, points.cols());
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        coordinates.col(s) = lattice.to_lattice(points.col(s) - corner);
     }
-    if (2 * n_outside > job.points.cols()) text += ": --period or --lattice may be wrong";
-    return text;
+    return coordinates;
+}
+
+std::string site_text(const Job& job, const RunSummary& summary) {
+    const Domain domain(job.lattice, job.origin);
+    return std::to_string(summary.n_sites) +
+           domain_note(job.points.array(), lattice_coordinates(job.points, job.lattice, job.origin),
+                       lattice_coordinates(job.points, domain.basis(), domain.corner()));
 }
 
 std::string grain_text(const GrainFigures& grains) {
@@ -120,8 +129,11 @@ std::string density_lines(const DensityFigures& density) {
 }
 
 std::string area_lines(const Job& job, const AreaSummary& areas) {
-    return summary_line("areas", job.areas->name + ", diameters with std / mean " +
-                                     figure(areas.std_over_mean) + ", off by at most " +
+    const std::string scale = areas.scale ? " (each area times " + figure(*areas.scale) + ")" : "";
+    return summary_line("areas", job.areas->name + scale + ", diameters with std / mean " +
+                                     figure(areas.std_over_mean) +
+                                     (areas.newton.converged ? ", converged: off by at most "
+                                                             : ", not converged: off by up to ") +
                                      figure(areas.newton.largest_relative_error) + " after " +
                                      counted(areas.newton.newton_steps, "Newton step")) +
            summary_line("shapes", "circularity " + figure(areas.circularity_mean) + " +- " +
@@ -160,10 +172,52 @@ std::string phase_lines(const RunSummary& summary) {
     return text;
 }
 
+std::string angle_text(const AngleRange& angles) {
+    const auto range = [&](double BungeAngles::*angle) {
+        return figure(angles.least.*angle) + " to " + figure(angles.greatest.*angle);
+    };
+    return "phi1 " + range(&BungeAngles::phi1) + ", Phi " + range(&BungeAngles::Phi) + ", phi2 " +
+           range(&BungeAngles::phi2) + " degrees";
+}
+
+std::string material_lines(const Job& job, const RunSummary& summary) {
+    const bool are_given = !job.file_options.elastic.materials.empty();
+    std::string text;
+    for (const auto& [name, constants] : summary.constants) {
+        text += summary_line("material", name + ": " + constants_text(constants) +
+                                             (are_given                  ? ""
+                                              : constants.is_isotropic() ? " (steel in MPa)"
+                                                                         : " (iron in MPa)"));
+    }
+    return text;
+}
+
 std::string seed_text(const Job& job, const RunSummary& summary) {
     return std::to_string(summary.seed) + ", because an output refused the cells of seed " +
            std::to_string(job.seed) +
            (summary.seed - job.seed > 1 ? " to " + std::to_string(summary.seed - 1) : "");
+}
+
+/// The lines of what constrains the cells: their aspect, symmetry, walls and inclusions.
+std::string constraint_lines(const Job& job, const RunSummary& summary) {
+    std::string text;
+    if (job.aspect) {
+        text += summary_line("aspect", figure(job.aspect->ratio) + " along " +
+                                           figure(job.aspect->degrees) + " degrees");
+    }
+    if (job.symmetry) {
+        text += summary_line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
+                                             std::to_string(summary.n_orbits) + " orbits");
+    }
+    if (job.walls != Walls::kNone) {
+        const std::string on_walls = std::to_string(summary.n_on_walls) + " sites on walls";
+        text += summary_line("walls", std::string(walls_row(job.walls).word) + ", " +
+                                          wall_cells_row(job.wall_cells).word + " cells" +
+                                          (summary.n_on_walls > 0 ? ", " + on_walls : ""));
+    }
+    if (summary.interfaces) text += summary_line("inclusions", inclusion_text(*summary.interfaces));
+    if (!job.holes.empty()) text += summary_line("holes", hole_text(job, summary));
+    return text;
 }
 
 }  // namespace
@@ -172,6 +226,35 @@ std::string summary_line(const char* label, const std::string& text) {
     char head[16];
     std::snprintf(head, sizeof head, "%-10s ", label);
     return head + text + "\n";
+}
+
+std::string duplicates_line(const DroppedSites& dropped, Eigen::Index n_kept) {
+    const auto n = static_cast<int>(dropped.sites.size());
+    const std::string lines =
+        coincidence_list(dropped.lines, [](int line) { return "line " + std::to_string(line); });
+    const char* doubt = n > n_kept ? "; --period or --lattice may be wrong" : "";
+    return summary_line(
+        "duplicates", counted(n, "site") + " dropped" +
+                          (n == 0 ? "" : ", which coincide modulo the lattice: " + lines + doubt));
+}
+
+std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& given,
+                        const Eigen::ArrayXXd& reduced) {
+    const auto n = points.cols();
+    if (n == 0) return {};
+    const Eigen::ArrayXXd& periods = n_outside(reduced) < n_outside(given) ? reduced : given;
+    if (const Eigen::Index outside = n_outside(periods); outside > 0) {
+        const std::string text = "; " + std::to_string(outside) +
+                                 " of the file lie outside of the domain and count modulo the "
+                                 "lattice";
+        return 2 * outside > n ? text + ": --period or --lattice may be wrong" : text;
+    }
+    const Eigen::ArrayXd extent = periods.rowwise().maxCoeff() - periods.rowwise().minCoeff();
+    const bool in_unit = points.minCoeff() >= 0 && points.maxCoeff() <= 1;
+    if (n < kFewestFractions || !in_unit || extent.maxCoeff() > kSmallPart) return {};
+    return "; all coordinates are from 0 to 1, a small part of the domain: they may be fractions "
+           "of "
+           "the periods";
 }
 
 std::string minimum_line(const std::optional<Minimum>& minimum) {
@@ -192,6 +275,8 @@ std::string stability_line(const LatticeStability& stability) {
 std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
     text += summary_line("sites", site_text(job, summary));
+    if (job.duplicates == Duplicates::kDrop)
+        text += duplicates_line(job.dropped, std::max(job.points.cols(), job.fixed.cols()));
     text +=
         summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
     if (summary.seed != job.seed) text += summary_line("seed", seed_text(job, summary));
@@ -211,23 +296,10 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (summary.start.pattern) text += pattern_lines(*summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
     if (summary.areas) text += area_lines(job, *summary.areas);
-    if (job.aspect) {
-        text += summary_line("aspect", figure(job.aspect->ratio) + " along " +
-                                           figure(job.aspect->degrees) + " degrees");
-    }
-    if (job.symmetry) {
-        text += summary_line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
-                                             std::to_string(summary.n_orbits) + " orbits");
-    }
-    if (job.walls != Walls::kNone) {
-        const std::string on_walls = std::to_string(summary.n_on_walls) + " sites on walls";
-        text += summary_line("walls", std::string(walls_row(job.walls).word) + ", " +
-                                          wall_cells_row(job.wall_cells).word + " cells" +
-                                          (summary.n_on_walls > 0 ? ", " + on_walls : ""));
-    }
-    if (summary.interfaces) text += summary_line("inclusions", inclusion_text(*summary.interfaces));
-    if (!job.holes.empty()) text += summary_line("holes", hole_text(job, summary));
+    text += constraint_lines(job, summary);
     text += phase_lines(summary);
+    if (summary.angles) text += summary_line("angles", angle_text(*summary.angles));
+    text += material_lines(job, summary);
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
     for (const std::string& file : summary.files) text += summary_line("file", file);

@@ -1,6 +1,7 @@
 #include "plugin/job/job.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "io/outputs/recovery.hpp"
@@ -49,6 +50,14 @@ JobMonitor::Target target_of(const Job& job) {
             .note = job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""};
 }
 
+/// The factor by which target_areas() multiplies given areas.
+std::optional<double> area_scale(const Job& job) {
+    const Eigen::VectorXd& given = job.areas->given;
+    if (given.size() == 0) return std::nullopt;
+    const double scale = job.lattice.area() / given.sum();
+    return std::isfinite(scale) && scale > 0 ? std::optional(scale) : std::nullopt;
+}
+
 RunSummary summarize(const Job& job, const Computation& computation,
                      std::span<const BuiltTile> tiles) {
     const Tessellation& cells = computation.cells;
@@ -65,11 +74,16 @@ RunSummary summarize(const Job& job, const Computation& computation,
     const auto hexagons = summary.valences.find(6);
     summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
     summary.density = cells.density;
-    if (cells.areas) summary.areas = area_summary(cells);
+    if (cells.areas) {
+        summary.areas = area_summary(cells);
+        summary.areas->scale = area_scale(job);
+    }
     summary.n_orbits = cells.n_orbits();
     if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
     summary.interfaces = cells.interfaces;
     summary.phases = computation.phases;
+    const std::vector<BungeAngles>& orientations = computation.materials.site_orientation;
+    if (!orientations.empty()) summary.angles = angle_range(orientations);
     for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
     return summary;
@@ -94,13 +108,17 @@ std::vector<std::string> require_all_writable(const Job& job, const std::vector<
     return recovered;
 }
 
-/// Stages every file and the report.
+/// Stages every file that its format can hold, and the report.
 void stage(const Job& job, const std::vector<JobFile>& files, const Computation& result,
            std::span<const BuiltTile> tiles, JobMonitor& monitor, Stopwatch& watch,
            RunSummary& summary, OutputSet& outputs) {
-    stage_files(job, files, result, tiles, monitor, outputs);
-    for (const JobFile& file : files) {
-        if (file.folder.empty()) {
+    const std::vector<std::string> refused =
+        stage_files(job, files, result, tiles, monitor, outputs);
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        const JobFile& file = files[k];
+        if (!refused[k].empty()) {
+            summary.refused.push_back({file.paths.front(), refused[k]});
+        } else if (file.folder.empty()) {
             summary.files.insert(summary.files.end(), file.paths.begin(), file.paths.end());
         } else {
             summary.files.push_back(file.folder);
@@ -122,25 +140,14 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
 }
 
-/// Keeps the entries of the sites outside of holes.
-void keep_outside_holes(const HoleSites& holes, std::vector<BungeAngles>& of_sites) {
-    if (holes.empty() || of_sites.empty()) return;
-    std::vector<BungeAngles> kept;
-    for (const SiteId s : holes.kept()) kept.push_back(of_sites[s]);
-    of_sites = std::move(kept);
-}
-
 void add_materials(const Job& job, Computation& computation) {
     const CellTable cells = cell_table(plane_mesh(computation.cells, MeshKind::kVoronoi));
-    computation.materials = choose_materials(job.materials, cells, job.seed);
     if (job.has_inclusions()) {
-        CellMaterials tags = tag_materials(computation.cells);
+        computation.materials = tag_materials(computation.cells);
         computation.phases = tag_figures(computation.cells, cells);
-        computation.materials.phase_names = std::move(tags.phase_names);
-        computation.materials.site_phase = std::move(tags.site_phase);
-        keep_outside_holes(computation.cells.holes, computation.materials.site_orientation);
         return;
     }
+    computation.materials = choose_materials(job.materials, cells, job.seed);
     computation.phases = phase_figures(job.materials, computation.materials, cells);
 }
 
@@ -181,8 +188,10 @@ RunSummary finish(const Job& job, const std::vector<JobFile>& files, const Compu
     monitor.watch([&] {
         const std::span<const BuiltTile> tiles = make_tiles(monitor);
         summary = summarize(job, result, tiles);
+        summary.constants = stated_constants(files, job.file_options, result.materials);
         watch.stop(&JobSeconds::build);
         stage(job, files, result, tiles, monitor, watch, summary, outputs);
+        summary.recovered = wait_for_turn(outputs, monitor);
     });
     const ClientScope no_client(nullptr);
     outputs.commit(job.force);
@@ -257,7 +266,7 @@ RunSummary write_job(const Job& job, const Computation& result, const TileSource
                      const JobCallback& callback) {
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
-    check_file_options(job, files);
+    check_file_options(job, files, result.materials.phase_names);
     require_all_writable(job, files);
     require_memory_to_write(job, files);
     Stopwatch watch(result.seconds);
@@ -275,8 +284,8 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
     check_job(job);
     const std::vector<JobFile> files = plan_files(job);
     check_order(job, files);
-    check_file_options(job, files);
-    std::vector<std::string> recovered = require_all_writable(job, files);
+    check_file_options(job, files, file_phases(job));
+    const std::vector<std::string> recovered = require_all_writable(job, files);
     check_retries(job, files);
     require_memory(job, files);
     Stopwatch watch;
@@ -284,7 +293,7 @@ RunSummary run_job(const Job& job, const JobCallback& callback) {
     for (int k = 0;; ++k, ++next.seed) {
         try {
             RunSummary summary = run(next, files, callback, watch);
-            summary.recovered = std::move(recovered);
+            summary.recovered.insert(summary.recovered.begin(), recovered.begin(), recovered.end());
             return summary;
         } catch (const Cancelled&) {
             return {};

@@ -8,13 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/output_error.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/areas/target_areas.hpp"
+#include "mesher/base/coincident_sites.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt.hpp"
 #include "mesher/lattice/walls.hpp"
 #include "mesher/materials/material_choices.hpp"
+#include "mesher/materials/orientations.hpp"
 #include "mesher/search/lattice_stability.hpp"
 #include "mesher/symmetry/plane_group.hpp"
 #include "mesher/tile/build_tile.hpp"
@@ -100,6 +103,13 @@ struct Job {
     /// and the others are drawn. Excludes given sites, areas, symmetry, walls, inclusions, the
     /// stability, and starts that are not random.
     Points fixed;
+    /// What settle_duplicates() does with sites of `points`, or of `fixed`, that coincide with
+    /// earlier ones.
+    Duplicates duplicates = Duplicates::kRefuse;
+    /// The line of each of these sites in their file; empty without one.
+    std::vector<int> lines;
+    /// The sites that settle_duplicates() left out.
+    DroppedSites dropped;
     /// Inclusions, of which each cell lies inside or outside; their tags are the phases of the
     /// cells. Some of the sites are placed in pairs along the outlines. Between walls they lie off
     /// these. Excludes given sites, other phases, areas, aspect, symmetry, the stability, and
@@ -144,6 +154,9 @@ struct Job {
     /// sites in their order.
     MaterialChoices materials;
 
+    /// The options of the command without paths, and without those that change no result, for files
+    /// that state their history; empty for other hosts.
+    std::string command;
     /// The forms of files, for the formats that have several; without densities and materials.
     FileOptions file_options;
     /// Files to write. The extension selects the format; `.txt` files hold the sites.
@@ -220,10 +233,16 @@ struct RunSummary {
     std::optional<InterfaceFigures> interfaces;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;
+    /// Of jobs with orientations.
+    std::optional<AngleRange> angles;
+    /// The materials whose elastic constants the files state.
+    std::vector<NamedConstants> constants;
     /// One entry for each mesh of the job.
     std::vector<TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.
     std::vector<std::string> files;
+    /// The outputs that were not written, in their order.
+    std::vector<RefusedFile> refused;
     /// One line for each set of an earlier run that was finished before this one.
     std::vector<std::string> recovered;
     StartFigures start;
@@ -231,11 +250,11 @@ struct RunSummary {
 };
 
 /// Sites -> optimised periodic tessellation -> proved tiles -> files that are read back and proved
-/// again. Prints nothing. Either all files appear, together at the end, or none.
+/// again. Prints nothing. Either all files appear, together at the end, or none; only files whose
+/// single precision does not hold the tile are left out (RunSummary::refused).
 ///
 /// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
-///                        sites (DuplicateSites names the ids) and a tile too fine for a file's
-///                        format.
+///                        sites (DuplicateSites names the ids).
 /// @throws UnsuitableCells  an output refuses the cells, also after all retries.
 /// @throws OutputError    a file cannot be written, or exists and `force` is not set.
 /// @throws LimitExceeded  too many sites or faces.

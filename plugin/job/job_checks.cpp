@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/tiles/tile_file.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/symmetry/special_positions.hpp"
 #include "plugin/job/job_constraints.hpp"
@@ -56,6 +57,14 @@ void check_grains(const Job& job) {
     if (squares > kMostGrainSquares) {
         throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
     }
+}
+
+void check_repetition(const Job& job) {
+    if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
+    if (job.columns <= kMostPeriods && job.rows <= kMostPeriods) return;
+    throw LimitExceeded("repeated " + std::to_string(job.columns) + " x " +
+                        std::to_string(job.rows) + ": more than " + std::to_string(kMostPeriods) +
+                        " periods in a row; repeat less often");
 }
 
 void check_meshes(const Job& job) {
@@ -231,7 +240,7 @@ void check_job(const Job& job) {
     if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
         throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
     }
-    if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
+    check_repetition(job);
     check_stability(job, n);
     require_orientations(job.materials, static_cast<int>(n));
     check_meshes(job);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string_view>
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
 #include "mesher/cvt/interface_cvt.hpp"
+#include "mesher/lattice/set_names.hpp"
 #include "mesher/mesh/interface_proof.hpp"
 #include "mesher/mesh/voronoi.hpp"
 
@@ -52,6 +52,9 @@ constexpr std::array kInclusionExclusions{
               "cells beside inclusions are not elongated; leave the aspect out"},
     Exclusion{[](const Job& job) { return !job.materials.phases.empty(); },
               "the tags of inclusions are the phases of their cells; leave the phases out"},
+    Exclusion{[](const Job& job) { return job.materials.has_orientations(); },
+              "--orientations gives each cell a crystal of its own, but inclusions and the matrix "
+              "consist of many cells each; leave the orientations out"},
 };
 
 void require_none(std::span<const Exclusion> exclusions, const Job& job) {
@@ -71,23 +74,33 @@ InclusionFile inclusions_of(const Job& job) {
             .tags = {kFibreTag}};
 }
 
-/// Names of patches, groups and sets that files have besides holes, in lower case; those that end
-/// with _ are the beginnings of names.
-constexpr std::array<std::string_view, 9> kTakenNames{"back",           "front",         "fixed",
-                                                      "grain_boundary", "triple_points", "seam_",
-                                                      "wall_",          "cell_",         "phase_"};
+std::vector<std::string> inclusion_tags(const Job& job) {
+    return job.inclusions ? job.inclusions->tags : std::vector<std::string>{kFibreTag};
+}
 
-void require_free_name(const std::string& tag) {
-    std::string name = tag;
-    for (char& c : name) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    for (const std::string_view taken : kTakenNames) {
-        if (taken.back() == '_' ? !name.starts_with(taken) : name != taken) continue;
-        throw InvalidInput(
-            "the hole " + tag + " would be a wall of this name, but files have " +
-            (taken.back() == '_' ? "other parts that begin with " : "another part ") +
-            std::string(taken) + "; rename the tag");
+/// @param kind   what has the name, in words.
+/// @param names  of all phases and tags.
+void require_free_name(const std::string& kind, const std::string& name,
+                       const std::vector<std::string>& names) {
+    const std::optional<std::string> set = set_with_name(name, names);
+    if (!set) return;
+    throw InvalidInput(kind + " " + name + " has the name of a set in files (" + *set +
+                       "); rename it");
+}
+
+/// Requires names that no set, group or patch has which files may contain beside those of the
+/// names.
+void check_names(const Job& job) {
+    std::vector<std::string> names;
+    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    for (const std::string& phase : names) require_free_name("the phase", phase, names);
+    if (!job.inclusions) return;
+    names = job.inclusions->tags;
+    names.emplace_back(kMatrixTag);
+    for (const Inclusion& inclusion : job.inclusions->inclusions) {
+        const std::string where =
+            job.inclusions->name + ":" + std::to_string(inclusion.line) + ": the tag";
+        require_free_name(where, job.inclusions->tags[inclusion.tag - 1], names);
     }
 }
 
@@ -102,7 +115,6 @@ void require_hole(const std::string& hole, const std::vector<std::string>& tags)
             "no inclusion has the tag " + in_quotes(hole) + " of a hole; " +
             (meant.empty() ? "the first tag is " + tags.front() : "did you mean " + meant + "?"));
     }
-    require_free_name(hole);
 }
 
 void check_holes(const Job& job) {
@@ -110,8 +122,7 @@ void check_holes(const Job& job) {
     if (!job.has_inclusions()) {
         throw InvalidInput("holes are inclusions that are left out; give inclusions or fibres");
     }
-    const std::vector<std::string> tags =
-        job.inclusions ? job.inclusions->tags : std::vector<std::string>{kFibreTag};
+    const std::vector<std::string> tags = inclusion_tags(job);
     for (std::size_t k = 0; k < job.holes.size(); ++k) {
         require_hole(job.holes[k], tags);
         if (std::find(job.holes.begin(), job.holes.begin() + k, job.holes[k]) ==
@@ -143,6 +154,17 @@ auto named(const InclusionFile& file, const Work& work) {
     }
 }
 
+/// Of fewer seeds, the placement itself is fast, and names a number of sites that suffices.
+constexpr double kManySeeds = 10'000;
+
+/// Refuses a number of sites that cannot suffice for the outlines of many shapes, before any work.
+void require_sites(const Job& job, double fewest) {
+    if (job.n_sites >= fewest || fewest < kManySeeds) return;
+    throw InvalidInput(
+        std::to_string(job.n_sites) + " sites are too few for the inclusions; take " +
+        std::to_string(static_cast<long>(fewest)) + " or more, the least that their outlines need");
+}
+
 /// Sets the tags of the matrix and of the inclusions.
 void set_tags(const InclusionFile& file, Tessellation& cells) {
     cells.tag_names = {kMatrixTag};
@@ -159,6 +181,7 @@ void set_tags(const InclusionFile& file, Tessellation& cells) {
 }  // namespace
 
 void check_constraints(const Job& job) {
+    check_names(job);
     check_holes(job);
     if (job.fixed.cols() > 0 || job.has_inclusions()) require_none(kExclusions, job);
     if (job.fixed.cols() > 0) require_none(kFixedExclusions, job);
@@ -168,10 +191,17 @@ void check_constraints(const Job& job) {
     }
     if (!job.has_inclusions()) return;
     require_none(kInclusionExclusions, job);
-    if (job.inclusions) {
-        named(*job.inclusions,
-              [&] { return InclusionSet(job.lattice, job.inclusions->inclusions, job.walls); });
+    if (job.fibres) {
+        require_sites(job, job.fibres->n * fewest_seeds(Circle{.centre = {0, 0}, .radius = 1}));
+        return;
     }
+    named(*job.inclusions, [&] {
+        double fewest = 0;
+        for (const Inclusion& shape : job.inclusions->inclusions)
+            fewest += fewest_seeds(shape.shape);
+        require_sites(job, fewest);
+        return InclusionSet(job.lattice, job.inclusions->inclusions, job.walls);
+    });
 }
 
 Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options) {
@@ -220,6 +250,18 @@ CellMaterials tag_materials(const Tessellation& tessellation) {
         materials.site_phase.push_back(phase_of_tag[tessellation.site_tags[s]]);
     }
     return materials;
+}
+
+std::vector<std::string> file_phases(const Job& job) {
+    std::vector<std::string> names;
+    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    if (!job.has_inclusions()) return names;
+    names = {kMatrixTag};
+    for (const std::string& tag : inclusion_tags(job)) {
+        const auto& holes = job.holes;
+        if (std::find(holes.begin(), holes.end(), tag) == holes.end()) names.push_back(tag);
+    }
+    return names;
 }
 
 std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells) {

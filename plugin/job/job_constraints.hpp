@@ -25,6 +25,9 @@ Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& opt
 /// without those of holes; one entry a site outside of holes.
 CellMaterials tag_materials(const Tessellation& tessellation);
 
+/// The names of the phases of a job, or of its tags outside of holes, as tag_materials() has them.
+std::vector<std::string> file_phases(const Job& job);
+
 /// One entry a tag, also of holes; wanted are the areas of the shapes.
 /// @param cells  of all sites.
 std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells);

@@ -7,6 +7,7 @@
 #include "io/bytes/nearest_word.hpp"
 #include "io/elements/triangle_elements.hpp"
 #include "io/outputs/distinct_paths.hpp"
+#include "io/solvers/inp_sections.hpp"
 #include "plugin/job/job_checks.hpp"
 
 namespace pcvt {
@@ -66,6 +67,13 @@ void check_format(const Job& job, const TileFormat& format, MeshKind kind,
 void add_output(const Job& job, const std::string& path, std::vector<JobFile>& files) {
     const TileFormat* format = find_tile_format(path);
     if (format == nullptr) refuse_extension(path);
+    if (format->check_path != nullptr) {
+        try {
+            format->check_path(path);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("-o " + path + ": " + error.what());
+        }
+    }
     if (!format->needs_tile()) {
         check_format(job, *format, MeshKind::kVoronoi, path);
         files.push_back({format->paths(path), format});
@@ -111,12 +119,16 @@ constexpr FileChoice kFileChoices[] = {
      [](const Job& job) { return job.file_options.pixels != 0; }},
     {"a number of voxels", &TileFormat::takes_voxels,
      [](const Job& job) { return job.file_options.voxels != VoxelCounts{}; }},
+    {"a Coriolis parameter", &TileFormat::takes_coriolis,
+     [](const Job& job) { return job.file_options.coriolis.has_value(); }},
     {"a width to cut", &TileFormat::takes_cut_width,
      [](const Job& job) { return job.file_options.cut_width != 0; }},
     {"a type of elements", &TileFormat::takes_element,
      [](const Job& job) { return job.file_options.element != PlaneElement::kStrain; }},
     {"a job of a solver", &TileFormat::takes_job,
      [](const Job& job) { return job.file_options.job != SolverJob::kNone; }},
+    {"elastic constants", &TileFormat::takes_constants,
+     [](const Job& job) { return !job.file_options.elastic.empty(); }},
     {"a thickness", &TileFormat::takes_thickness,
      [](const Job& job) { return job.file_options.thickness != 0; }},
     {"a colouring", &TileFormat::takes_colouring,
@@ -136,6 +148,37 @@ std::string extensions_that_take(const FileChoice& choice) {
         text += (text.empty() ? "" : " or ") + std::string(format.extension);
     }
     return text;
+}
+
+bool has_job(const JobFile& file, const FileOptions& options) {
+    return file.format->takes_job && options.job != SolverJob::kNone;
+}
+
+/// Whether a file states the elastic constants of a user.
+bool states_chosen_constants(const JobFile& file, const FileOptions& options) {
+    return file.format->takes_constants && (!file.format->takes_job || has_job(file, options));
+}
+
+void check_constants(const Job& job, const std::vector<JobFile>& files,
+                     const std::vector<std::string>& phases) {
+    if (files.empty()) return;
+    const FileOptions& options = job.file_options;
+    bool is_stated = options.elastic.empty();
+    for (const JobFile& file : files) {
+        is_stated = is_stated || states_chosen_constants(file, options);
+        if (!has_job(file, options)) continue;
+        require_choice(options.elastic, phases);
+        if (phases.empty() || mesh_kind_row(job.meshes[file.mesh]).faces_have_sites) continue;
+        throw InvalidInput("-o " + file.paths.front() +
+                           ": --job elastic would give Delaunay triangles one material, because "
+                           "they have no phases; take the mesh grains");
+    }
+    if (!is_stated) {
+        throw InvalidInput(
+            "--material gives the elastic constants of --job elastic; add it, or leave --material "
+            "out");
+    }
+    require_materials_of(options.elastic, phases);
 }
 
 /// @throws InvalidInput if the run has nothing that the colours could show.
@@ -175,6 +218,8 @@ FormatRequest format_request(const Job& job, MeshKind kind) {
             .n_periods = double(job.columns) * job.rows,
             .walls = job.walls,
             .has_holes = !job.holes.empty(),
+            .has_weights = job.areas.has_value(),
+            .origin = job.origin,
             .files = job.file_options};
 }
 
@@ -224,7 +269,8 @@ void check_order(const Job& job, const std::vector<JobFile>& files) {
                        second_order_extensions() + ", or take order 1");
 }
 
-void check_file_options(const Job& job, const std::vector<JobFile>& files) {
+void check_file_options(const Job& job, const std::vector<JobFile>& files,
+                        const std::vector<std::string>& phases) {
     if (job.file_options.colouring) check_colouring(job, *job.file_options.colouring);
     const double cut_width = job.file_options.cut_width;
     if (cut_width != 0 && !(cut_width >= kLeastCutWidth && cut_width <= kLargestCutWidth)) {
@@ -241,12 +287,25 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files) {
         throw InvalidInput(std::string("no output takes ") + choice.name + "; add one of " +
                            extensions_that_take(choice) + ", or leave the option out");
     }
+    check_constants(job, files, phases);
     if (job.file_options.gltf_nodes == GltfNodes::kCells &&
         !has_mesh(job, &MeshKindRow::faces_have_sites)) {
         throw InvalidInput(
             "Delaunay triangles have no cells that could be nodes; take the mesh voronoi or "
             "grains, or leave the glTF nodes out");
     }
+}
+
+std::vector<NamedConstants> stated_constants(const std::vector<JobFile>& files,
+                                             const FileOptions& options,
+                                             const CellMaterials& materials) {
+    for (const JobFile& file : files) {
+        const bool is_chosen =
+            !options.elastic.materials.empty() && states_chosen_constants(file, options);
+        if (!is_chosen && !has_job(file, options)) continue;
+        return chosen_materials(options.elastic, materials, inp_standard_constants(materials));
+    }
+    return {};
 }
 
 std::optional<Colour> background_colour(const std::string& word) {

@@ -49,9 +49,17 @@ std::string with_suffix(const std::string& path, const std::string& suffix);
 /// @throws InvalidInput if the job has files, and none of them holds mid-side nodes.
 void check_order(const Job& job, const std::vector<JobFile>& files);
 
-/// Requires for each choice in job.file_options a file whose format takes it.
+/// Requires for each choice in job.file_options a file whose format takes it, and elastic constants
+/// where a file would give several phases the same ones.
+/// @param phases  those of the cells outside of holes.
 /// @throws InvalidInput if the job has files, and none of them takes the choice.
-void check_file_options(const Job& job, const std::vector<JobFile>& files);
+void check_file_options(const Job& job, const std::vector<JobFile>& files,
+                        const std::vector<std::string>& phases);
+
+/// The materials with the elastic constants that the files state, of a job of a solver or chosen.
+std::vector<NamedConstants> stated_constants(const std::vector<JobFile>& files,
+                                             const FileOptions& options,
+                                             const CellMaterials& materials);
 
 /// The colour of "none" or "#rrggbb".
 /// @throws InvalidInput for other words.

@@ -74,6 +74,8 @@ constexpr double kBesideAnother = 0.5;
 constexpr double kPixel = 3.2;
 /// A voxel of an image of cells.
 constexpr double kVoxel = 11;
+/// The same voxel in each further layer, which the proof decompresses.
+constexpr double kVoxelOfALayer = 4.2;
 /// The number of pixels of a side where the job gives none.
 constexpr double kDefaultPixels = 500;
 /// The part of these bytes that depends on the sites and not on their copies in a repeated tile.
@@ -113,9 +115,9 @@ double mesh_bytes(const Job& job, MeshKind kind, const FormatMemory& bytes) {
     return a_site * n_sites(job) * (kOfSites + (1 - kOfSites) * copies);
 }
 
-double n_voxels(const Job& job) {
+double voxel_bytes(const Job& job) {
     const VoxelCounts counts = requested_voxels(format_request(job, MeshKind::kVoronoi));
-    return double(counts.x) * counts.y;
+    return double(counts.x) * counts.y * (kVoxel + kVoxelOfALayer * (counts.z - 1));
 }
 
 /// A run that writes this file alone.
@@ -129,7 +131,7 @@ double file_bytes(const Job& job, const JobFile& file) {
     const double side = job.file_options.pixels != 0 ? job.file_options.pixels : kDefaultPixels;
     const double pixels = file.format->takes_pixels ? kPixel * side * side : 0;
     return mesh_bytes(job, kind, *row) + pixels +
-           (file.format->takes_voxels ? kVoxel * n_voxels(job) : 0);
+           (file.format->takes_voxels ? voxel_bytes(job) : 0);
 }
 
 /// The sites, from their start to the end of their optimisation.

@@ -70,6 +70,7 @@ std::optional<Report::Areas> report_areas(const Job& job, const RunSummary& summ
     if (!summary.areas) return std::nullopt;
     const AreaSummary& areas = *summary.areas;
     return Report::Areas{.law = job.areas->name,
+                         .scale = areas.scale,
                          .std_over_mean = areas.std_over_mean,
                          .largest_relative_error = areas.newton.largest_relative_error,
                          .largest_relative_mesh_error = largest_area_error(summary),
@@ -120,6 +121,25 @@ std::vector<Report::Phase> report_phases(const RunSummary& summary) {
     return phases;
 }
 
+std::optional<Report::Orientations> report_orientations(const RunSummary& summary) {
+    if (!summary.angles) return std::nullopt;
+    const auto& [least, greatest] = *summary.angles;
+    return Report::Orientations{
+        {least.phi1, greatest.phi1}, {least.Phi, greatest.Phi}, {least.phi2, greatest.phi2}};
+}
+
+std::vector<Report::Material> report_materials(const RunSummary& summary) {
+    std::vector<Report::Material> materials;
+    for (const auto& [name, constants] : summary.constants) {
+        Report::Material& material = materials.emplace_back();
+        material.name = name;
+        for (std::size_t k = 0; k < constants.numbers.size(); ++k) {
+            material.constants.emplace_back(names_of(constants)[k], constants.numbers[k]);
+        }
+    }
+    return materials;
+}
+
 }  // namespace
 
 std::string encode_job_report(const Job& job, const RunSummary& summary) {
@@ -158,6 +178,10 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
         .walls = report_walls(job, summary),
         .inclusions = report_inclusions(job, summary),
         .phases = report_phases(summary),
+        .duplicates =
+            job.duplicates == Duplicates::kDrop ? std::optional(job.dropped) : std::nullopt,
+        .orientations = report_orientations(summary),
+        .materials = report_materials(summary),
     });
 }
 

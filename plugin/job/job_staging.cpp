@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <mutex>
 
+#include "io/bytes/output_error.hpp"
 #include "io/file_proof.hpp"
 #include "mesher/base/workers.hpp"
+#include "plugin/job/version.hpp"
 
 namespace pcvt {
 namespace {
@@ -28,7 +30,12 @@ class FileEncoder {
         const PeriodicMesh cells =
             repeated(plane_mesh(result_.cells, MeshKind::kVoronoi), job_.columns, job_.rows);
         try {
-            return write({cells, job_.origin, result_.site_densities}, path());
+            return write({.cells = cells,
+                          .origin = job_.origin,
+                          .site_densities = result_.site_densities,
+                          .coriolis = job_.file_options.coriolis,
+                          .history = history()},
+                         path());
         } catch (const UnsuitableCells& error) {
             throw UnsuitableCells("-o " + path() + ": " + error.what());
         } catch (const InvalidInput& error) {
@@ -51,7 +58,7 @@ class FileEncoder {
             .weights = site_weights(result_.cells),
             .metric = result_.cells.elongation ? result_.cells.elongation->metric : Metric()};
         return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.n_threads), cells,
-                     materials(), path());
+                     materials(), job_.file_options.elastic, path());
     }
 
     CellRows cell_rows() const {
@@ -61,6 +68,11 @@ class FileEncoder {
                 .materials = materials(),
                 .phases_are_tags = job_.has_inclusions(),
                 .orbits = result_.cells.site_orbits};
+    }
+    /// The run as files state it: equal for equal results.
+    std::string history() const {
+        return std::string("pcvt ") + version() + (job_.command.empty() ? "" : ": ") +
+               job_.command + "; seed " + std::to_string(job_.seed);
     }
     FileOptions tile_options() const {
         FileOptions options = job_.file_options;
@@ -144,14 +156,8 @@ constexpr double kEncoding = 0.35;
 constexpr double kStaging = 0.1;
 constexpr double kProving = 1 - kEncoding - kStaging;
 
-/// Encodes a file, lets it reach the disk under a hidden name and proves the bytes there.
-void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& origin,
-                FileProgress& progress, OutputSet& outputs) {
-    const std::vector<EncodedFile> encoded = encoder.encode();
-    progress.add(kEncoding);
-    for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
-    require_on_disk(outputs, encoded);
-    progress.add(kStaging);
+void prove_encoded(const FileEncoder& encoder, const JobFile& file, const Vec2& origin,
+                   const std::vector<EncodedFile>& encoded) {
     if (file.format->reads_grid()) {
         prove_grid_files(*file.format, encoded);
     } else if (file.format->reads_sites()) {
@@ -163,24 +169,42 @@ void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& ori
     } else if (file.format->is_readable()) {
         prove_tile_files(*file.format, encoded, encoder.tile(), origin, encoder.tile_options());
     }
+}
+
+/// Encodes a file, proves its bytes and lets them reach the disk under a hidden name, where they
+/// are compared. A file that is refused reaches no disk.
+void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& origin,
+                FileProgress& progress, OutputSet& outputs) {
+    const std::vector<EncodedFile> encoded = encoder.encode();
+    progress.add(kEncoding);
+    prove_encoded(encoder, file, origin, encoded);
     progress.add(kProving);
+    for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
+    require_on_disk(outputs, encoded);
+    progress.add(kStaging);
 }
 
 }  // namespace
 
-void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
-                 std::span<const BuiltTile> tiles, JobMonitor& monitor, OutputSet& outputs) {
+std::vector<std::string> stage_files(const Job& job, const std::vector<JobFile>& files,
+                                     const Computation& result, std::span<const BuiltTile> tiles,
+                                     JobMonitor& monitor, OutputSet& outputs) {
     // Before all files, so that a file inside of a case folder is staged in that folder.
     for (const JobFile& file : files) {
         if (!file.folder.empty()) outputs.stage_folder(file.folder);
     }
     FileProgress progress(files, monitor);
     std::vector<std::exception_ptr> faults(files.size());
+    std::vector<std::string> refused(files.size());
     Workers workers(std::min(job.n_threads, static_cast<int>(files.size())));
     workers.for_each(static_cast<int>(files.size()), [&](int k) {
         try {
             progress.begin(static_cast<std::size_t>(k));
-            stage_file({job, files[k], result, tiles}, files[k], job.origin, progress, outputs);
+            try {
+                stage_file({job, files[k], result, tiles}, files[k], job.origin, progress, outputs);
+            } catch (const CoarsePrecision& error) {
+                refused[k] = error.what();
+            }
             progress.end(static_cast<std::size_t>(k));
         } catch (...) {
             faults[k] = std::current_exception();
@@ -189,6 +213,11 @@ void stage_files(const Job& job, const std::vector<JobFile>& files, const Comput
     for (const std::exception_ptr& fault : faults) {
         if (fault) std::rethrow_exception(fault);
     }
+    return refused;
+}
+
+std::vector<std::string> wait_for_turn(OutputSet& outputs, JobMonitor& monitor) {
+    return outputs.wait_for_turn([&monitor](const std::string& words) { monitor.describe(words); });
 }
 
 }  // namespace pcvt

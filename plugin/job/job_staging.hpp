@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "io/outputs/output_set.hpp"
@@ -9,11 +10,19 @@
 
 namespace pcvt {
 
-/// Encodes the files, lets them reach the disk under hidden names and proves the bytes there; as
-/// many at a time as the job has threads.
+/// Encodes the files, proves their bytes and lets these reach the disk under hidden names; as many
+/// at a time as the job has threads.
 ///
-/// @throws the fault of the first file in the list that has one.
-void stage_files(const Job& job, const std::vector<JobFile>& files, const Computation& result,
-                 std::span<const BuiltTile> tiles, JobMonitor& monitor, OutputSet& outputs);
+/// @returns for each file why its single precision does not hold the tile, and the file is not
+///          staged; empty for the others.
+/// @throws the fault of the first file in the list that has another one.
+std::vector<std::string> stage_files(const Job& job, const std::vector<JobFile>& files,
+                                     const Computation& result, std::span<const BuiltTile> tiles,
+                                     JobMonitor& monitor, OutputSet& outputs);
+
+/// Waits for other runs that write to the same folders, and reports that.
+/// @returns one line for each set of a run that died meanwhile.
+/// @throws as OutputSet::wait_for_turn().
+std::vector<std::string> wait_for_turn(OutputSet& outputs, JobMonitor& monitor);
 
 }  // namespace pcvt

@@ -1,6 +1,7 @@
 #include "plugin/job/job_start.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "mesher/cvt/coarse_start.hpp"
@@ -141,7 +142,66 @@ Start chosen_start(const Job& job) {
     return coarse ? Start::kCoarse : Start::kRandom;
 }
 
+/// The coordinates of points in the domain, in the basis of a reduced lattice; empty if a point is
+/// not finite or too far away.
+Points domain_coordinates(const Lattice& reduced, const Points& points) {
+    Points coordinates(2, points.cols());
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        const Vec2 u = reduced.to_lattice(points.col(s));
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return Points(2, 0);
+        coordinates.col(s) << wrap(u.x()).fraction, wrap(u.y()).fraction;
+    }
+    return coordinates;
+}
+
+/// The sites that coincide with earlier ones in the metric and between the walls of the job.
+std::vector<CoincidentSite> duplicates_of(const Job& job, const Points& given, double n_sites) {
+    const Metric metric = metric_of(job);
+    // Sites on opposite walls do not coincide.
+    const bool has_walls = job.walls != Walls::kNone && is_upright(job.lattice);
+    const Lattice lattice =
+        metric.to_round(has_walls ? mirrored_lattice(job.lattice, job.walls) : job.lattice);
+    const Lattice reduced = reduce(lattice).reduced;
+    const Points coordinates = domain_coordinates(reduced, metric.to_round(given));
+    if (coordinates.cols() == 0) return {};
+    Eigen::Matrix2d periods;
+    periods << reduced.a(), reduced.b();
+    const double h = std::sqrt(metric.to_round(job.lattice).area() / n_sites);
+    return job.duplicates == Duplicates::kDrop
+               ? sites_to_drop(coordinates, periods, h)
+               : coincident_sites(coordinates, periods, kCoincident * h);
+}
+
+/// Keeps entries of one a site.
+template <class Entries>
+void keep_entries(const std::vector<SiteId>& kept, std::size_t n, Entries& entries) {
+    if (static_cast<std::size_t>(entries.size()) != n) return;
+    Entries left(kept.size());
+    for (std::size_t k = 0; k < kept.size(); ++k) left[k] = entries[kept[k]];
+    entries = std::move(left);
+}
+
 }  // namespace
+
+void settle_duplicates(Job& job) {
+    Points& given = job.points.cols() > 0 ? job.points : job.fixed;
+    if (given.cols() < 2) return;
+    // check_constraints() refuses so many fixed sites.
+    if (job.duplicates == Duplicates::kRefuse && job.fixed.cols() > job.n_sites) return;
+    const double n_sites = std::max(static_cast<double>(given.cols()), double(job.n_sites));
+    std::vector<CoincidentSite> pairs = duplicates_of(job, given, n_sites);
+    if (pairs.empty()) return;
+    if (job.duplicates == Duplicates::kRefuse) throw DuplicateSites(std::move(pairs));
+    const auto n = static_cast<std::size_t>(given.cols());
+    const std::vector<SiteId> kept = kept_sites(static_cast<int>(n), pairs);
+    job.dropped = dropped_sites(std::move(pairs), job.lines);
+    keep_entries(kept, n, job.lines);
+    given = Points(given(Eigen::all, kept));
+    if (job.points.cols() == 0) return;
+    if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
+    if (job.areas) keep_entries(kept, n, job.areas->given);
+    keep_entries(kept, n, job.materials.orientations);
+}
 
 std::span<const StartRow> start_rows() { return kStarts; }
 

@@ -44,6 +44,16 @@ struct StartRow {
 std::span<const StartRow> start_rows();
 const StartRow& start_row(Start start);
 
+/// Refuses given sites that coincide with earlier ones, within 1e-9 h, or leaves them out of the
+/// job, with their areas, orientations and lines, as job.duplicates says. A host calls it once its
+/// job is complete. Sites that are not finite or too far away are left to the run.
+///
+///   settle_duplicates(job);
+///   run_job(job, {});
+///
+/// @throws DuplicateSites with all pairs.
+void settle_duplicates(Job& job);
+
 /// The sites that a job begins with.
 ///
 ///   JobStart start = job_start(job, callback);

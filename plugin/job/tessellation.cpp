@@ -112,6 +112,21 @@ Points wrapped(Points points, const Lattice& lattice, const Vec2& origin, Walls 
     return points;
 }
 
+/// The positions of all sites, those inside holes among them.
+Points plane_sites(const Tessellation& tessellation) {
+    if (const auto& walled = tessellation.walled) {
+        return points_between_walls(tessellation.delaunay, *walled);
+    }
+    const Sites& sites = tessellation.delaunay.sites();
+    const Metric metric = tessellation.elongation ? tessellation.elongation->metric : Metric();
+    Points points(2, sites.n_sites());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        checkpoint_each(s);
+        points.col(s) = metric.from_round(sites.position(s));
+    }
+    return points;
+}
+
 double mean(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
@@ -183,19 +198,8 @@ Eigen::VectorXd site_weights(const Tessellation& tessellation) {
 }
 
 Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {
-    const Lattice& lattice = tessellation.lattice();
-    if (const auto& walled = tessellation.walled) {
-        return wrapped(points_between_walls(tessellation.delaunay, *walled), lattice, origin,
-                       walled->walls);
-    }
-    const Sites& sites = tessellation.delaunay.sites();
-    const Metric metric = tessellation.elongation ? tessellation.elongation->metric : Metric();
-    Points points(2, sites.n_sites());
-    for (SiteId s = 0; s < sites.n_sites(); ++s) {
-        checkpoint_each(s);
-        points.col(s) = metric.from_round(sites.position(s));
-    }
-    points = wrapped(std::move(points), lattice, origin, Walls::kNone);
+    const Walls walls = tessellation.walled ? tessellation.walled->walls : Walls::kNone;
+    Points points = wrapped(plane_sites(tessellation), tessellation.lattice(), origin, walls);
     if (tessellation.holes.empty()) return points;
     const std::vector<SiteId> kept = tessellation.holes.kept();
     return points(Eigen::all, kept);

@@ -106,6 +106,8 @@ std::vector<int> cell_sides(const Tessellation& tessellation);
 /// The figures of a run with prescribed areas.
 struct AreaSummary {
     AreaFigures newton;
+    /// The factor that took given areas to the area of the domain; `nullopt` for those of a law.
+    std::optional<double> scale = {};
     /// Standard deviation over mean of the equivalent diameters.
     double std_over_mean = 0;
     /// Of the cells (cell_table.hpp).

@@ -1,16 +1,36 @@
 #include "plugin/space/space_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "io/bytes/output_error.hpp"
 #include "io/file_proof.hpp"
 #include "io/outputs/distinct_paths.hpp"
 #include "io/outputs/recovery.hpp"
 #include "io/outputs/writable_paths.hpp"
 #include "io/run_files/site_writer.hpp"
+#include "io/single_precision.hpp"
 #include "io/space_file_proof.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
+
+/// Requires that 32-bit floats hold the lengths of the tile, of a job that knows its sites.
+void require_precision(const SpaceJob& job, const std::string& path) {
+    const auto n = std::max<double>(job.n_sites, static_cast<double>(job.points.cols()));
+    if (n < 1) return;
+    const SpaceLattice& lattice = job.lattice;
+    double longest = 0;
+    for (const Vec3& period : lattice.periods()) longest = std::max(longest, period.norm());
+    try {
+        require_floats({.h = portable_cbrt(lattice.volume() / n),
+                        .shortest_period = reduce(lattice).reduced.a().norm(),
+                        .largest = longest});
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("-o " + path + ": " + error.what());
+    }
+}
 
 SpaceJobFile plan_file(std::string path, const SpaceJob& job) {
     const SpaceFileOptions& options = job.file_options;
@@ -19,6 +39,13 @@ SpaceJobFile plan_file(std::string path, const SpaceJob& job) {
     if (format == nullptr) {
         throw InvalidInput("-o " + path + ": the format holds no volumes; take " +
                            space_extensions() + ", or give two period vectors");
+    }
+    if (format->check_path != nullptr) {
+        try {
+            format->check_path(path);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("-o " + path + ": " + error.what());
+        }
     }
     if (options.mesh == SpaceMesh::kDelaunay && format->encode != nullptr &&
         format->encode_tetrahedra == nullptr) {
@@ -30,6 +57,7 @@ SpaceJobFile plan_file(std::string path, const SpaceJob& job) {
                            ": such files cannot say that short edges were removed; take " +
                            short_edges_extensions() + " with the cells");
     }
+    if (format->is_single_precision) require_precision(job, path);
     return {path, format};
 }
 
@@ -59,9 +87,9 @@ void prove(const SpaceFormat& format, const std::vector<EncodedFile>& encoded,
 void stage_file(const SpaceJobFile& file, const SpaceContent& content,
                 const SpaceFileOptions& options, OutputSet& outputs) {
     const std::vector<EncodedFile> encoded = encode(file, content, options);
+    prove(*file.format, encoded, content, options);
     for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
     require_on_disk(outputs, encoded);
-    prove(*file.format, encoded, content, options);
 }
 
 }  // namespace
@@ -97,8 +125,11 @@ std::vector<std::string> require_space_files_writable(const SpaceJob& job,
     return recovered;
 }
 
-void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceContent& content,
-                       const SpaceFileOptions& options, JobMonitor& monitor, OutputSet& outputs) {
+std::vector<RefusedFile> stage_space_files(const std::vector<SpaceJobFile>& files,
+                                           const SpaceContent& content,
+                                           const SpaceFileOptions& options, JobMonitor& monitor,
+                                           OutputSet& outputs) {
+    std::vector<RefusedFile> refused;
     // Before all files, so that a file inside of a case folder is staged in that folder.
     for (const SpaceJobFile& file : files) {
         if (file.format->is_folder) outputs.stage_folder(file.path);
@@ -112,9 +143,14 @@ void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceConten
         } else {
             monitor.describe(words);
         }
-        stage_file(files[k], content, options, outputs);
+        try {
+            stage_file(files[k], content, options, outputs);
+        } catch (const CoarsePrecision& error) {
+            refused.push_back({files[k].path, error.what()});
+        }
         monitor.advance(double(k + 1) / double(files.size()));
     }
+    return refused;
 }
 
 }  // namespace pcvt

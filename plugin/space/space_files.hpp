@@ -42,8 +42,11 @@ std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job);
 std::vector<std::string> require_space_files_writable(const SpaceJob& job,
                                                       const std::vector<SpaceJobFile>& files);
 
-/// Encodes the files, lets them reach the disk under hidden names and proves the bytes there.
-void stage_space_files(const std::vector<SpaceJobFile>& files, const SpaceContent& content,
-                       const SpaceFileOptions& options, JobMonitor& monitor, OutputSet& outputs);
+/// Encodes the files, proves their bytes and lets these reach the disk under hidden names.
+/// @returns the files whose single precision does not hold the tile, which are not staged.
+std::vector<RefusedFile> stage_space_files(const std::vector<SpaceJobFile>& files,
+                                           const SpaceContent& content,
+                                           const SpaceFileOptions& options, JobMonitor& monitor,
+                                           OutputSet& outputs);
 
 }  // namespace pcvt

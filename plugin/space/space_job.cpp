@@ -2,21 +2,28 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
 #include "mesher/polyhedra/cell_sites.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/proof/validate.hpp"
+#include "mesher/space/orbit_insertion.hpp"
 #include "mesher/space_cvt/space_coarse_start.hpp"
 #include "mesher/tetrahedra/tetrahedral_proof.hpp"
 #include "plugin/job/job_memory.hpp"
+#include "plugin/job/job_staging.hpp"
 #include "plugin/space/space_files.hpp"
 #include "plugin/space/space_memory.hpp"
 #include "plugin/space/space_report.hpp"
 
 namespace pcvt {
 namespace {
+
+/// A message about memory names the tetrahedra where there are this many times as usual.
+constexpr double kManyTetrahedra = 3;
 
 /// For fewer sites the time of random starts does not matter.
 constexpr int kFewestForCoarse = 1000;
@@ -61,6 +68,14 @@ void check_stability(const SpaceJob& job) {
     throw InvalidInput("the stability is known of at most " +
                        std::to_string(kMostSpaceSitesForMinimum) +
                        " sites in space; leave it out, or take fewer sites");
+}
+
+/// The subject and the verb of a message about memory.
+std::string run_takes(const SpaceJob& job) {
+    const auto n = static_cast<double>(job.points.cols());
+    if (!(job.n_tetrahedra > kManyTetrahedra * kTetrahedraPerSite * n)) return "the run takes";
+    return "the sites have about " + std::to_string(std::llround(job.n_tetrahedra / n)) +
+           " Delaunay tetrahedra each, as sites on two lines have, and the run takes";
 }
 
 /// The best lattice and its stability, if the run begins there.
@@ -112,6 +127,21 @@ ProvedSpaceTile build_tile(const SpaceDelaunay& delaunay, double short_edges, Jo
     return tile;
 }
 
+/// Names the first of these tetrahedra by its sites.
+std::string flat_in_words(const TetrahedralMesh& mesh, const std::vector<int>& flat) {
+    std::string sites;
+    for (const int v : mesh.tetrahedra[flat.front()]) {
+        sites += (sites.empty() ? "" : ", ") + std::to_string(mesh.point_site[v]);
+    }
+    const std::string number = flat.size() == 1
+                                   ? "one tetrahedron of these sites is flat, that of sites "
+                                   : std::to_string(flat.size()) +
+                                         " tetrahedra of these sites are flat, the first that of "
+                                         "sites ";
+    return number + sites +
+           ", which lie in one plane up to rounding, as where more than four sites lie on a sphere";
+}
+
 /// The tetrahedra, if a file holds them.
 std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
                                                 const std::vector<SpaceJobFile>& files,
@@ -123,14 +153,10 @@ std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
     TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
-    const int n_flat = n_flat_tetrahedra(mesh, delaunay.sites.n_sites());
-    if (n_flat > 0) {
-        throw InvalidInput("-o " + file->path + ": " + std::to_string(n_flat) +
-                           " tetrahedra of these sites are flat, because more than four sites lie "
-                           "on a sphere up to rounding; move the sites a little, or leave " +
-                           file->path + " out");
-    }
-    return mesh;
+    const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
+    if (flat.empty()) return mesh;
+    throw InvalidInput("-o " + file->path + ": " + flat_in_words(mesh, flat) +
+                       "; move the sites a little, or leave " + file->path + " out");
 }
 
 /// Requires that the boundary is a closed surface, if a file shows it.
@@ -166,13 +192,16 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         summary.face_counts = proved.face_counts;
         summary.n_removed_edges = proved.n_removed_edges;
         require_closed_boundary(job, files, summary.proof);
-        stage_space_files(files, content, job.file_options, monitor, outputs);
+        summary.refused = stage_space_files(files, content, job.file_options, monitor, outputs);
+        for (const RefusedFile& file : summary.refused) std::erase(summary.files, file.path);
         summary.run = computation.cvt.run;
         summary.pattern = computation.pattern;
         if (job.stability) summary.minimum = minimum_of(computation);
-        if (job.report.empty()) return;
-        outputs.stage(job.report,
-                      encode_space_report(job, summary, computation.seconds, seconds_since(begin)));
+        if (!job.report.empty()) {
+            outputs.stage(job.report, encode_space_report(job, summary, computation.seconds,
+                                                          seconds_since(begin)));
+        }
+        summary.recovered = wait_for_turn(outputs, monitor);
     });
     // Nothing may fail after the files appear.
     const ClientScope no_client(nullptr);
@@ -191,7 +220,39 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     return finish(job, files, computation, make_tile, monitor);
 }
 
+/// The coordinates of points in the domain; empty if a point is not finite or too far away.
+Points3 domain_coordinates(const SpaceLattice& reduced, const Points3& points) {
+    Points3 coordinates(3, points.cols());
+    for (Eigen::Index s = 0; s < points.cols(); ++s) {
+        const Vec3 u = reduced.to_lattice(points.col(s));
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return Points3(3, 0);
+        coordinates.col(s) = wrap(u).fraction;
+    }
+    return coordinates;
+}
+
 }  // namespace
+
+void settle_duplicates(SpaceJob& job) {
+    const auto n = static_cast<int>(job.points.cols());
+    if (n < 2) return;
+    const SpaceLattice reduced = reduce(job.lattice).reduced;
+    const Points3 coordinates = domain_coordinates(reduced, job.points);
+    if (coordinates.cols() == 0) return;
+    const Eigen::Matrix3d periods = period_matrix(reduced);
+    const double h = portable_cbrt(job.lattice.volume() / n);
+    if (job.duplicates == Duplicates::kRefuse) {
+        auto pairs = coincident_sites(coordinates, periods, kCoincident * h);
+        if (!pairs.empty()) throw DuplicateSites(std::move(pairs));
+        job.n_tetrahedra = expected_tetrahedra(SpaceSites(job.lattice, job.points));
+        return;
+    }
+    job.dropped = dropped_sites(sites_to_drop(coordinates, periods, h), job.lines);
+    const std::vector<SiteId> kept = kept_sites(n, job.dropped.sites);
+    job.points = Points3(job.points(Eigen::all, kept));
+    if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
+    job.n_tetrahedra = expected_tetrahedra(SpaceSites(job.lattice, job.points));
+}
 
 SpaceStart chosen_start(const SpaceJob& job) {
     const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0;
@@ -238,7 +299,7 @@ ProvedSpaceTile prove_space_tile(const SpaceJob& job, const SpaceComputation& co
 std::optional<SpaceComputation> compute_space_job(const SpaceJob& job,
                                                   const JobCallback& callback) {
     check_short_edges(job.short_edges);
-    require_available("the run takes", estimated_memory(job, {}), "take fewer sites");
+    require_available(run_takes(job), estimated_memory(job, {}), "take fewer sites");
     JobMonitor monitor(callback, target_of(job));
     try {
         return compute(job, monitor);
@@ -267,11 +328,11 @@ SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
     check_stability(job);
     check_short_edges(job.short_edges);
     const std::vector<SpaceJobFile> files = plan_space_files(job);
-    std::vector<std::string> recovered = require_space_files_writable(job, files);
-    require_available("the run takes", estimated_memory(job, files), kFewerOutputs);
+    const std::vector<std::string> recovered = require_space_files_writable(job, files);
+    require_available(run_takes(job), estimated_memory(job, files), kFewerOutputs);
     try {
         SpaceSummary summary = run(job, files, callback);
-        summary.recovered = std::move(recovered);
+        summary.recovered.insert(summary.recovered.begin(), recovered.begin(), recovered.end());
         summary.seconds = seconds_since(begin);
         return summary;
     } catch (const Cancelled&) {

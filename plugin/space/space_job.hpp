@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/output_error.hpp"
 #include "io/space_formats.hpp"
+#include "mesher/base/coincident_sites.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
 #include "mesher/polyhedra/short_edges.hpp"
 #include "mesher/space_cvt/space_cvt.hpp"
@@ -49,6 +51,15 @@ struct SpaceJob {
     SpaceLattice lattice = SpaceLattice::box(1, 1, 1);
     /// The sites, 3 x n, length units. If there are no columns, `n_sites` sites begin at `start`.
     Points3 points = Points3(3, 0);
+    /// What settle_duplicates() does with points that coincide with earlier ones.
+    Duplicates duplicates = Duplicates::kRefuse;
+    /// The line of each point in its file; empty without one.
+    std::vector<int> lines;
+    /// The points that settle_duplicates() left out.
+    DroppedSites dropped;
+    /// The number of Delaunay tetrahedra of the points to expect, which settle_duplicates() sets;
+    /// 0: as many as sites that are spread evenly have.
+    double n_tetrahedra = 0;
     int n_sites = 0;
     /// None: pcvt chooses.
     std::optional<SpaceStart> start = {};
@@ -74,6 +85,12 @@ struct SpaceJob {
     std::vector<std::string> inputs;
     bool force = false;
 };
+
+/// Refuses points that coincide with earlier ones, within 1e-9 h, or leaves them out of the job, as
+/// job.duplicates says, and estimates the number of tetrahedra. A host calls it once its job is
+/// complete.
+/// @throws DuplicateSites with all pairs.
+void settle_duplicates(SpaceJob& job);
 
 /// The best exact lattice for the number of sites.
 struct SpacePatternOutcome {
@@ -116,13 +133,16 @@ struct SpaceSummary {
     PolyhedralProof proof = {};
     /// The files and folders that were written, in the order of the outputs.
     std::vector<std::string> files = {};
+    /// The outputs that were not written, in their order.
+    std::vector<RefusedFile> refused = {};
     /// One line for each set of an earlier run that was finished before this one.
     std::vector<std::string> recovered = {};
     double seconds = 0;
 };
 
 /// Sites -> optimised periodic tessellation -> proved tile of polyhedra -> files that are read back
-/// and proved again. Prints nothing. Either all files appear, together at the end, or none.
+/// and proved again. Prints nothing. Either all files appear, together at the end, or none; only
+/// files whose single precision does not hold the tile are left out (SpaceSummary::refused).
 ///
 /// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
 ///                        sites (DuplicateSites names the ids).

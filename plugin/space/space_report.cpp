@@ -62,6 +62,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     report.seconds = {seconds_optimising, seconds_writing, seconds_optimising + seconds_writing};
     report.files = summary.files;
     report.pattern = report_pattern(summary.pattern);
+    if (job.duplicates == Duplicates::kDrop) report.duplicates = job.dropped;
     return encode_report(report);
 }
 

@@ -77,10 +77,19 @@ std::string study_line(const Study& study) {
     return line + " --runs " + std::to_string(study.runs) + " --seed " + std::to_string(study.seed);
 }
 
+/// From this number of sites on, `pcvt mesh` starts otherwise than at random by default.
+constexpr int kFewestForCoarseStart = 1000;
+
 std::vector<std::string> head_notes(const Study& study) {
+    const StudyRecipe& recipe = find_study_recipe(study.name);
+    std::string options = recipe.options;
+    if (std::any_of(study.sites.begin(), study.sites.end(),
+                    [](int n) { return n >= kFewestForCoarseStart; })) {
+        options += " --start random";
+    }
     return {std::string("pcvt ") + version() + ": " + study_line(study),
-            "run r starts from the random sites of seed " + std::to_string(study.seed) +
-                " + r on the unit square (pcvt mesh --sites n --seed s)"};
+            "run r starts from the random sites of seed " + std::to_string(study.seed) + " + r " +
+                recipe.domain + " (pcvt mesh --sites n --seed s" + options + ")"};
 }
 
 StudyTable empty_runs(const Study& study) {

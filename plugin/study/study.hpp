@@ -58,6 +58,10 @@ struct StudyRecipe {
     /// The study with default options.
     Study standard;
     int most_sites;
+    /// The domain of the random sites, and the options of `pcvt mesh` that a run needs besides
+    /// --sites and --seed.
+    std::string domain = "on the unit square";
+    std::string options = {};
     /// Whether it measures times, and so makes one run at a time.
     bool timed;
     /// Columns of a run's rows, after n, run and seed.

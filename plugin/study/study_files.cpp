@@ -138,14 +138,17 @@ std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
     return files;
 }
 
-void write_study(const Study& study, const StudyResult& result, const std::vector<StudyFile>& files,
-                 bool force) {
+std::vector<std::string> write_study(const Study& study, const StudyResult& result,
+                                     const std::vector<StudyFile>& files, bool force,
+                                     const WaitingCallback& waiting) {
     OutputSet outputs;
     for (const StudyFile& file : files) {
         outputs.stage(file.path, file.encode(study, result, file.index));
     }
+    std::vector<std::string> recovered = outputs.wait_for_turn(waiting);
     const ClientScope no_client(nullptr);
     outputs.commit(force);
+    return recovered;
 }
 
 }  // namespace pcvt

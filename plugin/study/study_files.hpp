@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/outputs/commit_locks.hpp"
 #include "plugin/study/study.hpp"
 
 namespace pcvt {
@@ -29,9 +30,12 @@ std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
                                         const std::string& study, StudyShard shard,
                                         const std::vector<std::string>& inputs);
 
-/// Writes all files, or none.
-/// @throws OutputError as OutputSet does.
-void write_study(const Study& study, const StudyResult& result, const std::vector<StudyFile>& files,
-                 bool force);
+/// Writes all files, or none, once no other run writes to their folders.
+/// @param waiting  called with words when the files have to wait for another run; may be empty.
+/// @returns one line for each set of files of a run that died meanwhile.
+/// @throws OutputError as OutputSet does; Cancelled.
+std::vector<std::string> write_study(const Study& study, const StudyResult& result,
+                                     const std::vector<StudyFile>& files, bool force,
+                                     const WaitingCallback& waiting);
 
 }  // namespace pcvt

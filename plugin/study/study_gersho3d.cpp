@@ -157,6 +157,8 @@ StudyRecipe gersho3d_recipe() {
             .description = "lowest energies in the cube beside those of lattices",
             .standard = Study{"gersho3d", first_numbers(64), 100, 0},
             .most_sites = 1000,
+            .domain = "in the unit cube",
+            .options = " --period 1,1,1 --tolerance 1e-8",
             .timed = false,
             .columns = {"stop", "iterations", "evaluations", "energy", "residual"},
             .notes = {"L-BFGS in the unit cube to a residual of 1e-8"},

@@ -131,6 +131,8 @@ StudyRecipe symmetry_recipe() {
             .description = "tiles of the 17 plane groups, with and without sites on centres",
             .standard = Study{"symmetry", {48, 240}, 4, 0},
             .most_sites = 10'000,
+            .domain = "with the symmetry of a group",
+            .options = " --symmetry GROUP",
             .timed = false,
             .columns = {"group", "sites_at", "sites", "orbits", "energy/bound", "iterations",
                         "residual"},

@@ -1,8 +1,8 @@
 #include <optional>
 
-#include "mesher/space/moving_tetrahedra.hpp"
 #include "mesher/space/space_mirrors.hpp"
 #include "mesher/space_cvt/space_cvt.hpp"
+#include "mesher/space_energy/moving_tetrahedra.hpp"
 #include "tests/bench/cases.hpp"
 #include "tests/bench/space_peers.hpp"
 

@@ -186,7 +186,7 @@ std::vector<std::string> voxel_seeds() {
     VoxelCells cells{.lattice = lattice, .sites = Points(2, 5)};
     for (SiteId s = 0; s < 5; ++s) cells.sites.col(s) = delaunay.sites().position(s);
     const VoxelImage image = voxel_image(delaunay, {}, voxel_grid(lattice, {0, 0}, {6, 4}), 1);
-    return {encode_vti(image, cells, {}, "t.vti").front().bytes};
+    return {encode_vti(image, cells, {}, {}, "t.vti").front().bytes};
 }
 
 void read_materials(const std::string& bytes) { decode_damask_material("t.material.yaml", bytes); }

@@ -135,7 +135,11 @@ std::vector<BaseFile> grid_files(const TileFormat& format) {
     const Lattice lattice = Lattice::rectangle(1, 0.8);
     const CvtResult result = compute_cvt(lattice, uniform_points(lattice, 12, 1), {});
     const PeriodicMesh cells = cell_mesh(result.delaunay);
-    const Torus torus{.cells = cells, .origin = Vec2::Zero(), .site_densities = {}};
+    const Torus torus{.cells = cells,
+                      .origin = Vec2::Zero(),
+                      .site_densities = {},
+                      .coriolis = {{1e-4, 0.3}},
+                      .history = "pcvt 0.0.0: mesh; seed 0"};
     return {{"grid", MeshKind::kVoronoi, std::get<TorusWriter*>(format.write)(torus, "tile.nc")}};
 }
 
@@ -155,8 +159,9 @@ std::vector<BaseFile> voxel_files(const TileFormat& format) {
         }
         const VoxelGrid grid = voxel_grid(whole, {0.123, -7.3}, counts);
         const VoxelImage image = voxel_image(delaunay, shape.metric, grid, 1);
-        bases.push_back({name, MeshKind::kVoronoi,
-                         std::get<VoxelWriter*>(format.write)(image, cells, of_cells, "tile.vti")});
+        bases.push_back(
+            {name, MeshKind::kVoronoi,
+             std::get<VoxelWriter*>(format.write)(image, cells, of_cells, {}, "tile.vti")});
     };
     const Lattice box = Lattice::rectangle(2.3, 0.7);
     const std::vector<CellShape> shapes = cell_shapes();

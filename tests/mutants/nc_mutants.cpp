@@ -164,6 +164,7 @@ std::span<const Harmless> harmless_in_nc() {
     static constexpr std::array kHarmless{
         Harmless{"dimension Time unused", "", "the number of records, of which there are none"},
         Harmless{"attribute mesh_spec", "", "the version of the format, which no model reads"},
+        Harmless{"attribute history", "", "the options of the run, stated once"},
         Harmless{"edgesOnEdge unused", "-1", "an entry that no model reads is 0 or negative"},
         Harmless{"cellsOnCell unused", "-1", "an entry that no model reads is 0 or negative"},
         Harmless{"edgesOnCell unused", "-1", "an entry that no model reads is 0 or negative"},

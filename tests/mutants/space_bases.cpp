@@ -46,7 +46,7 @@ void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::st
     const SpaceDelaunay delaunay = space_delaunay(SpaceSites(c.lattice, c.points));
     const TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
     // Some tetrahedra of exact lattices are flat.
-    if (n_flat_tetrahedra(mesh, delaunay.sites.n_sites()) > 0) return;
+    if (!flat_tetrahedra(mesh, delaunay.sites.n_sites()).empty()) return;
     bases.push_back(
         {"tetrahedra " + c.name, MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
 }

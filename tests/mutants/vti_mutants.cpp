@@ -45,7 +45,7 @@ std::vector<Field> voxel_fields(const Files& files) {
                               VoxelImage image = file.image;
                               image.site[k] = static_cast<SiteId>(std::stoll(value));
                               const auto written =
-                                  encode_vti(image, file.cells.value(), {}, files[0].path);
+                                  encode_vti(image, file.cells.value(), {}, {}, files[0].path);
                               return with_bytes(files, 0, written[0].bytes);
                           }});
     }

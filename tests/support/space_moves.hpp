@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "mesher/space/moving_tetrahedra.hpp"
+#include "mesher/space_energy/moving_tetrahedra.hpp"
 
 namespace pcvt::testing {
 

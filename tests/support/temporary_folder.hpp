@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,6 +50,17 @@ inline void write_bytes(const std::string& path, const std::string& bytes) {
 inline std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Returns the bytes of every file below a folder, by relative path.
+inline std::map<std::string, std::string> files_below(const TemporaryFolder& folder) {
+    const std::string top = folder / "";
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top)) {
+        const std::string path = entry.path().string();
+        if (entry.is_regular_file()) files[path.substr(top.size())] = bytes_of(path);
+    }
+    return files;
 }
 
 }  // namespace pcvt::testing

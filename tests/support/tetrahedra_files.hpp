@@ -21,7 +21,7 @@ inline std::vector<NamedTetrahedra> tetrahedra_cases() {
     std::vector<NamedTetrahedra> meshes;
     for (const SpaceCase& c : space_cases()) {
         TetrahedralMesh mesh = tetrahedra_of(c);
-        if (n_flat_tetrahedra(mesh, static_cast<int>(c.points.cols())) > 0) continue;
+        if (!flat_tetrahedra(mesh, static_cast<int>(c.points.cols())).empty()) continue;
         meshes.emplace_back(c.name, std::move(mesh));
     }
     return meshes;

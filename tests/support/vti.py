@@ -25,7 +25,7 @@ def read_vti(text):
     extent = [int(word) for word in attribute(image, "WholeExtent").split()]
     assert extent[::2] == [0, 0, 0]
     counts = extent[1::2]
-    assert counts[0] > 1 and counts[2] == 1
+    assert counts[0] > 1
     spacing = [float(word) for word in attribute(image, "Spacing").split()]
     origin = [float(word) for word in attribute(image, "Origin").split()]
     next(line for line in lines if "<CellData>" in line)
@@ -50,5 +50,5 @@ def read_vti(text):
     assert len(blocks[-1]) == (last or size)
     content = b"".join(blocks)
     materials = struct.unpack(f"<{len(content) // 4}i", content)
-    assert len(materials) == counts[0] * counts[1]
+    assert len(materials) == math.prod(counts)
     return counts, [s * n for s, n in zip(spacing, counts)], origin, materials

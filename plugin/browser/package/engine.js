@@ -124,6 +124,8 @@ class Result {
         this.sites = numbersAt(module, sites.address, sites.n);
         const sides = found(module, (at) => module._run_valences(run, at));
         this.valences = module.HEAP32.slice(sides.address / 4, sides.address / 4 + sides.n);
+        const dropped = found(module, (at) => module._run_dropped(run, at));
+        this.dropped = module.HEAP32.slice(dropped.address / 4, dropped.address / 4 + dropped.n);
     }
 
     /** The bytes of a file; the extension of `name` selects the format. */

@@ -35,6 +35,8 @@ export interface MeshOptions {
     walls?: 'x' | 'y' | 'xy';
     wallCells?: 'whole' | 'half';
     fixed?: ArrayLike<number>;
+    /** Given sites within 1e-9 h of an earlier one: an error that names them all, or left out. */
+    duplicates?: 'refuse' | 'drop';
     inclusions?: string;
     fibres?: string | ArrayLike<number>;
     hole?: string | string[];
@@ -77,6 +79,8 @@ export interface Result {
     readonly sites: Float64Array;
     /** valences[k] cells have k sides. */
     readonly valences: Int32Array;
+    /** Each site that `duplicates: 'drop'` left out, and the earlier one with which it coincides. */
+    readonly dropped: Int32Array;
     /** The bytes of a file; a promise in a browser, where the tile is in a worker. */
     write(name: string, options?: WriteOptions): Uint8Array | Promise<Uint8Array>;
     free(): void;

@@ -133,6 +133,7 @@ export const runOptions = {
     repeat,
     density: text('density_source'),
     fixed: numbers('fixed_sites'),
+    duplicates: choice('duplicates', 0, ['refuse', 'drop']),
     inclusions: text('inclusions'),
     maxIterations: whole('max_iterations', 0, 2147483647),
     order: choice('grain_order', 1, [1, 2]),

@@ -164,13 +164,23 @@ export function showError(error) {
     input(field.id).focus();
 }
 
+/** Returns the texts of the fields, by id. */
+export function formTexts() {
+    return Object.fromEntries(FIELDS.map(({id}) => [id, input(id).value]));
+}
+
+/** Returns the choices beside the form, by id. */
+export function choices() {
+    return Object.fromEntries(Object.keys(CHOICES).map((id) => [id, input(id).value]));
+}
+
 /**
  * Returns the options of mesh() that differ from the defaults, and the sites; throws FieldFault.
  */
-export function readOptions() {
+export function readOptions(texts) {
     const options = {};
     for (const {id, read} of FIELDS) {
-        const text = input(id).value.trim();
+        const text = texts[id].trim();
         if (text !== '' || id === 'sites' || id === 'lattice') options[id] = read(id, text);
     }
     return options;
@@ -180,28 +190,43 @@ function quoted(text) {
     return /^[\w.,:/+-]+$/.test(text) ? text : `'${text.replaceAll('\'', '\'\\\'\'')}'`;
 }
 
-/** Returns the command for options; the tile and the file as they are chosen on the page. */
-export function commandOf(options, extension) {
-    const words = ['pcvt mesh'];
+/** The file of given sites in a command. */
+export const SITES_FILE = 'sites.txt';
+
+export function hasGivenSites(options) {
+    return typeof options.sites !== 'number';
+}
+
+/**
+ * Returns the command for options of mesh(), the options of the tile, and a file. Given sites are
+ * read from SITES_FILE.
+ */
+export function commandOf(options, tile, extension) {
+    const words = ['pcvt mesh'], isGiven = hasGivenSites(options);
+    const isDefault = {
+        seed: (seed) => seed === 0 || (isGiven && !options.areas),
+        lattice: (lattice) => `${lattice}` === '1,0,0,1',
+    };
     for (const {id} of [...FIELDS].reverse()) {
-        if (!(id in options) || (id === 'seed' && options.seed === 0)) continue;
-        if (id === 'lattice' && `${options.lattice}` === '1,0,0,1') continue;
+        if (!(id in options) || isDefault[id]?.(options[id])) continue;
         const name = id.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-        words.push(`--${name} ${quoted(`${options[id]}`)}`);
+        words.push(
+            id === 'sites' && isGiven ? `--input ${SITES_FILE}` :
+                                        `--${name} ${quoted(`${options[id]}`)}`);
     }
-    for (const [id, [[first]]] of Object.entries(CHOICES)) {
-        if (input(id).value !== first) words.push(`--${id} ${input(id).value}`);
+    for (const [id, value] of Object.entries(tile)) {
+        if (value !== undefined && value !== CHOICES[id]?.[0][0]) words.push(`--${id} ${value}`);
     }
     return `${words.join(' ')} -o tile.${extension}`;
 }
 
-/** Returns the hash that restores the form. */
-export function hashOf() {
+/** Returns the hash that restores the texts of the form, and the choices. */
+export function hashOf(texts) {
     const hash = new URLSearchParams();
     for (const {id, value} of FIELDS)
-        if (input(id).value !== value) hash.set(id, input(id).value);
-    for (const [id, [[first]]] of Object.entries(CHOICES)) {
-        if (input(id).value !== first) hash.set(id, input(id).value);
+        if (texts[id] !== value) hash.set(id, texts[id]);
+    for (const [id, value] of Object.entries(choices())) {
+        if (value !== CHOICES[id][0][0]) hash.set(id, value);
     }
     return `${hash}`;
 }

@@ -1,4 +1,5 @@
 import * as fields from './fields.js';
+import {mesh} from './package/index.js';
 import {Plot} from './plot.js';
 import {Runs} from './run.js';
 import {Stage} from './stage.js';
@@ -7,6 +8,8 @@ const FORMATS = [
     'obj', 'glb', 'gltf', 'ply', 'svg', 'png', 'vtu', 'msh', 'inp', 'nc', 'vti', 'dxf', 'html', 'om',
     'csv', 'txt'
 ];
+/** The formats whose files have colours. */
+const COLOURED = ['obj', 'glb', 'gltf', 'ply', 'svg', 'png', 'html'];
 /** Above this number of sites the tile is shown on request alone. */
 const MOST_SITES_AT_ONCE = 20000;
 /** Between two runs while a period vector is dragged, in milliseconds. */
@@ -30,12 +33,18 @@ class Page {
         fields.fillSelect(element('format'), FORMATS.map((name) => [name, `.${name}`]));
         this.stage = new Stage(element('picture'), (lattice, ended) => this.dragTo(lattice, ended));
         this.plot = new Plot(element('plot'));
-        this.runs = new Runs({
+        this.runs = new Runs(mesh, {
             progress: (now) => this.progress(now),
             ended: (result, stopped) => this.ended(result, stopped),
             failed: (error) => this.failed(error),
         });
         this.chosen = 'tile';
+        /** The tile in the frame: its result and its choices; and the one that is being loaded. */
+        this.tileOf = this.loading = null;
+        /** The colours chosen in the frame; '' as long as nobody has chosen. */
+        this.colour = '';
+        /** The texts of the form at the last run. */
+        this.texts = null;
         this.connect();
         fields.restore(location.hash.slice(1));
         this.run();
@@ -59,6 +68,8 @@ class Page {
         }
         element('format').addEventListener('change', () => this.showCommand());
         element('form').addEventListener('input', () => this.showCommand());
+        element('tile').addEventListener('load', () => this.tileLoaded());
+        element('download-sites').addEventListener('click', () => this.downloadSites());
         element('show-sites').addEventListener('click', () => this.choose('sites'));
         element('show-tile').addEventListener('click', () => this.choose('tile'));
         element('download').addEventListener('click', () => this.download());
@@ -68,42 +79,52 @@ class Page {
         element('copy-link')
             .addEventListener('click', (event) => copy(event.target, location.href));
         addEventListener('hashchange', () => {
-            if (location.hash.slice(1) === fields.hashOf()) return;
+            if (this.texts && location.hash.slice(1) === fields.hashOf(this.texts)) return;
             fields.restore(location.hash.slice(1));
             this.run();
         });
     }
 
-    /** Reads the form and starts a run; a fault of the form appears at its field. */
+    /** Reads the form and starts a run; a fault of the form appears at its field and changes nothing. */
     run() {
         fields.clearFaults();
+        const texts = fields.formTexts();
         let options;
         try {
-            options = fields.readOptions();
+            options = fields.readOptions(texts);
         } catch (error) {
-            this.failed(error);
+            fields.showError(error);
+            if (this.texts === null) this.say('No result.');
             return;
         }
-        history.replaceState(null, '', `#${fields.hashOf()}`);
-        this.showCommand();
-        this.begin(options);
+        this.texts = texts;
+        this.keepHash();
         this.runs.start(options);
-    }
-
-    begin(options) {
-        this.lattice = options.lattice;
-        this.plot.clear();
-        this.show('sites');
-        this.say('Running…');
-        this.setButtons(true);
+        this.begin();
     }
 
     goOn() {
+        this.runs.goOn();
+        this.begin();
+    }
+
+    /** Shows that a run has begun. */
+    begin() {
+        this.last = null;
+        this.plot.clear();
         this.show('sites');
         this.say('Running…');
         this.setButtons(true);
-        this.plot.clear();
-        this.runs.goOn();
+        this.showCommand();
+    }
+
+    keepHash() {
+        history.replaceState(null, '', `#${fields.hashOf(this.texts)}`);
+    }
+
+    showSites(sites) {
+        const {lattice, walls} = this.runs.options;
+        this.stage.show(sites, lattice, walls);
     }
 
     progress(now) {
@@ -112,8 +133,8 @@ class Page {
         if (this.frame) return;
         this.frame = requestAnimationFrame(() => {
             this.frame = null;
-            if (!this.runs.isRunning) return;
-            if (this.last.sites) this.stage.show(this.last.sites, this.lattice);
+            if (!this.runs.isRunning || !this.last) return;
+            if (this.last.sites) this.showSites(this.last.sites);
             this.plot.draw();
             this.showFigures(this.last);
         });
@@ -121,8 +142,9 @@ class Page {
 
     ended(result, stopped) {
         this.setButtons(false);
-        this.stage.show(result.sites, this.lattice);
+        this.showSites(result.sites);
         this.plot.draw();
+        this.showCommand();
         const energyOverBound = result.energy / result.energyBound;
         this.showFigures({
             ...this.last,
@@ -141,6 +163,10 @@ class Page {
     failed(error) {
         this.setButtons(false);
         this.say('No result.');
+        this.plot.clear();
+        element('figures').replaceChildren();
+        this.showSites(new Float64Array(0));
+        this.showCommand();
         fields.showError(error);
     }
 
@@ -170,13 +196,32 @@ class Page {
         }));
     }
 
+    /** The command that gives the files of the result, or of the run that has not ended. */
     showCommand() {
-        try {
-            const command = fields.commandOf(fields.readOptions(), element('format').value);
-            element('command').textContent = command;
-        } catch {
-            element('command').textContent = '–';
-        }
+        const {isRunning, options, made} = this.runs, shown = isRunning ? options : made;
+        const extension = element('format').value;
+        element('command').textContent =
+            shown ? fields.commandOf(shown, this.tileOptions(extension, shown), extension) : '–';
+        const isGiven = shown !== null && fields.hasGivenSites(shown);
+        const isChanged = this.texts && !isSame(this.texts, fields.formTexts());
+        element('command-note').textContent =
+            (isGiven ? `${fields.SITES_FILE} holds the sites at which the run was stopped. ` : '') +
+            (isChanged ? 'The form has changed since this run.' : '');
+        element('download-sites').hidden = !isGiven;
+        element('copy-command').disabled = !shown;
+    }
+
+    /** Returns the options of a file of the result of a run. */
+    tileOptions(extension, options) {
+        const tile = fields.choices(), {colour} = this;
+        const isShown = {
+            '': false,
+            cells: tile.mesh !== 'delaunay',
+            density: Boolean(options.density),
+            orbit: Boolean(options.symmetry),
+        };
+        const applies = COLOURED.includes(extension) && (isShown[colour] ?? true);
+        return applies ? {...tile, colour} : tile;
     }
 
     /** Shows a picture, also at the end of the next runs. */
@@ -185,54 +230,78 @@ class Page {
         this.show(what);
     }
 
-    /** Shows the moving sites, or the tile as tile.html shows it. */
+    /** Shows the moving sites, or the tile as tile.html shows it, once it is that of the result. */
     async show(what) {
-        const isTile = what === 'tile';
         this.shown = what;
-        element('show-sites').setAttribute('aria-pressed', !isTile);
-        element('show-tile').setAttribute('aria-pressed', isTile);
-        element('stage').classList.toggle('tile', isTile);
-        element('picture').hidden = element('stage-note').hidden = isTile;
-        element('tile').hidden = !isTile;
-        if (!isTile || this.tileOf === this.runs.result) return;
-        const bytes = await this.write('html');
+        this.placePictures();
+        const {result} = this.runs, tile = fields.choices();
+        if (what !== 'tile' || !result || isSame(this.tileOf, {result, ...tile})) return;
+        const bytes = await this.write('html', tile);
+        // A newer run or choice shows its own tile.
+        if (result !== this.runs.result || !isSame(tile, fields.choices())) return;
         if (!bytes) {
             if (this.shown === 'tile') this.show('sites');
             return;
         }
         URL.revokeObjectURL(this.tileAddress);
-        this.tileOf = this.runs.result;
         this.tileAddress = URL.createObjectURL(new Blob([bytes], {type: 'text/html'}));
-        element('tile').src = this.tileAddress;
+        this.loading = {result, ...tile};
+        element('tile').src = this.tileAddress + (this.colour ? `#colour=${this.colour}` : '');
+    }
+
+    /** The tile of an older run stays hidden. */
+    placePictures() {
+        const isTile = this.shown === 'tile';
+        const isInFrame =
+            isTile && this.tileOf !== null && this.tileOf.result === this.runs.result;
+        element('show-sites').setAttribute('aria-pressed', !isTile);
+        element('show-tile').setAttribute('aria-pressed', isTile);
+        element('stage').classList.toggle('tile', isInFrame);
+        element('picture').hidden = element('stage-note').hidden = isInFrame;
+        element('tile').hidden = !isInFrame;
+    }
+
+    tileLoaded() {
+        const {contentWindow, contentDocument} = element('tile');
+        if (!contentWindow.viewer || !contentWindow.location.href.startsWith(this.tileAddress)) return;
+        this.tileOf = this.loading;
+        this.placePictures();
+        contentDocument.addEventListener('change', ({target}) => {
+            if (target.name !== 'mode') return;
+            this.colour = target.value;
+            this.showCommand();
+        });
     }
 
     chooseTile() {
-        this.tileOf = null;
-        history.replaceState(null, '', `#${fields.hashOf()}`);
+        if (this.texts) this.keepHash();
         this.showCommand();
         if (this.shown === 'tile') this.show('tile');
     }
 
-    /** Returns the bytes of a file, or null after showing why there are none. */
-    async write(extension) {
+    /** Returns the bytes of a file of the result, or null after showing why there are none. */
+    async write(extension, options) {
+        const {result} = this.runs;
         fields.showFault('format', '');
-        const tile = {mesh: element('mesh').value, outline: element('outline').value};
         try {
-            return await this.runs.result.write(`tile.${extension}`, tile);
+            return await result.write(`tile.${extension}`, options);
         } catch (error) {
-            element('format-fault').textContent = error.message;
+            if (result === this.runs.result) element('format-fault').textContent = error.message;
             return null;
         }
     }
 
     async download() {
-        const extension = element('format').value, bytes = await this.write(extension);
-        if (!bytes) return;
-        const link = document.createElement('a');
-        link.href = URL.createObjectURL(new Blob([bytes]));
-        link.download = `tile.${extension}`;
-        link.click();
-        setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+        const extension = element('format').value;
+        const bytes = await this.write(extension, this.tileOptions(extension, this.runs.made));
+        if (bytes) save(`tile.${extension}`, bytes);
+    }
+
+    /** Saves the sites with which the run of the command begins. */
+    downloadSites() {
+        const {isRunning, options, made} = this.runs, {sites} = isRunning ? options : made;
+        const row = (_, k) => `${sites[2 * k]} ${sites[2 * k + 1]}\n`;
+        save(fields.SITES_FILE, Array.from({length: sites.length / 2}, row).join(''));
     }
 
     /** Moves the sites with the period vectors; the run follows when the hand is still. */
@@ -241,6 +310,19 @@ class Page {
         clearTimeout(this.dragTimer);
         this.dragTimer = setTimeout(() => this.run(), ended ? 0 : DRAG_PAUSE);
     }
+}
+
+/** Whether two records have the same entries. */
+function isSame(a, b) {
+    return a !== null && Object.keys(b).every((key) => a[key] === b[key]);
+}
+
+function save(name, content) {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([content]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
 function shortNumber(value) {

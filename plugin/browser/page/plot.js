@@ -4,7 +4,11 @@ const TOP = 16;
 const BOTTOM = 98;
 const MOST_POINTS = 300;
 
-/** The energy above the bound of the hexagonal lattice, or the residual where there is no bound. */
+/**
+ * The energy above the bound of the hexagonal lattice, or the residual where there is no bound, by
+ * iteration. A coarse start counts the iterations of each of its levels from 0; the plot puts the
+ * levels and the run one behind the other.
+ */
 export class Plot {
     constructor(svg) {
         this.svg = svg;
@@ -14,22 +18,35 @@ export class Plot {
     clear() {
         this.points = [];
         this.stride = 1;
+        /** The number of iterations of the levels that have ended, and the last iteration. */
+        this.before = 0;
+        this.last = null;
+        /** Where levels begin, the first one left out. */
+        this.begins = [];
         this.svg.innerHTML = '<title id="plot-title">No run yet</title>';
     }
 
     add(progress) {
-        const {iteration, residual, energyOverBound} = progress;
+        const {iteration, phase, residual, energyOverBound} = progress;
         this.hasBound = Number.isFinite(energyOverBound);
-        if (iteration % this.stride !== 0) return;
+        // A long step reports its iteration several times.
+        if (this.last && this.last.iteration === iteration && this.last.phase === phase) return;
+        if (this.last && (iteration < this.last.iteration || phase !== this.last.phase)) {
+            this.before += this.last.iteration + 1;
+            this.begins.push(this.before + iteration);
+        }
+        this.last = {iteration, phase};
         const value = this.hasBound ? energyOverBound - 1 : residual;
-        if (value > 0) this.points.push([iteration, Math.log10(value)]);
+        if (value > 0) this.end = [this.before + iteration, Math.log10(value)];
+        if ((this.before + iteration) % this.stride !== 0) return;
+        if (value > 0) this.points.push(this.end);
         if (this.points.length <= MOST_POINTS) return;
         this.stride *= 2;
         this.points = this.points.filter(([k]) => k % this.stride === 0);
     }
 
     draw() {
-        const {points} = this;
+        const points = this.points.at(-1) === this.end ? this.points : [...this.points, this.end];
         if (points.length < 2) return;
         const name =
             this.hasBound ? 'Energy over the hexagonal bound, minus 1' : 'Largest residual';
@@ -46,6 +63,11 @@ export class Plot {
                 `<path class="grid" d="M${LEFT} ${y(decade)}H${RIGHT}"/>` +
                 `<text x="${LEFT - 5}" y="${y(decade) + 3}" text-anchor="end">10` +
                 `<tspan dy="-4" font-size="7">${`${decade}`.replace('-', '−')}</tspan></text>`);
+        }
+        for (const k of this.begins) {
+            if (k > first && k <= last) {
+                parts.push(`<path class="grid" d="M${x(k).toFixed(1)} ${TOP}V${BOTTOM}"/>`);
+            }
         }
         const path = points.map(([k, value]) => `${x(k).toFixed(1)} ${y(value).toFixed(1)}`);
         parts.push(`<path class="curve" d="M${path.join('L')}"/>`);

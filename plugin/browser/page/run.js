@@ -1,12 +1,15 @@
-import {mesh} from './package/index.js';
-
 /** One run after another: starts, stops, goes on, and keeps the last state and result. */
 export class Runs {
-    /** @param seen  {progress(p), ended(result), failed(error), stopped()}. */
-    constructor(seen) {
-        this.seen = seen;
+    /**
+     * @param mesh  makes a run, as package/index.js does.
+     * @param seen  {progress(p), ended(result, stopped), failed(error)}.
+     */
+    constructor(mesh, seen) {
+        [this.mesh, this.seen] = [mesh, seen];
         this.number = 0;
         this.result = null;
+        /** The options of the last run, and those that give the result. */
+        this.options = this.made = null;
         this.sites = null;
         this.isRunning = false;
     }
@@ -25,36 +28,34 @@ export class Runs {
             this.seen.progress(now);
             return true;
         };
-        try {
-            const result = await mesh({...options, progress, progressSites: true});
-            if (number === this.number)
-                this.end(result);
-            else
-                result.free();
-        } catch (error) {
-            if (number === this.number) await this.fail(error, options);
+        await this.make(number, options, {progress, progressSites: true});
+        // The state at which a run was stopped becomes the result.
+        if (number === this.number && this.isRunning) {
+            await this.make(number, {...withSites(options, this.sites), maxIterations: 0}, {});
         }
     }
 
-    end(result) {
-        this.isRunning = false;
-        this.result = result;
-        this.sites = result.sites;
-        this.seen.ended(result, this.isStopping);
-    }
-
-    /** Makes the state at which a run was stopped the result. */
-    async fail(error, options) {
-        this.isRunning = false;
-        if (!this.isStopping || !this.sites) {
+    /** Makes the result of options, unless a newer run begins or this one is stopped. */
+    async make(number, options, watched) {
+        let result;
+        try {
+            result = await this.mesh({...options, ...watched});
+        } catch (error) {
+            if (number !== this.number) return;
+            if (watched.progress && this.isStopping && this.sites) return;
+            this.isRunning = false;
             this.seen.failed(error);
             return;
         }
-        try {
-            this.end(await mesh({...withSites(options, this.sites), maxIterations: 0}));
-        } catch (fault) {
-            this.seen.failed(fault);
+        if (number !== this.number) {
+            result.free();
+            return;
         }
+        this.isRunning = false;
+        this.result = result;
+        this.made = options;
+        this.sites = result.sites;
+        this.seen.ended(result, this.isStopping);
     }
 
     stop() {
@@ -73,7 +74,7 @@ export class Runs {
 
     release() {
         this.result?.free();
-        this.result = null;
+        this.result = this.made = null;
     }
 }
 

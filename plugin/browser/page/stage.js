@@ -19,6 +19,7 @@ export class Stage {
         this.context = canvas.getContext('2d');
         this.onDrag = onDrag;
         this.lattice = [1, 0, 0, 1];
+        this.walls = '';
         this.sites = new Float64Array(0);
         this.frames = 0;
         new ResizeObserver(() => this.resize()).observe(canvas);
@@ -26,8 +27,9 @@ export class Stage {
         this.connectPointer();
     }
 
-    show(sites, lattice) {
-        [this.sites, this.lattice] = [sites, lattice];
+    /** @param walls  the axes across which walls end the tile: '', 'x', 'y' or 'xy'. */
+    show(sites, lattice, walls = '') {
+        [this.sites, this.lattice, this.walls] = [sites, lattice, walls];
         if (!this.dragged) this.fit();
         this.request();
     }
@@ -89,12 +91,13 @@ export class Stage {
         this.drawVector(bx, by, 'b', colour('handle'));
     }
 
-    /** The translations whose copies of the period meet the picture. */
+    /** The translations whose copies of the period meet the picture; there is none across walls. */
     images() {
         const [ax, ay, bx, by] = this.lattice, copies = [];
         if (this.sites.length > 2 * MOST_SITES_WITH_IMAGES) return copies;
-        for (let i = -2; i <= 2; ++i) {
-            for (let j = -2; j <= 2; ++j) {
+        const [columns, rows] = ['x', 'y'].map((axis) => this.walls.includes(axis) ? 0 : 2);
+        for (let i = -columns; i <= columns; ++i) {
+            for (let j = -rows; j <= rows; ++j) {
                 const corners = [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]].map(
                     ([k, l]) => this.pixel(k * ax + l * bx, k * ay + l * by));
                 const meets = [this.width, this.height].every(

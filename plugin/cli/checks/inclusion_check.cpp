@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "mesher/interfaces/inclusion_set.hpp"
+#include "plugin/cli/checks/outline_proof.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
@@ -17,14 +17,6 @@ namespace {
 constexpr double kSameArea = 1e-12;
 /// Nodes come from the corners of cells, whose rounding errors add up.
 constexpr double kRoundings = 8;
-
-/// A directed edge with the inclusion on its left, in the frame of its shape.
-struct OutlineEdge {
-    Vec2 from;
-    Vec2 to;
-    /// Edges are sorted by this: their order along the outline.
-    double place;
-};
 
 /// The shapes of all copies of the domain: shape k of copy c is inclusion k + c n.
 InclusionSet set_of(const TileFile& file, const InclusionFile& shapes) {
@@ -68,20 +60,32 @@ class InclusionCheck {
             const int k = set_.containing(site);
             shape_.push_back(k < 0 ? -1 : k % n_shapes_);
         }
+        require_holes();
         require_tags();
+        edges_.resize(static_cast<std::size_t>(set_.n_given()));
+        collect_hole_edges();
         require_areas();
         collect_edges();
         int n_edges = 0;
-        for (int k = 0; k < set_.n_given(); ++k) n_edges += prove_outline(k);
-        return ", " + std::to_string(n_shapes_) + " inclusions of " + shapes_.name + " with " +
+        for (int k = 0; k < set_.n_given(); ++k) {
+            prove_outline(set_[k].shape, edges_[k], near_, law_at(k));
+            n_edges += static_cast<int>(edges_[k].size());
+        }
+        const auto n_holes = std::count(is_hole_.begin(), is_hole_.end(), true);
+        return ", " + std::to_string(n_shapes_) + " inclusions of " + shapes_.name +
+               (n_holes > 0 ? ", " + std::to_string(n_holes) + " of them holes," : "") + " with " +
                std::to_string(n_edges) + " edges on their outlines, areas within " +
-               figure(area_error_) + " of the domain (tolerance " + figure(area_tolerance_) + ")";
+               figure(area_error_) + " of the domain (tolerance " + figure(area_tolerance_) + ")" +
+               (tags().empty() ? ", no tags stored" : ", tags agree");
     }
 
    private:
     [[noreturn]] void refute(int k, const std::string& what) const {
-        throw NotATile("law of the inclusions: " + shapes_.name + ":" +
-                       std::to_string(set_[k].line) + ": " + what);
+        throw NotATile(law_at(k) + what);
+    }
+    /// The beginning of a message about a shape.
+    std::string law_at(int k) const {
+        return "law of the inclusions: " + shapes_.name + ":" + std::to_string(set_[k].line) + ": ";
     }
 
     std::string tag_of(int inclusion) const {
@@ -89,9 +93,35 @@ class InclusionCheck {
         return shapes_.tags[static_cast<std::size_t>(set_[inclusion].tag - 1)];
     }
 
+    /// Finds the shapes whose cells are left out: those with the tag of a hole. No site lies there.
+    void require_holes() {
+        for (int k = 0; k < n_shapes_; ++k) {
+            const std::string tag = tag_of(k);
+            is_hole_.push_back(std::find(tile_.holes.begin(), tile_.holes.end(), tag) !=
+                               tile_.holes.end());
+        }
+        for (std::size_t s = 0; s < shape_.size(); ++s) {
+            if (shape_[s] < 0 || !is_hole_[shape_[s]]) continue;
+            refute(shape_[s], "site " + std::to_string(s) +
+                                  " lies inside, but the cells with the " + "tag " +
+                                  tag_of(shape_[s]) + " are left out");
+        }
+        for (const std::string& hole : tile_.holes) {
+            const auto found = std::find(shapes_.tags.begin(), shapes_.tags.end(), hole);
+            if (found != shapes_.tags.end()) continue;
+            throw NotATile("law of the inclusions: the cells with the tag " + hole +
+                           " are left out, which no shape of " + shapes_.name + " has");
+        }
+    }
+
+    /// The tags that the file states, or shows by the materials of its faces.
+    const CellMaterials& tags() const {
+        return file_.materials.site_phase.empty() ? file_.shown : file_.materials;
+    }
+
     /// Law (1).
     void require_tags() const {
-        const CellMaterials& stated = file_.materials;
+        const CellMaterials& stated = tags();
         for (std::size_t s = 0; s < stated.site_phase.size(); ++s) {
             const std::string& tag = stated.phase_names[stated.site_phase[s]];
             const std::string wanted = tag_of(shape_[s]);
@@ -103,10 +133,19 @@ class InclusionCheck {
 
     int shape_of_face(int f) const { return shape_[tile_.face_site[f]]; }
 
-    /// Law (3).
+    /// Law (3). The area of a hole is that of the polygon of its outline.
     void require_areas() {
         std::vector<double> area(static_cast<std::size_t>(n_shapes_), 0);
         std::vector<double> perimeter = area;
+        for (int k = 0; k < set_.n_given(); ++k) {
+            if (!is_hole_[k % n_shapes_]) continue;
+            for (const OutlineEdge& outline : edges_[k]) {
+                // From the first node, so that a place far from the origin costs no digits.
+                const Vec2& base = edges_[k].front().from;
+                area[k % n_shapes_] += cross(outline.from - base, outline.to - base) / 2 / copies_;
+                perimeter[k % n_shapes_] += (outline.to - outline.from).norm() / copies_;
+            }
+        }
         for (int f = 0; f < tile_.n_faces(); ++f) {
             const int k = shape_of_face(f);
             if (k < 0) continue;
@@ -120,7 +159,8 @@ class InclusionCheck {
             area_error_ = std::max(area_error_, error);
             area_tolerance_ = std::max(area_tolerance_, tolerance);
             if (error <= tolerance) continue;
-            refute(k, "the cells inside have the area " + figure(area[k]) + ", not " +
+            refute(k, std::string(is_hole_[k] ? "the hole has" : "the cells inside have") +
+                          " the area " + figure(area[k]) + ", not " +
                           figure(shape_area(set_[k].shape)) + ": off by " + figure(error) +
                           " of the domain (tolerance " + figure(tolerance) + ")");
         }
@@ -150,7 +190,6 @@ class InclusionCheck {
 
     void collect_edges() {
         const auto beside = inclusions_beside_edges();
-        edges_.resize(static_cast<std::size_t>(set_.n_given()));
         for (int f = 0; f < tile_.n_faces(); ++f) {
             const int k = shape_of_face(f);
             if (k < 0) continue;
@@ -165,13 +204,31 @@ class InclusionCheck {
             }
         }
     }
+    /// The edges of holes, which have a face of the tile on their left.
+    void collect_hole_edges() {
+        for (const auto& [wall, v, w] : proof_.wall_edges) {
+            if (!wall.is_hole()) continue;
+            const std::string& tag = tile_.holes[wall.hole()];
+            const int first = static_cast<int>(
+                std::find(shapes_.tags.begin(), shapes_.tags.end(), tag) - shapes_.tags.begin());
+            add_edge([&](int k) { return set_[k].tag == first + 1; }, tile_.points[w],
+                     tile_.points[v]);
+        }
+    }
     /// Adds an edge to the copy of the shape whose outline is nearest.
     void add_edge(int k, const Vec2& p, const Vec2& q) {
+        if (add_edge([&](int m) { return m % n_shapes_ == k; }, p, q)) return;
+        refute(k, "an edge beside it lies off its outline" + place_in_words(p));
+    }
+    /// The same among the shapes that `may_be` accepts. @returns whether there is one.
+    template <class MayBe>
+    bool add_edge(const MayBe& may_be, const Vec2& p, const Vec2& q) {
         const Vec2 middle = (p + q) / 2;
         int copy = -1;
         Vec2 way(0, 0);
         double least = std::numeric_limits<double>::infinity();
-        for (int m = k; m < set_.n_given(); m += n_shapes_) {
+        for (int m = 0; m < set_.n_given(); ++m) {
+            if (!may_be(m)) continue;
             const auto moved = set_.in_frame_of(m, middle);
             if (!moved) continue;
             const double distance = std::abs(signed_distance(set_[m].shape, *moved));
@@ -180,103 +237,8 @@ class InclusionCheck {
             copy = m;
             way = *moved - middle;
         }
-        if (copy < 0) refute(k, "an edge beside it lies off its outline" + at(p));
-        edges_[copy].push_back({p + way, q + way, 0});
-    }
-    static std::string at(const Vec2& p) {
-        return " at (" + figure(p.x()) + ", " + figure(p.y()) + ")";
-    }
-
-    /// Law (2). @returns the number of edges.
-    int prove_outline(int k) {
-        std::vector<OutlineEdge>& edges = edges_[k];
-        const auto* polygon = std::get_if<Polygon>(&set_[k].shape);
-        for (OutlineEdge& outline : edges) {
-            outline.place = polygon != nullptr ? place_on_polygon(k, *polygon, outline)
-                                               : place_on_ellipse(k, outline);
-        }
-        std::sort(edges.begin(), edges.end(),
-                  [](const OutlineEdge& x, const OutlineEdge& y) { return x.place < y.place; });
-        if (edges.size() < 3) refute(k, "its outline is not closed by edges of cells");
-        for (std::size_t m = 0; m < edges.size(); ++m) {
-            const Vec2& next = edges[(m + 1) % edges.size()].from;
-            if ((next - edges[m].to).norm() > near_) {
-                refute(k, "its outline is not closed by edges of cells" + at(edges[m].to));
-            }
-        }
-        if (polygon != nullptr) {
-            require_corners(k, *polygon);
-        } else {
-            require_nodes(k);
-        }
-        return static_cast<int>(edges.size());
-    }
-
-    /// The side of the polygon on which an edge lies, and the fraction of that side.
-    double place_on_polygon(int k, const Polygon& polygon, const OutlineEdge& outline) const {
-        for (std::size_t m = 0; m < polygon.size(); ++m) {
-            const Vec2 side = polygon[(m + 1) % polygon.size()] - polygon[m];
-            const Vec2 along = side.normalized();
-            const Vec2 p = outline.from - polygon[m];
-            const Vec2 q = outline.to - polygon[m];
-            const bool is_on = std::abs(cross(along, p)) <= near_ &&
-                               std::abs(cross(along, q)) <= near_ && along.dot(p) >= -near_ &&
-                               along.dot(q) <= side.norm() + near_ && along.dot(q - p) > 0;
-            const double share = along.dot(p + q) / 2 / side.norm();
-            if (is_on) return static_cast<double>(m) + std::clamp(share, 0.0, 1.0);
-        }
-        refute(k, "an edge lies off its sides" + at(outline.from));
-    }
-
-    /// Each corner of the polygon is the begin of an edge.
-    void require_corners(int k, const Polygon& polygon) const {
-        for (const Vec2& corner : polygon) {
-            const bool found =
-                std::any_of(edges_[k].begin(), edges_[k].end(), [&](const OutlineEdge& outline) {
-                    return (outline.from - corner).norm() <= near_;
-                });
-            if (!found) refute(k, "its corner" + at(corner) + " is no vertex");
-        }
-    }
-
-    EllipseAxes axes_of(int k) const {
-        const auto* circle = std::get_if<Circle>(&set_[k].shape);
-        return circle != nullptr ? ellipse_axes(*circle)
-                                 : ellipse_axes(std::get<Ellipse>(set_[k].shape));
-    }
-    /// The ellipse becomes the unit circle.
-    static Vec2 in_disc(const EllipseAxes& ellipse, const Vec2& p) {
-        const Vec2 d = p - ellipse.centre;
-        return {d.dot(ellipse.along) / ellipse.a, cross(ellipse.along, d) / ellipse.b};
-    }
-
-    /// The angle of the edge's middle.
-    double place_on_ellipse(int k, const OutlineEdge& outline) const {
-        const EllipseAxes ellipse = axes_of(k);
-        const Vec2 p = in_disc(ellipse, outline.from);
-        const Vec2 q = in_disc(ellipse, outline.to);
-        if (!(cross(p, q) > 0)) refute(k, "an edge lies across its outline" + at(outline.from));
-        return std::atan2((p + q).y(), (p + q).x());
-    }
-
-    /// All points where the outline turns have one distance from the centre, in units of the axes.
-    void require_nodes(int k) const {
-        const EllipseAxes ellipse = axes_of(k);
-        const std::vector<OutlineEdge>& edges = edges_[k];
-        double radius = 0;
-        for (const OutlineEdge& outline : edges) {
-            radius = std::max(radius, in_disc(ellipse, outline.from).norm());
-        }
-        for (std::size_t m = 0; m < edges.size(); ++m) {
-            const Vec2& before = edges[(m + edges.size() - 1) % edges.size()].from;
-            const Vec2& here = edges[m].from;
-            const Vec2 chord = edges[m].to - before;
-            const double turn = cross(chord, before - here) / chord.norm();
-            const double off = (radius - in_disc(ellipse, here).norm()) * ellipse.b;
-            if (off <= near_ || std::abs(turn) <= near_) continue;
-            refute(k, "a node of its outline" + at(here) + " lies " + figure(off) +
-                          " inside of the others");
-        }
+        if (copy >= 0) edges_[copy].push_back({p + way, q + way, 0});
+        return copy >= 0;
     }
 
     const TileFile& file_;
@@ -291,6 +253,8 @@ class InclusionCheck {
     double near_ = 0;
     /// Of each site: its shape, or -1.
     std::vector<int> shape_;
+    /// Of each shape of one domain: whether its cells are left out.
+    std::vector<bool> is_hole_;
     std::vector<std::vector<OutlineEdge>> edges_;
     double area_error_ = 0;
     double area_tolerance_ = 0;

@@ -4,7 +4,9 @@
 #include "io/space_file_proof.hpp"
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
+#include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/validate.hpp"
+#include "plugin/cli/checks/tolerance_check.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
@@ -27,12 +29,34 @@ void refuse_cvt(const std::string& path, const std::optional<double>& cvt_tolera
     throw BadFile(path + ": --cvt needs cells, and the file holds " + found + "; check a .vtu");
 }
 
-std::string prove_tetrahedral_tile(const EncodedFile& file) {
-    const auto [mesh, proof] = prove_tetrahedral_file(file);
+/// Requires that no tolerance of positions is given for a file of which it is no use.
+void refuse_tolerance(const std::string& path, double tolerance, const char* found) {
+    if (tolerance == 0) return;
+    throw BadFile(path + ": --tolerance is for cells and tetrahedra, and the file holds " + found +
+                  "; leave it out");
+}
+
+/// Proves files by `prove`, which takes a tolerance.
+/// @throws NotATile  also with the tolerance that would suffice.
+template <class Prove>
+auto proved_within(double tolerance, const Prove& prove) {
+    try {
+        return prove(tolerance);
+    } catch (const SeamMismatch& fault) {
+        throw NotATile(fault.what() + tolerance_advice(fault, [&](double wider) {
+                           return prove(wider).proof.mismatch;
+                       }));
+    }
+}
+
+std::string prove_tetrahedral_tile(const EncodedFile& file, double tolerance) {
+    const auto [mesh, proof] = proved_within(
+        tolerance, [&](double within) { return prove_tetrahedral_file(file, within); });
     return std::to_string(mesh.n_tetrahedra()) + " of " + counted(proof.n_sites, "site") + ", " +
            std::to_string(2 * proof.pairs.size()) + " boundary triangles in " +
-           std::to_string(proof.pairs.size()) +
-           " pairs, Euler characteristic 0 after gluing, volume " + figure(proof.volume);
+           std::to_string(proof.pairs.size()) + " pairs, periodic within " +
+           in_words(proof.mismatch) + " (tolerance " + figure(proof.tolerance) +
+           "), Euler characteristic 0 after gluing, volume " + figure(proof.volume);
 }
 
 std::string prove_boundary(const std::vector<EncodedFile>& files) {
@@ -58,13 +82,16 @@ std::string prove_triangles(const EncodedFile& file) {
 }
 
 std::string prove_cells(const std::string& path, const std::vector<EncodedFile>& files,
-                        const std::optional<double>& cvt_tolerance) {
-    const SpaceFileProof found = prove_space_files(files);
+                        const std::optional<double>& cvt_tolerance, double tolerance) {
+    const SpaceFileProof found =
+        proved_within(tolerance, [&](double within) { return prove_space_files(files, within); });
     const PolyhedralProof& proof = found.proof;
     std::string line = counted(proof.n_cells, "cell") + ", " + std::to_string(proof.n_faces) +
                        " faces, " + std::to_string(2 * proof.n_boundary_pairs) +
                        " boundary faces in " + std::to_string(proof.n_boundary_pairs) +
-                       " pairs by " + counted(proof.n_translations, "translation") + ", boundary " +
+                       " pairs by " + counted(proof.n_translations, "translation") +
+                       ", periodic within " + in_words(proof.mismatch) + " (tolerance " +
+                       figure(proof.tolerance) + "), boundary " +
                        (proof.boundary_is_manifold ? "a manifold" : "touches itself") +
                        ", Euler characteristic 0 after gluing, volume " + figure(proof.volume);
     if (found.tile.mesh.short_edges > 0) {
@@ -80,19 +107,21 @@ std::string prove_cells(const std::string& path, const std::vector<EncodedFile>&
 /// The proof of files of one kind, without what they hold.
 std::string prove_kind(SpaceFileKind kind, const std::string& path,
                        const std::vector<EncodedFile>& files,
-                       const std::optional<double>& cvt_tolerance) {
+                       const std::optional<double>& cvt_tolerance, double tolerance) {
     switch (kind) {
         case SpaceFileKind::kTetrahedra:
             refuse_cvt(path, cvt_tolerance, "tetrahedra");
-            return prove_tetrahedral_tile(files.front());
+            return prove_tetrahedral_tile(files.front(), tolerance);
         case SpaceFileKind::kBoundary:
             refuse_cvt(path, cvt_tolerance, "a boundary");
+            refuse_tolerance(path, tolerance, "a boundary");
             return prove_boundary(files);
         case SpaceFileKind::kTriangles:
             refuse_cvt(path, cvt_tolerance, "triangles in single precision");
+            refuse_tolerance(path, tolerance, "triangles in single precision");
             return prove_triangles(files.front());
         default:
-            return prove_cells(path, files, cvt_tolerance);
+            return prove_cells(path, files, cvt_tolerance, tolerance);
     }
 }
 
@@ -112,10 +141,10 @@ std::string space_content_text(SpaceFileKind kind) {
 }
 
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
-                             std::optional<double> cvt_tolerance) {
+                             std::optional<double> cvt_tolerance, double tolerance) {
     const SpaceFileKind kind = space_file_kind(files).value();
     return path + ": " + space_content_text(kind) + ": " +
-           prove_kind(kind, path, files, cvt_tolerance) + "\n";
+           prove_kind(kind, path, files, cvt_tolerance, tolerance) + "\n";
 }
 
 }  // namespace pcvt::cli

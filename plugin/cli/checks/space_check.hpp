@@ -21,11 +21,12 @@ std::string space_content_text(SpaceFileKind kind);
 ///
 /// @param cvt_tolerance  each site must lie within this distance of the centroid of its cell, units
 ///                       of h = (volume / n)^(1/3); `nullopt`: not examined.
+/// @param tolerance      of positions, length units; 0: 4 ulps of the largest coordinate.
 /// @returns a line that states the proved properties.
 /// @pre space_file_kind(files) is not empty.
 /// @throws NotATile  where the files are refuted.
 /// @throws BadFile   where they cannot be read, or hold no sites.
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
-                             std::optional<double> cvt_tolerance);
+                             std::optional<double> cvt_tolerance, double tolerance = 0);
 
 }  // namespace pcvt::cli

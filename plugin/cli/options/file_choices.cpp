@@ -41,8 +41,14 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                        std::to_string(kDefaultPixels) + "]")
         ->type_name("N");
     app.add_option("--voxels", choices.voxels,
-                   "of .vti: voxels along x and y [about 16 along h = sqrt(area / n)]")
-        ->type_name("NX,NY");
+                   "of .vti: voxels along x and y [about 16 along h = sqrt(area / n)];\n"
+                   "NZ repeats the layer along z, where DAMASK splits a grid over processes")
+        ->type_name("NX,NY[,NZ]");
+    app.add_option("--coriolis", choices.coriolis,
+                   "of .nc: the Coriolis parameter F + BETA y at cells, edges and vertices;\n"
+                   "with BETA it jumps where y does, so walls must lie there in the model\n"
+                   "[none]")
+        ->type_name("F[,BETA]");
     app.add_option("--cut", choices.cut,
                    "of .svg and .dxf: only lines to cut, each edge once and without\n"
                    "colours, in a tile MM millimetres wide\n[.svg: a picture; .dxf: the unit of "
@@ -53,8 +59,8 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
         ->type_name(listed_words(kPlaneElements, "|", "|"));
     app.add_option("--job", choices.job,
                    "of .inp: materials and steps besides the mesh, so that CalculiX runs\n"
-                   "the file as it is; elastic: the homogenised stiffness; edit the\n"
-                   "constants of each *MATERIAL [the mesh alone, to *INCLUDE in a job]")
+                   "the file as it is; elastic: the homogenised stiffness, with the constants\n"
+                   "of --material [the mesh alone, to *INCLUDE in a job]")
         ->type_name(listed_words(kSolverJobs, "|", "|"));
     app.add_option("--thickness", choices.thickness,
                    "of .foam: height of the layer of cells along z [sqrt(area / faces)]")
@@ -84,6 +90,9 @@ FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
         options.pixels = whole_number("--pixels", choices.pixels, 1, kMostPixelsOfARow);
     }
     if (app.count("--voxels") > 0) options.voxels = voxel_counts("--voxels", choices.voxels);
+    if (app.count("--coriolis") > 0) {
+        options.coriolis = coriolis_parameter("--coriolis", choices.coriolis);
+    }
     if (app.count("--cut") > 0) options.cut_width = positive_number("--cut", choices.cut);
     if (app.count("--element") > 0) {
         options.element = chosen_row("--element", choices.element, kPlaneElements).element;

@@ -18,6 +18,7 @@ struct FileChoices {
     bool float32 = false;
     std::string pixels;
     std::string voxels;
+    std::string coriolis;
     std::string cut;
     std::string element;
     std::string job;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/materials/elastic_choices.hpp"
 #include "mesher/materials/material_choices.hpp"
 
 namespace CLI {
@@ -15,6 +16,7 @@ namespace pcvt::cli {
 struct MaterialOptions {
     std::string phases;
     std::string orientations;
+    std::vector<std::string> materials = {};
 };
 
 /// Adds the options to `app`; parsing fills `options`.
@@ -28,5 +30,9 @@ void add_material_options(CLI::App& app, MaterialOptions& options);
 /// @throws InvalidInput, BadFile naming the option or the file with its line.
 MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
                                  std::vector<std::string>& inputs);
+
+/// The elastic constants of --material.
+/// @throws InvalidInput naming the option.
+ElasticChoices elastic_choices(const MaterialOptions& options);
 
 }  // namespace pcvt::cli

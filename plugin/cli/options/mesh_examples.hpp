@@ -21,7 +21,8 @@ inline constexpr const char* kMeshExamples =
     "      a graded mesh, fine along the line v = 0.5\n"
     "  pcvt mesh --sites 1000 --areas lognormal:0.42 --max-iterations 5 --cells grains.csv\n"
     "      the table of a polycrystal with a law of grain sizes; add -o for meshes and pictures\n"
-    "  pcvt mesh --sites 200 --mesh grains --phases soft:0.7,hard:0.3 --job elastic -o job.inp\n"
+    "  pcvt mesh --sites 200 --mesh grains --phases soft:0.7,hard:0.3 --job elastic \\\n"
+    "      --material soft:70000,0.33 --material hard:210000,0.3 -o job.inp\n"
     "      a periodic element of two phases; `ccx job` computes its stiffness\n"
     "  pcvt mesh --sites 1000 --period 1,1,1 -o tile.vtu -o tile.foam -o tile.glb\n"
     "      three dimensions: polyhedra that repeat along three periods\n";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes/text.hpp"
+#include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/job/job.hpp"
 
@@ -153,22 +154,37 @@ Repetition repetition(const std::string& option, const std::string& text) {
         throw_bad_value(option, text,
                         "not of the form IxJ; give two whole numbers from 1 on, such as 2x3");
     }
-    constexpr std::uint64_t kMost = kMostSites;
+    constexpr std::uint64_t kMost = kMostPeriods;
     if (columns > kMost || rows > kMost) {
-        throw LimitExceeded(option + " " + text + ": too large for pcvt; repeat less often");
+        throw LimitExceeded(option + " " + text + ": more than " + std::to_string(kMostPeriods) +
+                            " periods in a row; repeat less often");
     }
     return {static_cast<int>(columns), static_cast<int>(rows)};
 }
 
+std::array<double, 2> coriolis_parameter(const std::string& option, const std::string& text) {
+    const bool has_beta = text.find(',') != std::string::npos;
+    const std::vector<double> values =
+        numbers(option, text, has_beta ? 2 : 1, "F or F,BETA, such as 1e-4 or 1e-4,2e-11");
+    return {values[0], has_beta ? values[1] : 0};
+}
+
 VoxelCounts voxel_counts(const std::string& option, const std::string& text) {
-    const std::vector<double> counts = numbers(option, text, 2, "NX,NY, such as 256,256");
-    for (const double count : counts) {
-        if (count == std::floor(count) && count >= kLeastVoxels && count <= kMostVoxelsOfARow) {
+    const bool has_layers = std::count(text.begin(), text.end(), ',') == 2;
+    const std::vector<double> counts = numbers(option, text, has_layers ? 3 : 2,
+                                               "NX,NY or NX,NY,NZ, such as 256,256 or 256,256,16");
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        const int least = k < 2 ? kLeastVoxels : 1;
+        if (counts[k] == std::floor(counts[k]) && counts[k] >= least &&
+            counts[k] <= kMostVoxelsOfARow) {
             continue;
         }
-        throw_bad_value(option, text, "not two whole numbers from 2 to 1048576; correct them");
+        throw_bad_value(option, text,
+                        "NX and NY are whole numbers from 2 to 1048576, and NZ one from 1; correct "
+                        "them");
     }
-    return {static_cast<int>(counts[0]), static_cast<int>(counts[1])};
+    return {static_cast<int>(counts[0]), static_cast<int>(counts[1]),
+            has_layers ? static_cast<int>(counts[2]) : 1};
 }
 
 }  // namespace pcvt::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -68,7 +69,10 @@ struct Repetition {
     int rows;
 };
 
-/// "NX,NY", whole numbers, at least kLeastVoxels.
+/// "F" or "F,BETA", both finite.
+std::array<double, 2> coriolis_parameter(const std::string& option, const std::string& text);
+
+/// "NX,NY" or "NX,NY,NZ", whole numbers, the first two at least kLeastVoxels.
 VoxelCounts voxel_counts(const std::string& option, const std::string& text);
 
 /// "IxJ", whole numbers, at least 1.

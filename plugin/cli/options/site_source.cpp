@@ -4,12 +4,22 @@
 #include <CLI/Formatter.hpp>
 
 #include "mesher/base/error.hpp"
+#include "plugin/cli/options/option_values.hpp"
 
 namespace pcvt::cli {
 
 void require_one_lattice(const CLI::App& app) {
     if (app.count("--period") == 0 || app.count("--lattice") == 0) return;
     throw InvalidInput("--period and --lattice exclude each other; remove one");
+}
+
+Duplicates chosen_duplicates(const CLI::App& app, const std::string& word) {
+    if (app.count("--duplicates") == 0) return Duplicates::kRefuse;
+    if (app.count("--input") == 0 && app.count("--fixed") == 0) {
+        throw InvalidInput(
+            "--duplicates is for sites of a file; add --input FILE, or leave it out");
+    }
+    return chosen_row("--duplicates", word, kDuplicates).duplicates;
 }
 
 void require_one_site_source(const CLI::App& app, const std::string& input) {

@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "mesher/base/coincident_sites.hpp"
+
 namespace pcvt::cli {
 
 // Which options say where the sites and the lattice come from, in the plane and in space:
@@ -14,6 +16,10 @@ namespace pcvt::cli {
 /// Requires that --period and --lattice are not both given.
 /// @throws InvalidInput
 void require_one_lattice(const CLI::App& app);
+
+/// The choice of --duplicates.
+/// @throws InvalidInput where no file gives sites.
+Duplicates chosen_duplicates(const CLI::App& app, const std::string& word);
 
 /// Requires --sites or --input, not both, and that the name of the input is not empty.
 /// @throws InvalidInput

@@ -79,6 +79,7 @@ bool StatusLine::due() {
 }
 
 void StatusLine::draw(const std::vector<std::string>& parts) {
+    if (!shown_) return;
     // In the last column some terminals begin a new line.
     const int most = terminal_columns() - 1;
     const std::string line = fit_line(parts, most);

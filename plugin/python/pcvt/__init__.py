@@ -36,7 +36,7 @@ except ModuleNotFoundError as missing:
 
 from . import _library
 from ._callbacks import Progress
-from ._calls import (SOLVERS as _SOLVERS, STARTS as _STARTS, choice as _choice, default_options, doubles as _doubles,
+from ._calls import (DUPLICATES as _DUPLICATES, SOLVERS as _SOLVERS, STARTS as _STARTS, choice as _choice, default_options, doubles as _doubles,
                      generated, set_doubles as _set_doubles, set_integers as _set_integers, set_sites as _set_sites,
                      text as _text, written)
 from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, LimitError, OutputError,
@@ -109,6 +109,14 @@ def _set_materials(options, phases, orientations):
     return array
 
 
+def _material_text(materials):
+    """Elastic constants as text: {name: numbers}, or text."""
+    if not isinstance(materials, str):
+        materials = " ".join(f"{name}:" + ",".join(repr(float(x)) for x in np.ravel(constants))
+                             for name, constants in materials.items())
+    return _text("materials", materials)
+
+
 def _set_fixed(options, fixed):
     """Returns the array that must stay alive as long as the options are used, or None."""
     if fixed is None:
@@ -141,7 +149,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, aspect=1.0, phases=None,
-         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=()):
+         orientations=None, symmetry=None, walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=(), duplicates="refuse"):
     """Generates a periodic centroidal Voronoi tessellation. The same arguments give the same result
     to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -190,6 +198,9 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     "fibre" with this part of the area, at random places by `seed`, not nearer than gap
     holes           tags of inclusions, or one tag: their cells are left out of tiles and files, whose edges
                     there are walls with these names. See Tile.wall_edges
+    duplicates      given sites nearer to an earlier one than 1e-9 h: refuse, an error that names them all, or
+                    drop, which leaves them out with their areas and orientations, and numbers the others
+                    from 0 again. See Statistics.dropped
     progress        called with a Progress once an iteration; a true return value cancels. Its
                     `phase` is start or optimise; the later phases belong to Result.write()
 
@@ -209,6 +220,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                   walls=_choice("walls", walls, _WALLS),
                   wall_cells=_choice("wall_cells", wall_cells, _WALL_CELLS),
                   symmetry=0 if symmetry is None else 1 + _choice("symmetry", symmetry, _SYMMETRIES),
+                  duplicates=_choice("duplicates", duplicates, _DUPLICATES),
                   start=_choice("start", start, _STARTS),
                   solver=_choice("solver", solver, _SOLVERS))
     options.find_origin = isinstance(origin, str) and origin == "auto"
@@ -285,7 +297,8 @@ class Result:
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
               gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE", job="none",
-              progress=None, colour="default", background="none", voxels=(0, 0), thickness=0.0):
+              progress=None, colour="default", background="none", voxels=(0, 0), thickness=0.0, materials=None,
+              coriolis=(0.0, 0.0)):
         """Writes a tile, the sites (.txt) or a table of the cells (.csv), by the extension.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
@@ -299,11 +312,16 @@ class Result:
         cut_width   of .svg and .dxf: lines to cut alone, of a tile with this width in millimetres
         element     of .inp: CPE (plane strain) or CPS (plane stress)
         job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
+        materials   of .inp with job="elastic", and of .vti: the elastic constants of each phase, {name: (E, nu)},
+                    (C11, C12, C44) of cubic crystals or (C11, C12, C13, C33, C44) of hexagonal ones (axis z);
+                    without phases the name is GRAINS; "same": all phases are the same steel, or with
+                    orientations iron, in MPa. A job with two phases needs it
         progress    called with a Progress ten times a second; a true return value cancels
         colour      what colours show: sides, size, cells (neighbours differ), density, phase, orbit or tag
         background  of .svg: none or #rrggbb
-        voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h
+        voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h; a third one repeats the layer along z
         thickness   of .foam: height of the layer of cells along z; 0: sqrt(area / faces)
+        coriolis    of .nc: (f, beta) of the Coriolis parameter f + beta y; (0, 0): none
         """
         options = _library.WriteOptions(
             struct_size=sizeof(_library.WriteOptions), kind=_choice("kind", kind, KINDS),
@@ -313,9 +331,13 @@ class Result:
             colour=_choice("colour", colour, _COLOURS), background=_text("background", background),
             single_precision=bool(float32), cut_width=cut_width, thickness=thickness,
             report=None if report is None else _text("report", report))
+        if materials is not None:
+            options.materials = _material_text(materials)
         _set_integers(options, pixels=pixels)
-        columns, rows = voxels
+        columns, rows, *layers = voxels
         options.voxels[:] = operator.index(columns), operator.index(rows)
+        _set_integers(options, voxel_layers=layers.pop() if layers else 0)
+        options.coriolis[:] = coriolis
         written(self._handle, path, options, progress)
 
     def plot(self, kind="voronoi", outline="whole", axes=None):

@@ -11,6 +11,7 @@ from ._callbacks import Callbacks
 from ._library import ArgumentError, Handle, checked, library
 
 STARTS = ("default", "random", "coarse", "lattice", "best")
+DUPLICATES = ("refuse", "drop")
 SOLVERS = ("default", "lbfgs", "lloyd", "newton")
 
 

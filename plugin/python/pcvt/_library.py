@@ -74,7 +74,8 @@ class Options(ctypes.Structure):
                 ("symmetry", c_int32), ("walls", c_int32),
                 ("wall_cells", c_int32), ("reserved2", c_int32), ("inclusions", c_char_p), ("fibres", c_char_p),
                 ("fixed_sites", c_void_p), ("n_fixed_sites", c_int32), ("reserved3", c_int32),
-                ("holes", c_char_p), ("dimension", c_int32), ("reserved4", c_int32), ("lattice3", c_double * 9)]
+                ("holes", c_char_p), ("dimension", c_int32), ("reserved4", c_int32), ("lattice3", c_double * 9),
+                ("duplicates", c_int32), ("reserved5", c_int32)]
 
 
 class Sites(ctypes.Structure):
@@ -124,7 +125,7 @@ class Statistics(ctypes.Structure):
                 ("n_hexagons", c_int32), ("stop", c_int32), ("n_sites", c_int32),
                 ("iterations", c_int32), ("evaluations", c_int32), ("n_threads", c_int32),
                 ("n_mirrors", c_int32), ("area_error", c_double), ("newton_steps", c_int32),
-                ("reserved", c_int32)]
+                ("n_dropped", c_int32), ("dropped", c_void_p)]
 
 
 class WriteOptions(ctypes.Structure):
@@ -133,8 +134,9 @@ class WriteOptions(ctypes.Structure):
                 ("progress", ProgressCallback), ("progress_data", c_void_p),
                 ("gltf_nodes", c_int32), ("single_precision", c_int32), ("pixels", c_int32),
                 ("element", c_int32), ("cut_width", c_double), ("background", c_char_p),
-                ("voxels", c_int32 * 2), ("job", c_int32), ("reserved", c_int32),
-                ("thickness", c_double), ("surface", c_int32), ("reserved2", c_int32)]
+                ("voxels", c_int32 * 2), ("job", c_int32), ("voxel_layers", c_int32),
+                ("thickness", c_double), ("surface", c_int32), ("reserved2", c_int32),
+                ("materials", c_char_p), ("coriolis", c_double * 2)]
 
 
 _FUNCTIONS = {

@@ -5,7 +5,7 @@ from ctypes import sizeof
 import numpy as np
 
 from . import _library
-from ._calls import (SOLVERS, STARTS, choice, default_options, doubles, generated, set_doubles, set_integers,
+from ._calls import (DUPLICATES, SOLVERS, STARTS, choice, default_options, doubles, generated, set_doubles, set_integers,
                      set_sites, text, written)
 from ._library import ArgumentError, library
 from ._views import minimum_of, statistics_of
@@ -34,7 +34,7 @@ def _number(name, value, words, numbers):
 
 
 def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="default", tolerance=1e-6,
-          max_iterations=-1, threads=0, short_edges=0.0, progress=None):
+          max_iterations=-1, threads=0, short_edges=0.0, progress=None, duplicates="refuse"):
     """Generates a periodic centroidal Voronoi tessellation of space, whose cells are polyhedra. The
     same arguments give the same result to the last bit. Ctrl-C ends the run at the next iteration.
 
@@ -59,6 +59,8 @@ def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="
                     are .vtu and .foam
     progress        called with a Progress once an iteration; a true return value cancels. Its energy
                     has the unit length^5
+    duplicates      given sites nearer to an earlier one than 1e-9 h: refuse, an error that names them all, or
+                    drop, which leaves them out and numbers the others from 0 again. See Statistics.dropped
 
     Returns a SpaceResult, also if the run did not converge: see statistics.stop. Raises Cancelled,
     ArgumentError, GeometryError (coincident sites) or LimitError (memory) with the library's message,
@@ -68,6 +70,7 @@ def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="
     options.dimension = 3
     _points = set_sites(options, sites, 3)  # Alive while the library reads it.
     set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
+                 duplicates=choice("duplicates", duplicates, DUPLICATES),
                  start=_number("start", start, _STARTS, STARTS),
                  solver=_number("solver", solver, _SOLVERS, SOLVERS))
     set_doubles(options, lattice3=doubles("lattice", _period_vectors(lattice, period), 3, 3).ravel())
@@ -155,7 +158,8 @@ class SpaceTile:
     neighbour       (n_faces,), the cell in front of each face; -1 on the boundary
     partner         (n_faces - n_inner_faces,)
     partner_offset  (n_faces - n_inner_faces, 3), i, j, k
-    volumes         (n_cells,), length^3
+    volumes         (n_cells,), length^3; with short_edges, which bends faces, those that finite-volume
+                    solvers compute
     site_points     (n_cells, 3), the image of each site in its cell
     """
 

@@ -36,6 +36,8 @@ def statistics_of(handle):
     figures = {name: getattr(view, name) for name in Statistics._fields}
     figures["valences"] = handle.array(view.valences, np.int32, view.n_valences)
     figures["stop"] = STOPS[view.stop]
+    dropped = handle.array(view.dropped, np.int32, view.n_dropped, 2)
+    figures["dropped"] = np.empty((0, 2), np.int32) if dropped is None else dropped
     return Statistics(**figures)
 
 
@@ -58,6 +60,8 @@ class Statistics(NamedTuple):
     n_mirrors     -1 if the triangulation was built without mirrors
     area_error    largest |area - wished| / wished; NaN without areas
     newton_steps  that found the weights; 0 without areas
+    dropped       int32 of shape (k, 2): each site that duplicates="drop" left out, by its number in the
+                  input, and the earlier site with which it coincides
     """
 
     energy: float
@@ -76,6 +80,7 @@ class Statistics(NamedTuple):
     n_mirrors: int
     area_error: float
     newton_steps: int
+    dropped: np.ndarray
 
 
 class TorusMesh:

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "io/bytes/output_error.hpp"
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
 #include "tests/support/example_lattices.hpp"
@@ -355,11 +356,8 @@ TEST(Gltf, TheSameTileGivesTheSameBytes) {
 }
 
 TEST(Gltf, RefusesTilesThatFloat32CannotHold) {
-    EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e60, 1e60), 2, 2)), InvalidInput);
-    EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e-60, 1e-60), 2, 2)), InvalidInput);
-    Tile far = grid_tile(Lattice::rectangle(1, 1), 4, 4);
-    for (Vec2& p : far.points) p.x() += 1e9;
-    EXPECT_THROW(glb(far), InvalidInput);
+    EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e60, 1e60), 2, 2)), CoarsePrecision);
+    EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e-60, 1e-60), 2, 2)), CoarsePrecision);
 }
 
 TEST(Gltf, SitesBeyondFloat32ExceedALimit) {

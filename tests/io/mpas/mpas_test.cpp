@@ -14,6 +14,7 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 MpasGrid example() { return mpas_grid(testing::hexagonal_cells(6, 4), Vec2(0, 0)); }
@@ -91,6 +92,32 @@ TEST(Mpas, ADensityThatDiffersFromItsMeanIsRefused) {
     EXPECT_THAT(fault_of(other), HasSubstr("law (5) of C-grids, density: its mean is "));
     grid.mesh_density.assign(grid.mesh_density.size(), 0.5);
     EXPECT_THAT(fault_of(encode_mpas(grid)), HasSubstr("not above 0 and up to 1"));
+}
+
+TEST(Mpas, TheCoriolisParameterReadsBackAndIsProved) {
+    MpasGrid grid = mpas_grid(testing::hexagonal_cells(6, 4), Vec2(-3, 7));
+    EXPECT_FALSE(decode_mpas("t.nc", encode_mpas(grid)).coriolis);
+    const Coriolis coriolis{.f = 1e-4, .beta = -0.3};
+    fill_coriolis(coriolis, grid);
+    for (std::size_t v = 0; v < grid.y_vertex.size(); ++v) {
+        EXPECT_EQ(grid.f_vertex[v], 1e-4 - 0.3 * grid.y_vertex[v]);
+    }
+    const MpasGrid read = decode_mpas("t.nc", encode_mpas(grid));
+    EXPECT_EQ(read.coriolis, coriolis);
+    EXPECT_EQ(read.f_cell, grid.f_cell);
+    EXPECT_EQ(fault_of(encode_mpas(grid)), "");
+    grid.f_edge[2] += 1e-9;
+    EXPECT_THAT(fault_of(encode_mpas(grid)), HasSubstr("law (6) of C-grids, Coriolis parameter"));
+}
+
+TEST(Mpas, VariablesHaveUnitsAndNamesAndTheFileItsHistory) {
+    const std::string bytes = encode_mpas(example(), "pcvt 1.2.3: mesh; seed 4");
+    EXPECT_THAT(bytes, HasSubstr("pcvt 1.2.3: mesh; seed 4"));
+    EXPECT_THAT(encode_mpas(example()), Not(HasSubstr("history")));
+    for (const MpasVariable& variable : mpas_variables()) {
+        EXPECT_NE(std::string(variable.units), "");
+        EXPECT_EQ(bytes.find(variable.long_name) == std::string::npos, is_coriolis(variable));
+    }
 }
 
 TEST(Mpas, AnotherGraphIsRefusedWithItsLine) {

@@ -300,7 +300,7 @@ TEST(Output, AFolderCreatedMeanwhileStaysAndTheCommitIsUndone) {
         }
         std::filesystem::create_directory(folder / "d");
         EXPECT_EQ(fault_of([&] { set.commit(false); }),
-                  (folder / "d") + ": cannot write: it exists; use --force to replace it");
+                  (folder / "d") + ": cannot write: it exists");
     }
     EXPECT_THAT(folder.names(), ElementsAre("d"));
     EXPECT_TRUE(std::filesystem::is_empty(folder / "d"));
@@ -331,8 +331,7 @@ TEST(Output, UnwritableFoldersAreRefusedBeforeAnyWork) {
     EXPECT_EQ(fault("new", false), "");
     std::filesystem::create_directory(folder / "old");
     EXPECT_EQ(fault("old", true), "");
-    EXPECT_THAT(fault("old", false),
-                HasSubstr("it exists; use --force to replace the files in it"));
+    EXPECT_EQ(fault("old", false), (folder / "old") + ": cannot write: it exists");
     write_bytes(folder / "old/x", "a file where a folder is needed");
     EXPECT_THAT(fault("old", true), HasSubstr("Not a directory"));
     write_bytes(folder / "file", "x");

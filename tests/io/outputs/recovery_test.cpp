@@ -1,11 +1,10 @@
 #include "io/outputs/recovery.hpp"
 
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "io/bytes/output_error.hpp"
 #include "io/outputs/output_set.hpp"
+#include "tests/support/killed_process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {
@@ -14,6 +13,7 @@ namespace {
 using testing::bytes_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using testing::in_killed_process;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using testing::TemporaryFolder;
@@ -21,52 +21,28 @@ using testing::write_bytes;
 
 constexpr const char* kToken = "abcdefgh";
 
-/// Runs `action` in a process that ends at once afterwards, as a killed one does.
-template <class Action>
-void in_killed_process(const Action& action) {
-    const pid_t child = fork();
-    if (child == 0) {
-        action();
-        _exit(0);
-    }
-    int status = 0;
-    ASSERT_EQ(waitpid(child, &status, 0), child);
-    ASSERT_TRUE(WIFEXITED(status));
-}
-
 FileStamp stamp_of(const std::string& path) {
     NameStatus status;
     EXPECT_EQ(look_up(path.c_str(), status), 0);
     return status.stamp;
 }
 
-/// A set whose run was killed in its commit: `a` and `b` replace old files, `out/c` is new.
+/// A set whose run was killed in its commit: `a` and `b` replace old files, `out` is a new folder
+/// that holds `c`.
 class KilledCommit {
    public:
     KilledCommit() {
-        Journal journal;
-        journal.folders = {{"", kToken}};
-        journal.missing = {{0, "out"}};
-        for (const char* name : {"a", "b", "out/c"}) {
-            const bool is_old = journal.moves.size() < 2;
-            const std::string leaf = temporary_leaf("x", kToken, journal.moves.size());
-            write_bytes(folder / leaf, "new");
-            if (is_old) write_bytes(folder / name, "before");
-            journal.moves.push_back(
-                {.kind = is_old ? FileMove::Kind::kReplacement : FileMove::Kind::kNewFile,
-                 .folder = 0,
-                 .temporary = leaf,
-                 .target = name,
-                 .fresh = stamp_of(folder / leaf),
-                 .old = is_old ? stamp_of(folder / name) : FileStamp{}});
+        for (const char* name : {"a", "b"}) {
+            write_bytes(folder / name, "before");
+            add(FileMove::Kind::kReplacement, name, stamp_of(folder / name));
         }
-        write_bytes(folder / run_file_name(kToken), encode_journal(journal));
+        add(FileMove::Kind::kNewFolder, "out", {});
+        write_bytes(folder / run_file_name(kToken), encode_journal(journal_));
     }
     /// Takes a number of the steps of a move: a second name for the old file, then the rename.
     void advance(std::size_t move, int steps) {
         const std::string temporary = folder / temporary_leaf("x", kToken, move);
-        const std::string target = folder / std::string(std::array{"a", "b", "out/c"}[move]);
-        if (move == 2) std::filesystem::create_directories(folder / "out");
+        const std::string target = folder / std::string(std::array{"a", "b", "out"}[move]);
         if (steps > 0 && move < 2) {
             std::filesystem::create_hard_link(target, backup_path(temporary));
         }
@@ -75,6 +51,25 @@ class KilledCommit {
     std::vector<std::string> recover() { return recover_unfinished({folder / "tile.obj"}); }
 
     TemporaryFolder folder;
+
+   private:
+    void add(FileMove::Kind kind, const char* target, const FileStamp& old) {
+        const std::string leaf = temporary_leaf("x", kToken, journal_.moves.size());
+        if (kind == FileMove::Kind::kNewFolder) {
+            std::filesystem::create_directory(folder / leaf);
+            write_bytes(folder / (leaf + "/c"), "new");
+        } else {
+            write_bytes(folder / leaf, "new");
+        }
+        journal_.moves.push_back({.kind = kind,
+                                  .folder = 0,
+                                  .temporary = leaf,
+                                  .target = target,
+                                  .fresh = stamp_of(folder / leaf),
+                                  .old = old});
+    }
+
+    Journal journal_{.folders = {{"", kToken}}, .moves = {}};
 };
 
 TEST(Recovery, ACommitThatWasKilledAnywhereIsCompleted) {
@@ -206,11 +201,42 @@ TEST(Recovery, AJournalThatNoOtherFolderConfirmsChangesNothingThere) {
     EXPECT_EQ(bytes_of(folder / "y/victim"), "mine");
 }
 
-TEST(Recovery, AJournalLeadsThroughNoSymbolicLink) {
+TEST(Recovery, AFolderIsLeftWhereSomebodyHasPutAFileIntoIt) {
     KilledCommit set;
+    set.advance(2, 2);
+    write_bytes(set.folder / "b", "written by somebody else");
+    write_bytes(set.folder / "out/mine", "mine");
+    EXPECT_THAT(set.recover(), ElementsAre(HasSubstr("those of before")));
+    EXPECT_EQ(bytes_of(set.folder / "a"), "before");
+    EXPECT_EQ(bytes_of(set.folder / "out/mine"), "mine");
+}
+
+TEST(Recovery, ASetIsLeftWhileAnotherOneIsCommittedInItsFolder) {
+    KilledCommit set;
+    OutputSet living;
+    living.stage(set.folder / "other", "living");
+    living.wait_for_turn({});
+    EXPECT_THAT(set.recover(), IsEmpty());
+    living.commit(false);
+    EXPECT_THAT(set.recover(), SizeIs(1));
+    EXPECT_THAT(set.folder.names(), ElementsAre("a", "b", "other", "out"));
+}
+
+TEST(Recovery, AJournalLeadsThroughNoSymbolicLink) {
+    const TemporaryFolder folder;
     const TemporaryFolder elsewhere;
-    std::filesystem::create_directory_symlink(elsewhere / "", set.folder / "out");
-    set.recover();
+    const std::string leaf = temporary_leaf("c", kToken, 0);
+    write_bytes(folder / leaf, "planted");
+    const Journal journal{.folders = {{"", kToken}},
+                          .moves = {{.kind = FileMove::Kind::kNewFile,
+                                     .folder = 0,
+                                     .temporary = leaf,
+                                     .target = "out/c",
+                                     .fresh = stamp_of(folder / leaf),
+                                     .old = {}}}};
+    write_bytes(folder / run_file_name(kToken), encode_journal(journal));
+    std::filesystem::create_directory_symlink(elsewhere / "", folder / "out");
+    recover_unfinished({folder / "tile.obj"});
     EXPECT_THAT(elsewhere.names(), IsEmpty());
 }
 

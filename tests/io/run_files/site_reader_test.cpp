@@ -88,9 +88,11 @@ TEST(SiteReader, DuplicatesAreReportedWithTheirLines) {
     EXPECT_STREQ(
         duplicate_lines(file, DuplicateSites(0, 2)).what(),
         "s.txt:5: the site coincides with the site of line 2 modulo the lattice, "
-        "to 1e-9 of the spacing; remove one, or give the periods by --period or --lattice");
+        "to 1e-9 of the spacing; remove one, or give the periods by --period or --lattice, or add "
+        "--duplicates drop");
     const SiteFile same = parse_sites<2>("s.txt", "0.5 1\n0.5 1\n");
-    EXPECT_THAT(duplicate_lines(same, DuplicateSites(0, 1)).what(), EndsWith("; remove one"));
+    EXPECT_THAT(duplicate_lines(same, DuplicateSites(0, 1)).what(),
+                EndsWith("; remove one, or add --duplicates drop"));
 }
 
 TEST(SiteReader, WrittenSitesReadBackExactlyAndInOrder) {

@@ -36,5 +36,14 @@ TEST(SpaceSiteReader, NamesTheLinesOfEqualSites) {
                 ::testing::StartsWith("s.txt:3: the site coincides with the site of line 1"));
 }
 
+TEST(SpaceSiteReader, NamesAllLinesOfCoincidentSites) {
+    const SpaceSiteFile file = parse_sites<3>("s.txt", "0 0 0\n# a comment\n1 0 0\n0 0 0\n");
+    const BadFile fault = duplicate_lines(file, DuplicateSites({{1, 0}, {2, 0}}));
+    EXPECT_STREQ(fault.what(),
+                 "s.txt:3: 2 sites coincide with earlier ones modulo the lattice, to 1e-9 of the "
+                 "spacing: line 3 with line 1, line 4 with line 1; remove them, or give the "
+                 "periods by --period or --lattice, or add --duplicates drop");
+}
+
 }  // namespace
 }  // namespace pcvt

@@ -121,6 +121,22 @@ TEST(MaterialFiles, AJobHasOneMaterialAPhaseAndThreeSteps) {
     EXPECT_EQ(refusal_of("t.inp", text), "");
 }
 
+TEST(MaterialFiles, AJobHasTheConstantsThatTheUserChooses) {
+    const CellMaterials materials = all_materials();
+    const ElasticChoices choices =
+        parse_elastic_choices("ferrite:0.3333333333333333,-0.25 m-2_x:162.4,92,69,180.7,46.7");
+    const std::string text =
+        encode_inp(grains(Outline::kWhole),
+                   {.materials = &materials, .job = SolverJob::kElastic, .elastic = choices},
+                   "t.inp")[0]
+            .bytes;
+    EXPECT_THAT(text, HasSubstr("*MATERIAL,NAME=ferrite\n*ELASTIC\n0.3333333333333333,-0.25\n"));
+    EXPECT_THAT(text, HasSubstr("*MATERIAL,NAME=M-2_x\n*ELASTIC,TYPE=ORTHO\n"
+                                "162.4,92.,162.4,69.,69.,180.7,35.2,46.7\n46.7\n"));
+    EXPECT_THAT(text, HasSubstr("the constants are those that the user gave"));
+    EXPECT_EQ(refusal_of("t.inp", text), "");
+}
+
 /// The refusal of a text with `piece` replaced by `other`.
 std::string refusal_with(const std::string& path, const std::string& text, const std::string& piece,
                          const std::string& other) {

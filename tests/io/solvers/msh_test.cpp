@@ -7,9 +7,12 @@
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
+#include "tests/support/holed_tiles.hpp"
+#include "tests/support/msh_links.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/solver_tiles.hpp"
 #include "tests/support/tile_equality.hpp"
+#include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -63,9 +66,44 @@ TEST(Msh, CellsBecomeSurfacesAndTheirBoundariesCurves) {
     EXPECT_THAT(text,
                 HasSubstr("$Periodic\n7\n0 3 1\n16 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n1\n3 1\n"));
     EXPECT_THAT(text, HasSubstr("\n1 4 2\n16 1 0 0 1 0 1 0 3 0 0 1 0 0 0 0 1\n2\n6 3\n5 2\n"));
-    EXPECT_THAT(text, HasSubstr("$ElementData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n13\n1 1\n2 0\n"));
-    EXPECT_THAT(text, HasSubstr("\n5 -1\n"));
+    // Values are in the order of the elements: nine lines, then triangles cell by cell.
+    EXPECT_THAT(text, HasSubstr("$ElementData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n13\n5 -1\n6 -1\n"));
+    EXPECT_THAT(text, HasSubstr("\n13 -1\n2 0\n3 0\n1 1\n4 1\n"));
     EXPECT_THAT(text, HasSubstr("$NodeData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n6\n1 0\n2 1\n"));
+}
+
+/// Random sites on square and oblique lattices, as triangles and grains of both outlines and
+/// orders.
+std::vector<Tile> random_tiles() {
+    std::vector<Tile> tiles;
+    for (int k = 0; k < 40; ++k) {
+        const Lattice lattice =
+            k % 2 == 0 ? Lattice::rectangle(1, 1) : Lattice({1, 0.3}, {0.1 * k - 2, 1});
+        const int n = 1 + k * k / 30;
+        TileOptions options{.kind = k % 4 < 2 ? MeshKind::kDelaunay : MeshKind::kGrains};
+        if (k % 4 == 3) options.outline = Outline::kBox;
+        if (options.kind == MeshKind::kGrains) options.order = 1 + k / 4 % 2;
+        const Sites sites(lattice, uniform_points(lattice, n, static_cast<std::uint64_t>(k)));
+        tiles.push_back(build_tile(PeriodicDelaunay(sites), options).tile);
+    }
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        for (Tile& tile : testing::walled_tiles(walls)) tiles.push_back(std::move(tile));
+    }
+    for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+        tiles.push_back(testing::holed_tile({.kind = MeshKind::kGrains, .outline = outline}));
+    }
+    tiles.push_back(testing::holed_tile({.kind = MeshKind::kDelaunay}));
+    return tiles;
+}
+
+TEST(Msh, TiesEachNodeByAnyOfItsLinksAndByCurvesAlone) {
+    for (const Tile& tile : random_tiles()) {
+        SCOPED_TRACE(mesh_kind_row(tile.kind).word + std::string(", nodes: ") +
+                     std::to_string(tile.n_vertices()));
+        const SolverNodes nodes = solver_nodes(tile);
+        const int n_orbits = nodes.n_nodes() - static_cast<int>(nodes.pairs.size());
+        testing::expect_orbits(encode_msh(tile, "t.msh")[0].bytes, n_orbits);
+    }
 }
 
 TEST(Msh, PolygonsAreRefusedWithARemedy) {

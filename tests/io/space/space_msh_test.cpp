@@ -9,6 +9,7 @@
 #include "io/space/space_msh_writer.hpp"
 #include "mesher/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/msh_links.hpp"
 #include "tests/support/tetrahedra_files.hpp"
 
 namespace pcvt {
@@ -39,6 +40,38 @@ TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
         EXPECT_EQ(found.point_offset, mesh.point_offset);
         EXPECT_EQ(found.tetrahedra, mesh.tetrahedra);
     }
+}
+
+TEST(SpaceMsh, TiesEachNodeByAnyOfItsLinksAndBySurfacesAlone) {
+    for (const auto& [name, mesh] : testing::tetrahedra_cases()) {
+        SCOPED_TRACE(name);
+        testing::expect_orbits(encoded_msh(mesh).bytes, prove_tetrahedra(mesh).n_sites);
+    }
+}
+
+/// The numbers behind `word`, row by row, in the section that begins with `section`.
+std::vector<int> first_numbers(const std::string& msh, const std::string& section, int n_skipped) {
+    std::istringstream text(msh.substr(msh.find(section)));
+    std::vector<int> numbers;
+    std::string row;
+    for (int k = 0; std::getline(text, row) && !row.starts_with("$End"); ++k) {
+        if (k > n_skipped) numbers.push_back(std::stoi(row));
+    }
+    return numbers;
+}
+
+TEST(SpaceMsh, GroupsAllElementsAndListsSitesInTheOrderOfNodes) {
+    const TetrahedralMesh mesh = testing::random_tetrahedra(30);
+    const std::string msh = encoded_msh(mesh).bytes;
+    // The rows of $Nodes with one word are the numbers of the nodes.
+    std::istringstream text(msh.substr(msh.find("$Nodes\n")));
+    std::vector<int> nodes;
+    for (std::string row; std::getline(text, row) && row != "$EndNodes";) {
+        if (row.find(' ') == std::string::npos && row != "$Nodes") nodes.push_back(std::stoi(row));
+    }
+    constexpr int kTags = 8;
+    EXPECT_EQ(first_numbers(msh, "$NodeData", kTags), nodes);
+    EXPECT_EQ(msh.find("\n1 1 1 "), std::string::npos) << "a block of lines";
 }
 
 TEST(SpaceMsh, IsRefusedWhereItStatesSomethingElse) {

@@ -57,7 +57,7 @@ TEST(SpaceVtu, StatesTheLengthOfRemovedEdges) {
         EXPECT_EQ(found.mesh.points, tile.mesh.points);
         if (c.points.cols() != 200) continue;
         file.bytes = testing::exchanged(file.bytes, "\"ShortEdges\"", "\"OtherEdges\"");
-        EXPECT_THROW(prove_space_files({file}), NotATile);
+        EXPECT_THROW(prove_space_files({file}), BadFile);
     }
 }
 

@@ -13,6 +13,7 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -68,6 +69,27 @@ TEST(DamaskMaterial, IsReadBack) {
         EXPECT_NO_THROW(compare_damask_material("m.yaml", entries, 3, materials));
         EXPECT_EQ(entries[1].phase, materials.empty() ? "default" : "martensite");
     }
+}
+
+TEST(DamaskMaterial, PhasesHaveTheConstantsThatTheUserChooses) {
+    const std::string text = encode_damask_material(
+        3, two_phases(),
+        parse_elastic_choices("ferrite:2e11,0.25 martensite:162e9,92e9,69e9,181e9,47e9"));
+    // lambda and mu are 8e10.
+    EXPECT_THAT(text,
+                HasSubstr("  ferrite:\n    lattice: cF\n    mechanical:\n      output: [F, P]\n"
+                          "      elastic: {type: Hooke, C_11: 2.4e+11, C_12: 8.0e+10, "
+                          "C_44: 8.0e+10}\n"));
+    EXPECT_THAT(text, HasSubstr("  martensite:\n    lattice: hP\n    c/a: 1.633\n"));
+    EXPECT_THAT(text, HasSubstr("C_11: 1.62e+11, C_12: 9.2e+10, C_13: 6.9e+10, C_33: 1.81e+11, "
+                                "C_44: 4.7e+10}\n"));
+    EXPECT_THAT(text, Not(HasSubstr("aluminium")));
+    EXPECT_NO_THROW(
+        compare_damask_material("m", decode_damask_material("m", text), 3, two_phases()));
+    // Cells without phases.
+    EXPECT_THAT(encode_damask_material(3, {}, parse_elastic_choices("grains:231,135,116")),
+                HasSubstr("  default:\n    lattice: cF\n    mechanical:\n      output: [F, P]\n"
+                          "      elastic: {type: Hooke, C_11: 231.0, C_12: 135.0, C_44: 116.0}\n"));
 }
 
 TEST(DamaskMaterial, ATableOfMaterialsThatDiffersIsFound) {

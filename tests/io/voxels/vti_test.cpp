@@ -33,7 +33,7 @@ TEST(Vti, IsReadBack) {
     // The last image has several blocks.
     for (const VoxelCounts counts : {VoxelCounts{2, 2}, {7, 5}, {600, 300}}) {
         const Example e = example(30, counts);
-        const auto files = encode_vti(e.image, e.cells, {}, "dir.x/t.vti");
+        const auto files = encode_vti(e.image, e.cells, {}, {}, "dir.x/t.vti");
         ASSERT_EQ(files.size(), 2U);
         EXPECT_EQ(files[1].path, "dir.x/t.material.yaml");
         const VoxelFile file = decode_vti(files);
@@ -87,7 +87,7 @@ std::string refusal(const std::vector<EncodedFile>& files) {
 
 TEST(Vti, DamageIsRefused) {
     const Example e = example(5, {6, 4});
-    const auto good = encode_vti(e.image, e.cells, {}, "t.vti");
+    const auto good = encode_vti(e.image, e.cells, {}, {}, "t.vti");
     EXPECT_EQ(refusal(good), "");
     const auto changed = [&](const std::string& from, const std::string& to) {
         auto files = good;
@@ -125,7 +125,7 @@ TEST(Vti, DamageIsRefused) {
 
 TEST(Vti, ArraysOfSitesHaveTheFormThatTheirTagsState) {
     const Example e = example(5, {6, 4});
-    const auto good = encode_vti(e.image, e.cells, {}, "t.vti");
+    const auto good = encode_vti(e.image, e.cells, {}, {}, "t.vti");
     for (const std::string name : {"PeriodicLattice", "SitePositions", "SiteWeights"}) {
         const auto changed = [&](const std::string& from, const std::string& to) {
             auto files = good;
@@ -151,7 +151,7 @@ TEST(Vti, ArraysOfSitesHaveTheFormThatTheirTagsState) {
 
 TEST(Vti, EveryChangedDigitOfTheVoxelsIsFound) {
     const Example e = example(5, {6, 4});
-    const auto good = encode_vti(e.image, e.cells, {}, "t.vti");
+    const auto good = encode_vti(e.image, e.cells, {}, {}, "t.vti");
     const std::size_t begin = good[0].bytes.find("binary\">\n") + 9;
     const std::size_t end = good[0].bytes.find('\n', begin);
     for (std::size_t at = begin; at < end; ++at) {

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
+#include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/polyhedra/polyhedral_mesh.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
 #include "tests/support/polyhedra.hpp"
 
@@ -127,6 +130,56 @@ TEST(ShortSpaceEdges, MoveVerticesByAtMostTheirLength) {
             }
         }
     }
+}
+
+/// The area vector and the centre of a face by triangles from the mean of its corners.
+std::pair<Vec3, Vec3> area_and_centre(const PolyhedralMesh& mesh, int face) {
+    const auto& corners = mesh.faces[face];
+    Vec3 mean = Vec3::Zero();
+    for (const int v : corners) mean += mesh.points[v] / double(corners.size());
+    Vec3 area = Vec3::Zero();
+    Vec3 centre = Vec3::Zero();
+    double sum = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vec3 p = mesh.points[corners[k]];
+        const Vec3 q = mesh.points[corners[(k + 1) % corners.size()]];
+        const Vec3 triangle = 0.5 * (q - p).cross(mean - p);
+        area += triangle;
+        centre += triangle.norm() * (p + q + mean) / 3;
+        sum += triangle.norm();
+    }
+    return {area, centre / sum};
+}
+
+TEST(ShortSpaceEdges, LeaveCellsWithTheVolumesOfFiniteVolumeSolvers) {
+    const SpaceLattice lattice({1, 0, 0}, {0.37, 0.81, 0}, {0.2, 0.4, 0.9});
+    const SpaceSites sites(lattice, uniform_points(lattice, 200, 3));
+    const CellComplex whole = complex_of({"", lattice, uniform_points(lattice, 200, 3)});
+    const PolyhedralMesh mesh = polyhedral_mesh(sites, without_short_edges(whole, 0.1));
+    std::vector<double> volumes(200, 0);
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        const auto [area, centre] = area_and_centre(mesh, f);
+        volumes[mesh.owner[f]] += area.dot(centre) / 3;
+        if (f < mesh.n_inner_faces()) volumes[mesh.neighbour[f]] -= area.dot(centre) / 3;
+    }
+    double bent = 0;
+    double sum = 0;
+    const std::vector<CellBody> bodies = cell_bodies(mesh);
+    const CellFaces faces_of_cells(mesh);
+    for (std::size_t s = 0; s < bodies.size(); ++s) {
+        EXPECT_NEAR(bodies[s].volume / volumes[s], 1, 1e-12);
+        sum += bodies[s].volume;
+        PyramidSum fans(mesh.points[mesh.faces[0][0]]);
+        for (const auto& [face, reversed] : faces_of_cells[int(s)]) {
+            std::vector<Vec3> corners;
+            for (const int v : mesh.faces[face]) corners.push_back(mesh.points[v]);
+            fans.add(corners, reversed ? -1 : 1);
+        }
+        bent = std::max(bent, std::abs(fans.body().volume / bodies[s].volume - 1));
+    }
+    EXPECT_NEAR(sum / lattice.volume(), 1, 1e-12);
+    // Fans from one corner of each face give other volumes.
+    EXPECT_GT(bent, 1e-3);
 }
 
 TEST(ShortSpaceEdges, OfLatticesAreNotShort) {

@@ -54,6 +54,43 @@ void expect_proved(const Tile& tile, int n_vertices, int n_orbits) {
     EXPECT_THAT(refusal(tile), IsEmpty());
 }
 
+/// A tile one corner of whose boundary lies off by `off` along x.
+Tile tile_with_moved_corner(double off) {
+    Tile tile = grid_tile(kSquare, 3, 2);
+    tile.points.back().x() += off;
+    return tile;
+}
+
+TEST(ProveTile, ATileOfAnotherProgramIsProvedWithinItsTolerance) {
+    for (const double off : {1e-13, 1e-9, 1e-5}) {
+        const Tile tile = tile_with_moved_corner(off);
+        double mismatch = 0;
+        try {
+            prove_tile(tile, Precision::kDouble);
+        } catch (const SeamMismatch& fault) {
+            mismatch = fault.mismatch();
+        }
+        EXPECT_NEAR(mismatch, off, 1e-15);
+        EXPECT_THROW(prove_tile(tile, Precision::kDouble, 0.9 * off), SeamMismatch);
+        const TileProof proof = prove_tile(tile, Precision::kDouble, 1.1 * off);
+        EXPECT_NEAR(proof.mismatch, off, 1e-15);
+        EXPECT_EQ(proof.tolerance, 1.1 * off);
+        EXPECT_EQ(proof.n_orbits, 6);
+    }
+    const TileProof exact = prove_tile(grid_tile(kSquare, 3, 2), Precision::kDouble, 1e-30);
+    EXPECT_LE(exact.mismatch, exact.tolerance);
+    EXPECT_GT(exact.tolerance, 1e-17);
+}
+
+TEST(ProveTile, AToleranceDoesNotMergeVertices) {
+    EXPECT_THROW(prove_tile(tile_with_moved_corner(0), Precision::kDouble, 0.4), NotATile);
+    Tile close = grid_tile(kSquare, 200, 2);
+    EXPECT_NO_THROW(prove_tile(close, Precision::kDouble, 9e-4));
+    close.points[1].x() = 8e-4;
+    EXPECT_THAT([&] { prove_tile(close, Precision::kDouble, 9e-4); },
+                ::testing::ThrowsMessage<NotATile>(HasSubstr("coincide")));
+}
+
 TEST(ProveTile, GridsOfAnyLatticeAreProvedWithTheirPairs) {
     for (const Lattice& lattice : many_lattices()) {
         for (const auto& [columns, rows] : {std::pair(1, 1), {1, 2}, {3, 1}, {2, 2}, {5, 3}}) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "mesher/space/moving_tetrahedra.hpp"
 #include "mesher/space/space_mirrors.hpp"
+#include "mesher/space_energy/moving_tetrahedra.hpp"
 #include "tests/support/exact_delaunay.hpp"
 #include "tests/support/random_space_sites.hpp"
 #include "tests/support/space_laws.hpp"

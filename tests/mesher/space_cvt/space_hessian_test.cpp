@@ -5,7 +5,7 @@
 #include <random>
 
 #include "mesher/space/space_delaunay.hpp"
-#include "mesher/space/space_energy.hpp"
+#include "mesher/space_energy/space_energy.hpp"
 #include "tests/support/space_families.hpp"
 
 namespace pcvt {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mesher/space/moving_tetrahedra.hpp"
+#include "mesher/space_energy/moving_tetrahedra.hpp"
 #include "tests/support/hessian_by_differences.hpp"
 
 namespace pcvt {

@@ -10,6 +10,7 @@
 namespace pcvt {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 SpaceDelaunay delaunay_of(const testing::SpaceCase& c) {
@@ -80,6 +81,26 @@ TEST(TetrahedralMesh, LiesRoundTheDomain) {
         n_outside += u.minCoeff() < 0 || u.maxCoeff() > 1 ? 1 : 0;
     }
     EXPECT_LT(n_outside, mesh.n_tetrahedra() / 50);
+}
+
+TEST(TetrahedralMesh, MayHaveSmallTetrahedraThatAreWellShaped) {
+    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    Points3 points(3, 5);
+    points << 0.5, 0.50047, 0.5, 0.50013, 0.9,  //
+        0.5, 0.5, 0.50051, 0.50008, 0.1,        //
+        0.5, 0.5, 0.5, 0.50053, 0.2;
+    const TetrahedralMesh mesh = tetrahedral_mesh(space_delaunay(SpaceSites(cube, points)));
+    EXPECT_TRUE(flat_tetrahedra(mesh, 5).empty());
+    EXPECT_LT(prove_tetrahedra(mesh).smallest_volume, kFlatTetrahedron / 5);
+}
+
+TEST(TetrahedralMesh, NamesFlatTetrahedra) {
+    TetrahedralMesh mesh = random_mesh(20);
+    EXPECT_TRUE(flat_tetrahedra(mesh, 20).empty());
+    const std::array<int, 4> corners = mesh.tetrahedra[3];
+    mesh.points[corners[3]] =
+        (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]) / 3;
+    EXPECT_THAT(flat_tetrahedra(mesh, 20), Contains(3));
 }
 
 TEST(TetrahedralMesh, IsRefutedByTheLawThatItBreaks) {

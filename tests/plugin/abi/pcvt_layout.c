@@ -73,6 +73,8 @@ static void print_numbers(void) {
     NUMBER(PCVT_SYMMETRY_P31M);
     NUMBER(PCVT_SYMMETRY_P6);
     NUMBER(PCVT_SYMMETRY_P6M);
+    NUMBER(PCVT_DUPLICATES_REFUSE);
+    NUMBER(PCVT_DUPLICATES_DROP);
     NUMBER(PCVT_STOP_CONVERGED);
     NUMBER(PCVT_STOP_ITERATION_LIMIT);
     NUMBER(PCVT_STOP_STALLED);
@@ -151,6 +153,8 @@ static void print_options(void) {
     FIELD(pcvt_options, dimension);
     FIELD(pcvt_options, reserved4);
     FIELD(pcvt_options, lattice3);
+    FIELD(pcvt_options, duplicates);
+    FIELD(pcvt_options, reserved5);
 }
 
 static void print_sites(void) {
@@ -270,7 +274,8 @@ static void print_statistics(void) {
     FIELD(pcvt_statistics, n_mirrors);
     FIELD(pcvt_statistics, area_error);
     FIELD(pcvt_statistics, newton_steps);
-    FIELD(pcvt_statistics, reserved);
+    FIELD(pcvt_statistics, n_dropped);
+    FIELD(pcvt_statistics, dropped);
 }
 
 static void print_write_options(void) {
@@ -291,10 +296,12 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, background);
     FIELD(pcvt_write_options, voxels);
     FIELD(pcvt_write_options, job);
-    FIELD(pcvt_write_options, reserved);
+    FIELD(pcvt_write_options, voxel_layers);
     FIELD(pcvt_write_options, thickness);
     FIELD(pcvt_write_options, surface);
     FIELD(pcvt_write_options, reserved2);
+    FIELD(pcvt_write_options, materials);
+    FIELD(pcvt_write_options, coriolis);
 }
 
 int main(void) {

@@ -17,7 +17,7 @@ static void sizes_and_versions_that_do_not_fit_are_refused(void) {
     CHECK(options.struct_size == size);
     options.struct_size = 0;
     REFUSED(&options, PCVT_ERROR_ABI, "size 0");
-    options.struct_size = size - 8;
+    options.struct_size = offsetof(pcvt_options, duplicates) - 8;
     REFUSED(&options, PCVT_ERROR_ABI, "size");
     options.struct_size = (size_t)1 << 40;
     REFUSED(&options, PCVT_ERROR_ABI, "size");
@@ -44,18 +44,42 @@ static void a_longer_struct_is_accepted_if_its_tail_is_zero(void) {
     REFUSED(&newer.known, PCVT_ERROR_ABI, "does not know");
 }
 
+static void a_struct_without_the_last_fields_is_accepted(void) {
+    pcvt_options options = options_for(10);
+    pcvt_write_options how;
+    pcvt_statistics figures;
+    pcvt_result* result;
+    memset(&options, 0xFF, sizeof options);
+    CHECK(pcvt_options_init(&options, offsetof(pcvt_options, duplicates), PCVT_ABI_VERSION) ==
+          PCVT_OK);
+    CHECK(options.struct_size == offsetof(pcvt_options, duplicates) && options.duplicates == -1);
+    options.n_sites = 10;
+    result = generated(&options);
+    memset(&figures, 0xFF, sizeof figures);
+    CHECK(pcvt_get_statistics(result, &figures, offsetof(pcvt_statistics, dropped)) == PCVT_OK);
+    CHECK(figures.n_dropped == 0 && figures.dropped != NULL);
+    memset(&how, 0xFF, sizeof how);
+    memset(&how, 0, offsetof(pcvt_write_options, materials));
+    how.struct_size = offsetof(pcvt_write_options, materials);
+    how.replace = 1;
+    CHECK(pcvt_write(result, "older.obj", &how) == PCVT_OK);
+    remove("older.obj");
+    remove("older.mtl");
+    remove("older.seam.json");
+    --how.struct_size;
+    CHECK(pcvt_write(result, "older.obj", &how) == PCVT_ERROR_ABI);
+    pcvt_free(result);
+}
+
 static void reserved_fields_are_zero(void) {
     pcvt_options options = options_for(10);
     pcvt_write_options how;
     pcvt_result* result = generated(&options);
     memset(&how, 0, sizeof how);
     how.struct_size = sizeof how;
-    how.reserved = 1;
-    CHECK(pcvt_write(result, "reserved.obj", &how) == PCVT_ERROR_ABI);
-    CHECK(strstr(pcvt_last_error(), "does not know") != NULL);
-    how.reserved = 0;
     how.reserved2 = 1;
     CHECK(pcvt_write(result, "reserved.obj", &how) == PCVT_ERROR_ABI);
+    CHECK(strstr(pcvt_last_error(), "does not know") != NULL);
     pcvt_free(result);
     options.reserved = 1;
     REFUSED(&options, PCVT_ERROR_ABI, "does not know");
@@ -137,8 +161,10 @@ static void values_out_of_range_are_refused(void) {
     options.lattice[2] = 1, options.lattice[3] = 0;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "parallel");
     options = options_for(1 << 28);
-    options.columns = 1 << 20;
+    options.columns = 1 << 10;
     REFUSED(&options, PCVT_ERROR_MEMORY, "cells");
+    options.columns = 1 << 20;
+    REFUSED(&options, PCVT_ERROR_MEMORY, "more than 10000 periods in a row");
 }
 
 /* Each field of pcvt_options alone, with values that no run has. */
@@ -286,6 +312,34 @@ static void coincident_sites_are_named(void) {
     pcvt_options options = options_for(3);
     options.sites = sites;
     REFUSED(&options, PCVT_ERROR_GEOMETRY, "sites 0 and 2");
+    options.duplicates = 2;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "duplicates 2");
+    options.duplicates = PCVT_DUPLICATES_DROP;
+    options.sites = NULL;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "duplicates is for given sites");
+}
+
+static void coincident_sites_are_dropped_with_their_areas(void) {
+    const double sites[8] = {0.25, 0.5, 0.5, 0.5, 1.25, -0.5, 0.5, 0.5};
+    const double areas[4] = {1, 2, 3, 4};
+    pcvt_options options = options_for(4);
+    pcvt_result* result;
+    pcvt_statistics statistics;
+    options.sites = sites;
+    options.areas = areas;
+    options.n_areas = 4;
+    options.max_iterations = 0;
+    REFUSED(
+        &options, PCVT_ERROR_GEOMETRY,
+        "2 sites coincide with earlier ones modulo the lattice: site 2 with site 0, site 3 with "
+        "site 1; remove them");
+    options.duplicates = PCVT_DUPLICATES_DROP;
+    result = generated(&options);
+    CHECK(pcvt_get_statistics(result, &statistics, sizeof statistics) == PCVT_OK);
+    CHECK(statistics.n_sites == 2 && statistics.n_dropped == 2);
+    CHECK(statistics.dropped[0] == 2 && statistics.dropped[1] == 0);
+    CHECK(statistics.dropped[2] == 3 && statistics.dropped[3] == 1);
+    pcvt_free(result);
 }
 
 static void cells_that_a_format_refuses_are_a_matter_of_geometry(void) {
@@ -431,6 +485,7 @@ int main(void) {
     sizes_and_versions_that_do_not_fit_are_refused();
     the_interface_has_the_version_of_the_library();
     a_longer_struct_is_accepted_if_its_tail_is_zero();
+    a_struct_without_the_last_fields_is_accepted();
     reserved_fields_are_zero();
     views_have_the_size_that_the_host_states();
     null_pointers_are_refused();
@@ -442,6 +497,7 @@ int main(void) {
     unknown_tiles_are_refused();
     unknown_forms_of_files_are_refused();
     coincident_sites_are_named();
+    coincident_sites_are_dropped_with_their_areas();
     cells_that_a_format_refuses_are_a_matter_of_geometry();
     every_status_has_a_distinct_text();
     files_that_cannot_fit_are_refused_before_they_are_made();

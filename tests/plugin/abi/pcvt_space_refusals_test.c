@@ -106,6 +106,22 @@ static void coincident_sites_are_named(void) {
     REFUSED(&options, PCVT_ERROR_GEOMETRY, "sites 0 and 2");
 }
 
+static void near_sites_are_dropped(void) {
+    const double sites[9] = {0.25, 0.5, 0, 0.5, 0.5, 0, 1.25 + 1e-11, -0.5, 3};
+    pcvt_options options = space_options_for(3);
+    pcvt_result* result;
+    pcvt_statistics statistics;
+    options.sites = sites;
+    options.max_iterations = 0;
+    REFUSED(&options, PCVT_ERROR_GEOMETRY, "sites 0 and 2");
+    options.duplicates = PCVT_DUPLICATES_DROP;
+    result = generated(&options);
+    CHECK(pcvt_get_statistics(result, &statistics, sizeof statistics) == PCVT_OK);
+    CHECK(statistics.n_sites == 2 && statistics.n_dropped == 1);
+    CHECK(statistics.dropped[0] == 2 && statistics.dropped[1] == 0);
+    pcvt_free(result);
+}
+
 static void views_of_the_other_dimension_name_their_function(void) {
     pcvt_options options = space_options_for(3);
     pcvt_result* result = generated(&options);
@@ -157,8 +173,11 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(cut_width, "cut_width", 100);
     PLANE_FIELD(background, "background", "none");
     PLANE_FIELD(voxels[0], "voxels", 16);
+    PLANE_FIELD(voxel_layers, "voxel_layers", 2);
+    PLANE_FIELD(coriolis[0], "coriolis", 1e-4);
     PLANE_FIELD(job, "job", PCVT_JOB_ELASTIC);
     PLANE_FIELD(thickness, "thickness", 0.1);
+    PLANE_FIELD(materials, "materials", "same");
 #undef PLANE_FIELD
     CHECK(pcvt_write(result, NULL, NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "", NULL) == PCVT_ERROR_ARGUMENT);
@@ -242,6 +261,7 @@ int main(void) {
     values_out_of_range_are_refused();
     the_dimension_decides_which_lattice_counts();
     coincident_sites_are_named();
+    near_sites_are_dropped();
     views_of_the_other_dimension_name_their_function();
     each_field_of_files_in_the_plane_is_refused_by_its_name();
     surfaces_are_for_files_that_have_them();

@@ -60,18 +60,29 @@ static void check_seam(const pcvt_cells* cells) {
     }
 }
 
-/* Returns six times the volume between a face and the origin, positive if its points are
- * counter-clockwise seen from the far side. */
+/* Returns the volume between a face and the origin, positive if its points are counter-clockwise
+ * seen from the far side: a third of its area vector times its centre, both by triangles from the
+ * mean of its corners, as finite-volume solvers take them. */
 static double cone(const pcvt_cells* cells, int32_t face) {
-    double sum = 0;
-    for (int32_t k = 2; k < n_corners(cells, face); ++k) {
-        double corners[9];
-        memcpy(corners, face_point(cells, face, 0), 3 * sizeof(double));
-        memcpy(corners + 3, face_point(cells, face, k - 1), 3 * sizeof(double));
-        memcpy(corners + 6, face_point(cells, face, k), 3 * sizeof(double));
-        sum += determinant(corners);
+    const int32_t n = n_corners(cells, face);
+    double mean[3] = {0, 0, 0}, area[3] = {0, 0, 0}, centre[3] = {0, 0, 0}, sum = 0;
+    for (int32_t k = 0; k < n; ++k)
+        for (int x = 0; x < 3; ++x) mean[x] += face_point(cells, face, k)[x] / n;
+    for (int32_t k = 0; k < n; ++k) {
+        const double* p = face_point(cells, face, k);
+        const double* q = face_point(cells, face, (k + 1) % n);
+        double triangle[3], size = 0;
+        for (int x = 0; x < 3; ++x) {
+            const int y = (x + 1) % 3, z = (x + 2) % 3;
+            triangle[x] = ((q[y] - p[y]) * (mean[z] - p[z]) - (q[z] - p[z]) * (mean[y] - p[y])) / 2;
+            area[x] += triangle[x];
+            size += triangle[x] * triangle[x];
+        }
+        size = sqrt(size);
+        sum += size;
+        for (int x = 0; x < 3; ++x) centre[x] += size * (p[x] + q[x] + mean[x]) / 3;
     }
-    return sum;
+    return (area[0] * centre[0] + area[1] * centre[1] + area[2] * centre[2]) / (3 * sum);
 }
 
 /* The volumes follow from owners, neighbours and the order of the points of each face. */
@@ -86,8 +97,8 @@ static void check_volumes(const pcvt_cells* cells, double volume) {
     for (int32_t s = 0; s < cells->n_cells; ++s) {
         double own = 0;
         for (int32_t f = 0; f < cells->n_faces; ++f) {
-            if (cells->owner[f] == s) own += cone(cells, f) / 6;
-            if (cells->neighbour[f] == s) own -= cone(cells, f) / 6;
+            if (cells->owner[f] == s) own += cone(cells, f);
+            if (cells->neighbour[f] == s) own -= cone(cells, f);
         }
         CHECK(cells->volumes[s] > 0 && fabs(own - cells->volumes[s]) < 1e-12);
         sum += cells->volumes[s];

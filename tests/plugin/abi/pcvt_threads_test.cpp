@@ -1,9 +1,14 @@
-// Eight concurrent hosts: each generates a result, and all request views of one common result.
+// Eight concurrent hosts: each generates a result, all request views of one common result, and all
+// write the same files.
 #include <gmock/gmock.h>
 #include <pcvt.h>
 
+#include <map>
+#include <string>
 #include <thread>
 #include <vector>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -115,6 +120,37 @@ TEST(Threads, ShareTheCellsOfOneResult) {
         EXPECT_EQ(cells[k].volumes, run.cells.volumes);
         EXPECT_EQ(figures[k].valences, figures[0].valences);
     }
+}
+
+pcvt_status write(const pcvt_result* result, const std::string& path, int32_t replace) {
+    pcvt_write_options options = {};
+    options.struct_size = sizeof options;
+    options.kind = PCVT_DELAUNAY;
+    options.replace = replace;
+    return pcvt_write(result, path.c_str(), &options);
+}
+
+TEST(Threads, ReplaceTheSameFilesOneAfterTheOther) {
+    std::vector<pcvt_result*> results;
+    for (int k = 0; k < kHosts; ++k) results.push_back(short_run(30, std::uint64_t(k), 1));
+    for (const char* name : {"a.obj", "new/a.obj", "a.foam"}) {
+        const pcvt::testing::TemporaryFolder folder;
+        std::vector<std::string> faults(kHosts);
+        on_all_hosts([&](int k) {
+            if (write(results[k], folder / name, 1) != PCVT_OK) faults[k] = pcvt_last_error();
+        });
+        EXPECT_EQ(faults, std::vector<std::string>(kHosts));
+        const std::map<std::string, std::string> found = pcvt::testing::files_below(folder);
+        int n_matching = 0;
+        for (const pcvt_result* result : results) {
+            EXPECT_EQ(write(result, folder / name, 1), PCVT_OK);
+            n_matching += pcvt::testing::files_below(folder) == found ? 1 : 0;
+        }
+        EXPECT_EQ(n_matching, 1);
+        EXPECT_EQ(write(results[0], folder / name, 0), PCVT_ERROR_IO);
+        EXPECT_THAT(pcvt_last_error(), ::testing::EndsWith("it exists; set replace"));
+    }
+    for (pcvt_result* result : results) pcvt_free(result);
 }
 
 }  // namespace

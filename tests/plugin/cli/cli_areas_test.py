@@ -31,7 +31,7 @@ class AreaTest(CliTest):
 class PrescribedAreas(AreaTest):
     def test_a_law_is_reported_as_the_table_of_cells_shows_it(self):
         report = self.report("--sites", 400, "--areas", "lognormal:0.42", "--max-iterations", 2, "-o", "t.csv")
-        self.assertEqual((report["stop"], report["iterations"]), ("converged", 2))
+        self.assertEqual((report["stop"], report["iterations"]), ("iteration-limit", 2))
         areas = report["areas"]
         self.assertEqual(list(areas), ["law", "std_over_mean", "largest_relative_error",
                                        "largest_relative_mesh_error", "newton_steps", "circularity_mean", "circularity_std"])
@@ -50,6 +50,15 @@ class PrescribedAreas(AreaTest):
         areas = self.report("--sites", 1000, "--areas", "lognormal:0.42", "--max-iterations", 5)["areas"]
         self.assertTrue(0.095 < 1 - areas["circularity_mean"] < 0.105, areas)
 
+    def test_steps_that_end_away_from_the_centroids_are_a_limit(self):
+        run = ("mesh", "--sites", 40, "--areas", "equal", "--max-iterations")
+        for steps in (0, 3):
+            out = self.succeed(*run, steps)
+            self.assertRegex(out, rf"(?m)^stop +iteration-limit after {steps} iterations, ")
+            self.assertRegex(out, r"(?m)^areas +equal, .*, converged: off by at most \S+ after \d+ Newton steps$")
+            self.refuse(5, "not converged", *run, steps, "--strict", "--quiet")
+        self.succeed(*run, 3, "--strict", "--tolerance", 0.5)
+
     def test_a_run_without_a_limit_is_centroidal(self):
         report = self.report("--sites", 100, "--areas", "gamma:0.3", "--tolerance", "1e-5", "-o", "t.csv")
         self.assertEqual(report["stop"], "converged")
@@ -66,6 +75,35 @@ class PrescribedAreas(AreaTest):
             areas = self.areas("t.csv")
             self.assert_proportional(areas, wished, 1e-9)
             self.assertAlmostEqual(sum(areas), 0.81, delta=1e-12)
+
+    def test_summary_and_report_state_the_factor_of_given_areas(self):
+        wished = [13.78, 20, 31.5, 34.72]
+        self.write("a.txt", "\n".join(map(str, wished)))
+        self.write("d.txt", "diameter\n" + "\n".join(str(math.sqrt(4 * a / math.pi)) for a in wished))
+        run = ("mesh", "--sites", 4, "--max-iterations", 0, "--report", "r.json", "--force", "-o", "t.csv")
+        for name in ("a.txt", "d.txt"):
+            out = self.succeed(*run, "--period", "7,7", "--areas", name)
+            self.assertRegex(out, rf"(?m)^areas +{name} \(each area times 0\.49\), ")
+            self.assertAlmostEqual(json.loads(self.path("r.json").read_text())["areas"]["scale"], 0.49, 12)
+        out = self.succeed(*run, "--areas", "gamma:0.3")
+        self.assertNotIn("times", out)
+        self.assertNotIn("scale", json.loads(self.path("r.json").read_text())["areas"])
+
+    def test_an_automatic_period_has_the_sum_of_the_areas(self):
+        wished = [13.78, 20, 31.5, 34.72]
+        self.write("a.txt", "\n".join(map(str, wished)))
+        self.write("d.txt", "diameter\n2\n4\n6\n8")
+        run = ("mesh", "--sites", 4, "--max-iterations", 0, "--report", "r.json", "--force", "-o", "t.csv", "--period", "auto")
+        out = self.succeed(*run, "--areas", "a.txt")
+        self.assertIn("lattice    (10, 0) (0, 10)\n", out)
+        self.assertIn("a.txt (each area times 1)", out)
+        for area, wish in zip(self.areas("t.csv"), wished, strict=True):
+            self.assertAlmostEqual(area, wish, 8)
+        self.succeed(*run, "--areas", "d.txt")
+        self.assertAlmostEqual(math.fsum(self.areas("t.csv")), 30 * math.pi, 10)
+        for options in ((), ("--areas", "equal"), ("--density", "1 + u")):
+            self.refuse(2, "--period auto takes the area of the domain from --areas FILE, or its aspect from", *run, *options)
+        self.refuse(2, r"none\.txt: cannot read", *run, "--areas", "none.txt")
 
     def test_sites_of_a_file_keep_their_places_and_get_their_areas(self):
         sites = [(0.1, 0.2), (0.8, 0.3), (0.4, 0.7)]
@@ -94,7 +132,7 @@ class PrescribedAreas(AreaTest):
         jobs = {"cells": (cells, "--mesh", "voronoi", *materials),
                 "cut": (cells[:10], "--mesh", "voronoi", "--outline", "box", "--aspect", "2,30"),
                 "triangles": (triangles, "--mesh", "delaunay"),
-                "grains": (triangles, "--mesh", "grains", *materials, "--job", "elastic"),
+                "grains": (triangles, "--mesh", "grains", *materials, "--job", "elastic", "--material", "same"),
                 "boxed": (triangles, "--mesh", "grains", "--outline", "box", "--repeat", "2x1")}
         found = {}
         for threads in (1, 2, 4):

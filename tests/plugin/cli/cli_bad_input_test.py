@@ -56,7 +56,7 @@ class BadOption(CliTest):
             ("b.obj: give each file its own -o$", *mesh, "-o", "a.obj", "b.obj"),
             ("grains: give each kind its own --mesh$", *mesh, "--mesh", "voronoi", "grains"),
             (r"\+: put the formula of --density in quotes$", *mesh, "--density", "1", "+", "u"),
-            ("--period without blanks, as W,H$", *mesh, "--period", 2, 1),
+            (r"--period without blanks, as W,H\|auto$", *mesh, "--period", 2, 1),
         ])
 
     def test_numbers_are_read_strictly(self):
@@ -83,11 +83,17 @@ class BadOption(CliTest):
                   "3x2")]
         rows += [("repeated 100 x 1", "mesh", "--sites", 1, "--lattice", "1,0,0,1e-5", "--repeat",
                   "100x1")]
-        rows += [(r"t\.glb: .*(precision|float32).*another format(?!.*0,0)", "mesh", "--sites", n, "--period", p, "-o", "t.glb")
-                 for n in (1, 2, 3, 8, 30) for p in ("1,1e-4", "1,2e-5", "1,1e-5")]
         rows += [("--max-iterations -1: ", "mesh", "--sites", 3, "--max-iterations", "-1")]
         rows += [("--threads 0: ", "mesh", "--sites", 3, "--threads", "0")]
         self.refuse_all(2, rows)
+
+    def test_strips_whose_cells_floats_do_not_hold_are_refused(self):
+        for n in (1, 2, 3, 8, 30):
+            for period in ("1,1e-4", "1,2e-5", "1,1e-5"):
+                done = self.run_pcvt("mesh", "--sites", n, "--period", period, "-o", "t.glb", "--quiet")
+                self.assertEqual((done.returncode, done.stdout), (2, b""), (n, period))
+                self.assertRegex(done.stderr.decode(), r"^pcvt: t\.glb: .*(precision|float32).*another format\n$")
+                self.assertEqual(self.contents(), {})
 
     def test_a_singular_or_non_finite_lattice_is_refused(self):
         periods = ("1,0", "0,1", "-1,1", "1", "1,1,1,1", "1,1x", "1;1", "nan,1", "1,inf", "1e400,1",

@@ -43,6 +43,11 @@ class GradedMesh(CliTest):
         lines = self.path(name).read_text().splitlines()
         return [tuple(map(float, line.split())) for line in lines if not line.startswith("#")]
 
+    def test_a_picture_gives_an_automatic_period_its_aspect(self):
+        self.write("wide.png", png(40, 30, [[k % 200 for k in range(40)]] * 30))
+        report = self.report("--sites", 60, "--density", "wide.png", "--period", "auto", "--max-iterations", 0)
+        self.assertEqual(report["lattice"], [[1, 0], [0, 0.75]])
+
     def test_a_formula_grades_the_mesh_and_is_reported(self):
         report = self.report("--sites", 300, "--density", RIDGE, "-o", "t.obj", "-o", "t.svg")
         self.assertEqual(report["stop"], "converged")

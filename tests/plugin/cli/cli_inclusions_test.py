@@ -54,7 +54,7 @@ class Inclusions(CliTest):
             self.assertAlmostEqual(phase["reached"], phase["wanted"], delta=1e-12)
 
     def test_solver_files_name_the_tags(self):
-        self.mesh("--quiet", "--mesh", "grains", "--job", "elastic", *outputs("msh", "inp", "foam", "obj"))
+        self.mesh("--quiet", "--mesh", "grains", "--job", "elastic", "--material", "same", *outputs("msh", "inp", "foam", "obj"))
         for name, words in (("t.msh", '"phase_glass"'), ("t.inp", "*ELSET,ELSET=PHASE_glass"),
                             ("t.inp", "*MATERIAL,NAME=steel"), ("t.foam/constant/polyMesh/cellZones", "phase_steel"),
                             ("t.obj", "usemtl phase_matrix")):
@@ -186,6 +186,44 @@ class Check(CliTest):
             self.mesh("--mesh", mesh, *options, *outputs(*extensions))
             text = self.succeed("check", *(f"t.{extension}" for extension in extensions), "--inclusions", "shapes.txt")
             self.assertEqual(text.count("3 inclusions of shapes.txt with "), len(extensions), text)
+
+    def test_tags_are_proved_where_a_file_holds_them(self):
+        exchanged = SHAPES.replace("glass", "other").replace("steel", "glass").replace("other", "steel")
+        for mesh, options, silent in (("voronoi", (), ("ply", "om", "glb", "gltf")),
+                                      ("voronoi", ("--glb-nodes", "one"), ("ply", "om")),
+                                      ("voronoi", ("--colour", "sides"), ("obj", "ply", "om", "glb", "gltf")),
+                                      ("voronoi", ("--glb-nodes", "one", "--repeat", "2x1"), ("ply", "om")),
+                                      ("grains", (), ("ply", "om"))):
+            self.mesh("--mesh", mesh, *options, *outputs(*TILES))
+            self.path("exchanged.txt").write_text(exchanged)
+            for extension in TILES:
+                line = self.succeed("check", f"t.{extension}", "--inclusions", "shapes.txt")
+                self.assertIn("no tags stored" if extension in silent else "tags agree", line, (mesh, options))
+                if extension not in silent:
+                    self.refute("has the tag glass, but its site lies in steel|has the tag steel, but its site lies in "
+                                "glass", f"t.{extension}", "exchanged.txt")
+
+    def test_holes_are_proved_by_their_edges(self):
+        for mesh, extensions, options in (("voronoi", TILES, ()), ("voronoi", TILES[:-1], ("--outline", "box")),
+                                          ("voronoi", ("obj", "vtu"), ("--repeat", "2x2")),
+                                          ("grains", SOLVERS, ("--outline", "box")), ("grains", SOLVERS, ("--order", 2))):
+            for holes, words in ((["steel"], "1 of them holes"), (["glass"], "2 of them holes"),
+                                 (["glass", "steel"], "3 of them holes")):
+                left_out = [word for tag in holes for word in ("--hole", tag)]
+                self.mesh("--mesh", mesh, *left_out, *options, *outputs(*extensions))
+                text = self.succeed("check", *(f"t.{e}" for e in extensions), "--inclusions", "shapes.txt")
+                self.assertEqual(text.count(f"3 inclusions of shapes.txt, {words}, with "), len(extensions), text)
+        lines = SHAPES.splitlines()[1:]
+        self.mesh("--hole", "steel", *outputs("obj", "vtu"))
+        for other, words in ((lines[1].replace("0.2 0.1", "0.2 0.1000001"), r"other\.txt:2: the hole has the area"),
+                             (lines[1].replace("0.7 0.4", "0.7 0.4000001"), r"other\.txt:2: "),
+                             (lines[1].replace("steel", "iron"), "tag steel are left out, which no shape of"),
+                             (lines[1].replace("steel", "glass"), "tag steel are left out, which no shape of")):
+            self.path("other.txt").write_text("\n".join([lines[0], other, lines[2]]))
+            for name in ("t.obj", "t.vtu"):
+                self.refute(words, name, "other.txt")
+        self.path("fewer.txt").write_text("\n".join([lines[0].replace("glass", "steel"), *lines[1:]]))
+        self.refute("lies inside, but the cells with the tag steel are left out", shapes="fewer.txt")
 
     def test_other_shapes_are_refuted(self):
         self.mesh(*outputs("obj", "vtu"))

@@ -191,6 +191,24 @@ class Words(CliTest):
                             "--origin", "-0.5,0")
         self.assertRegex(text, "sites +4\n")
 
+    def test_the_domain_holds_the_sites_of_files_of_pcvt(self):
+        for lattice in ("1,0,5.37,0.81", "1,0,-0.37,0.81", "0.2,3,5,0.1", "1,0,0,0.37,0.81,0,0.2,0.4,0.9",
+                        "1,0,0,5.2,1,0,3.1,-2.3,1"):
+            basis = ("--lattice", lattice, "--max-iterations", 0)
+            self.succeed("mesh", "--sites", 20, *basis, "-o", "own.txt", "--force")
+            text = self.succeed("mesh", "--input", "own.txt", *basis)
+            self.assertRegex(text, "sites +20\n")
+
+    def test_the_summary_asks_about_coordinates_that_look_like_fractions(self):
+        for sites, period in (("0 0\n1 0.5\n0.4 0.7\n0.3 0.8\n", "8.1,8.1"),
+                              ("0 0 0\n1 0.5 0.2\n0.4 0.7 0.9\n0.3 0.8 0.1\n", "8.1,8.1,8.1")):
+            self.path("s.txt").write_text(sites)
+            run = ("mesh", "--input", "s.txt", "--max-iterations", 0, "--period")
+            self.assertRegex(self.succeed(*run, period), "sites +4; all coordinates are from 0 to 1, a small part of the domain: ")
+            self.assertRegex(self.succeed(*run, period.replace("8.1", "1")), "sites +4\n")
+            self.path("s.txt").write_text(sites.replace("0.8", "3"))
+            self.assertRegex(self.succeed(*run, period), "sites +4\n")
+
     def test_quiet_says_nothing(self):
         self.assertEqual(self.succeed("mesh", "--sites", 30, "--quiet", "-o", "t.obj"), "")
 

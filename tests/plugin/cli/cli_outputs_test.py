@@ -1,6 +1,8 @@
 """Outputs: names, pipes, runs that were killed, runs side by side."""
 
+import fcntl
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -11,6 +13,15 @@ MESH = ("mesh", "--sites", "20", "--seed", "3", "--threads", "1", "--quiet")
 
 
 class Outputs(CliTest):
+    def test_names_with_blanks_are_written(self):
+        for period in ("1,1", "1,1,1"):
+            self.succeed("mesh", "--sites", 20, "--period", period, "--tolerance", "1e-2", "-o", "my tile.obj", "-o", "my tile.ply",
+                         "--force")
+            self.succeed("check", "my tile.obj", "my tile.ply")
+            # mtllib lists names with blanks between them.
+            self.assertIn("\nmtllib my_tile.mtl\n", self.path("my tile.obj").read_text())
+            self.assertIn("newmtl", self.path("my_tile.mtl").read_text())
+
     def test_names_with_control_characters_are_refused(self):
         for name in ("a\nb.obj", "a\tb.svg", "\x1b[2J.ply", "x\x7f.glb", "d\n/a.txt", "a\rb.foam"):
             with self.subTest(name):
@@ -65,6 +76,69 @@ class Outputs(CliTest):
         names = {str(p.relative_to(self.folder)) for p in self.folder.rglob("*") if p.is_file()}
         self.assertEqual(names, {f"{k}.{e}" for k in range(12) for e in ("obj", "mtl", "seam.json")}
                          | {f"out/{k}.glb" for k in range(12)})
+
+    def lock(self):
+        """Holds the lock that a run takes while it renames its files."""
+        lock = open(self.path(".pcvt-lock"), "w")
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        self.addCleanup(lock.close)
+        return lock
+
+    def start_behind(self, *arguments):
+        """Starts a run that has nothing left to do but to wait for its turn."""
+        run = subprocess.Popen([self.binary(), *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE)
+        self.addCleanup(run.stderr.close)
+        time.sleep(1)
+        self.assertIsNone(run.poll())
+        return run
+
+    WRITERS = (("a.obj", MESH), ("a.vtu", ("mesh", "--sites", "20", "--period", "1,1,1", "--threads", "1", "--quiet")),
+               ("a.svg", ("pattern", "--sites", "7", "--quiet")),
+               ("a.csv", ("study", "fig11", "--sites", "6", "--runs", "1", "--threads", "1", "--quiet")))
+
+    def test_a_run_waits_until_another_one_has_written_its_files(self):
+        for name, arguments in self.WRITERS:
+            with self.subTest(name), self.lock() as lock:
+                run = self.start_behind(*arguments, "-o", name)
+                self.assertFalse(self.path(name).exists())
+                # As another run does: it removes the lock before it ends.
+                self.path(".pcvt-lock").unlink()
+                lock.close()
+                self.assertEqual((run.communicate(timeout=60)[1], run.returncode), (b"", 0))
+                self.assertTrue(self.path(name).exists())
+        self.assertEqual([p.name for p in self.folder.iterdir() if p.name.startswith(".")], [])
+
+    def test_ctrl_c_ends_the_waiting_and_leaves_nothing(self):
+        for name, arguments in self.WRITERS:
+            with self.subTest(name), self.lock():
+                run = self.start_behind(*arguments, "-o", name)
+                run.send_signal(signal.SIGINT)
+                began = time.monotonic()
+                self.assertEqual((run.communicate(timeout=60)[1], run.returncode),
+                                 (b"pcvt: cancelled; nothing was written\n", 130))
+                self.assertLess(time.monotonic() - began, 1)
+                self.assertEqual([p.name for p in self.folder.iterdir()], [".pcvt-lock"])
+
+    def test_runs_that_replace_the_same_files_leave_the_files_of_one_run(self):
+        for spatial in ([], ["--period", "1,1,1"]):
+            outputs = ["-o", "z.foam", "-o", "new/z.ply", "-o", "z.obj"]
+            for _ in range(4):
+                runs = [subprocess.Popen([self.binary(), "mesh", "--sites", "20", "--seed", str(k), "--max-iterations",
+                                          "2", "--threads", "1", "--quiet", "--force", *outputs, *spatial],
+                                         cwd=self.folder, stderr=subprocess.PIPE) for k in range(8)]
+                for run in runs:
+                    self.assertEqual((run.communicate()[1], run.returncode), (b"", 0))
+                found = self.contents()
+                matching = []
+                for k in range(8):
+                    self.succeed("mesh", "--sites", 20, "--seed", k, "--max-iterations", 2, "--quiet", "--force",
+                                 *outputs, *spatial)
+                    matching.append(self.contents() == found)
+                self.assertEqual(sum(matching), 1)
+                shutil.rmtree(self.path("z.foam"))
+                shutil.rmtree(self.path("new"))
+                self.path("z.obj").unlink()
 
 
 if __name__ == "__main__":

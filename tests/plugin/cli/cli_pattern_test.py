@@ -1,6 +1,7 @@
 """pcvt pattern and --start lattice: exact lattices as tiles, in all formats and on all lattices."""
 
 import json
+import re
 import time
 import unittest
 
@@ -61,11 +62,32 @@ class Pattern(CliTest):
 
     def test_options_of_the_optimiser_are_refused(self):
         for option in ("--seed", "--input", "--solver", "--tolerance", "--max-iterations",
-                       "--start", "--density", "--areas"):
+                       "--start", "--density", "--areas", "--symmetry", "--walls", "--wall-cells", "--fixed",
+                       "--inclusions", "--fibres", "--hole", "--duplicates"):
             self.refuse(2, option + " is not for pattern.*; leave it out", "pattern", "--sites", 3,
                         option, 1)
+        self.refuse(2, "--period auto is not for pattern", "pattern", "--sites", 3, "--period", "auto")
         self.refuse(2, "no sites; give --sites N$", "pattern")
         self.refuse(2, "see pcvt pattern --help", "pattern", "--size", 1, "--bogus")
+
+    def test_the_help_lists_no_option_that_is_always_refused(self):
+        job = ("--mesh", "grains", "-o", "t.inp", "--job", "elastic")
+        values = {"--sites": (4,), "--period": ("2,1",), "--lattice": ("1,0,0.4,1",), "--origin": ("0.1,0",), "--aspect": (2,),
+                  "--threads": (1,), "--phases": ("a:1", "-o", "t.csv"), "--orientations": ("random", "-o", "t.csv"),
+                  "--material": ("GRAINS:1,0.3", *job), "--mesh": ("delaunay",), "--outline": ("box",),
+                  "--size": (0.1, "--mesh", "grains"), "--per-edge": (2, "--mesh", "grains"),
+                  "--order": (2, "--mesh", "grains", "-o", "t.msh"), "--short-edges": (0.1,), "--repeat": ("2x1",), "-o": ("t.obj",),
+                  "--colour": ("size", "-o", "t.svg"), "--background": ("none", "-o", "t.svg"), "--glb-nodes": ("one", "-o", "t.glb"),
+                  "--float32": ("-o", "t.ply"), "--pixels": (16, "-o", "t.png"), "--voxels": ("8,8", "-o", "t.vti"),
+                  "--cut": (10, "-o", "t.dxf"), "--coriolis": ("1e-4", "-o", "t.nc", "--repeat", "4x4"), "--element": ("CPS", "--mesh", "grains", "-o", "t.inp"),
+                  "--job": ("elastic", "--mesh", "grains", "-o", "t.inp"), "--thickness": (0.1, "-o", "t.foam"),
+                  "--surface": ("cells", "--period", "1,1,1", "-o", "t.obj"), "--cells": ("t.csv",), "--report": ("r.json",),
+                  "--force": (), "--quiet": (), "--help": ()}
+        listed = re.findall(r"^ +(?:-h,)?(--?[a-z0-9-]+)", self.succeed("pattern", "--help").split("Examples", 1)[0], re.M)
+        self.assertEqual(set(listed), set(values))
+        for option in listed:
+            words = () if option == "--sites" else ("--sites", 4)
+            self.succeed("pattern", *words, option, *values[option], *(() if option == "--force" else ("--force",)))
 
     def test_mesh_may_start_from_the_lattice_and_then_stays_there(self):
         report = self.report("mesh", "--sites", 56, "--start", "lattice")
@@ -109,7 +131,7 @@ class SpacePattern(CliTest):
     def test_options_are_refused(self):
         self.refuse(2, "--seed is not for pattern.*; leave it out", "pattern", "--sites", 3,
                     "--period", "1,1,1", "--seed", 1)
-        self.refuse(2, "--symmetry is not for three dimensions", "pattern", "--sites", 3,
+        self.refuse(2, "--symmetry is not for pattern", "pattern", "--sites", 3,
                     "--period", "1,1,1", "--symmetry", "p4m")
         self.refuse(2, "no sites; give --sites N$", "pattern", "--period", "1,1,1")
         self.refuse(4, "the lattices of 1000000 cells are more than", "pattern", "--sites", 1000000,

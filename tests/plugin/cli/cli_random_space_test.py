@@ -15,7 +15,7 @@ FORMATS = ("vtu", "foam", "msh", "obj", "ply", "glb", "om", "txt")
 SURFACES = {"obj", "ply", "glb"}
 # What pcvt may say of a job that is well posed, besides success, and its exit code.
 REFUSALS = (
-    (2, r"-o a\.msh: \d+ tetrahedra of these sites are flat, "),
+    (2, r"-o a\.msh: (one tetrahedron of these sites is|\d+ tetrahedra of these sites are) flat, "),
     (2, r"single precision is too coarse"),
     (5, r"^pcvt: not converged \((iteration-limit|stalled)"),
 )

@@ -106,6 +106,16 @@ class Runs(CliTest):
                 self.assertTrue(0 <= float(word) < 1)
                 self.assertAlmostEqual(x - float(word), round(x - float(word)), 12)
 
+    def test_the_summary_counts_the_sites_outside_of_the_domain(self):
+        self.write("s.txt", "0 0 0\n1 0.5 0.2\n1.4 0.7 0.1\n-0.3 0.8 0.6\n")
+        run = ("mesh", "--max-iterations", 0, "--input")
+        said = figures(self.succeed(*run, "s.txt", *CUBE))["sites"]
+        self.assertEqual(said, "4; 2 of the file lie outside of the domain and count modulo the lattice")
+        self.assertEqual(figures(self.succeed(*run, "s.txt", "--lattice", "2,0,0,0,1,0,-0.6,0,1"))["sites"], "4")
+        self.write("far.txt", "0 0 0\n11 0.5 3\n14 0.7 2\n-3.3 8.2 0\n")
+        said = figures(self.succeed(*run, "far.txt", *CUBE))["sites"]
+        self.assertRegex(said, "^4; 3 of .* lattice: --period or --lattice may be wrong$")
+
     def test_sites_on_the_seam(self):
         corners = "0 0 0\n0.5 0 0\n0 0.5 0\n0 0 0.5\n0.25 0.25 0\n1 0.25 0.75\n"
         done = self.succeed("mesh", "--input", "-", *CUBE, "--max-iterations", 0, "-o", "t.vtu", "-o", "t.foam",
@@ -241,7 +251,7 @@ class Tetrahedra(CliTest):
             self.succeed("mesh", "--sites", 20, *words, "-o", f"{name}.msh")
             out = self.succeed("check", f"{name}.msh")
             self.assertRegex(out, rf"^{name}\.msh: a periodic tile of tetrahedra: \d+ of 20 sites, .* in \d+ pairs, "
-                                  "Euler characteristic 0 after gluing, volume ")
+                                  r"periodic within 0 \(tolerance \S+\), Euler characteristic 0 after gluing, volume ")
 
     def test_vtu_is_proved_and_checked(self):
         for name, words in LATTICES.items():
@@ -281,7 +291,8 @@ class Tetrahedra(CliTest):
         self.refuse(2, r"^t\.msh:\d+: .*seam_0_0_", "check", "t.msh")
 
     def test_flat_tetrahedra_are_refused(self):
-        self.refuse(2, r"^pcvt: -o t\.msh: \d+ tetrahedra of these sites are flat, .* leave t\.msh out$",
+        self.refuse(2, r"^pcvt: -o t\.msh: \d+ tetrahedra of these sites are flat, the first that of sites \d+, .* on a sphere; "
+                    r"move the sites a little, or leave t\.msh out$",
                     "mesh", "--sites", 38, *CUBE, "--start", "lattice", "-o", "t.vtu", "-o", "t.msh")
 
     def test_cells_are_not_there(self):

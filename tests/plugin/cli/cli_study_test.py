@@ -87,6 +87,24 @@ class Files(CliTest):
         said = self.succeed("mesh", "--sites", 11, "--seed", 42, "--tolerance", "1e-8")
         self.assertIn(f"{float(last['energy']):.5g}"[:6], said)
 
+    def test_the_command_in_a_table_makes_the_runs_of_the_table(self):
+        for study, n, options in (("gersho3d", 5, {}), ("symmetry", 48, {"GROUP": "p4m"}), ("fig11", 11, {}), ("fig10", 1000, {})):
+            self.succeed("study", study, "--sites", n, "--runs", 2, "--seed", 7, "-o", f"{study}.csv", "--quiet")
+            head = self.path(f"{study}-runs.csv").read_text()
+            command = re.search(r"^# run r starts from .*\(pcvt (.*)\)$", head, re.M)[1].split()
+            row = self.table(f"{study}-runs.csv")[-1]
+            given = {"n": n, "s": row["seed"], **options}
+            self.succeed(*(given.get(word, word) for word in command), "--report", "r.json", "--force", "--quiet",
+                         *(("--max-iterations", 0) if study == "fig10" else ()))
+            report = json.loads(self.path("r.json").read_text())
+            self.assertEqual(report["start"], "random")
+            if study == "gersho3d":
+                self.assertEqual((report["energy"], report["lattice"]),
+                                 (float(row["energy"]), [[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
+            if study == "symmetry":
+                rows = [r for r in self.table("symmetry-runs.csv") if (r["group"], r["sites_at"]) == ("p4m", "general")]
+                self.assertAlmostEqual(report["energy"] / report["energy_bound"], float(rows[-1]["energy/bound"]), 6)
+
     def test_table1_prints_its_columns(self):
         said = self.succeed("study", "table1", "--sites", "3,30", "--runs", 12)
         self.assertRegex(said, r"n +F_CVT +F_PCVT +F_hex")

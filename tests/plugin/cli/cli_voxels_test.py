@@ -1,9 +1,11 @@
 """pcvt mesh -o tile.vti: voxels for solvers that use Fourier transforms. DAMASK's conditions are tested on
 the bytes (support/vti.py)."""
 
+import base64
 import csv
 import math
 import re
+import struct
 
 from support.cli import CliTest, main
 from support.vti import read_vti
@@ -51,6 +53,33 @@ class Voxels(CliTest):
         one, six = self.image("one.vti")[3], self.image("six.vti")[3]
         self.assertEqual(six, tuple(one[16 * (l % 16) + k % 16] for l in range(48) for k in range(32)))
         self.succeed("check", "one.vti", "six.vti")
+
+    def test_layers_along_z_repeat_the_image(self):
+        run = ("mesh", "--sites", 20, "--max-iterations", 3, "--quiet")
+        self.succeed(*run, "--voxels", "16,24", "-o", "one.vti")
+        self.succeed(*run, "--voxels", "16,24,1", "-o", "same.vti")
+        self.succeed(*run, "--voxels", "16,24,1000", "-o", "many.vti")
+        one, many = self.image("one.vti"), self.image("many.vti")
+        self.assertEqual(self.path("one.vti").read_bytes(), self.path("same.vti").read_bytes())
+        self.assertEqual(many[0], [16, 24, 1000])
+        self.assertEqual(many[3], 1000 * one[3])
+        self.assertEqual(many[1][2], 1000 * one[1][2])
+        self.assertRegex(self.succeed("check", "many.vti"),
+                         r"16 x 24 x 1000 equal layers of voxels of 20 cells, .* each voxel in the cell of its site")
+
+    def test_layers_that_differ_are_refused(self):
+        self.succeed("mesh", "--sites", 20, "--voxels", "8,8,3", "-o", "t.vti", "--quiet")
+        counts, _, _, materials = self.image()
+        data = list(materials)
+        data[2 * 64 + 5] = 19 - data[2 * 64 + 5]
+        content = struct.pack(f"<{len(data)}i", *data)
+        coded = base64.b64encode(struct.pack("<Q", len(content)) + content).decode()
+        text = self.path("t.vti").read_text().replace(' compressor="vtkZLibDataCompressor"', "")
+        self.write("t.vti", re.sub(r'(Name="material" format="binary">\n).*', lambda found: found[1] + coded, text))
+        self.refuse(2, r"t\.vti:\d+: layer 2 along z is not equal to layer 0", "check", "t.vti")
+        for wrong in ("8,8,0", "8,8,-1", "8,8,1.5", "8,8,3,4", "8", "8,8,1e9"):
+            self.refuse(2, f"--voxels {wrong}: ", "mesh", "--sites", 20, "--voxels", wrong, "-o", "u.vti")
+        self.refuse(4, "voxels are too many", "mesh", "--sites", 20, "--voxels", "1024,1024,257", "-o", "u.vti")
 
     def test_materials_lie_beside_the_image(self):
         self.succeed("mesh", "--sites", 12, "--voxels", "8,8", "-o", "t.vti", "-o", "t.obj")

@@ -28,23 +28,12 @@ Job job_for_every_format(const TemporaryFolder& folder, int n_threads) {
     return job;
 }
 
-/// Returns the bytes of every file below a folder, by relative path.
-std::map<std::string, std::string> files_in(const TemporaryFolder& folder) {
-    const std::string top = folder / "";
-    std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(top)) {
-        const std::string path = entry.path().string();
-        if (entry.is_regular_file()) files[path.substr(top.size())] = testing::bytes_of(path);
-    }
-    return files;
-}
-
 std::map<std::string, std::string> files_written(int n_threads) {
     const TemporaryFolder folder;
     const RunSummary outcome =
         run_job(job_for_every_format(folder, n_threads), [](const JobProgress&) { return true; });
     EXPECT_EQ(outcome.run.stop, Stop::kConverged);
-    return files_in(folder);
+    return testing::files_below(folder);
 }
 
 TEST(JobStaging, SeveralThreadsWriteTheBytesOfOne) {
@@ -70,7 +59,7 @@ TEST(JobStaging, ReportsTheFaultOfTheFirstFileInTheList) {
         } catch (const InvalidInput& error) {
             ASSERT_THAT(error.what(), HasSubstr("q.nc"));
         }
-        ASSERT_TRUE(files_in(folder).empty());
+        ASSERT_TRUE(testing::files_below(folder).empty());
     }
 }
 

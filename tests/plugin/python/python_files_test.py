@@ -1,5 +1,6 @@
 """Files that the Python package writes, and how it finds the library."""
 
+import concurrent.futures
 import csv
 import importlib.util
 import math
@@ -83,6 +84,19 @@ class Files(CliTest):
                                  ({"background": "blue"}, "#rrggbb")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 result.write(self.path("no.svg"), **arguments)
+
+    def test_threads_that_replace_the_same_files_leave_the_files_of_one(self):
+        results = [pcvt.mesh(30, seed=k, threads=1) for k in range(6)]
+        path = self.path("new/a.obj")
+        with concurrent.futures.ThreadPoolExecutor(len(results)) as pool:
+            for _ in range(10):
+                list(pool.map(lambda result: result.write(path, replace=True), results))
+        found = self.contents()
+        matching = []
+        for result in results:
+            result.write(path, replace=True)
+            matching.append(self.contents() == found)
+        self.assertEqual(sum(matching), 1)
 
     def test_given_sites_lead_to_the_same_bytes(self):
         given = np.random.default_rng(5).random((80, 2))

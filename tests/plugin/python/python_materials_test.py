@@ -27,12 +27,17 @@ class Materials(CliTest):
         drawn = pcvt.mesh(20, orientations="random", seed=3).orientations
         np.testing.assert_array_equal(drawn, pcvt.mesh(20, orientations="random", seed=3).orientations)
         self.assertEqual(drawn.shape, (20, 3))
+        # Arrays are degrees, also where a file with these numbers would look like radians.
+        small = np.linspace(0, 3, 60).reshape(20, 3)
+        np.testing.assert_array_equal(pcvt.mesh(20, orientations=small).orientations, small)
 
     def test_files_are_those_of_the_command(self):
-        options = ("--phases", "a:0.5,b:0.5", "--orientations", "random", "--job", "elastic")
+        options = ("--phases", "a:0.5,b:0.5", "--orientations", "random", "--job", "elastic",
+                   "--material", "a:231400,134700,116400", "--material", "b:162.4,92,69,180.7,46.7")
         self.succeed("mesh", "--sites", 12, "--mesh", "grains", *options, "-o", "command.inp")
         result = pcvt.mesh(12, phases={"a": 0.5, "b": 0.5}, orientations="random")
-        result.write(self.path("python.inp"), "grains", job="elastic")
+        constants = {"a": (231400, 134700, 116400), "b": (162.4, 92, 69, 180.7, 46.7)}
+        result.write(self.path("python.inp"), "grains", job="elastic", materials=constants)
         files = self.contents()
         self.assertEqual(files["python.inp"], files["command.inp"])
         # Files of other formats and kinds do not state the materials.
@@ -40,11 +45,25 @@ class Materials(CliTest):
         result.write(self.path("delaunay.inp"), "delaunay")
         self.assertNotIn(b"\n*SOLID SECTION", self.contents()["delaunay.inp"])
 
+    def test_a_job_of_several_phases_needs_constants(self):
+        result = pcvt.mesh(12, phases={"a": 0.5, "b": 0.5})
+        job = self.path("t.inp"), "grains"
+        for options, words in (({}, "would give the phases a, b the same"), ({"materials": {"a": (1, 0.3)}}, "the phase b has"),
+                               ({"materials": "b"}, "materials: 'b': no material"),
+                               ({"materials": {"a": (1, 0.5), "b": (1, 0)}}, "no material is stable")):
+            with self.assertRaisesRegex(pcvt.ArgumentError, words):
+                result.write(*job, job="elastic", **options)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "Delaunay triangles one material"):
+            result.write(self.path("t.inp"), "delaunay", job="elastic", materials="same")
+        result.write(*job, job="elastic", materials="same")
+        self.assertEqual(self.path("t.inp").read_text().count("\n*ELASTIC\n210000.,0.3\n"), 2)
+
     def test_wrong_materials_are_refused(self):
         for options, words in (({"phases": {"a": 0.5}}, "make the sum 1"), ({"phases": "a"}, "NAME:FRACTION"),
                                ({"phases": {"a b": 1}}, "letters"), ({"orientations": "rolled"}, "random"),
                                ({"orientations": [[1, 2, 3]]}, "n_orientations"),
-                               ({"orientations": [[1, 2, 400]] * 5}, "-360 to 360")):
+                               ({"orientations": [[1, 2, 400]] * 5}, "-360 to 360"),
+                               ({"orientations": "random", "fibres": (0.3, 2)}, "leave the orientations out")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 pcvt.mesh(5, **options)
 

@@ -22,10 +22,19 @@ class Refusals(unittest.TestCase):
         self.refuse(pcvt.ArgumentError, "lattice is not finite", lattice=((1, 0), (0, np.inf)))
         self.refuse(pcvt.ArgumentError, "site 1 is not finite", [[0, 0], [np.nan, 1]])
         self.refuse(pcvt.GeometryError, "sites 0 and 1 coincide", [[0, 0], [1, 1]])
+        self.refuse(pcvt.GeometryError, "2 sites coincide .*site 1 with site 0, site 2 with site 0",
+                    [[0, 0], [1, 1], [1e-11, 2]])
+        self.refuse(pcvt.ArgumentError, "duplicates is for given sites", duplicates="drop")
         self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
         self.refuse(pcvt.ArgumentError, "character 4", density="x +")
         self.refuse(pcvt.ArgumentError, "character 2: a control character", density="1\a + x")
         self.refuse(pcvt.ArgumentError, "take one of the two", grain_size=0.1, grain_per_edge=2)
+
+    def test_coincident_sites_are_dropped(self):
+        result = pcvt.mesh([[0, 0], [0.5, 0.5], [1, 1]], max_iterations=0, orientations=np.arange(9).reshape(3, 3),
+                           duplicates="drop")
+        self.assertEqual(result.statistics.dropped.tolist(), [[2, 0]])
+        self.assertEqual(result.orientations.tolist(), [[0, 1, 2], [3, 4, 5]])
 
     def test_an_origin_is_a_point_or_auto(self):
         with self.assertRaises((TypeError, ValueError, pcvt.ArgumentError)):

@@ -184,6 +184,8 @@ class Refusals(CliTest):
         self.refuse(pcvt.ArgumentError, r"sites has the shape \(1, 2\)", [[0, 0]])
         self.refuse(pcvt.ArgumentError, "site 1 is not finite", [[0, 0, 0], [np.nan, 1, 0]])
         self.refuse(pcvt.GeometryError, "sites 0 and 1 coincide", [[0, 0, 0], [1, 1, -2]])
+        self.refuse(pcvt.GeometryError, "sites 0 and 1 coincide", [[0, 0, 0], [1, 1e-11, -2]])
+        self.refuse(pcvt.ArgumentError, "duplicates 'keep' is unknown", duplicates="keep")
         self.refuse(pcvt.ArgumentError, r"lattice has the shape \(2, 2\)", lattice=((1, 0), (0, 1)))
         self.refuse(pcvt.ArgumentError, "lattice3: ", lattice=((1, 0, 0), (0, 1, 0), (1, 1, 0)))
         self.refuse(pcvt.ArgumentError, "exclude each other", lattice=OBLIQUE, period=(1, 1, 1))
@@ -193,6 +195,11 @@ class Refusals(CliTest):
         self.refuse(pcvt.ArgumentError, "solver 'newton' is unknown", solver="newton")
         self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
         self.refuse(pcvt.LimitError, "memory", 2**26)
+
+    def test_near_sites_are_dropped(self):
+        result = pcvt.space([[0, 0, 0], [0.5, 0.5, 0.5], [1, 1e-11, -2]], max_iterations=0, duplicates="drop")
+        self.assertEqual(result.statistics.dropped.tolist(), [[2, 0]])
+        self.assertEqual(len(result.sites), 2)
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
