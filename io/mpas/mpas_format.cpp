@@ -11,32 +11,31 @@ struct Shape {
     Size columns = Size::kOne;
 };
 
-MpasVariable indices(const char* name, Shape shape, const char* long_name,
-                     std::vector<int> MpasGrid::*table) {
-    return {.name = name,
-            .rows = shape.rows,
-            .columns = shape.columns,
-            .units = "unitless",
-            .long_name = long_name,
-            .indices = table};
-}
-MpasVariable counts(const char* name, Shape shape, const char* long_name,
-                    std::vector<int> MpasGrid::*table) {
-    return {.name = name,
-            .rows = shape.rows,
-            .columns = shape.columns,
-            .units = "unitless",
-            .long_name = long_name,
-            .counts = table};
-}
-MpasVariable numbers(const char* name, Shape shape, const char* units, const char* long_name,
-                     std::vector<double> MpasGrid::*table) {
+/// A variable without its table.
+MpasVariable variable(const char* name, Shape shape, const char* units, const char* long_name) {
     return {.name = name,
             .rows = shape.rows,
             .columns = shape.columns,
             .units = units,
-            .long_name = long_name,
-            .numbers = table};
+            .long_name = long_name};
+}
+MpasVariable indices(const char* name, Shape shape, const char* long_name,
+                     std::vector<int> MpasGrid::*table) {
+    MpasVariable result = variable(name, shape, "unitless", long_name);
+    result.indices = table;
+    return result;
+}
+MpasVariable counts(const char* name, Shape shape, const char* long_name,
+                    std::vector<int> MpasGrid::*table) {
+    MpasVariable result = variable(name, shape, "unitless", long_name);
+    result.counts = table;
+    return result;
+}
+MpasVariable numbers(const char* name, Shape shape, const char* units, const char* long_name,
+                     std::vector<double> MpasGrid::*table) {
+    MpasVariable result = variable(name, shape, units, long_name);
+    result.numbers = table;
+    return result;
 }
 
 }  // namespace

@@ -226,7 +226,8 @@ std::map<int, VertexPair> point_links(const Tile& tile, const MshModel& model) {
     // The image with the smallest offset, by the representative.
     std::map<int, VertexPair> masters;
     for (const VertexPair& pair : tile.vertex_pairs) {
-        VertexPair& master = masters.try_emplace(pair.v, VertexPair{pair.v, pair.v, Offset{}}).first->second;
+        VertexPair& master =
+            masters.try_emplace(pair.v, VertexPair{pair.v, pair.v, Offset{}}).first->second;
         if (pair.offset < master.offset) master = pair;
     }
     std::map<int, VertexPair> links;
@@ -260,10 +261,12 @@ void append_periodic(std::string& text, const Tile& tile, const MshModel& model)
     text += "$EndPeriodic\n";
 }
 
-/// The values of triangles, and -1 for lines, in the order of append_elements().
+/// The value of lines and of midside nodes.
+constexpr int kNoCell = -1;
+
+/// The values of triangles, and kNoCell for lines, in the order of append_elements().
 std::vector<MshValue> element_values(const Tile& tile, const MshModel& model,
                                      const std::vector<int>& of_triangle) {
-    constexpr int kNoCell = -1;
     std::vector<MshValue> values;
     for (int e = tile.n_faces(); e < tile.n_faces() + n_lines(model); ++e) {
         values.push_back({e + 1, kNoCell});
@@ -274,11 +277,14 @@ std::vector<MshValue> element_values(const Tile& tile, const MshModel& model,
     return values;
 }
 
-/// The values of nodes in the order of append_nodes(), of order 1.
-std::vector<MshValue> node_values(const MshModel& model, const std::vector<int>& of_node) {
+/// The sites of vertices, and kNoCell for midside nodes, in the order of append_nodes().
+std::vector<MshValue> node_values(const MshModel& model, const std::vector<SiteId>& of_vertex) {
+    const int n_vertices = static_cast<int>(of_vertex.size());
     std::vector<MshValue> values;
     const auto append = [&](const std::vector<int>& nodes) {
-        for (const int v : nodes) values.push_back({v + 1, of_node[v]});
+        for (const int v : nodes) {
+            values.push_back({v + 1, v < n_vertices ? of_vertex[v] : kNoCell});
+        }
     };
     append(model.entities.points);
     for (const MshCurve& curve : model.entities.curves) append(inner_nodes(curve));

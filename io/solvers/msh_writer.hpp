@@ -22,9 +22,9 @@ namespace pcvt {
 /// point that is not a master, with slave = master + translation, which has a larger offset, so
 /// that links never run in a circle; a box between four walls has none. $ElementData "cell_id"
 /// holds element_cells() for triangles and -1 for lines; $NodeData "cell_id" holds the site of each
-/// vertex of Delaunay triangles; $ElementData "orbit" holds the orbit of the cell of each triangle
-/// and -1 for lines. $Comments hold the kind, the lattice, the phases, the orbits, and the
-/// positions of the sites where the tile knows them.
+/// vertex of Delaunay triangles and -1 for midside nodes; $ElementData "orbit" holds the orbit of
+/// the cell of each triangle and -1 for lines. $Comments hold the kind, the lattice, the phases,
+/// the orbits, and the positions of the sites where the tile knows them.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_msh(tile, "tile.msh")) {

@@ -142,8 +142,7 @@ void prove_orbits(const PolyhedralMesh& mesh, DisjointSets& glued, double tolera
     }
 }
 
-}  // namespace
-
+/// The largest distance of a point from its representative plus the translation, in one coordinate.
 double largest_mismatch(const PolyhedralMesh& mesh) {
     double largest = 0;
     for (int v = 0; v < mesh.n_points(); ++v) {
@@ -154,6 +153,8 @@ double largest_mismatch(const PolyhedralMesh& mesh) {
     }
     return largest;
 }
+
+}  // namespace
 
 PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh, double least_tolerance) {
     const double tolerance =

@@ -21,10 +21,6 @@ struct PolyhedralProof {
     bool boundary_is_manifold = false;
 };
 
-/// The largest distance of a point from its stated representative plus the stated translation, in
-/// one coordinate: how far a file is rounded.
-double largest_mismatch(const PolyhedralMesh& mesh);
-
 /// Proves the laws of PolyhedralMesh from positions and period vectors alone: the pairs of boundary
 /// faces are found again from their positions and then compared with the patches. Positions may
 /// differ by 4 double ulps of the largest coordinate.
@@ -33,8 +29,7 @@ double largest_mismatch(const PolyhedralMesh& mesh);
 ///   const PolyhedralProof proof = prove_polyhedra(mesh);
 ///
 /// @param least_tolerance  of positions, length units: of files of other programs.
-/// @throws NotATile with the law and the first faces that break it; as SeamMismatch where a wider
-///         tolerance may help.
+/// @throws NotATile with the law and the first faces that break it.
 PolyhedralProof prove_polyhedra(const PolyhedralMesh& mesh, double least_tolerance = 0);
 
 }  // namespace pcvt

@@ -18,8 +18,8 @@ namespace pcvt {
 ///   (3) A tile that obeys law (1) stays as it is.
 ///
 /// Law (1) held after at most 31 moves in each of 10,000 tiles of random sites on five lattices. If
-/// it does not hold after kMostMoves, the function returns what it has then; n_untied_points() of
-/// the mesh tells.
+/// it does not hold after kMostMoves, the function returns what it has then. n_untied_points()
+/// counts the sites of a mesh that break the law.
 ///
 /// Example usage:
 ///     const std::vector<Offset3> tied = tied_frames(delaunay, frames);

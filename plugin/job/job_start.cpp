@@ -186,7 +186,7 @@ void keep_entries(const std::vector<SiteId>& kept, std::size_t n, Entries& entri
 void settle_duplicates(Job& job) {
     Points& given = job.points.cols() > 0 ? job.points : job.fixed;
     if (given.cols() < 2) return;
-    // check_constraints() refuses so many fixed sites.
+    // check_constraints() refuses more fixed sites than sites, and its message comes first.
     if (job.duplicates == Duplicates::kRefuse && job.fixed.cols() > job.n_sites) return;
     const double n_sites = std::max(static_cast<double>(given.cols()), double(job.n_sites));
     std::vector<CoincidentSite> pairs = duplicates_of(job, given, n_sites);

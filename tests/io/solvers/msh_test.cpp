@@ -72,6 +72,15 @@ TEST(Msh, CellsBecomeSurfacesAndTheirBoundariesCurves) {
     EXPECT_THAT(text, HasSubstr("$NodeData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n6\n1 0\n2 1\n"));
 }
 
+TEST(Msh, MidsideNodesHaveNoSite) {
+    Tile tile = testing::triangle_grid_tile(Lattice::rectangle(1, 1), 2, 1);
+    tile.order = 2;
+    const std::string text = encode_msh(tile, "t.msh")[0].bytes;
+    // Six vertices and nine edges; vertices with points come first, midside nodes of curves after.
+    EXPECT_THAT(text, HasSubstr("$NodeData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n15\n1 0\n2 1\n3 0\n"
+                                "4 0\n5 1\n6 0\n7 -1\n"));
+}
+
 /// Random sites on square and oblique lattices, as triangles and grains of both outlines and
 /// orders.
 std::vector<Tile> random_tiles() {
