@@ -12,6 +12,7 @@
 #include "mesher/mesh/valence.hpp"
 #include "mesher/portable/decimal_text.hpp"
 #include "mesher/portable/portable_functions.hpp"
+#include "mesher/tile/face_polygon.hpp"
 #include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/graphics/om_bytes.hpp"
-#include "mesher/tile/faces.hpp"
+#include "mesher/base/faces.hpp"
 
 namespace pcvt {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tile/faces.hpp"
+#include "mesher/base/faces.hpp"
 
 namespace pcvt {
 

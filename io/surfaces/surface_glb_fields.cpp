@@ -14,10 +14,10 @@
 #include "io/gltf/gltf_writer.hpp"
 #include "io/surfaces/surface_glb_writer.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/polyhedra/cell_sites.hpp"
 #include "mesher/polyhedra/polyhedral_mesh.hpp"
 #include "mesher/portable/portable_functions.hpp"
-#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {

@@ -11,7 +11,7 @@
 #include "io/gltf/gltf_writer.hpp"
 #include "io/surfaces/surface_parts.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 namespace pcvt {
 namespace {

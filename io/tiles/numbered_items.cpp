@@ -8,7 +8,7 @@
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
 #include "mesher/base/cancellable_sort.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 namespace pcvt {
 namespace {

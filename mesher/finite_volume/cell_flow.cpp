@@ -6,6 +6,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/polygon.hpp"
+#include "mesher/tile/face_polygon.hpp"
 
 namespace pcvt {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 namespace pcvt {
 namespace {
@@ -224,7 +224,7 @@ void require_translation(const ExtrudedMesh& extruded, const ExtrudedPatch& patc
     if (patch.name != seam_name(patch.offset) || patch.offset == Offset{} ||
         !((patch.separation - translation).cwiseAbs().maxCoeff() <= allowed)) {
         throw_violation(kSeams, "patch " + patch.name + " states a separation other than " +
-                                    in_words(patch.offset));
+                                    offset_in_words(patch.offset));
     }
 }
 

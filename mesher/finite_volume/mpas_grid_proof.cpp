@@ -8,9 +8,9 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/finite_volume/mpas_tables_proof.hpp"
 #include "mesher/lattice/polygon.hpp"
-#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 namespace pcvt {
 namespace {

@@ -72,6 +72,10 @@ void require_small(double coefficient) {
 
 }  // namespace
 
+std::string offset_in_words(Offset offset) {
+    return "(" + std::to_string(offset.i) + ", " + std::to_string(offset.j) + ")";
+}
+
 Lattice::Lattice(const Vec2& a, const Vec2& b) : a_(a), b_(b) {
     require_period(a);
     require_period(b);

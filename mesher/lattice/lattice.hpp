@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <compare>
+#include <string>
 
 namespace pcvt {
 
@@ -20,6 +21,9 @@ struct Offset {
     friend constexpr Offset operator-(Offset s, Offset t) { return {s.i - t.i, s.j - t.j}; }
     friend constexpr Offset operator-(Offset s) { return {-s.i, -s.j}; }
 };
+
+/// Formats an offset for a message: "(2, -1)".
+std::string offset_in_words(Offset offset);
 
 /// The translation group of the flat torus, given by two period vectors.
 ///

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/lattice/offset_disjoint_sets.hpp"
+#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
 
 namespace pcvt {

@@ -7,9 +7,9 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
 #include "mesher/portable/portable_functions.hpp"
-#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {

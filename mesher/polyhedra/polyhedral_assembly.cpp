@@ -5,10 +5,10 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/lattice/offset_disjoint_sets.hpp"
+#include "mesher/base/law_violation.hpp"
+#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/polyhedra/cell_faces.hpp"
 #include "mesher/polyhedra/seam_pairs.hpp"
-#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "mesher/base/faces.hpp"
 #include "mesher/polyhedra/cell_complex.hpp"
-#include "mesher/tile/faces.hpp"
 
 namespace pcvt {
 

@@ -6,10 +6,10 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/polyhedra/boundary_surface.hpp"
 #include "mesher/polyhedra/cell_proof.hpp"
 #include "mesher/polyhedra/seam_pairs.hpp"
-#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {

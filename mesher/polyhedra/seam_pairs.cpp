@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/portable/portable_functions.hpp"
-#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {

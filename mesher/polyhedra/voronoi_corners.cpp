@@ -7,7 +7,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/lattice/offset_disjoint_sets.hpp"
+#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/portable/wide_double.hpp"
 
 namespace pcvt {

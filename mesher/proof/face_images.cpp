@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/lattice/offset_disjoint_sets.hpp"
+#include "mesher/base/law_violation.hpp"
+#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/lattice/polygon.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/tile/face_polygon.hpp"
 
 namespace pcvt {
 namespace {

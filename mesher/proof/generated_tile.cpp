@@ -8,6 +8,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/site_labels.hpp"
+#include "mesher/tile/face_polygon.hpp"
 
 namespace pcvt {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 namespace pcvt {
 namespace {
@@ -37,9 +37,9 @@ struct Side {
     }
 };
 
-class Gluing {
+class FaceGluing {
    public:
-    Gluing(const Tile& tile, const VertexOrbits& orbits, Precision precision)
+    FaceGluing(const Tile& tile, const VertexOrbits& orbits, Precision precision)
         : tile_(tile), orbits_(orbits), precision_(precision) {}
 
     GluedFaces glue() {
@@ -192,7 +192,7 @@ class Gluing {
         throw_violation(kSeamLaw, "edge " + edge(g) + " of " + face(g) + " and edge " + edge(h) +
                                       " of " + face(h) +
                                       (by == Offset{} ? " are the same edge in the same direction"
-                                                      : " are images by " + in_words(by) +
+                                                      : " are images by " + offset_in_words(by) +
                                                             " that run in the same direction") +
                                       ": the faces overlap, or one of them is turned round");
     }
@@ -328,7 +328,7 @@ std::vector<Polygon> hole_polygons(const Tile& tile, const GluedFaces& faces, do
 }
 
 GluedFaces glue_faces(const Tile& tile, const VertexOrbits& orbits, Precision precision) {
-    return Gluing(tile, orbits, precision).glue();
+    return FaceGluing(tile, orbits, precision).glue();
 }
 
 }  // namespace pcvt

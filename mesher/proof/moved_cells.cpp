@@ -5,11 +5,11 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/lattice/dual_mean.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/face_images.hpp"
 #include "mesher/proof/glued_faces.hpp"
-#include "mesher/proof/law_violation.hpp"
 
 namespace pcvt {
 namespace {

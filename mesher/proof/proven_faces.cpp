@@ -1,8 +1,9 @@
 #include "mesher/proof/proven_faces.hpp"
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
+#include "mesher/tile/face_polygon.hpp"
 
 namespace pcvt {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 namespace pcvt {
 namespace {

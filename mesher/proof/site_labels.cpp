@@ -7,10 +7,11 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/proof/site_images.hpp"
 #include "mesher/proof/validate_walls.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
+#include "mesher/tile/face_polygon.hpp"
 #include "mesher/tile/round_tile.hpp"
 #include "mesher/tile/site_positions.hpp"
 

@@ -6,11 +6,12 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/lattice/polygon.hpp"
 #include "mesher/proof/glued_faces.hpp"
-#include "mesher/proof/law_violation.hpp"
 #include "mesher/proof/validate_walls.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
+#include "mesher/tile/face_polygon.hpp"
 
 namespace pcvt {
 namespace {

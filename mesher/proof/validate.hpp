@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mesher/base/error.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/tile/tile.hpp"
 
 namespace pcvt {
@@ -10,24 +10,8 @@ namespace pcvt {
 /// The precision in which a tile's coordinates were stored.
 enum class Precision { kDouble, kSingle };
 
-/// A tile violates one of its laws; the message states the law, the place and the amount.
-class NotATile : public InvalidInput {
-   public:
-    using InvalidInput::InvalidInput;
-};
-
-/// Boundary edges have no partner within the tolerance.
-class SeamMismatch : public NotATile {
-   public:
-    SeamMismatch(const std::string& what, double mismatch) : NotATile(what), mismatch_(mismatch) {}
-
-    /// The largest distance of a boundary edge from the image of the edge that comes nearest to it,
-    /// in one coordinate, length units. Infinite where it was not measured.
-    double mismatch() const { return mismatch_; }
-
-   private:
-    double mismatch_;
-};
+/// The name of law (1) of prove_tile() in messages.
+inline constexpr const char* kFaceLaw = "(1), faces";
 
 /// The result of prove_tile, derived from positions, faces and the lattice alone.
 struct TileProof {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "mesher/base/disjoint_sets.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/proof/validate.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
 
@@ -20,7 +20,7 @@ void require_vertex(int v, const std::string& name, int n_vertices) {
 }
 
 std::string stated(int v, int w, Offset offset) {
-    return "vertex " + to_string(w) + " = vertex " + to_string(v) + " + " + in_words(offset);
+    return "vertex " + to_string(w) + " = vertex " + to_string(v) + " + " + offset_in_words(offset);
 }
 
 std::string wall_edge_in_words(const Tile& tile, const WallEdge& edge) {
@@ -38,7 +38,7 @@ void require_true_pair(const VertexPair& pair, std::size_t index, const VertexOr
     }
     const Offset offset = orbits.offset[pair.w] - orbits.offset[pair.v];
     if (offset != pair.offset)
-        throw_violation(kPairs, says + "; the offset is " + in_words(offset));
+        throw_violation(kPairs, says + "; the offset is " + offset_in_words(offset));
 }
 
 /// The edge pair seen from its side with the positive translation, on the first copies of vertices.
@@ -54,7 +54,7 @@ EdgePair normal_form(const EdgePair& pair, const TileProof& proof) {
 
 std::string edge_pair_in_words(const EdgePair& pair) {
     return "edge " + edge_in_words(pair.w0, pair.w1) + " = edge " +
-           edge_in_words(pair.v0, pair.v1) + " + " + in_words(pair.offset);
+           edge_in_words(pair.v0, pair.v1) + " + " + offset_in_words(pair.offset);
 }
 
 EdgePair checked_edge_pair(const Tile& tile, const TileProof& proof, std::size_t index) {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/proof/proven_faces.hpp"
 
 namespace pcvt {

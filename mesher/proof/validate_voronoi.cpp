@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/proof/proven_faces.hpp"
 #include "mesher/proof/site_images.hpp"
 #include "mesher/proof/validate_walls.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/proof/vertex_orbits.hpp"
 #include "mesher/tile/site_positions.hpp"
 

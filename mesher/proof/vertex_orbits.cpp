@@ -10,7 +10,7 @@
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 namespace pcvt {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "mesher/base/disjoint_sets.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 namespace pcvt {
 namespace {

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "mesher/base/faces.hpp"
 #include "mesher/lattice/metric.hpp"
 #include "mesher/lattice/set_names.hpp"
 #include "mesher/lattice/sites.hpp"
 #include "mesher/lattice/walls.hpp"
 #include "mesher/mesh/mesh_kind.hpp"
-#include "mesher/tile/faces.hpp"
 
 namespace pcvt {
 

@@ -4,6 +4,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/mesh/valence.hpp"
+#include "mesher/tile/face_polygon.hpp"
 
 namespace pcvt {
 

@@ -7,6 +7,7 @@
 #include "mesher/areas/cell_areas.hpp"
 #include "mesher/areas/target_areas.hpp"
 #include "mesher/lattice/polygon.hpp"
+#include "mesher/tile/face_polygon.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {

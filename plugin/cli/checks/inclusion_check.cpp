@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesher/interfaces/inclusion_set.hpp"
+#include "mesher/tile/face_polygon.hpp"
 #include "plugin/cli/checks/outline_proof.hpp"
 #include "plugin/cli/terminal/console.hpp"
 

@@ -4,7 +4,7 @@
 #include "io/space_file_proof.hpp"
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/proof/validate.hpp"
 #include "plugin/cli/checks/tolerance_check.hpp"
 #include "plugin/cli/terminal/console.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "io/bytes/text.hpp"
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {

@@ -1,4 +1,4 @@
-#include "mesher/proof/law_violation.hpp"
+#include "mesher/base/law_violation.hpp"
 
 #include <array>
 #include <charconv>
@@ -20,10 +20,6 @@ std::string in_words(double amount) {
     char* const end = write_decimal(text.data(), text.data() + text.size(), amount,
                                     std::chars_format::general, 3);
     return {text.data(), end};
-}
-
-std::string in_words(Offset offset) {
-    return "(" + std::to_string(offset.i) + ", " + std::to_string(offset.j) + ")";
 }
 
 std::string edge_in_words(int from, int to) {
