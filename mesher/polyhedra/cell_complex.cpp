@@ -91,6 +91,7 @@ void add_face(SiteId p, std::span<const RingEntry> ring, const VoronoiCorners& v
 CellComplex cell_complex(const SpaceSites& sites, const TorusTetrahedra& tetrahedra) {
     VoronoiCorners vertices = voronoi_corners(sites, tetrahedra);
     CellComplex complex{.reduced = sites.reduction().reduced, .n_cells = sites.n_sites()};
+    for (SiteId s = 0; s < sites.n_sites(); ++s) complex.sites.push_back(sites.position(s));
     std::vector<RingEntry> entries;
     for_each_bucket(
         6 * tetrahedra.n_tetrahedra(), sites.n_sites(),

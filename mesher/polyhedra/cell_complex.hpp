@@ -42,6 +42,8 @@ struct CellFace {
 struct CellComplex {
     SpaceLattice reduced;
     int n_cells = 0;
+    /// The sites of the cells in the domain of the reduced basis, length units.
+    std::vector<Vec3> sites = {};
     /// Edges shorter than this part of h were removed (short_edges.hpp), and with them (3): faces
     /// are plane within this length. 0: none.
     double short_edges = 0;

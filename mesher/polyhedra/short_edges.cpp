@@ -13,6 +13,10 @@ namespace {
 /// A cell keeps this part of its volume.
 constexpr double kLeastVolume = 0.5;
 
+/// The centroid of a cell stays so far from the planes between its site and its neighbours, in
+/// units of the distance of the sites, because files round positions.
+constexpr double kLeastDepth = 1e-6;
+
 /// An edge from vertex `from` in the domain to an image of vertex `to`.
 struct ShortEdge {
     double length;
@@ -77,8 +81,10 @@ class ShrinkingComplex {
     }
 
     CellComplex result() const {
-        CellComplex left{
-            .reduced = complex_.reduced, .n_cells = complex_.n_cells, .short_edges = part_};
+        CellComplex left{.reduced = complex_.reduced,
+                         .n_cells = complex_.n_cells,
+                         .sites = complex_.sites,
+                         .short_edges = part_};
         std::vector<int> number(positions_.size());
         for (std::size_t v = 0; v < positions_.size(); ++v) {
             number[v] = static_cast<int>(left.vertices.size());
@@ -172,7 +178,7 @@ class ShrinkingComplex {
         return faces;
     }
 
-    double volume(const std::vector<Corners>& faces, const ShortEdge& edge) const {
+    CellBody body(const std::vector<Corners>& faces, const ShortEdge& edge) const {
         const Vec3 end = middle(edge);
         std::vector<Vec3> points;
         const auto place = [&](const VertexImage& corner) {
@@ -185,7 +191,22 @@ class ShrinkingComplex {
             for (const VertexImage& corner : face) points.push_back(place(corner));
             sum.add(points);
         }
-        return sum.body().volume;
+        return sum.body();
+    }
+
+    /// Whether a centroid is nearer to the site of its cell than to those of all neighbours that
+    /// share a face with the cell when an edge is removed.
+    bool is_on_its_side(const Vec3& centroid, const ShortEdge& edge, SiteId cell) const {
+        const Vec3& site = complex_.sites[cell];
+        return std::all_of(uses_[cell].begin(), uses_[cell].end(), [&](const Use& use) {
+            if (shrunk(faces_[use.face], edge).size() < 3) return true;
+            const CellFace& face = complex_.faces[use.face];
+            const Vec3 to_other =
+                complex_.sites[use.reversed ? face.cell : face.neighbour] +
+                complex_.reduced.translation(use.reversed ? use.shift : face.offset) - site;
+            const double along = (centroid - site).dot(to_other) / to_other.squaredNorm();
+            return along < 0.5 - kLeastDepth;
+        });
     }
 
     bool may_remove(const ShortEdge& edge) const {
@@ -193,7 +214,9 @@ class ShrinkingComplex {
         for (const SiteId cell : cells_at(edge)) {
             const std::vector<Corners> faces = faces_without(edge, cell);
             if (!is_polyhedron(faces)) return false;
-            if (!(volume(faces, edge) >= kLeastVolume * volumes_[cell])) return false;
+            const CellBody left = body(faces, edge);
+            if (!(left.volume >= kLeastVolume * volumes_[cell])) return false;
+            if (!is_on_its_side(left.centroid, edge, cell)) return false;
         }
         return true;
     }

@@ -16,12 +16,15 @@ inline constexpr double kLongestSpaceShortEdge = 0.1;
 ///   const PolyhedralMesh smooth = polyhedral_mesh(sites, without_short_edges(cells, 1e-3));
 ///
 /// An edge may be removed if each cell at one of its ends remains a polyhedron
-/// (is_polyhedron()) and keeps at least half of its volume, and if no vertex of
-/// the diagram comes to lie further than `shortest` h from where it was. Laws, tested by number:
+/// (is_polyhedron()), keeps at least half of its volume, and has its centroid nearer to its own
+/// site than to those of its neighbours, and if no vertex of the diagram comes to lie further than
+/// `shortest` h from where it was. Laws, tested by number:
 ///   (1) The cells fill the torus as before: V - E + F - cells = 0, and the volumes sum to that of
 ///       the domain. Faces remain those of the same cells.
 ///   (2) No remaining edge shorter than `shortest` h may be removed.
 ///   (3) A vertex moves only if it lies on a removed edge, and by at most `shortest` h.
+///   (4) The cells remain those of their sites (prove_cell_sites()), also where sites form clusters
+///       whose cells are smaller than `shortest` h.
 ///
 /// @param shortest  a part of h, the mean spacing of the sites, at most kLongestSpaceShortEdge; 0
 ///                  leaves the diagram as it is.

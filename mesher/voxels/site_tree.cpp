@@ -78,9 +78,9 @@ double SiteTree::least_distance(const Node& node, const Vec2& p) const {
 
 void SiteTree::look_at(SiteId site, const Vec2& p, const Vec2& translation,
                        NearestImage& best) const {
-    const Vec2 position = positions_[site] + translation;
-    const double distance = (p - position).squaredNorm() - weights_[site];
-    if (distance < best.power_distance) best = {site, position, distance};
+    const Vec2 from_point = positions_[site] + translation - p;
+    const double distance = from_point.squaredNorm() - weights_[site];
+    if (distance < best.power_distance) best = {site, from_point, distance};
 }
 
 void SiteTree::visit(int node, const Vec2& p, const Vec2& translation, NearestImage& best) const {
@@ -99,18 +99,16 @@ void SiteTree::visit(int node, const Vec2& p, const Vec2& translation, NearestIm
 }
 
 NearestImage SiteTree::nearest(const Vec2& p) const {
-    const Vec2 shift = into_domain(p);
-    NearestImage best{-1, p, std::numeric_limits<double>::infinity()};
-    for (const Vec2& translation : translations_) visit(0, p + shift, translation, best);
-    best.position -= shift;
+    const Vec2 q = p + into_domain(p);
+    NearestImage best{-1, {}, std::numeric_limits<double>::infinity()};
+    for (const Vec2& translation : translations_) visit(0, q, translation, best);
     return best;
 }
 
 NearestImage SiteTree::nearest_of(SiteId site, const Vec2& p) const {
-    const Vec2 shift = into_domain(p);
-    NearestImage best{-1, p, std::numeric_limits<double>::infinity()};
-    for (const Vec2& translation : translations_) look_at(site, p + shift, translation, best);
-    best.position -= shift;
+    const Vec2 q = p + into_domain(p);
+    NearestImage best{-1, {}, std::numeric_limits<double>::infinity()};
+    for (const Vec2& translation : translations_) look_at(site, q, translation, best);
     return best;
 }
 

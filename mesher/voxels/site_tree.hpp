@@ -9,8 +9,9 @@ namespace pcvt {
 /// The image of a site, length units.
 struct NearestImage {
     SiteId site;
-    Vec2 position;
-    /// |p - position|^2 - w
+    /// Its position - p, without the digits that a position far from the origin loses.
+    Vec2 from_point;
+    /// |from_point|^2 - w
     double power_distance;
 };
 

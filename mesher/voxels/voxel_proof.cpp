@@ -61,8 +61,9 @@ VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells) {
     const SiteTree tree(round, cells.metric.to_round(cells.sites), cells.weights);
     const double h = std::sqrt(cells.lattice.area() / cells.n_cells());
     const double farthest = (grid.corner.cwiseAbs() + grid.size).maxCoeff();
-    const double tolerance =
-        kVoxelTolerance * h + kUlps * std::numeric_limits<double>::epsilon() * farthest;
+    // The rounding of a position, in the plane of the metric.
+    const double rounding =
+        kUlps * std::numeric_limits<double>::epsilon() * farthest * cells.metric.largest_stretch();
     const Vec2 spacing = grid.spacing();
     double largest = 0;
     for (std::size_t k = 0; k < image.site.size(); ++k) {
@@ -74,10 +75,12 @@ VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells) {
         const NearestImage nearest = tree.nearest(p);
         if (nearest.site == image.site[k]) continue;
         const NearestImage named = tree.nearest_of(image.site[k], p);
-        // The distance of the centre from the line of equal power distance.
-        const double excess = (named.power_distance - nearest.power_distance) /
-                              (2 * (named.position - nearest.position).norm());
-        if (!(excess <= tolerance)) {
+        // The distance of the centre from the line of equal power distance. That line moves by more
+        // than the sites where these are close to each other and far from it.
+        const double apart = (named.from_point - nearest.from_point).norm();
+        const double excess = (named.power_distance - nearest.power_distance) / (2 * apart);
+        const double leverage = (named.from_point.norm() + nearest.from_point.norm()) / apart;
+        if (!(excess <= kVoxelTolerance * h + leverage * rounding)) {
             throw NotATile(voxel_name(grid, k) + " names cell " + std::to_string(image.site[k]) +
                            ", but its centre lies in cell " + std::to_string(nearest.site));
         }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/polyhedra/cell_sites.hpp"
 #include "mesher/polyhedra/polyhedral_mesh.hpp"
 #include "mesher/polyhedra/polyhedral_proof.hpp"
 #include "tests/support/polyhedra.hpp"
@@ -180,6 +181,21 @@ TEST(ShortSpaceEdges, LeaveCellsWithTheVolumesOfFiniteVolumeSolvers) {
     EXPECT_NEAR(sum / lattice.volume(), 1, 1e-12);
     // Fans from one corner of each face give other volumes.
     EXPECT_GT(bent, 1e-3);
+}
+
+/// Law (4).
+TEST(ShortSpaceEdges, LeaveTheCellsOfClustersOnTheirSides) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const SpaceLattice lattice({1, 0, 0}, {-0.28, 1, 0}, {-0.13, -0.33, 1.9});
+        const Points3 cluster = 0.02 * uniform_points(lattice, 30, seed);
+        const SpaceSites sites(lattice, cluster);
+        for (const double shortest : {0.02, kLongestSpaceShortEdge}) {
+            const PolyhedralMesh mesh = polyhedral_mesh(
+                sites, without_short_edges(complex_of({"", lattice, cluster}), shortest));
+            EXPECT_NO_THROW(prove_cell_sites(mesh, sites_in_cells(sites, mesh)))
+                << "seed " << seed << ", shortest " << shortest;
+        }
+    }
 }
 
 TEST(ShortSpaceEdges, OfLatticesAreNotShort) {

@@ -35,8 +35,8 @@ TEST(SiteTree, Law1NoImageIsNearer) {
         }
         const NearestImage found = tree.nearest(p);
         EXPECT_NEAR(found.power_distance, least, 1e-9 * lattice.area());
-        EXPECT_NEAR((found.position - p).squaredNorm(),
-                    testing::squared_distance(sites, found.site, p), 1e-9 * lattice.area());
+        EXPECT_NEAR(found.from_point.squaredNorm(), testing::squared_distance(sites, found.site, p),
+                    1e-9 * lattice.area());
     }
 }
 
